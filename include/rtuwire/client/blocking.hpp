@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// A client that waits, for hosts: it drives the sans-IO client over a port until an outcome is there.
+// Knows of the operating system only what the port shows.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+
+#include <rtuwire/client/client.hpp>
+#include <rtuwire/client/conversation.hpp>
+
+namespace rtuwire {
+
+/// A serial port as seen from here: it has a clock, sends all it is given before a deadline, waits
+/// until that has left, and reads what is there or arrives before a deadline (none: an empty span).
+template <typename T>
+concept serial_port = requires(T& port, byte_view out, byte_span in, instant until)
+{
+    {
+        port.now()
+        } -> std::same_as<instant>;
+    {
+        port.write(out, until)
+        } -> std::same_as<result<void>>;
+    {
+        port.drain()
+        } -> std::same_as<result<void>>;
+    {
+        port.read(in, until)
+        } -> std::same_as<result<byte_span>>;
+};
+
+/// Asks and waits. Borrows its port, which must outlive it.
+template <serial_port Port> class blocking_client {
+public:
+    blocking_client(Port& port, line_timing const& line,
+                    client_options const& options = {}) noexcept
+        : port_{port}, client_{line, options}, write_limit_{options.response_timeout}
+    {}
+
+    /// Asks one question and waits for its outcome. The answer is valid until the next call. Errors:
+    /// those of encoding, an exception of the unit, those of the client, those of the port.
+    template <typename To, pdu Request>
+    result<typename Request::response> ask(To to, Request const& question)
+    {
+        single_question talk{to, question};
+        auto const ended = run(talk);
+        if (not ended) {
+            return ended.error();
+        }
+        auto const& outcome = *talk.outcome();
+        if (not outcome) {
+            return outcome.error();
+        }
+        return outcome->template to<Request>();
+    }
+
+    /// Tells everyone on the line and waits out the turnaround delay. Errors: those of encoding, of
+    /// the client, of the port.
+    template <broadcastable Request> result<void> tell_all(Request const& command)
+    {
+        single_question talk{broadcast, command};
+        auto const ended = run(talk);
+        if (not ended) {
+            return ended.error();
+        }
+        auto const& outcome = *talk.outcome();
+        if (not outcome) {
+            return outcome.error();
+        }
+        return {};
+    }
+
+    /// Runs a conversation until it has no further question. Errors: those of the port; the question
+    /// under way is then cancelled and the conversation told so.
+    template <conversation Talk> result<void> run(Talk& talk)
+    {
+        auto failed = drop_stale_input();
+        while (failed) {
+            client_.converse(talk, port_.now());
+            if (not client_.is_busy()) {
+                return {};
+            }
+            failed = step();
+        }
+        client_.cancel(port_.now());
+        if (auto const outcome = client_.poll_outcome()) {
+            talk.accept(*outcome);
+        }
+        return failed.error();
+    }
+
+private:
+    result<void> step()
+    {
+        client_.advance(port_.now());
+        if (byte_view const frame = client_.poll_transmit(); not frame.empty()) {
+            auto written = port_.write(frame, port_.now() + write_limit_);
+            if (written) {
+                written = port_.drain();
+            }
+            if (not written) {
+                return written;
+            }
+            client_.sent(port_.now());
+        }
+        deadline const next = client_.poll_deadline();
+        return receive_until(next ? *next : port_.now());
+    }
+
+    /// What the operating system kept from before the question must not pass for its answer.
+    result<void> drop_stale_input() { return receive_until(port_.now()); }
+
+    result<void> receive_until(instant until)
+    {
+        auto const octets = port_.read(input_, until);
+        if (not octets) {
+            return octets.error();
+        }
+        client_.receive(*octets, port_.now());
+        return {};
+    }
+
+    Port& port_;
+    client client_;
+    duration write_limit_;
+    std::array<std::byte, max_adu_size> input_{};
+};
+
+} // namespace rtuwire

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// The one abstraction between what somebody wants of a unit and the line it goes over: questions one
+// after the other, each with its answer. A read is a conversation, a plan is, a start-up is; whoever
+// runs it need not know which.
+#pragma once
+
+#include <concepts>
+#include <optional>
+
+#include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/result.hpp>
+#include <rtuwire/wire/adu.hpp>
+
+namespace rtuwire {
+
+/// A question: the octets of a frame that `encode` made. Whoever asks keeps them unchanged until the
+/// outcome is there, so that a repetition is the same question.
+class request {
+public:
+    explicit constexpr request(byte_view frame) noexcept : frame_{frame} {}
+
+    [[nodiscard]] constexpr byte_view frame() const noexcept { return frame_; }
+
+private:
+    byte_view frame_;
+};
+
+/// An answer that belongs to its question: same unit, function, length and echoed fields. Empty after
+/// a broadcast. A view, valid until the next request is started.
+class response {
+public:
+    constexpr response() noexcept = default;
+    explicit constexpr response(byte_view pdu) noexcept : pdu_{pdu} {}
+
+    [[nodiscard]] constexpr byte_view pdu() const noexcept { return pdu_; }
+
+    /// The answer to a request of type `Request`; the errors are those of its decoder.
+    template <typename Request>
+    [[nodiscard]] constexpr result<typename Request::response> to() const noexcept
+    {
+        return Request::response::decode(pdu_);
+    }
+
+private:
+    byte_view pdu_;
+};
+
+/// Whatever has questions and takes answers: `next` gives the next question, or nothing when there is
+/// none now; `accept` takes the outcome of the last one before `next` is called again.
+template <typename T>
+concept conversation = requires(T& talk, result<response> outcome)
+{
+    {
+        talk.next()
+        } -> std::same_as<std::optional<request>>;
+    talk.accept(outcome);
+};
+
+/// The conversation of one question, which it owns.
+template <pdu Request> class single_question {
+public:
+    /// Encodes the question; where that fails, nothing is asked and `outcome()` says why.
+    template <typename To> constexpr single_question(To to, Request const& question) noexcept
+    {
+        auto const frame = encode(to, question);
+        if (frame) {
+            frame_ = *frame;
+        } else {
+            outcome_ = frame.error();
+        }
+    }
+
+    constexpr std::optional<request> next() const noexcept
+    {
+        if (outcome_) {
+            return std::nullopt;
+        }
+        return request{frame_};
+    }
+
+    constexpr void accept(result<response> outcome) noexcept { outcome_ = outcome; }
+
+    /// What came of it, once it is there; the answer is valid until the client's next request.
+    [[nodiscard]] constexpr std::optional<result<response>> const& outcome() const noexcept
+    {
+        return outcome_;
+    }
+
+private:
+    frame_of<Request> frame_{};
+    std::optional<result<response>> outcome_{};
+};
+
+template <typename To, pdu Request> single_question(To, Request) -> single_question<Request>;
+
+} // namespace rtuwire

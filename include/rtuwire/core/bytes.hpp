@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Byte views and big-endian cursors. Answers for never reading or writing outside a span; knows no
+// frame, no field and no protocol.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace rtuwire {
+
+/// Octets that somebody else owns and keeps alive, to be read.
+using byte_view = std::span<std::byte const>;
+
+/// Octets that somebody else owns and keeps alive, to be written.
+using byte_span = std::span<std::byte>;
+
+/// The low eight bits of a value as an octet.
+[[nodiscard]] constexpr std::byte to_byte(std::uint32_t value) noexcept
+{
+    return static_cast<std::byte>(value & 0xFFU);
+}
+
+/// An octet as a number.
+[[nodiscard]] constexpr std::uint8_t to_u8(std::byte value) noexcept
+{
+    return static_cast<std::uint8_t>(value);
+}
+
+/// Two octets, most significant first, as a number.
+[[nodiscard]] constexpr std::uint16_t to_u16(std::byte high, std::byte low) noexcept
+{
+    return static_cast<std::uint16_t>((std::uint32_t{to_u8(high)} << 8U) | to_u8(low));
+}
+
+/// The big-endian word at an offset. The caller has checked that `offset + 2 <= bytes.size()`.
+[[nodiscard]] constexpr std::uint16_t u16_at(byte_view bytes, std::size_t offset) noexcept
+{
+    return to_u16(bytes[offset], bytes[offset + 1]);
+}
+
+/// Whether two views hold the same octets.
+[[nodiscard]] constexpr bool same_bytes(byte_view left, byte_view right) noexcept
+{
+    if (left.size() != right.size()) {
+        return false;
+    }
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        if (left[i] != right[i]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Reads big-endian fields from the front of a view. Reading past the end yields zeros and makes
+/// `ok()` false for good, so a sequence of reads needs one check at its end.
+class byte_reader {
+public:
+    explicit constexpr byte_reader(byte_view source) noexcept : rest_{source} {}
+
+    /// The next octet.
+    constexpr std::uint8_t u8() noexcept
+    {
+        byte_view const taken = take(1);
+        return taken.empty() ? std::uint8_t{} : to_u8(taken[0]);
+    }
+
+    /// The next two octets as a big-endian word.
+    constexpr std::uint16_t u16() noexcept
+    {
+        byte_view const taken = take(2);
+        return taken.empty() ? std::uint16_t{} : u16_at(taken, 0);
+    }
+
+    /// The next `count` octets, viewed in place; empty when fewer are left.
+    constexpr byte_view take(std::size_t count) noexcept
+    {
+        if (count > rest_.size()) {
+            ok_ = false;
+            rest_ = {};
+            return {};
+        }
+        byte_view const taken = rest_.first(count);
+        rest_ = rest_.subspan(count);
+        return taken;
+    }
+
+    /// What has not been read yet.
+    [[nodiscard]] constexpr byte_view rest() const noexcept { return rest_; }
+
+    /// Whether every read so far was inside the view.
+    [[nodiscard]] constexpr bool ok() const noexcept { return ok_; }
+
+private:
+    byte_view rest_;
+    bool ok_{true};
+};
+
+/// Writes big-endian fields to the front of a span. A field that does not fit is not written, nor is
+/// any after it, and `ok()` turns false for good.
+class byte_writer {
+public:
+    explicit constexpr byte_writer(byte_span target) noexcept : target_{target} {}
+
+    /// Appends the low eight bits.
+    constexpr void u8(std::uint32_t value) noexcept
+    {
+        if (room_for(1)) {
+            target_[size_++] = to_byte(value);
+        }
+    }
+
+    /// Appends the low sixteen bits, most significant octet first.
+    constexpr void u16(std::uint32_t value) noexcept
+    {
+        if (room_for(2)) {
+            target_[size_] = to_byte(value >> 8U);
+            target_[size_ + 1] = to_byte(value);
+            size_ += 2;
+        }
+    }
+
+    /// Appends octets; all of them or none.
+    constexpr void bytes(byte_view source) noexcept
+    {
+        if (not room_for(source.size())) {
+            return;
+        }
+        for (std::byte const octet : source) {
+            target_[size_++] = octet;
+        }
+    }
+
+    /// What has been written, at the start of the target.
+    [[nodiscard]] constexpr byte_span written() const noexcept { return target_.first(size_); }
+
+    /// How many octets have been written.
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
+
+    /// Whether every field so far fitted.
+    [[nodiscard]] constexpr bool ok() const noexcept { return ok_; }
+
+private:
+    constexpr bool room_for(std::size_t count) noexcept
+    {
+        ok_ = ok_ and count <= target_.size() - size_;
+        return ok_;
+    }
+
+    byte_span target_;
+    std::size_t size_{0};
+    bool ok_{true};
+};
+
+} // namespace rtuwire

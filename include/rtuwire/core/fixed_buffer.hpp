@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// An array with a length, for octets whose number is known only after encoding. Owns its storage,
+// never allocates, and never holds more than its capacity.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/core/bytes.hpp>
+
+namespace rtuwire {
+
+/// Up to `Capacity` octets, stored in place.
+template <std::size_t Capacity> class fixed_buffer {
+    static_assert(Capacity <= 0xFFFF, "a fixed_buffer counts its octets in sixteen bits");
+
+public:
+    /// An empty buffer.
+    constexpr fixed_buffer() noexcept = default;
+
+    /// All of the storage, to be filled from its start and then kept with `resize`.
+    [[nodiscard]] constexpr byte_span storage() noexcept { return storage_; }
+
+    /// Keeps the first `size` octets; a size above the capacity keeps the capacity.
+    constexpr void resize(std::size_t size) noexcept
+    {
+        size_ = static_cast<std::uint16_t>(size < Capacity ? size : Capacity);
+    }
+
+    /// The octets held, valid while the buffer lives and is not resized.
+    [[nodiscard]] constexpr byte_view view() const noexcept
+    {
+        return byte_view{storage_}.first(size_);
+    }
+
+    /// The octets held, for everything that takes a view.
+    constexpr operator byte_view() const noexcept { return view(); }
+
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
+    [[nodiscard]] constexpr bool empty() const noexcept { return size_ == 0; }
+    [[nodiscard]] static constexpr std::size_t capacity() noexcept { return Capacity; }
+
+    /// Octet-wise equality with anything that is a view of octets.
+    friend constexpr bool operator==(fixed_buffer const& left, byte_view right) noexcept
+    {
+        return same_bytes(left.view(), right);
+    }
+
+private:
+    std::array<std::byte, Capacity> storage_{};
+    std::uint16_t size_{0};
+};
+
+} // namespace rtuwire

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// A POSIX file descriptor of a serial line: owned, read and written with deadlines. Answers for every
+// failure becoming an errc, and for a vanished device being an error at once and at each further call.
+#pragma once
+
+#include <cerrno>
+#include <cstddef>
+#include <utility>
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/result.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/port/chrono.hpp>
+#include <rtuwire/wire/errc.hpp>
+
+namespace rtuwire {
+
+/// The error for a failed system call on a device.
+[[nodiscard]] inline errc device_error(int system_error) noexcept
+{
+    switch (system_error) {
+    case ENOENT: return errc::device_not_found;
+    case EACCES:
+    case EPERM: return errc::device_access_denied;
+    case EBUSY:
+    case EWOULDBLOCK: return errc::device_in_use;
+    case ENOTTY:
+    case EISDIR: return errc::device_not_serial;
+    case EINVAL: return errc::device_setting_refused;
+    case EIO:
+    case ENXIO:
+    case ENODEV:
+    case EPIPE: return errc::device_vanished;
+    default: return errc::device_failed;
+    }
+}
+
+/// The time left until an instant, as `poll` takes it: whole milliseconds, rounded up; 0 when over.
+[[nodiscard]] inline int milliseconds_until(instant until, instant now) noexcept
+{
+    if (reached(now, until)) {
+        return 0;
+    }
+    return static_cast<int>(((until - now).microseconds + 999U) / 1000U);
+}
+
+/// An open descriptor in non-blocking mode, closed when it goes. Can be moved.
+class descriptor {
+public:
+    descriptor() noexcept = default;
+    explicit descriptor(int number) noexcept : number_{number} {}
+    descriptor(descriptor&& other) noexcept : number_{std::exchange(other.number_, -1)} {}
+    descriptor& operator=(descriptor&& other) noexcept
+    {
+        std::swap(number_, other.number_);
+        return *this;
+    }
+    ~descriptor() { close(); }
+
+    void close() noexcept
+    {
+        if (number_ >= 0) {
+            ::close(std::exchange(number_, -1));
+        }
+    }
+
+    [[nodiscard]] bool is_open() const noexcept { return number_ >= 0; }
+    [[nodiscard]] int number() const noexcept { return number_; }
+
+    /// Sends all octets. Errors: `timed_out` when the deadline passes first, part of them sent;
+    /// `device_vanished`, `device_failed`.
+    result<void> write(byte_view octets, instant until) const noexcept
+    {
+        while (not octets.empty()) {
+            ssize_t const count = ::write(number_, octets.data(), octets.size());
+            if (count > 0) {
+                octets = octets.subspan(static_cast<std::size_t>(count));
+                continue;
+            }
+            if (count < 0 and errno == EINTR) {
+                continue;
+            }
+            if (count < 0 and errno != EAGAIN) {
+                return device_error(errno);
+            }
+            auto const ready = wait(POLLOUT, until);
+            if (not ready) {
+                return ready.error();
+            }
+            if (not *ready) {
+                return errc::timed_out;
+            }
+        }
+        return {};
+    }
+
+    /// Waits until there is at least one octet or the deadline has passed, and reads what is there: an
+    /// empty part of `place` when there was nothing. Errors: `device_vanished`, `device_failed`.
+    result<byte_span> read(byte_span place, instant until) const noexcept
+    {
+        for (;;) {
+            auto const ready = wait(POLLIN, until);
+            if (not ready) {
+                return ready.error();
+            }
+            if (not *ready) {
+                return place.first(0);
+            }
+            ssize_t const count = ::read(number_, place.data(), place.size());
+            if (count > 0) {
+                return place.first(static_cast<std::size_t>(count));
+            }
+            if (count == 0) {
+                return errc::device_vanished;
+            }
+            if (errno != EINTR and errno != EAGAIN) {
+                return device_error(errno);
+            }
+        }
+    }
+
+private:
+    /// Whether the descriptor became ready before the deadline. A hang-up counts as ready while octets
+    /// are left to read, and as vanished after that.
+    result<bool> wait(short events, instant until) const noexcept
+    {
+        for (;;) {
+            pollfd watched{number_, events, 0};
+            int const count = ::poll(&watched, 1, milliseconds_until(until, steady_now()));
+            if (count == 0) {
+                return false;
+            }
+            if (count < 0 and errno == EINTR) {
+                continue;
+            }
+            if (count < 0) {
+                return errc::device_failed;
+            }
+            if ((watched.revents & events) != 0) {
+                return true;
+            }
+            return errc::device_vanished;
+        }
+    }
+
+    int number_{-1};
+};
+
+} // namespace rtuwire

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// A serial line without hardware: a pseudo-terminal whose far end any program can open by name. Keeps
+// the far end open itself, so that programs may come and go on it.
+#pragma once
+
+#include <cerrno>
+#include <cstdlib>
+#include <string>
+#include <utility>
+
+#include <fcntl.h>
+#include <stdlib.h>
+#include <termios.h>
+
+#include <rtuwire/port/chrono.hpp>
+#include <rtuwire/port/descriptor.hpp>
+#include <rtuwire/port/serial_settings.hpp>
+
+namespace rtuwire {
+
+/// The near end of a pseudo-terminal. Can be moved; the far end vanishes with it.
+class pseudo_terminal {
+public:
+    /// Makes the pair. Errors: `device_failed`, and those of setting a line up.
+    result<void> open()
+    {
+        close();
+        descriptor near{::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)};
+        if (not near.is_open()) {
+            return errc::device_failed;
+        }
+        char path[64]{};
+        bool const is_ready = ::grantpt(near.number()) == 0 and ::unlockpt(near.number()) == 0 and
+                              ::ptsname_r(near.number(), path, sizeof path) == 0 and
+                              ::fcntl(near.number(), F_SETFL, O_NONBLOCK) == 0;
+        if (not is_ready) {
+            return errc::device_failed;
+        }
+        descriptor far{::open(path, O_RDWR | O_NOCTTY | O_CLOEXEC)};
+        if (not far.is_open()) {
+            return errc::device_failed;
+        }
+        if (auto const set = apply_line(far.number(), {}); not set) {
+            return set;
+        }
+        near_ = std::move(near);
+        far_ = std::move(far);
+        path_ = path;
+        return {};
+    }
+
+    void close() noexcept
+    {
+        near_.close();
+        far_.close();
+    }
+
+    /// The name under which the far end can be opened as a serial device.
+    [[nodiscard]] std::string const& path() const noexcept { return path_; }
+
+    /// Sends all octets. Errors: `timed_out` when nobody reads the far end, `device_failed`.
+    result<void> write(byte_view octets, instant until) const { return near_.write(octets, until); }
+
+    /// Nothing to wait for: what was written is at the far end.
+    result<void> drain() const noexcept { return {}; }
+
+    /// Waits for at least one octet until the deadline and reads what is there; empty when there was
+    /// none. Error: `device_failed`.
+    result<byte_span> read(byte_span place, instant until) const
+    {
+        return near_.read(place, until);
+    }
+
+    /// Now, on the clock that deadlines are of.
+    [[nodiscard]] static instant now() noexcept { return steady_now(); }
+
+private:
+    descriptor near_;
+    descriptor far_;
+    std::string path_;
+};
+
+} // namespace rtuwire

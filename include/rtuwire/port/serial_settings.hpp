@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// How a POSIX serial device is set up for Modbus: raw octets, bit rate, character format, and what
+// the kernel offers beside (low latency, RS-485 direction control).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <sys/ioctl.h>
+#include <termios.h>
+
+#ifdef __linux__
+#include <linux/serial.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#endif
+
+#include <rtuwire/core/result.hpp>
+#include <rtuwire/rtu/line.hpp>
+#include <rtuwire/wire/errc.hpp>
+
+namespace rtuwire {
+
+/// Whether the kernel's driver shall switch the RS-485 transceiver's direction.
+enum class rs485_mode : std::uint8_t {
+    leave,      ///< as the device is: adapters that switch by themselves
+    if_offered, ///< where the driver can
+    required,   ///< `device_setting_refused` where it cannot
+};
+
+/// What a serial device is opened with.
+struct serial_settings {
+    std::uint32_t bits_per_second{19'200};
+    character_format format{character_format::even_8_1};
+    rs485_mode rs485{rs485_mode::leave};
+};
+
+/// The platform's code of a bit rate, if it has one.
+[[nodiscard]] inline std::optional<speed_t> speed_code(std::uint32_t bits_per_second) noexcept
+{
+    switch (bits_per_second) {
+    case 1200: return B1200;
+    case 2400: return B2400;
+    case 4800: return B4800;
+    case 9600: return B9600;
+    case 19'200: return B19200;
+    case 38'400: return B38400;
+#ifdef B57600
+    case 57'600: return B57600;
+#endif
+#ifdef B115200
+    case 115'200: return B115200;
+#endif
+#ifdef B230400
+    case 230'400: return B230400;
+#endif
+#ifdef B460800
+    case 460'800: return B460800;
+#endif
+#ifdef B500000
+    case 500'000: return B500000;
+#endif
+#ifdef B576000
+    case 576'000: return B576000;
+#endif
+#ifdef B921600
+    case 921'600: return B921600;
+#endif
+#ifdef B1000000
+    case 1'000'000: return B1000000;
+#endif
+#ifdef B1152000
+    case 1'152'000: return B1152000;
+#endif
+#ifdef B1500000
+    case 1'500'000: return B1500000;
+#endif
+#ifdef B2000000
+    case 2'000'000: return B2000000;
+#endif
+#ifdef B2500000
+    case 2'500'000: return B2500000;
+#endif
+#ifdef B3000000
+    case 3'000'000: return B3000000;
+#endif
+#ifdef B4000000
+    case 4'000'000: return B4000000;
+#endif
+    default: return std::nullopt;
+    }
+}
+
+/// The control flags of a character format: 8 data bits, parity, stop bits, receiver on, no modem lines.
+[[nodiscard]] inline tcflag_t control_flags(character_format format) noexcept
+{
+    tcflag_t const common = CS8 | CREAD | CLOCAL;
+    switch (format) {
+    case character_format::even_8_1: return common | PARENB;
+    case character_format::odd_8_1: return common | PARENB | PARODD;
+    case character_format::none_8_1: return common;
+    case character_format::none_8_2: return common | CSTOPB;
+    }
+    return common;
+}
+
+/// Whether a device is a pseudo-terminal, which has no wire and so no parity.
+[[nodiscard]] inline bool is_pseudo_terminal([[maybe_unused]] int device) noexcept
+{
+#ifdef __linux__
+    constexpr unsigned first_unix98_major = 136;
+    constexpr unsigned last_unix98_major = 143;
+    struct stat info {};
+    if (::fstat(device, &info) != 0) {
+        return false;
+    }
+    unsigned const number = major(info.st_rdev);
+    return number >= first_unix98_major and number <= last_unix98_major;
+#else
+    return false;
+#endif
+}
+
+/// Sets an open device up. Errors: `device_not_serial`, `device_setting_refused` when the device does
+/// not keep the bit rate or the character format.
+[[nodiscard]] inline result<void> apply_line(int device, serial_settings const& settings) noexcept
+{
+    auto const speed = speed_code(settings.bits_per_second);
+    if (not speed) {
+        return errc::device_setting_refused;
+    }
+    termios line{};
+    if (::tcgetattr(device, &line) != 0) {
+        return errc::device_not_serial;
+    }
+    line.c_iflag = 0;
+    line.c_oflag = 0;
+    line.c_lflag = 0;
+    line.c_cflag = control_flags(settings.format);
+    line.c_cc[VMIN] = 0;
+    line.c_cc[VTIME] = 0;
+    ::cfsetispeed(&line, *speed);
+    ::cfsetospeed(&line, *speed);
+    // What it returns says little: it succeeds when anything at all could be set, and fails where a
+    // pseudo-terminal drops the parity flag. What the device kept tells.
+    static_cast<void>(::tcsetattr(device, TCSANOW, &line));
+    termios kept{};
+    if (::tcgetattr(device, &kept) != 0) {
+        return errc::device_not_serial;
+    }
+    tcflag_t const compared = is_pseudo_terminal(device)
+                                  ? tcflag_t{CSIZE | CSTOPB}
+                                  : tcflag_t{CSIZE | CSTOPB | PARENB | PARODD};
+    bool const is_kept =
+        ::cfgetospeed(&kept) == *speed and (kept.c_cflag & compared) == (line.c_cflag & compared);
+    if (not is_kept) {
+        return errc::device_setting_refused;
+    }
+    return {};
+}
+
+/// Asks the driver to hand octets on at once. Without the offer nothing is lost but time.
+inline void request_low_latency([[maybe_unused]] int device) noexcept
+{
+#if defined(TIOCGSERIAL) && defined(ASYNC_LOW_LATENCY)
+    serial_struct driver{};
+    if (::ioctl(device, TIOCGSERIAL, &driver) == 0) {
+        driver.flags |= static_cast<int>(ASYNC_LOW_LATENCY);
+        static_cast<void>(::ioctl(device, TIOCSSERIAL, &driver));
+    }
+#endif
+}
+
+/// Asks the driver for RS-485 direction control. Error: `device_setting_refused` where it is required
+/// and not offered.
+[[nodiscard]] inline result<void> apply_rs485([[maybe_unused]] int device, rs485_mode mode) noexcept
+{
+    if (mode == rs485_mode::leave) {
+        return {};
+    }
+#ifdef TIOCSRS485
+    serial_rs485 wiring{};
+    wiring.flags = SER_RS485_ENABLED | SER_RS485_RTS_ON_SEND;
+    if (::ioctl(device, TIOCSRS485, &wiring) == 0) {
+        return {};
+    }
+#endif
+    if (mode == rs485_mode::required) {
+        return errc::device_setting_refused;
+    }
+    return {};
+}
+
+} // namespace rtuwire

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// How long a character and the silences around a frame last on a line (SL 2.5.1), from its bit rate
+// and character format. Knows no frame and no clock.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/core/time.hpp>
+
+namespace rtuwire {
+
+/// Data bits, parity and stop bits. The specification wants 11 bits, `even_8_1` by default; the ATV28
+/// speaks `none_8_1`, of 10 bits.
+enum class character_format : std::uint8_t { even_8_1, odd_8_1, none_8_1, none_8_2 };
+
+/// Bits of one character, start bit included: 10 or 11.
+[[nodiscard]] constexpr std::uint32_t bits_per_character(character_format format) noexcept
+{
+    return format == character_format::none_8_1 ? 10 : 11;
+}
+
+/// The times of one line. All are rounded up to whole microseconds.
+class line_timing {
+public:
+    /// Times for a receiver that sees each character as it ends, or a hardware buffer of a few: a
+    /// frame without a length rule ends after t3.5. `bits_per_second` is above 0.
+    constexpr line_timing(std::uint32_t bits_per_second, character_format format) noexcept
+        : character_{bit_times(2, bits_per_second, format)}, t3_5_{bits_per_second > 19'200
+                                                                       ? microseconds(1750)
+                                                                       : bit_times(7,
+                                                                                   bits_per_second,
+                                                                                   format)},
+          frame_end_{t3_5_}
+    {}
+
+    /// Times for a host, where an operating system or a USB adapter delivers characters late and in
+    /// lumps: silence counts only after `frame_end`, 50 ms unless told (adapters leave gaps of 16 to
+    /// 70 ms inside a frame when their latency timer is not lowered).
+    [[nodiscard]] static constexpr line_timing host(std::uint32_t bits_per_second,
+                                                    character_format format,
+                                                    duration frame_end = milliseconds(50)) noexcept
+    {
+        line_timing line{bits_per_second, format};
+        if (frame_end > line.frame_end_) {
+            line.frame_end_ = frame_end;
+        }
+        return line;
+    }
+
+    /// The time that `count` characters take.
+    [[nodiscard]] constexpr duration characters(std::size_t count) const noexcept
+    {
+        return character_ * static_cast<std::uint32_t>(count);
+    }
+
+    /// The longest gap inside a frame: 1.5 characters, 750 us above 19 200 bit/s.
+    [[nodiscard]] constexpr duration t1_5() const noexcept
+    {
+        return microseconds((t3_5_.microseconds * 3U + 6U) / 7U);
+    }
+
+    /// The shortest silence between frames: 3.5 characters, 1 750 us above 19 200 bit/s.
+    [[nodiscard]] constexpr duration t3_5() const noexcept { return t3_5_; }
+
+    /// The silence after which a receiver takes what it has for all there is; never below t3.5.
+    [[nodiscard]] constexpr duration frame_end() const noexcept { return frame_end_; }
+
+private:
+    static constexpr duration bit_times(std::uint32_t half_characters,
+                                        std::uint32_t bits_per_second,
+                                        character_format format) noexcept
+    {
+        std::uint32_t const bits_by_million =
+            half_characters * bits_per_character(format) * 500'000U;
+        return microseconds((bits_by_million + bits_per_second - 1) / bits_per_second);
+    }
+
+    duration character_;
+    duration t3_5_;
+    duration frame_end_;
+};
+
+} // namespace rtuwire

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What a server serves: the concept of a register bank, and the plainest one.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/core/bytes.hpp>
+#include <rtuwire/wire/errc.hpp>
+#include <rtuwire/wire/register_view.hpp>
+
+namespace rtuwire {
+
+/// Registers that can be checked before they are touched. `check_read` and `check_write` change
+/// nothing and return none, `illegal_data_address` or `illegal_data_value`; `read` appends `count`
+/// words and `write` stores all values, after the check of the same range returned none. Their error
+/// is `server_device_failure` or any other exception.
+template <typename T>
+concept register_bank = requires(T& bank, T const& constant, std::uint16_t start, std::size_t count,
+                                 register_view values, byte_writer& out)
+{
+    {
+        constant.check_read(start, count)
+        } -> std::same_as<errc>;
+    {
+        constant.check_write(start, values)
+        } -> std::same_as<errc>;
+    {
+        bank.read(start, count, out)
+        } -> std::same_as<errc>;
+    {
+        bank.write(start, values)
+        } -> std::same_as<errc>;
+};
+
+/// `Count` plain words from address `first` on, all readable and writable.
+template <std::size_t Count> class word_bank {
+    static_assert(Count > 0 and Count <= 0x1'0000, "a bank holds 1 to 65536 registers");
+
+public:
+    /// Words from address 0, all zero.
+    constexpr word_bank() noexcept = default;
+
+    /// Words from address `first`, all zero. Those past address 65535 are never reached.
+    explicit constexpr word_bank(std::uint16_t first) noexcept : first_{first} {}
+
+    /// Whether a register exists.
+    [[nodiscard]] constexpr bool contains(std::uint16_t address) const noexcept
+    {
+        return holds(address, 1);
+    }
+
+    /// The word at an address that the bank contains; 0 elsewhere.
+    [[nodiscard]] constexpr std::uint16_t get(std::uint16_t address) const noexcept
+    {
+        return contains(address) ? words_[offset(address)] : std::uint16_t{0};
+    }
+
+    /// Replaces the word at an address; `illegal_data_address` where the bank has none.
+    constexpr result<void> set(std::uint16_t address, std::uint16_t value) noexcept
+    {
+        if (not contains(address)) {
+            return errc::illegal_data_address;
+        }
+        words_[offset(address)] = value;
+        return {};
+    }
+
+    [[nodiscard]] constexpr errc check_read(std::uint16_t start, std::size_t count) const noexcept
+    {
+        return holds(start, count) ? errc::none : errc::illegal_data_address;
+    }
+
+    [[nodiscard]] constexpr errc check_write(std::uint16_t start,
+                                             register_view values) const noexcept
+    {
+        return check_read(start, values.size());
+    }
+
+    constexpr errc read(std::uint16_t start, std::size_t count, byte_writer& out) noexcept
+    {
+        for (std::size_t i = 0; i < count; ++i) {
+            out.u16(words_[offset(start) + i]);
+        }
+        return errc::none;
+    }
+
+    constexpr errc write(std::uint16_t start, register_view values) noexcept
+    {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            words_[offset(start) + i] = values[i];
+        }
+        return errc::none;
+    }
+
+private:
+    constexpr std::size_t offset(std::uint16_t address) const noexcept
+    {
+        return static_cast<std::size_t>(address) - first_;
+    }
+
+    constexpr bool holds(std::uint16_t start, std::size_t count) const noexcept
+    {
+        return start >= first_ and offset(start) <= Count and count <= Count - offset(start);
+    }
+
+    std::uint16_t first_{0};
+    std::array<std::uint16_t, Count> words_{};
+};
+
+} // namespace rtuwire

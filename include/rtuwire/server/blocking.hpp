@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// One pass of a server over a host's port, to be called in a loop. Knows of the operating system only
+// what the port shows.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <rtuwire/server/server.hpp>
+
+namespace rtuwire {
+
+/// Reads what has arrived, or arrives before `patience` is over; answers what is asked. Errors: those
+/// of the port.
+template <typename Port, register_bank Bank>
+result<void> serve_once(server& node, Port& port, Bank& bank, duration patience)
+{
+    constexpr duration write_limit = milliseconds(1000);
+    std::array<std::byte, max_adu_size> input;
+    instant const start = port.now();
+    node.advance(start);
+    instant const until = *earlier(node.poll_deadline(), start + patience);
+    auto const octets = port.read(input, until);
+    if (not octets) {
+        return octets.error();
+    }
+    node.receive(*octets, port.now());
+    node.advance(port.now());
+    node.serve(bank, port.now());
+    byte_view const frame = node.poll_transmit();
+    if (frame.empty()) {
+        return {};
+    }
+    auto written = port.write(frame, port.now() + write_limit);
+    if (written) {
+        written = port.drain();
+    }
+    node.sent(port.now());
+    return written;
+}
+
+} // namespace rtuwire

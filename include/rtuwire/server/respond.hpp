@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// A server as a pure function: a request and a bank in, an answer out. Checks in the specification's
+// order (AP 7): function, value, address, then the work itself; everything is checked before anything
+// is written. Knows no unit, no CRC and no time.
+#pragma once
+
+#include <cstddef>
+
+#include <rtuwire/server/bank.hpp>
+#include <rtuwire/server/identification.hpp>
+#include <rtuwire/server/request.hpp>
+#include <rtuwire/wire/pdu/diagnostics.hpp>
+#include <rtuwire/wire/pdu/exception.hpp>
+
+namespace rtuwire {
+
+/// Does what functions 03, 06, 16 and 23 ask: both halves are checked before the write is done, and
+/// the write is done before the read.
+template <register_bank Bank>
+[[nodiscard]] constexpr errc access_registers(register_access const& asked, Bank& bank,
+                                              byte_writer& out) noexcept
+{
+    errc wrong = errc::none;
+    if (asked.read_count > 0) {
+        wrong = bank.check_read(asked.read_start, asked.read_count);
+    }
+    if (wrong == errc::none and not asked.values.empty()) {
+        wrong = bank.check_write(asked.write_start, asked.values);
+    }
+    if (wrong == errc::none and not asked.values.empty()) {
+        wrong = bank.write(asked.write_start, asked.values);
+    }
+    if (wrong == errc::none and asked.read_count > 0) {
+        out.u8(2U * asked.read_count);
+        wrong = bank.read(asked.read_start, asked.read_count, out);
+        if (wrong == errc::none and not out.ok()) {
+            wrong = errc::server_device_failure;
+        }
+    }
+    return wrong;
+}
+
+/// Answers a request of functions 03, 06, 16 and 23; the size of the answer, or the exception.
+template <register_bank Bank>
+[[nodiscard]] constexpr result<std::size_t> answer_access(byte_view request_pdu, Bank& bank,
+                                                          server_profile const& profile,
+                                                          byte_span out) noexcept
+{
+    constexpr std::size_t echo_size = 5;
+    auto const asked = decode_access(request_pdu, profile.limits);
+    if (not asked) {
+        return asked.error();
+    }
+    bool const only_writes = asked->read_count == 0;
+    // An answer in the request's own place: what it repeats is already there.
+    byte_writer writer{out};
+    writer.bytes(request_pdu.first(only_writes ? echo_size : 1));
+    errc const wrong = access_registers(*asked, bank, writer);
+    if (wrong != errc::none) {
+        return wrong;
+    }
+    return writer.size();
+}
+
+/// Answers function 08: only the loop-back, sub-function 0.
+[[nodiscard]] constexpr result<std::size_t> answer_diagnostics(byte_view request_pdu,
+                                                               byte_span out) noexcept
+{
+    if (request_pdu.size() >= 3 and u16_at(request_pdu, 1) != 0) {
+        return errc::illegal_function;
+    }
+    if (not diagnostics::decode(request_pdu)) {
+        return errc::illegal_data_value;
+    }
+    byte_writer writer{out};
+    writer.bytes(request_pdu);
+    return writer.size();
+}
+
+/// Answers function 43: only type 14, device identification.
+[[nodiscard]] constexpr result<std::size_t>
+answer_identification(byte_view request_pdu, server_profile const& profile, byte_span out) noexcept
+{
+    auto const asked = read_device_identification::decode(request_pdu);
+    if (asked) {
+        return write_identification(out, profile.identity, *asked);
+    }
+    return asked.error() == errc::wrong_function ? errc::illegal_function
+                                                 : errc::illegal_data_value;
+}
+
+/// Answers any request; the size of the answer, or the exception.
+template <register_bank Bank>
+[[nodiscard]] constexpr result<std::size_t>
+answer(byte_view request_pdu, Bank& bank, server_profile const& profile, byte_span out) noexcept
+{
+    auto const function = static_cast<function_code>(to_u8(request_pdu[0]));
+    if (not profile.supports(function)) {
+        return errc::illegal_function;
+    }
+    switch (function) {
+    case function_code::diagnostics: return answer_diagnostics(request_pdu, out);
+    case function_code::encapsulated_interface:
+        return answer_identification(request_pdu, profile, out);
+    case function_code::read_holding_registers:
+    case function_code::write_single_register:
+    case function_code::write_multiple_registers:
+    case function_code::read_write_multiple_registers: break;
+    }
+    return answer_access(request_pdu, bank, profile, out);
+}
+
+/// Answers a request PDU that was sent to one unit. Writes the answer, normal or exception, into `out`
+/// and returns its part written; empty, with nothing done, for a PDU without a function below 80.
+/// `out` holds at least 253 octets and may be the request's own place.
+template <register_bank Bank>
+[[nodiscard]] constexpr byte_span respond(byte_view request_pdu, Bank& bank,
+                                          server_profile const& profile, byte_span out) noexcept
+{
+    if (request_pdu.empty() or out.size() < max_pdu_size) {
+        return {};
+    }
+    auto const function = static_cast<function_code>(to_u8(request_pdu[0]));
+    if (to_u8(function) >= exception_bit) {
+        return {};
+    }
+    auto const answered = answer(request_pdu, bank, profile, out.first(max_pdu_size));
+    if (answered) {
+        return out.first(*answered);
+    }
+    errc const code =
+        is_exception(answered.error()) ? answered.error() : errc::server_device_failure;
+    byte_writer writer{out};
+    exception_response{function, static_cast<std::uint8_t>(code)}.write(writer);
+    return writer.written();
+}
+
+/// Does what a broadcast asks; only functions 06 and 16 have an effect, and nobody learns of errors.
+template <register_bank Bank>
+constexpr void obey_broadcast(byte_view request_pdu, Bank& bank,
+                              server_profile const& profile) noexcept
+{
+    bool const is_write = is_pdu_of(request_pdu, function_code::write_single_register) or
+                          is_pdu_of(request_pdu, function_code::write_multiple_registers);
+    if (not is_write or not profile.supports(static_cast<function_code>(to_u8(request_pdu[0])))) {
+        return;
+    }
+    auto const asked = decode_access(request_pdu, profile.limits);
+    byte_writer nowhere{byte_span{}};
+    if (asked) {
+        static_cast<void>(access_registers(*asked, bank, nowhere));
+    }
+}
+
+} // namespace rtuwire

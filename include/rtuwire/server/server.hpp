@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// A unit's end of a line (SL 2.4.2): takes requests to this unit and to everyone, answers the former,
+// and is silent on anything else. Owns neither the wire, nor a clock, nor the registers.
+//
+//   phase         leaves it
+//   listening     a frame for this unit or everyone -> asked
+//   asked         serve -> answering, or listening after a broadcast
+//   answering     t3.5 of silence -> ready; none in time -> listening
+//   ready         poll_transmit -> transmitting; octets -> answering
+//   transmitting  sent -> listening
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/rtu/framer.hpp>
+#include <rtuwire/rtu/line.hpp>
+#include <rtuwire/server/respond.hpp>
+#include <rtuwire/wire/unit_id.hpp>
+
+namespace rtuwire {
+
+/// Serves one unit address. In each pass call `receive` with what arrived, `sent` when the last stop
+/// bit of an answer has left, `advance`, `serve`; then send what `poll_transmit` gives. Sleep no longer
+/// than `poll_deadline` says. Hears nothing until the line has been silent once.
+class server {
+public:
+    /// Listens as `unit`; the profile, and the objects in it, outlive the server.
+    constexpr server(unit_id unit, line_timing const& line, server_profile const& profile) noexcept
+        : framer_{direction::request, line}, profile_{&profile}, unit_{unit.octet()}
+    {}
+
+    /// Listens as `unit` with every function and the specification's limits, without identification.
+    constexpr server(unit_id unit, line_timing const& line) noexcept
+        : server{unit, line, default_profile}
+    {}
+
+    server(unit_id, line_timing const&, server_profile&&) = delete;
+
+    /// Takes octets that had arrived by `now`, in any chunking. Octets after a request to this unit and
+    /// before its answer has left are noise.
+    constexpr void receive(byte_view octets, instant now) noexcept
+    {
+        while (not octets.empty() and phase_ == phase::listening) {
+            octets = octets.subspan(framer_.receive(octets, now));
+            take_frame();
+        }
+        if (not octets.empty()) {
+            note_noise(now);
+        }
+    }
+
+    /// Takes the receiver's word that an octet arrived damaged (parity, framing, overrun).
+    constexpr void receive_error(instant now) noexcept
+    {
+        if (phase_ == phase::listening) {
+            framer_.receive_error(now);
+        } else {
+            note_noise(now);
+        }
+    }
+
+    /// Takes note that the last stop bit of what `poll_transmit` gave has left at `now`.
+    constexpr void sent(instant now) noexcept
+    {
+        framer_.note_activity(now);
+        if (phase_ != phase::transmitting) {
+            return;
+        }
+        framer_.restart(now);
+        phase_ = phase::listening;
+    }
+
+    /// Lets time pass.
+    constexpr void advance(instant now) noexcept
+    {
+        framer_.advance(now);
+        if (phase_ == phase::listening) {
+            take_frame();
+        }
+        if (phase_ == phase::answering and framer_.is_quiet()) {
+            phase_ = phase::ready;
+        }
+        if ((phase_ == phase::answering or phase_ == phase::ready) and reached(now, too_late_)) {
+            listen_after_silence();
+        }
+    }
+
+    /// Does what a request asks of the registers, and prepares the answer.
+    template <register_bank Bank> constexpr void serve(Bank& bank, instant now) noexcept
+    {
+        if (phase_ != phase::asked) {
+            return;
+        }
+        byte_span const place = framer_.storage().subspan(1);
+        byte_view const asked = byte_view{place}.first(asked_size_);
+        if (to_u8(framer_.storage()[0]) == 0) {
+            obey_broadcast(asked, bank, *profile_);
+            phase_ = phase::listening;
+            return;
+        }
+        std::size_t const size = respond(asked, bank, *profile_, place).size();
+        seal(size);
+        phase_ = size > 0 ? phase::answering : phase::listening;
+        too_late_ = now + answer_limit;
+        advance(now);
+    }
+
+    /// The octets to send now, once; empty when there is nothing. Valid until `sent`.
+    [[nodiscard]] constexpr byte_view poll_transmit() noexcept
+    {
+        if (phase_ != phase::ready) {
+            return {};
+        }
+        phase_ = phase::transmitting;
+        return framer_.storage().first(answer_size_);
+    }
+
+    /// When `advance` has something to do.
+    [[nodiscard]] constexpr deadline poll_deadline() const noexcept
+    {
+        deadline const limit =
+            phase_ == phase::answering or phase_ == phase::ready ? deadline{too_late_} : deadline{};
+        return earlier(framer_.poll_deadline(), limit);
+    }
+
+    /// Whether a request waits for `serve`.
+    [[nodiscard]] constexpr bool is_asked() const noexcept { return phase_ == phase::asked; }
+
+    /// How long an answer waits for the line to fall silent. Later, its client has given up, and the
+    /// answer could pass for one to its next question.
+    static constexpr duration answer_limit = milliseconds(100);
+
+private:
+    enum class phase : std::uint8_t { listening, asked, answering, ready, transmitting };
+
+    static constexpr server_profile default_profile{};
+
+    constexpr void take_frame() noexcept
+    {
+        auto const frame = framer_.poll_frame();
+        if (not frame or not *frame) {
+            return;
+        }
+        adu const& heard = **frame;
+        bool const is_for_us = heard.unit == unit_ or heard.unit == 0;
+        if (is_for_us and not heard.is_exception()) {
+            asked_size_ = static_cast<std::uint8_t>(heard.pdu.size());
+            phase_ = phase::asked;
+        } else {
+            // What follows may be another unit's answer, whose data may look like a request to us.
+            framer_.resynchronise();
+        }
+    }
+
+    constexpr void note_noise(instant now) noexcept
+    {
+        framer_.note_activity(now);
+        if (phase_ == phase::ready) {
+            phase_ = phase::answering;
+        }
+    }
+
+    constexpr void listen_after_silence() noexcept
+    {
+        framer_.resynchronise();
+        phase_ = phase::listening;
+    }
+
+    /// Makes a frame of the PDU that was written behind the unit's octet.
+    constexpr void seal(std::size_t pdu_size) noexcept
+    {
+        std::size_t const end = 1 + pdu_size;
+        std::uint16_t const crc = crc16(framer_.storage().first(end));
+        byte_writer tail{framer_.storage().subspan(end)};
+        tail.u8(crc);
+        tail.u8(std::uint32_t{crc} >> 8U);
+        answer_size_ = static_cast<std::uint16_t>(end + 2);
+    }
+
+    framer framer_;
+    server_profile const* profile_;
+    instant too_late_{};
+    std::uint16_t answer_size_{0};
+    std::uint8_t asked_size_{0};
+    std::uint8_t unit_;
+    phase phase_{phase::listening};
+};
+
+} // namespace rtuwire

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Whether a frame answers a question. RTU frames carry no transaction number, so everything that the
+// answer repeats is held against the octets that were asked: unit, function, byte count, address,
+// quantity and value.
+#pragma once
+
+#include <rtuwire/wire/adu.hpp>
+#include <rtuwire/wire/pdu/device_identification.hpp>
+#include <rtuwire/wire/pdu/diagnostics.hpp>
+
+namespace rtuwire {
+
+/// Whether the answer's first octets are those of the question, and it has no more than them.
+[[nodiscard]] constexpr bool repeats(byte_view question_pdu, byte_view answer_pdu,
+                                     std::size_t size) noexcept
+{
+    return question_pdu.size() >= size and same_bytes(question_pdu.first(size), answer_pdu);
+}
+
+/// The size of the answer that a question asks for, or the largest possible where the question does
+/// not tell.
+[[nodiscard]] constexpr std::size_t answer_size(byte_view question_adu) noexcept
+{
+    switch (static_cast<function_code>(to_u8(question_adu[1]))) {
+    case function_code::read_holding_registers:
+    case function_code::read_write_multiple_registers: {
+        if (question_adu.size() < 8) {
+            return max_adu_size;
+        }
+        std::size_t const size = 5U + 2U * u16_at(question_adu, 4);
+        return size < max_adu_size ? size : max_adu_size;
+    }
+    case function_code::write_single_register:
+    case function_code::write_multiple_registers: return 8;
+    case function_code::diagnostics: return question_adu.size();
+    case function_code::encapsulated_interface: return max_adu_size;
+    }
+    return max_adu_size;
+}
+
+/// Holds a page of identification against its question.
+[[nodiscard]] constexpr errc check_identification(byte_view question_pdu,
+                                                  byte_view answer_pdu) noexcept
+{
+    auto const page = device_identification::decode(answer_pdu);
+    if (not page) {
+        return page.error();
+    }
+    return to_u8(question_pdu[2]) == static_cast<std::uint8_t>(page->access) ? errc::none
+                                                                             : errc::wrong_echo;
+}
+
+/// Holds the fields of a normal answer against its question; both PDUs are of one function.
+[[nodiscard]] constexpr errc check_fields(byte_view question_pdu, byte_view answer_pdu) noexcept
+{
+    // A raw question may be shorter than its function allows; then there is nothing to hold against.
+    if (question_pdu.size() < read_device_identification::max_size) {
+        return errc::none;
+    }
+    bool const has_quantity = question_pdu.size() >= 5;
+    switch (static_cast<function_code>(to_u8(question_pdu[0]))) {
+    case function_code::read_holding_registers:
+    case function_code::read_write_multiple_registers: {
+        std::size_t const octets = has_quantity ? 2U * u16_at(question_pdu, 3) : 0U;
+        bool const fits = answer_pdu.size() == 2 + octets and to_u8(answer_pdu[1]) == octets;
+        return fits ? errc::none : errc::wrong_length;
+    }
+    case function_code::write_single_register:
+    case function_code::write_multiple_registers:
+        if (answer_pdu.size() != 5) {
+            return errc::wrong_length;
+        }
+        return repeats(question_pdu, answer_pdu, 5) ? errc::none : errc::wrong_echo;
+    case function_code::diagnostics:
+        if (answer_pdu.size() != question_pdu.size()) {
+            return errc::wrong_length;
+        }
+        if (u16_at(question_pdu, 1) != u16_at(answer_pdu, 1)) {
+            return errc::wrong_echo;
+        }
+        return u16_at(question_pdu, 1) !=
+                           static_cast<std::uint16_t>(subfunction::return_query_data) or
+                       same_bytes(question_pdu, answer_pdu)
+                   ? errc::none
+                   : errc::wrong_echo;
+    case function_code::encapsulated_interface:
+        return to_u8(question_pdu[1]) == identification_mei_type
+                   ? check_identification(question_pdu, answer_pdu)
+                   : errc::none;
+    }
+    return errc::none;
+}
+
+/// Whether `answer`, whose CRC was right, answers the question in `question_adu`, a frame that was
+/// encoded here. The error is the exception when the server refused; `wrong_unit`, `wrong_function`,
+/// `wrong_length`, `wrong_echo` or `malformed` when this is no answer to it.
+[[nodiscard]] constexpr errc check_answer(byte_view question_adu, adu const& answer) noexcept
+{
+    byte_view const question_pdu = question_adu.subspan(1, question_adu.size() - adu_overhead);
+    if (answer.unit != to_u8(question_adu[0])) {
+        return errc::wrong_unit;
+    }
+    if (to_u8(answer.function()) != to_u8(question_pdu[0])) {
+        return errc::wrong_function;
+    }
+    if (answer.is_exception()) {
+        return answer.pdu.size() == 2 ? exception_error(to_u8(answer.pdu[1])) : errc::wrong_length;
+    }
+    return check_fields(question_pdu, answer.pdu);
+}
+
+} // namespace rtuwire

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Everything that can go wrong, as one octet. Below 0x80 it is an exception code as a server sent it
+// (Modbus Application Protocol V1.1b3, 7), listed here or not; from 0x80 it is a local cause.
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/core/result.hpp>
+
+namespace rtuwire {
+
+/// Why there is no value. Exceptions keep the number they have on the wire.
+enum class errc : std::uint8_t {
+    none = 0x00, ///< no error; never the error of a result without a value
+
+    illegal_function = 0x01,
+    illegal_data_address = 0x02,
+    illegal_data_value = 0x03,
+    server_device_failure = 0x04,
+    acknowledge = 0x05,
+    server_device_busy = 0x06,
+    negative_acknowledge = 0x07, ///< only in old documents
+    memory_parity_error = 0x08,
+    gateway_path_unavailable = 0x0A,
+    gateway_target_failed_to_respond = 0x0B,
+
+    // What the caller asked for cannot be said on the wire; nothing was written or sent.
+    buffer_too_small = 0x80, ///< the caller's span cannot hold the result
+    invalid_unit,            ///< a unit address outside 1..247
+    invalid_quantity,        ///< a quantity of 0 or above the function's limit
+    invalid_address_range,   ///< start + quantity runs past register 65535
+    invalid_function,        ///< a function code outside 1..127
+    not_for_broadcast,       ///< a question that nobody may answer
+    busy,                    ///< a transaction is under way
+
+    // What came in is not what it should be; nothing of it was handed on.
+    frame_too_short,    ///< fewer than 4 octets
+    frame_too_long,     ///< more than 256 octets
+    crc_mismatch,       ///< the CRC is wrong
+    wrong_length,       ///< the size contradicts the frame's own header
+    wrong_unit,         ///< another unit answered
+    wrong_function,     ///< the answer is to another function
+    wrong_echo,         ///< address, quantity or value of the answer are not those of the question
+    malformed,          ///< a field holds what the function does not allow
+    unlisted_exception, ///< an exception response with code 0 or from 0x80, which no document uses
+    uart_error,         ///< parity, framing or overrun error reported by the receiver
+
+    // What did not happen in time.
+    timed_out,        ///< no answer within the response time-out
+    bus_jam,          ///< octets kept arriving and the line never fell silent
+    transmit_stalled, ///< the transmitter never reported the end of the request
+    cancelled,        ///< the caller gave the transaction up
+
+    // The serial device of a host.
+    device_not_found,       ///< no such device
+    device_access_denied,   ///< no permission for the device
+    device_in_use,          ///< somebody else holds the device
+    device_not_serial,      ///< not a serial device
+    device_setting_refused, ///< the device does not support the bit rate or character format
+    device_vanished,        ///< the device was unplugged
+    device_failed,          ///< any other failure of the operating system's call
+};
+
+/// Whether a server sent this as an exception response.
+[[nodiscard]] constexpr bool is_exception(errc error) noexcept
+{
+    return error != errc::none and static_cast<std::uint8_t>(error) < 0x80;
+}
+
+/// The error for an exception code from the wire.
+[[nodiscard]] constexpr errc exception_error(std::uint8_t code) noexcept
+{
+    return code == 0 or code >= 0x80 ? errc::unlisted_exception : static_cast<errc>(code);
+}
+
+} // namespace rtuwire

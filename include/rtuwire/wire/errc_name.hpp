@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Error names for people, kept apart so that firmware which shows none does not carry them.
+#pragma once
+
+#include <string_view>
+
+#include <rtuwire/wire/errc.hpp>
+
+namespace rtuwire {
+
+/// The error in words; "exception" for an exception code that has no name.
+[[nodiscard]] constexpr std::string_view name(errc error) noexcept
+{
+    switch (error) {
+    case errc::none: return "no error";
+    case errc::illegal_function: return "illegal function";
+    case errc::illegal_data_address: return "illegal data address";
+    case errc::illegal_data_value: return "illegal data value";
+    case errc::server_device_failure: return "server device failure";
+    case errc::acknowledge: return "acknowledge";
+    case errc::server_device_busy: return "server device busy";
+    case errc::negative_acknowledge: return "negative acknowledge";
+    case errc::memory_parity_error: return "memory parity error";
+    case errc::gateway_path_unavailable: return "gateway path unavailable";
+    case errc::gateway_target_failed_to_respond: return "gateway target failed to respond";
+    case errc::buffer_too_small: return "buffer too small";
+    case errc::invalid_unit: return "unit address outside 1..247";
+    case errc::invalid_quantity: return "quantity outside the function's limits";
+    case errc::invalid_address_range: return "registers past address 65535";
+    case errc::invalid_function: return "function code outside 1..127";
+    case errc::not_for_broadcast: return "not possible as a broadcast";
+    case errc::busy: return "a transaction is under way";
+    case errc::frame_too_short: return "frame too short";
+    case errc::frame_too_long: return "frame too long";
+    case errc::crc_mismatch: return "CRC mismatch";
+    case errc::wrong_length: return "wrong length";
+    case errc::wrong_unit: return "answer of another unit";
+    case errc::wrong_function: return "answer to another function";
+    case errc::wrong_echo: return "answer to another question";
+    case errc::malformed: return "malformed field";
+    case errc::unlisted_exception: return "exception with an unlisted code";
+    case errc::uart_error: return "parity, framing or overrun error";
+    case errc::timed_out: return "no answer in time";
+    case errc::bus_jam: return "the line never fell silent";
+    case errc::transmit_stalled: return "the transmitter never finished";
+    case errc::cancelled: return "cancelled";
+    case errc::device_not_found: return "no such device";
+    case errc::device_access_denied: return "no permission for the device";
+    case errc::device_in_use: return "the device is in use";
+    case errc::device_not_serial: return "not a serial device";
+    case errc::device_setting_refused: return "the device refuses the line settings";
+    case errc::device_vanished: return "the device vanished";
+    case errc::device_failed: return "the device failed";
+    }
+    return is_exception(error) ? "exception" : "unknown error";
+}
+
+} // namespace rtuwire

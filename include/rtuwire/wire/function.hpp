@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Function codes and sets of them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <rtuwire/core/bytes.hpp>
+
+namespace rtuwire {
+
+/// A function code (AP 5.1). Any code in 1..127 is possible; those that rtuwire speaks have names.
+enum class function_code : std::uint8_t {
+    read_holding_registers = 3,
+    write_single_register = 6,
+    diagnostics = 8,
+    write_multiple_registers = 16,
+    read_write_multiple_registers = 23,
+    encapsulated_interface = 43,
+};
+
+/// The bit that marks an exception response (AP 7).
+inline constexpr std::uint8_t exception_bit = 0x80;
+
+/// A code as it stands on the wire.
+[[nodiscard]] constexpr std::uint8_t to_u8(function_code code) noexcept
+{
+    return static_cast<std::uint8_t>(code);
+}
+
+/// Whether a PDU is a request or normal response of a function.
+[[nodiscard]] constexpr bool is_pdu_of(byte_view pdu, function_code code) noexcept
+{
+    return not pdu.empty() and to_u8(pdu[0]) == to_u8(code);
+}
+
+/// A set of function codes, in 16 octets.
+class function_set {
+public:
+    /// The set of the codes given; codes outside 1..127 are never members.
+    template <typename... Codes> explicit constexpr function_set(Codes... codes) noexcept
+    {
+        (add(codes), ...);
+    }
+
+    [[nodiscard]] constexpr bool contains(function_code code) const noexcept
+    {
+        auto const number = to_u8(code);
+        return number < 0x80 and ((words_[number / 32U] >> (number % 32U)) & 1U) != 0;
+    }
+
+    friend constexpr bool operator==(function_set const&, function_set const&) = default;
+
+private:
+    constexpr void add(function_code code) noexcept
+    {
+        auto const number = to_u8(code);
+        if (number > 0 and number < 0x80) {
+            words_[number / 32U] |= 1U << (number % 32U);
+        }
+    }
+
+    std::array<std::uint32_t, 4> words_{};
+};
+
+/// Every function that rtuwire's server can answer.
+inline constexpr function_set all_functions{
+    function_code::read_holding_registers,
+    function_code::write_single_register,
+    function_code::diagnostics,
+    function_code::write_multiple_registers,
+    function_code::read_write_multiple_registers,
+    function_code::encapsulated_interface,
+};
+
+} // namespace rtuwire

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Function 43 type 14, read device identification (AP 6.21). The length octet of each object is
+// believed, never a fixed size: references of 11 and of 12 characters both occur.
+#pragma once
+
+#include <optional>
+
+#include <rtuwire/wire/adu.hpp>
+
+namespace rtuwire {
+
+/// Which objects are asked for.
+enum class identification_access : std::uint8_t {
+    basic = 1,
+    regular = 2,
+    extended = 3,
+    single = 4
+};
+
+/// The objects every device has.
+inline constexpr std::uint8_t vendor_name = 0x00;
+inline constexpr std::uint8_t product_code = 0x01;
+inline constexpr std::uint8_t major_minor_revision = 0x02;
+
+/// The type octet of read device identification within function 43.
+inline constexpr std::uint8_t identification_mei_type = 0x0E;
+
+/// One page of a device's identification; a view of the received octets. Objects are visited with
+/// `first()` and `after()`.
+struct device_identification {
+    static constexpr std::size_t max_size = max_pdu_size;
+    static constexpr std::size_t head_size = 7;
+
+    /// One object: its number and its text, not terminated.
+    struct object {
+        std::uint8_t id;
+        byte_view value;
+    };
+
+    identification_access access;
+    std::uint8_t conformity; ///< 01..03, or 81..83 where single access is possible too
+    bool more_follows;
+    std::uint8_t next_object; ///< where the next page starts, 0 when none follows
+    std::uint8_t count;
+    byte_view list; ///< id, length and text, `count` times
+
+    [[nodiscard]] constexpr errc check() const noexcept
+    {
+        if (size() > max_size) {
+            return errc::frame_too_long;
+        }
+        return is_well_formed() ? errc::none : errc::malformed;
+    }
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return head_size + list.size(); }
+    constexpr void write(byte_writer& out) const noexcept
+    {
+        out.u8(to_u8(function_code::encapsulated_interface));
+        out.u8(identification_mei_type);
+        out.u8(static_cast<std::uint32_t>(access));
+        out.u8(conformity);
+        out.u8(more_follows ? 0xFFU : 0U);
+        out.u8(next_object);
+        out.u8(count);
+        out.bytes(list);
+    }
+
+    /// The first object of the page, if there is one.
+    [[nodiscard]] constexpr std::optional<object> first() const noexcept { return object_in(list); }
+
+    /// The object that follows one of this page, if there is one.
+    [[nodiscard]] constexpr std::optional<object> after(object const& previous) const noexcept
+    {
+        std::size_t taken = 0;
+        for (auto at = first(); at; at = object_in(list.subspan(taken))) {
+            taken += 2 + at->value.size();
+            if (at->id == previous.id) {
+                return object_in(list.subspan(taken));
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// The text of an object, if this page holds it.
+    [[nodiscard]] constexpr std::optional<byte_view> find(std::uint8_t id) const noexcept
+    {
+        for (auto at = first(); at; at = after(*at)) {
+            if (at->id == id) {
+                return at->value;
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// Reads a PDU. Errors: `wrong_function`, `wrong_length` when it ends within its head, `malformed`
+    /// when objects and octets do not come out even or their numbers do not rise.
+    [[nodiscard]] static constexpr result<device_identification> decode(byte_view pdu) noexcept
+    {
+        if (not is_pdu_of(pdu, function_code::encapsulated_interface)) {
+            return errc::wrong_function;
+        }
+        if (pdu.size() < head_size) {
+            return errc::wrong_length;
+        }
+        byte_reader in{pdu.subspan(1)};
+        if (in.u8() != identification_mei_type) {
+            return errc::malformed;
+        }
+        auto const access = static_cast<identification_access>(in.u8());
+        std::uint8_t const conformity = in.u8();
+        std::uint8_t const more = in.u8();
+        std::uint8_t const next = in.u8();
+        std::uint8_t const count = in.u8();
+        device_identification const read{access, conformity, more == 0xFF, next, count, in.rest()};
+        if (more != 0x00 and more != 0xFF) {
+            return errc::malformed;
+        }
+        if (not read.is_well_formed()) {
+            return errc::malformed;
+        }
+        return read;
+    }
+
+private:
+    static constexpr std::optional<object> object_in(byte_view octets) noexcept
+    {
+        if (octets.size() < 2 or octets.size() - 2 < to_u8(octets[1])) {
+            return std::nullopt;
+        }
+        return object{to_u8(octets[0]), octets.subspan(2, to_u8(octets[1]))};
+    }
+
+    constexpr bool is_well_formed() const noexcept
+    {
+        byte_view rest = list;
+        int last = -1;
+        for (unsigned i = 0; i < count; ++i) {
+            auto const at = object_in(rest);
+            if (not at or at->id <= last) {
+                return false;
+            }
+            last = at->id;
+            rest = rest.subspan(2 + at->value.size());
+        }
+        return rest.empty() and count > 0;
+    }
+};
+
+/// Asks one unit who it is, from one object on.
+struct read_device_identification {
+    using response = device_identification;
+    static constexpr std::size_t max_size = 4;
+
+    identification_access access{identification_access::basic};
+    std::uint8_t object{vendor_name};
+
+    [[nodiscard]] constexpr errc check() const noexcept
+    {
+        return is_quantity(static_cast<std::uint8_t>(access), 4) ? errc::none : errc::malformed;
+    }
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
+    constexpr void write(byte_writer& out) const noexcept
+    {
+        out.u8(to_u8(function_code::encapsulated_interface));
+        out.u8(identification_mei_type);
+        out.u8(static_cast<std::uint32_t>(access));
+        out.u8(object);
+    }
+
+    /// Reads a PDU. Errors: `wrong_function` (another type within function 43 too), `wrong_length`,
+    /// `malformed` for an access code outside 1..4.
+    [[nodiscard]] static constexpr result<read_device_identification> decode(byte_view pdu) noexcept
+    {
+        if (not is_pdu_of(pdu, function_code::encapsulated_interface)) {
+            return errc::wrong_function;
+        }
+        if (pdu.size() >= 2 and to_u8(pdu[1]) != identification_mei_type) {
+            return errc::wrong_function;
+        }
+        if (pdu.size() != max_size) {
+            return errc::wrong_length;
+        }
+        read_device_identification const read{static_cast<identification_access>(to_u8(pdu[2])),
+                                              to_u8(pdu[3])};
+        if (errc const wrong = read.check(); wrong != errc::none) {
+            return wrong;
+        }
+        return read;
+    }
+
+    friend constexpr bool operator==(read_device_identification const&,
+                                     read_device_identification const&) = default;
+};
+
+} // namespace rtuwire

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Function 08, diagnostics (AP 6.8). Request and answer have one form: a sub-function and data words.
+#pragma once
+
+#include <rtuwire/wire/adu.hpp>
+#include <rtuwire/wire/register_view.hpp>
+
+namespace rtuwire {
+
+/// The sub-functions of AP 6.8.1.
+enum class subfunction : std::uint16_t {
+    return_query_data = 0x00,
+    restart_communications = 0x01,
+    return_diagnostic_register = 0x02,
+    change_ascii_delimiter = 0x03,
+    force_listen_only = 0x04,
+    clear_counters = 0x0A,
+    bus_message_count = 0x0B,
+    bus_communication_error_count = 0x0C,
+    bus_exception_error_count = 0x0D,
+    server_message_count = 0x0E,
+    server_no_response_count = 0x0F,
+    server_nak_count = 0x10,
+    server_busy_count = 0x11,
+    bus_character_overrun_count = 0x12,
+    clear_overrun_counter = 0x14,
+};
+
+/// A diagnostics question or its answer.
+struct diagnostics {
+    using response = diagnostics;
+    static constexpr std::size_t max_size = max_pdu_size;
+
+    subfunction what;
+    /// One word for every sub-function but `return_query_data`, which takes 1..125 and has them
+    /// returned; after decoding, a view of the received octets.
+    register_view data;
+
+    [[nodiscard]] constexpr errc check() const noexcept
+    {
+        std::size_t const most = what == subfunction::return_query_data ? 125 : 1;
+        return is_quantity(data.size(), most) ? errc::none : errc::invalid_quantity;
+    }
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return 3 + data.bytes().size(); }
+    constexpr void write(byte_writer& out) const noexcept
+    {
+        out.u8(to_u8(function_code::diagnostics));
+        out.u16(static_cast<std::uint32_t>(what));
+        out.bytes(data.bytes());
+    }
+
+    /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
+    [[nodiscard]] static constexpr result<diagnostics> decode(byte_view pdu) noexcept
+    {
+        constexpr std::size_t head = 3;
+        if (not is_pdu_of(pdu, function_code::diagnostics)) {
+            return errc::wrong_function;
+        }
+        if (pdu.size() < head or (pdu.size() - head) % 2 != 0) {
+            return errc::wrong_length;
+        }
+        diagnostics const read{static_cast<subfunction>(u16_at(pdu, 1)),
+                               register_view{pdu.subspan(head)}};
+        if (errc const wrong = read.check(); wrong != errc::none) {
+            return wrong;
+        }
+        return read;
+    }
+
+    friend constexpr bool operator==(diagnostics const&, diagnostics const&) = default;
+};
+
+} // namespace rtuwire

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Function 23, read/write multiple registers (AP 6.17): the server writes first, then reads.
+#pragma once
+
+#include <rtuwire/wire/adu.hpp>
+#include <rtuwire/wire/register_view.hpp>
+
+namespace rtuwire {
+
+/// The answer to function 23: the registers read after the write.
+struct read_write_multiple_registers_response {
+    static constexpr std::size_t max_size = 2U + 2U * max_exchange_read_quantity;
+
+    /// In wire order; after decoding, a view of the received octets.
+    register_view registers;
+
+    [[nodiscard]] constexpr errc check() const noexcept
+    {
+        return is_quantity(registers.size(), max_exchange_read_quantity) ? errc::none
+                                                                         : errc::invalid_quantity;
+    }
+    [[nodiscard]] constexpr std::size_t size() const noexcept
+    {
+        return 2 + registers.bytes().size();
+    }
+    constexpr void write(byte_writer& out) const noexcept
+    {
+        out.u8(to_u8(function_code::read_write_multiple_registers));
+        out.u8(static_cast<std::uint32_t>(registers.bytes().size()));
+        out.bytes(registers.bytes());
+    }
+
+    /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
+    [[nodiscard]] static constexpr result<read_write_multiple_registers_response>
+    decode(byte_view pdu) noexcept
+    {
+        return decode_registers<read_write_multiple_registers_response>(
+            pdu, function_code::read_write_multiple_registers);
+    }
+};
+
+/// Writes registers of one unit from `write_start`, then reads `read_count` from `read_start`.
+struct read_write_multiple_registers {
+    using response = read_write_multiple_registers_response;
+    static constexpr std::size_t max_size = 10U + 2U * max_exchange_write_quantity;
+
+    std::uint16_t read_start;
+    std::uint16_t read_count; ///< 1..125
+    std::uint16_t write_start;
+    /// 1..121 in wire order, owned by somebody else; after decoding, a view of the received octets.
+    register_view values;
+
+    [[nodiscard]] constexpr errc check() const noexcept
+    {
+        if (not is_quantity(read_count, max_exchange_read_quantity) or
+            not is_quantity(values.size(), max_exchange_write_quantity)) {
+            return errc::invalid_quantity;
+        }
+        return is_address_range(read_start, read_count) and
+                       is_address_range(write_start, values.size())
+                   ? errc::none
+                   : errc::invalid_address_range;
+    }
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return 10 + values.bytes().size(); }
+    constexpr void write(byte_writer& out) const noexcept
+    {
+        out.u8(to_u8(function_code::read_write_multiple_registers));
+        out.u16(read_start);
+        out.u16(read_count);
+        out.u16(write_start);
+        out.u16(static_cast<std::uint32_t>(values.size()));
+        out.u8(static_cast<std::uint32_t>(values.bytes().size()));
+        out.bytes(values.bytes());
+    }
+
+    /// Reads a PDU; both quantities, byte count and size must all agree. Errors: `wrong_function`,
+    /// `wrong_length`, `invalid_quantity`.
+    [[nodiscard]] static constexpr result<read_write_multiple_registers>
+    decode(byte_view pdu) noexcept
+    {
+        constexpr std::size_t head = 10;
+        if (not is_pdu_of(pdu, function_code::read_write_multiple_registers)) {
+            return errc::wrong_function;
+        }
+        if (pdu.size() < head or pdu.size() != head + to_u8(pdu[9])) {
+            return errc::wrong_length;
+        }
+        std::size_t const write_count = u16_at(pdu, 7);
+        std::uint16_t const read_count = u16_at(pdu, 3);
+        if (not is_quantity(read_count, max_exchange_read_quantity) or
+            not is_quantity(write_count, max_exchange_write_quantity)) {
+            return errc::invalid_quantity;
+        }
+        if (pdu.size() != head + 2 * write_count) {
+            return errc::wrong_length;
+        }
+        return read_write_multiple_registers{u16_at(pdu, 1), read_count, u16_at(pdu, 5),
+                                             register_view{pdu.subspan(head)}};
+    }
+
+    friend constexpr bool operator==(read_write_multiple_registers const&,
+                                     read_write_multiple_registers const&) = default;
+};
+
+} // namespace rtuwire

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Function 16, write multiple registers (AP 6.12).
+#pragma once
+
+#include <rtuwire/wire/adu.hpp>
+#include <rtuwire/wire/register_view.hpp>
+
+namespace rtuwire {
+
+/// The answer to function 16: what was written where, without the values.
+struct write_multiple_registers_response {
+    static constexpr std::size_t max_size = 5;
+
+    std::uint16_t start;
+    std::uint16_t count; ///< 1..123
+
+    [[nodiscard]] constexpr errc check() const noexcept
+    {
+        return is_quantity(count, max_write_quantity) ? errc::none : errc::invalid_quantity;
+    }
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
+    constexpr void write(byte_writer& out) const noexcept
+    {
+        out.u8(to_u8(function_code::write_multiple_registers));
+        out.u16(start);
+        out.u16(count);
+    }
+
+    /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
+    [[nodiscard]] static constexpr result<write_multiple_registers_response>
+    decode(byte_view pdu) noexcept
+    {
+        if (not is_pdu_of(pdu, function_code::write_multiple_registers)) {
+            return errc::wrong_function;
+        }
+        if (pdu.size() != max_size) {
+            return errc::wrong_length;
+        }
+        write_multiple_registers_response const read{u16_at(pdu, 1), u16_at(pdu, 3)};
+        if (errc const wrong = read.check(); wrong != errc::none) {
+            return wrong;
+        }
+        return read;
+    }
+
+    friend constexpr bool operator==(write_multiple_registers_response const&,
+                                     write_multiple_registers_response const&) = default;
+};
+
+/// Writes registers from address `start` on, of one unit or of all.
+struct write_multiple_registers {
+    using response = write_multiple_registers_response;
+    static constexpr std::size_t max_size = 6U + 2U * max_write_quantity;
+    static constexpr bool may_be_broadcast = true;
+
+    std::uint16_t start;
+    /// 1..123 in wire order, owned by somebody else; after decoding, a view of the received octets.
+    register_view values;
+
+    [[nodiscard]] constexpr errc check() const noexcept
+    {
+        if (not is_quantity(values.size(), max_write_quantity)) {
+            return errc::invalid_quantity;
+        }
+        return is_address_range(start, values.size()) ? errc::none : errc::invalid_address_range;
+    }
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return 6 + values.bytes().size(); }
+    constexpr void write(byte_writer& out) const noexcept
+    {
+        out.u8(to_u8(function_code::write_multiple_registers));
+        out.u16(start);
+        out.u16(static_cast<std::uint32_t>(values.size()));
+        out.u8(static_cast<std::uint32_t>(values.bytes().size()));
+        out.bytes(values.bytes());
+    }
+
+    /// Reads a PDU; quantity, byte count and size must all agree. Errors: `wrong_function`,
+    /// `wrong_length`, `invalid_quantity`.
+    [[nodiscard]] static constexpr result<write_multiple_registers> decode(byte_view pdu) noexcept
+    {
+        constexpr std::size_t head = 6;
+        if (not is_pdu_of(pdu, function_code::write_multiple_registers)) {
+            return errc::wrong_function;
+        }
+        if (pdu.size() < head or pdu.size() != head + to_u8(pdu[5])) {
+            return errc::wrong_length;
+        }
+        std::size_t const count = u16_at(pdu, 3);
+        if (not is_quantity(count, max_write_quantity)) {
+            return errc::invalid_quantity;
+        }
+        if (pdu.size() != head + 2 * count) {
+            return errc::wrong_length;
+        }
+        return write_multiple_registers{u16_at(pdu, 1), register_view{pdu.subspan(head)}};
+    }
+
+    friend constexpr bool operator==(write_multiple_registers const&,
+                                     write_multiple_registers const&) = default;
+};
+
+} // namespace rtuwire

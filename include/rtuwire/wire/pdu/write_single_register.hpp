@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Function 06, write single register (AP 6.6). Request and answer are the same octets.
+#pragma once
+
+#include <rtuwire/wire/adu.hpp>
+
+namespace rtuwire {
+
+/// Writes one register of one unit or of all; the answer repeats it.
+struct write_single_register {
+    using response = write_single_register;
+    static constexpr std::size_t max_size = 5;
+    static constexpr bool may_be_broadcast = true;
+
+    std::uint16_t address;
+    std::uint16_t value;
+
+    [[nodiscard]] constexpr errc check() const noexcept { return errc::none; }
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
+    constexpr void write(byte_writer& out) const noexcept
+    {
+        out.u8(to_u8(function_code::write_single_register));
+        out.u16(address);
+        out.u16(value);
+    }
+
+    /// Reads a PDU. Errors: `wrong_function`, `wrong_length`.
+    [[nodiscard]] static constexpr result<write_single_register> decode(byte_view pdu) noexcept
+    {
+        if (not is_pdu_of(pdu, function_code::write_single_register)) {
+            return errc::wrong_function;
+        }
+        if (pdu.size() != max_size) {
+            return errc::wrong_length;
+        }
+        return write_single_register{u16_at(pdu, 1), u16_at(pdu, 3)};
+    }
+
+    friend constexpr bool operator==(write_single_register const&,
+                                     write_single_register const&) = default;
+};
+
+} // namespace rtuwire

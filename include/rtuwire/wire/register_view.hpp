@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Registers in wire order: a view over octets that were received, and storage for those to be sent.
+// Both directions share one form, so values are never copied into an array of host words on the way.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/result.hpp>
+#include <rtuwire/wire/errc.hpp>
+#include <rtuwire/wire/function.hpp>
+#include <rtuwire/wire/limits.hpp>
+
+namespace rtuwire {
+
+/// A view of big-endian 16-bit registers; valid as long as the octets beneath it.
+class register_view {
+public:
+    constexpr register_view() noexcept = default;
+
+    /// The registers that lie in these octets; an odd last octet is not part of any.
+    explicit constexpr register_view(byte_view bytes) noexcept
+        : bytes_{bytes.first(bytes.size() - bytes.size() % 2)}
+    {}
+
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return bytes_.size() / 2; }
+    [[nodiscard]] constexpr bool empty() const noexcept { return bytes_.empty(); }
+
+    /// The register at an index below `size()`.
+    [[nodiscard]] constexpr std::uint16_t operator[](std::size_t index) const noexcept
+    {
+        return u16_at(bytes_, index * 2);
+    }
+
+    /// The octets, two for each register.
+    [[nodiscard]] constexpr byte_view bytes() const noexcept { return bytes_; }
+
+    friend constexpr bool operator==(register_view left, register_view right) noexcept
+    {
+        return same_bytes(left.bytes_, right.bytes_);
+    }
+
+private:
+    byte_view bytes_;
+};
+
+/// `Count` registers in wire order, stored in place.
+template <std::size_t Count> class register_block {
+public:
+    constexpr register_block() noexcept = default;
+
+    /// One register for each value.
+    template <std::convertible_to<std::uint16_t>... Values>
+        requires(sizeof...(Values) == Count and Count > 0)
+    constexpr register_block(Values... values) noexcept
+    {
+        byte_writer out{bytes_};
+        (out.u16(static_cast<std::uint16_t>(values)), ...);
+    }
+
+    [[nodiscard]] static constexpr std::size_t size() noexcept { return Count; }
+
+    /// The register at an index below `Count`.
+    [[nodiscard]] constexpr std::uint16_t operator[](std::size_t index) const noexcept
+    {
+        return u16_at(bytes_, index * 2);
+    }
+
+    /// Replaces the register at an index below `Count`.
+    constexpr void set(std::size_t index, std::uint16_t value) noexcept
+    {
+        byte_writer{byte_span{bytes_}.subspan(index * 2, 2)}.u16(value);
+    }
+
+    /// The registers, valid while the block lives.
+    [[nodiscard]] constexpr register_view view() const noexcept { return register_view{bytes_}; }
+    constexpr operator register_view() const noexcept { return view(); }
+
+private:
+    std::array<std::byte, Count * 2> bytes_{};
+};
+
+template <typename... Values> register_block(Values...) -> register_block<sizeof...(Values)>;
+
+/// The answer of function 03 or 23 that lies in a PDU: a byte count and as many octets, two for each of
+/// 1..125 registers. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
+template <typename Response>
+[[nodiscard]] constexpr result<Response> decode_registers(byte_view pdu,
+                                                          function_code function) noexcept
+{
+    constexpr std::size_t head = 2;
+    if (not is_pdu_of(pdu, function)) {
+        return errc::wrong_function;
+    }
+    if (pdu.size() < head) {
+        return errc::wrong_length;
+    }
+    std::size_t const octets = to_u8(pdu[1]);
+    if (pdu.size() != head + octets or octets % 2 != 0) {
+        return errc::wrong_length;
+    }
+    if (not is_quantity(octets / 2, max_read_quantity)) {
+        return errc::invalid_quantity;
+    }
+    return Response{register_view{pdu.subspan(head)}};
+}
+
+} // namespace rtuwire

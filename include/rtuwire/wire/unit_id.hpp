@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Who a frame is for: a unit, 1..247, or everyone (SL 2.2). A value of these types is always one that
+// may stand on the wire, so that whoever takes it need not check.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+#include <rtuwire/core/result.hpp>
+#include <rtuwire/wire/errc.hpp>
+
+namespace rtuwire {
+
+/// Never defined: reached only in a constant expression, so that the compiler prints the name.
+void a_unit_address_is_1_to_247();
+
+/// The address of one unit, 1..247.
+class unit_id {
+public:
+    /// A unit address known when compiling.
+    explicit consteval unit_id(int number) noexcept : octet_{static_cast<std::uint8_t>(number)}
+    {
+        if (number < 1 or number > 247) {
+            a_unit_address_is_1_to_247();
+        }
+    }
+
+    /// A unit address known only when running; `errc::invalid_unit` outside 1..247.
+    [[nodiscard]] static constexpr result<unit_id> checked(std::uint32_t number) noexcept
+    {
+        if (number < 1 or number > 247) {
+            return errc::invalid_unit;
+        }
+        return unit_id{from_wire{}, static_cast<std::uint8_t>(number)};
+    }
+
+    /// The address as it stands on the wire.
+    [[nodiscard]] constexpr std::uint8_t octet() const noexcept { return octet_; }
+
+    friend constexpr auto operator<=>(unit_id, unit_id) noexcept = default;
+
+private:
+    struct from_wire {};
+    constexpr unit_id(from_wire, std::uint8_t octet) noexcept : octet_{octet} {}
+
+    std::uint8_t octet_;
+};
+
+/// Everyone on the line; nobody answers.
+struct broadcast_t {};
+inline constexpr broadcast_t broadcast{};
+
+/// One unit, or everyone: what a write may be sent to.
+class destination {
+public:
+    constexpr destination(unit_id unit) noexcept : octet_{unit.octet()} {}
+    constexpr destination(broadcast_t) noexcept : octet_{0} {}
+
+    [[nodiscard]] constexpr bool is_broadcast() const noexcept { return octet_ == 0; }
+
+    /// The address as it stands on the wire; 0 for everyone.
+    [[nodiscard]] constexpr std::uint8_t octet() const noexcept { return octet_; }
+
+    friend constexpr bool operator==(destination, destination) noexcept = default;
+
+private:
+    std::uint8_t octet_;
+};
+
+} // namespace rtuwire

@@ -1,0 +1,51 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Shows that refusal.py passes the right refusal and no other: python3 test_refusal.py COMPILER."""
+import pathlib
+import sys
+import tempfile
+import unittest
+
+import refusal
+
+COMPILER = sys.argv.pop(1) if len(sys.argv) > 1 else "c++"
+
+
+class Refusal(unittest.TestCase):
+    def complaint(self, source):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "act.cpp")
+            file.write_text(source, encoding="utf-8")
+            return refusal.complaint(COMPILER, folder, str(file))
+
+    def test_the_expected_sentence_passes(self):
+        self.assertEqual(self.complaint(
+            "// EXPECT: a goose is not a swan\n"
+            "#ifdef REFUSED\nstatic_assert(sizeof(int) == 1, \"a goose is not a swan\");\n#endif\n"), "")
+
+    def test_a_culprit_named_by_its_type_passes(self):
+        self.assertEqual(self.complaint(
+            "// EXPECT: these_overlap<1, 2>\n"
+            "template <int, int> struct these_overlap;\n"
+            "#ifdef REFUSED\nthese_overlap<1, 2> x;\n#endif\n"), "")
+
+    def test_another_error_does_not_pass(self):
+        self.assertIn("without saying", self.complaint(
+            "// EXPECT: a goose is not a swan\n#ifdef REFUSED\nint x = \"goose\";\n#endif\n"))
+
+    def test_an_echo_of_the_source_does_not_pass(self):
+        self.assertIn("without saying", self.complaint(
+            "// EXPECT: a goose\n#ifdef REFUSED\nint x = \"a goose\";\n#endif\n"))
+
+    def test_an_accepted_act_does_not_pass(self):
+        self.assertIn("is accepted", self.complaint("// EXPECT: a goose\nint x = 1;\n"))
+
+    def test_a_file_that_never_compiles_does_not_pass(self):
+        self.assertIn("as it is", self.complaint("// EXPECT: goose\nint x = goose;\n"))
+
+    def test_a_file_without_an_expectation_does_not_pass(self):
+        self.assertIn("EXPECT", self.complaint("#ifdef REFUSED\n#error no\n#endif\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()

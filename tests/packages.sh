@@ -1,0 +1,70 @@
+#!/bin/sh
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+# Installs the Debian packages that the named groups need, and only those that are missing.
+#
+#   sh tests/packages.sh build tests arm
+set -eu
+
+packages_of() {
+    case $1 in
+        examples) echo cmake make c++ ;;
+        build) echo cmake ninja-build g++ ;;
+        tests) echo catch2 python3 binutils ;;
+        interop) echo pkg-config libmodbus-dev mbpoll python3 python3-pymodbus python3-serial socat tshark ;;
+        arm) echo gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib ;;
+        clang) echo clang libclang-rt-dev ;;
+        bench) echo libbenchmark-dev ;;
+        style) echo clang-format clang-tidy ;;
+        *)
+            echo "packages.sh: no group '$1'; the groups are examples build tests interop arm clang bench style" >&2
+            return 1
+            ;;
+    esac
+}
+
+# A tool counts however it came here; a library only counts as the package the build will look for.
+present() {
+    case $1 in
+        cmake | make | c++ | g++ | clang | mbpoll | socat | tshark | pkg-config | clang-format | clang-tidy)
+            command -v "$1" >/dev/null ;;
+        ninja-build) command -v ninja >/dev/null ;;
+        # Only the distribution's interpreter sees the distribution's modules.
+        python3) [ -x /usr/bin/python3 ] ;;
+        *) [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ] ;;
+    esac
+}
+
+missing=
+for group in "$@"; do
+    names=$(packages_of "$group")
+    for name in $names; do
+        present "$name" && continue
+        [ "$name" = c++ ] && name=g++
+        missing="$missing $name"
+    done
+done
+[ -n "$missing" ] || exit 0
+
+if ! command -v apt-get >/dev/null; then
+    echo "packages.sh: please install these (Debian's names) and run again:$missing" >&2
+    exit 1
+fi
+if [ "$(id -u)" -eq 0 ]; then
+    as_root=
+elif command -v sudo >/dev/null; then
+    as_root=sudo
+else
+    echo "packages.sh: run as root, or with sudo installed, to install:$missing" >&2
+    exit 1
+fi
+
+apt() {
+    $as_root env DEBIAN_FRONTEND=noninteractive \
+        apt-get -q -y -o DPkg::Lock::Timeout=600 "$@" </dev/null
+}
+echo "Installing:$missing"
+# The lists at hand may be good enough where the mirror cannot be reached.
+apt update || echo "packages.sh: the package lists could not be refreshed" >&2
+# shellcheck disable=SC2086 # a list of names
+apt install --no-install-recommends $missing
