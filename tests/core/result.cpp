@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A value or a reason.
+#include <rtuwire/core/result.hpp>
+
+#include <type_traits>
+
+#include "support/proof.hpp"
+
+#include <rtuwire/wire/errc.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+STATIC_CHECK(std::is_trivially_copyable_v<result<int>>);
+STATIC_CHECK(std::is_trivially_copyable_v<result<void>>);
+STATIC_CHECK(sizeof(result<std::uint16_t>) == 4);
+STATIC_CHECK(sizeof(result<void>) == 1);
+
+constexpr result<int> half(int number)
+{
+    if (number % 2 != 0) { return errc::malformed; }
+    return number / 2;
+}
+
+STATIC_CHECK(half(8).has_value() and *half(8) == 4 and half(8).error() == errc::none);
+STATIC_CHECK(not half(7).has_value() and half(7).error() == errc::malformed);
+STATIC_CHECK(half(7) == errc::malformed and not(half(8) == errc::malformed));
+STATIC_CHECK(half(8) == 4 and not(half(8) == 5) and not(half(7) == 4));
+STATIC_CHECK(half(7).value_or(-1) == -1 and half(8).value_or(-1) == 4);
+STATIC_CHECK(half(8).and_then(half) == 2);
+STATIC_CHECK(half(6).and_then(half) == errc::malformed);
+STATIC_CHECK(half(5).and_then(half) == errc::malformed);
+
+constexpr result<void> checked(bool good)
+{
+    if (good) { return {}; }
+    return errc::timed_out;
+}
+
+STATIC_CHECK(checked(true).has_value() and static_cast<bool>(checked(true)));
+STATIC_CHECK(checked(false) == errc::timed_out and not(checked(true) == errc::timed_out));
+
+} // namespace

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A text literal with its length.
+#include <rtuwire/core/text.hpp>
+
+#include "support/proof.hpp"
+
+using namespace rtuwire;
+
+namespace {
+
+STATIC_CHECK(text{}.size() == 0);
+STATIC_CHECK(text{"ETA"}.size() == 3 and text{"ETA"}[2] == 'A');
+STATIC_CHECK(text{"ETA"} == text{"ETA"} and not(text{"ETA"} == text{"ETI"}));
+STATIC_CHECK(not(text{"ETA"} == text{"ET"}));
+STATIC_CHECK(*text{"ETA"}.begin() == 'E' and text{"ETA"}.end() - text{"ETA"}.begin() == 3);
+
+} // namespace

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Quantities: exact, and only from one unit to the same.
+#include <rtuwire/core/units.hpp>
+
+#include <type_traits>
+
+#include "support/proof.hpp"
+
+using namespace rtuwire;
+
+namespace {
+
+STATIC_CHECK(sizeof(decihertz) == 2 and std::is_trivially_copyable_v<decihertz>);
+
+// A literal counts steps of its last digit.
+STATIC_CHECK((50_Hz).count() == 50 and std::same_as<decltype(50_Hz)::scale, std::ratio<1>>);
+STATIC_CHECK((1.30_s).count() == 130 and std::same_as<decltype(1.30_s)::scale, std::centi>);
+STATIC_CHECK((-1500_rpm).count() == -1500);
+STATIC_CHECK(std::same_as<decltype(4_kHz)::scale, std::kilo>);
+
+// Finer is implicit, coarser is spelled, and what a number cannot hold is neither.
+using long_decihertz = quantity<frequency, std::int32_t, std::deci>;
+STATIC_CHECK(long_decihertz{hertz{50}}.count() == 500);
+STATIC_CHECK(std::is_convertible_v<hertz, long_decihertz>);
+STATIC_CHECK(not std::is_convertible_v<decihertz, hertz>);
+STATIC_CHECK(not std::is_constructible_v<hertz, decihertz>);
+STATIC_CHECK(not std::is_constructible_v<decihertz, hertz>);
+STATIC_CHECK(not std::is_constructible_v<rpm, signed_rpm>);
+STATIC_CHECK(truncated_to<hertz>(decihertz{509}) == hertz{50});
+STATIC_CHECK(truncated_to<deciseconds>(1.36_s) == deciseconds{13});
+
+// Nothing leads from one dimension to another, nor from a number without naming the unit.
+STATIC_CHECK(not std::is_constructible_v<deciamperes, decihertz>);
+STATIC_CHECK(not std::is_convertible_v<std::uint16_t, decihertz>);
+STATIC_CHECK(not std::is_convertible_v<decihertz, std::uint16_t>);
+
+STATIC_CHECK(decihertz{500} == decihertz{500} and decihertz{499} < decihertz{500});
+
+} // namespace

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Chunking makes no difference: any split of a stream of glued frames yields the same frames.
+#include <rtuwire/rtu/framer.hpp>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "support/catch.hpp"
+#include "support/random.hpp"
+
+#include <rtuwire/wire/pdu/exception.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
+#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
+#include <rtuwire/wire/pdu/write_single_register.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr line_timing line{19'200, character_format::even_8_1};
+
+using octet_list = std::vector<std::byte>;
+
+template <typename P>
+void append(octet_list& stream, P const& value)
+{
+    auto const frame = encode(unit_id{17}, value);
+    REQUIRE(frame);
+    stream.insert(stream.end(), frame->view().begin(), frame->view().end());
+}
+
+octet_list glued_frames(direction way, unsigned count)
+{
+    test::random random{42};
+    octet_list stream;
+    for (unsigned i = 0; i < count; ++i) {
+        std::array<std::byte, 242> data{};
+        random.fill(data);
+        auto const address = static_cast<std::uint16_t>(random.next());
+        register_view const values{byte_view{data}.first(2 + 2 * random.below(i % 16 == 0 ? 120 : 8))};
+        auto const start = static_cast<std::uint16_t>(address / 2);
+        bool const asks = way == direction::request;
+        switch (random.below(5)) {
+        case 0: append(stream, write_single_register{address, address}); break;
+        case 1:
+            if (asks) {
+                append(stream, read_holding_registers{start, 4});
+            } else {
+                append(stream, read_holding_registers_response{values});
+            }
+            break;
+        case 2:
+            if (asks) {
+                append(stream, write_multiple_registers{start, values});
+            } else {
+                append(stream, write_multiple_registers_response{start, 3});
+            }
+            break;
+        case 3:
+            if (asks) {
+                append(stream, read_write_multiple_registers{start, 2, start, values});
+            } else {
+                append(stream, read_write_multiple_registers_response{values});
+            }
+            break;
+        default:
+            if (asks) {
+                append(stream, read_holding_registers{start, 1});
+            } else {
+                append(stream, exception_response{function_code{3}, 2});
+            }
+        }
+    }
+    return stream;
+}
+
+/// A listener that remembers how many frames ended and a checksum over all of them.
+struct tally {
+    framer receiver;
+    unsigned frames{0};
+    unsigned faults{0};
+    running_crc16<> content{};
+
+    explicit tally(direction way) : receiver{way, line}
+    {
+        receiver.advance({0});
+        receiver.advance({1'000'000});
+    }
+
+    void hear(byte_view octets)
+    {
+        while (not octets.empty()) {
+            octets = octets.subspan(receiver.receive(octets, {1'000'000}));
+            auto const frame = receiver.poll_frame();
+            if (not frame) { continue; }
+            if (not *frame) {
+                ++faults;
+                continue;
+            }
+            ++frames;
+            for (std::byte const octet : (*frame)->pdu) { content.add(octet); }
+        }
+    }
+
+    friend bool operator==(tally const& left, tally const& right)
+    {
+        return left.frames == right.frames and left.faults == right.faults and
+               left.content.value() == right.content.value();
+    }
+};
+
+void check_every_split(direction way)
+{
+    auto const stream = glued_frames(way, 1'000);
+    tally whole{way};
+    whole.hear(stream);
+    CHECK(whole.frames == 1'000);
+    CHECK(whole.faults == 0);
+
+    tally single{way};
+    for (std::size_t i = 0; i < stream.size(); ++i) { single.hear(byte_view{stream}.subspan(i, 1)); }
+    CHECK(single == whole);
+
+    unsigned different = 0;
+    for (std::size_t i = 0; i <= stream.size(); ++i) {
+        tally split{way};
+        split.hear(byte_view{stream}.first(i));
+        split.hear(byte_view{stream}.subspan(i));
+        different += split == whole ? 0U : 1U;
+    }
+    CHECK(different == 0);
+
+    test::random random{5};
+    for (unsigned round = 0; round < 200; ++round) {
+        tally chunked{way};
+        for (std::size_t at = 0; at < stream.size();) {
+            std::size_t const size = std::min<std::size_t>(1 + random.below(64), stream.size() - at);
+            chunked.hear(byte_view{stream}.subspan(at, size));
+            at += size;
+        }
+        CHECK(chunked == whole);
+    }
+}
+
+} // namespace
+
+TEST_CASE("any split of 1000 glued requests yields the same frames")
+{
+    check_every_split(direction::request);
+}
+
+TEST_CASE("any split of 1000 glued responses yields the same frames")
+{
+    check_every_split(direction::response);
+}

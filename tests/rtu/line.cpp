@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The times of a line, held against the specification's table.
+#include <rtuwire/rtu/line.hpp>
+
+#include "support/proof.hpp"
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr auto e = character_format::even_8_1;
+constexpr auto n1 = character_format::none_8_1;
+
+constexpr bool lasts(std::uint32_t rate, character_format format, std::uint32_t character,
+                     std::uint32_t t1_5, std::uint32_t t3_5)
+{
+    line_timing const line{rate, format};
+    return line.characters(1) == microseconds(character) and line.t1_5() == microseconds(t1_5) and
+           line.t3_5() == microseconds(t3_5) and line.frame_end() == line.t3_5();
+}
+
+STATIC_CHECK(lasts(1'200, e, 9'167, 13'751, 32'084));
+STATIC_CHECK(lasts(4'800, e, 2'292, 3'438, 8'021));
+STATIC_CHECK(lasts(9'600, e, 1'146, 1'719, 4'011));
+STATIC_CHECK(lasts(19'200, e, 573, 860, 2'006));
+STATIC_CHECK(lasts(38'400, e, 287, 750, 1'750));
+STATIC_CHECK(lasts(115'200, e, 96, 750, 1'750));
+STATIC_CHECK(lasts(9'600, n1, 1'042, 1'563, 3'646));
+STATIC_CHECK(lasts(19'200, n1, 521, 782, 1'823));
+STATIC_CHECK(lasts(38'400, n1, 261, 750, 1'750));
+
+STATIC_CHECK(bits_per_character(character_format::odd_8_1) == 11);
+STATIC_CHECK(bits_per_character(character_format::none_8_2) == 11);
+STATIC_CHECK(bits_per_character(n1) == 10);
+
+STATIC_CHECK(line_timing{9'600, e}.characters(256) == microseconds(256 * 1'146));
+STATIC_CHECK(line_timing{1'200, e}.characters(256) == microseconds(256 * 9'167));
+
+// A host waits longer for the end of a frame, never shorter than t3.5; what it sends is timed alike.
+STATIC_CHECK(line_timing::host(19'200, e).frame_end() == milliseconds(50));
+STATIC_CHECK(line_timing::host(19'200, e).t3_5() == microseconds(2'006));
+STATIC_CHECK(line_timing::host(19'200, e, milliseconds(1)).frame_end() == microseconds(2'006));
+
+} // namespace

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Error codes, unit addresses, functions and limits.
+#include <rtuwire/wire/errc_name.hpp>
+
+#include <set>
+#include <string>
+
+#include "support/proof.hpp"
+
+#include <rtuwire/wire/function.hpp>
+#include <rtuwire/wire/limits.hpp>
+#include <rtuwire/wire/unit_id.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr bool exceptions_keep_their_number()
+{
+    for (std::uint32_t code = 0; code <= 0xFF; ++code) {
+        errc const error = exception_error(static_cast<std::uint8_t>(code));
+        bool const is_listed = code >= 1 and code < 0x80;
+        if (is_listed and (static_cast<std::uint32_t>(error) != code or not is_exception(error))) {
+            return false;
+        }
+        if (not is_listed and (error != errc::unlisted_exception or is_exception(error))) {
+            return false;
+        }
+    }
+    return true;
+}
+PROOF("an exception keeps its number, and cannot pass for a local error", exceptions_keep_their_number)
+
+constexpr bool units_are_1_to_247()
+{
+    for (std::uint32_t number = 0; number <= 300; ++number) {
+        auto const unit = unit_id::checked(number);
+        bool const is_unit = number >= 1 and number <= 247;
+        if (unit.has_value() != is_unit) { return false; }
+        if (is_unit and unit->octet() != number) { return false; }
+        if (not is_unit and unit.error() != errc::invalid_unit) { return false; }
+    }
+    return true;
+}
+PROOF("a unit address is 1 to 247", units_are_1_to_247)
+
+STATIC_CHECK(destination{broadcast}.is_broadcast() and destination{broadcast}.octet() == 0);
+STATIC_CHECK(not destination{unit_id{7}}.is_broadcast() and destination{unit_id{7}}.octet() == 7);
+STATIC_CHECK(unit_id{3} < unit_id{4} and unit_id{3} == unit_id{3});
+
+constexpr function_set two{function_code::write_single_register, static_cast<function_code>(127)};
+STATIC_CHECK(two.contains(function_code::write_single_register));
+STATIC_CHECK(two.contains(static_cast<function_code>(127)));
+STATIC_CHECK(not two.contains(function_code::read_holding_registers));
+STATIC_CHECK(not function_set{static_cast<function_code>(0x86)}.contains(function_code{6}));
+STATIC_CHECK(not function_set{static_cast<function_code>(0)}.contains(function_code{0}));
+STATIC_CHECK(not two.contains(static_cast<function_code>(0x86)));
+
+STATIC_CHECK(is_address_range(65535, 1) and not is_address_range(65535, 2));
+STATIC_CHECK(is_address_range(0, 65536) and not is_address_range(1, 65536));
+STATIC_CHECK(is_address_range(65411, 125) and not is_address_range(65412, 125));
+STATIC_CHECK(not is_quantity(0, 125) and is_quantity(1, 125));
+STATIC_CHECK(is_quantity(125, 125) and not is_quantity(126, 125));
+
+} // namespace
+
+TEST_CASE("every error that has a name has its own")
+{
+    std::set<std::string> names;
+    std::size_t named = 0;
+    for (unsigned code = 0; code <= 0xFF; ++code) {
+        std::string const text{name(static_cast<errc>(code))};
+        CHECK_FALSE(text.empty());
+        if (text != "exception" and text != "unknown error") {
+            ++named;
+            names.insert(text);
+        }
+    }
+    CHECK(names.size() == named);
+    CHECK(named == 11U + static_cast<unsigned>(errc::device_failed) - 0x80U + 1U);
+    CHECK(name(static_cast<errc>(0x0C)) == "exception");
+    CHECK(name(static_cast<errc>(0xFE)) == "unknown error");
+}
