@@ -26,7 +26,9 @@ constexpr bool grows_octet_by_octet()
 {
     running_crc16<> crc;
     for (std::size_t i = 0; i < check_text.size(); ++i) {
-        if (crc.value() != crc16(byte_view{check_text}.first(i))) { return false; }
+        if (crc.value() != crc16(byte_view{check_text}.first(i))) {
+            return false;
+        }
         crc.add(check_text[i]);
     }
     return crc.value() == 0x4B37;

@@ -20,7 +20,9 @@ STATIC_CHECK(sizeof(result<void>) == 1);
 
 constexpr result<int> half(int number)
 {
-    if (number % 2 != 0) { return errc::malformed; }
+    if (number % 2 != 0) {
+        return errc::malformed;
+    }
     return number / 2;
 }
 
@@ -35,7 +37,9 @@ STATIC_CHECK(half(5).and_then(half) == errc::malformed);
 
 constexpr result<void> checked(bool good)
 {
-    if (good) { return {}; }
+    if (good) {
+        return {};
+    }
     return errc::timed_out;
 }
 

@@ -52,7 +52,9 @@ struct listener {
     constexpr bool has(byte_view octets)
     {
         auto const frame = receiver.poll_frame();
-        if (not frame or not *frame) { return false; }
+        if (not frame or not *frame) {
+            return false;
+        }
         return (*frame)->unit == to_u8(octets[0]) and
                same_bytes((*frame)->pdu, octets.subspan(1, octets.size() - 3));
     }

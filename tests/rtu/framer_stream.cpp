@@ -24,8 +24,7 @@ constexpr line_timing line{19'200, character_format::even_8_1};
 
 using octet_list = std::vector<std::byte>;
 
-template <typename P>
-void append(octet_list& stream, P const& value)
+template <typename P> void append(octet_list& stream, P const& value)
 {
     auto const frame = encode(unit_id{17}, value);
     REQUIRE(frame);
@@ -40,7 +39,8 @@ octet_list glued_frames(direction way, unsigned count)
         std::array<std::byte, 242> data{};
         random.fill(data);
         auto const address = static_cast<std::uint16_t>(random.next());
-        register_view const values{byte_view{data}.first(2 + 2 * random.below(i % 16 == 0 ? 120 : 8))};
+        register_view const values{
+            byte_view{data}.first(2 + 2 * random.below(i % 16 == 0 ? 120 : 8))};
         auto const start = static_cast<std::uint16_t>(address / 2);
         bool const asks = way == direction::request;
         switch (random.below(5)) {
@@ -95,13 +95,17 @@ struct tally {
         while (not octets.empty()) {
             octets = octets.subspan(receiver.receive(octets, {1'000'000}));
             auto const frame = receiver.poll_frame();
-            if (not frame) { continue; }
+            if (not frame) {
+                continue;
+            }
             if (not *frame) {
                 ++faults;
                 continue;
             }
             ++frames;
-            for (std::byte const octet : (*frame)->pdu) { content.add(octet); }
+            for (std::byte const octet : (*frame)->pdu) {
+                content.add(octet);
+            }
         }
     }
 
@@ -121,7 +125,9 @@ void check_every_split(direction way)
     CHECK(whole.faults == 0);
 
     tally single{way};
-    for (std::size_t i = 0; i < stream.size(); ++i) { single.hear(byte_view{stream}.subspan(i, 1)); }
+    for (std::size_t i = 0; i < stream.size(); ++i) {
+        single.hear(byte_view{stream}.subspan(i, 1));
+    }
     CHECK(single == whole);
 
     unsigned different = 0;
@@ -137,7 +143,8 @@ void check_every_split(direction way)
     for (unsigned round = 0; round < 200; ++round) {
         tally chunked{way};
         for (std::size_t at = 0; at < stream.size();) {
-            std::size_t const size = std::min<std::size_t>(1 + random.below(64), stream.size() - at);
+            std::size_t const size =
+                std::min<std::size_t>(1 + random.below(64), stream.size() - at);
             chunked.hear(byte_view{stream}.subspan(at, size));
             at += size;
         }

@@ -28,7 +28,9 @@ public:
 
     constexpr void fill(byte_span out) noexcept
     {
-        for (std::byte& octet : out) { octet = to_byte(next() >> 11U); }
+        for (std::byte& octet : out) {
+            octet = to_byte(next() >> 11U);
+        }
     }
 
 private:

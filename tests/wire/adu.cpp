@@ -35,15 +35,20 @@ constexpr bool takes_a_frame_apart()
 PROOF("a frame is taken apart into unit and PDU", takes_a_frame_apart)
 
 /// The error of encoding into a place of a size, which must be untouched unless it is none.
-template <typename Request>
-constexpr errc refusal(Request const& request, std::size_t room = 256)
+template <typename Request> constexpr errc refusal(Request const& request, std::size_t room = 256)
 {
     std::array<std::byte, 256> place{};
-    for (std::byte& octet : place) { octet = std::byte{0xA5}; }
+    for (std::byte& octet : place) {
+        octet = std::byte{0xA5};
+    }
     auto const written = encode_into(byte_span{place}.first(room), unit_id{1}, request);
     bool is_untouched = true;
-    for (std::byte const octet : place) { is_untouched = is_untouched and octet == std::byte{0xA5}; }
-    if (written.has_value() == is_untouched) { return errc::device_failed; }
+    for (std::byte const octet : place) {
+        is_untouched = is_untouched and octet == std::byte{0xA5};
+    }
+    if (written.has_value() == is_untouched) {
+        return errc::device_failed;
+    }
     return written.error();
 }
 

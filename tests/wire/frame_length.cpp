@@ -21,9 +21,15 @@ constexpr bool is_told(direction way, byte_view frame)
     std::size_t look_at = 2;
     for (std::size_t size = 0; size <= frame.size(); ++size) {
         length_so_far const known = frame_length(way, frame.first(size));
-        if (known.is_final and known.size != frame.size()) { return false; }
-        if (not known.is_final and known.size <= size) { return false; }
-        if (size == look_at) { look_at = known.size; }
+        if (known.is_final and known.size != frame.size()) {
+            return false;
+        }
+        if (not known.is_final and known.size <= size) {
+            return false;
+        }
+        if (size == look_at) {
+            look_at = known.size;
+        }
     }
     return look_at == frame.size();
 }
@@ -77,8 +83,12 @@ TEST_CASE("whatever the octets say, a final size is one that a frame can have")
         auto const part = byte_view{octets}.first(random.below(257));
         for (direction const way : {asks, answers}) {
             length_so_far const known = frame_length(way, part);
-            if (known.is_final and (known.size < 4 or known.size > 256)) { ++wrong; }
-            if (not known.is_final and known.size != 0 and known.size <= part.size()) { ++wrong; }
+            if (known.is_final and (known.size < 4 or known.size > 256)) {
+                ++wrong;
+            }
+            if (not known.is_final and known.size != 0 and known.size <= part.size()) {
+                ++wrong;
+            }
         }
     }
     CHECK(wrong == 0);

@@ -30,16 +30,23 @@ constexpr bool exceptions_keep_their_number()
     }
     return true;
 }
-PROOF("an exception keeps its number, and cannot pass for a local error", exceptions_keep_their_number)
+PROOF("an exception keeps its number, and cannot pass for a local error",
+      exceptions_keep_their_number)
 
 constexpr bool units_are_1_to_247()
 {
     for (std::uint32_t number = 0; number <= 300; ++number) {
         auto const unit = unit_id::checked(number);
         bool const is_unit = number >= 1 and number <= 247;
-        if (unit.has_value() != is_unit) { return false; }
-        if (is_unit and unit->octet() != number) { return false; }
-        if (not is_unit and unit.error() != errc::invalid_unit) { return false; }
+        if (unit.has_value() != is_unit) {
+            return false;
+        }
+        if (is_unit and unit->octet() != number) {
+            return false;
+        }
+        if (not is_unit and unit.error() != errc::invalid_unit) {
+            return false;
+        }
     }
     return true;
 }

@@ -97,13 +97,10 @@ public:
         if (phase_ == phase::awaiting) {
             take_frame(now);
         }
-        if (phase_ == phase::waiting and framer_.is_quiet() and not must_wait_for_late_answer()) {
-            phase_ = phase::ready;
-            deadline_ =
-                now + options_.response_timeout + framer_.line().characters(question_.size());
-        }
+        get_ready(now);
         if (has_deadline() and reached(now, deadline_)) {
             time_is_over(now);
+            get_ready(now);
         }
     }
 
@@ -211,6 +208,16 @@ private:
     constexpr bool has_deadline() const noexcept
     {
         return phase_ != phase::idle and phase_ != phase::settled;
+    }
+
+    /// Lets the request leave, once the line allows it.
+    constexpr void get_ready(instant now) noexcept
+    {
+        if (phase_ != phase::waiting or not framer_.is_quiet() or must_wait_for_late_answer()) {
+            return;
+        }
+        phase_ = phase::ready;
+        deadline_ = now + options_.response_timeout + framer_.line().characters(question_.size());
     }
 
     constexpr void note_noise(instant now) noexcept

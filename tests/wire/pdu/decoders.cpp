@@ -103,7 +103,9 @@ constexpr bool walks_objects()
 {
     constexpr auto octets = "2B 0E 01 01 FF 03 02 00 01 41 02 00"_hex;
     auto const read = page::decode(octets);
-    if (not read or not read->more_follows or read->next_object != 3) { return false; }
+    if (not read or not read->more_follows or read->next_object != 3) {
+        return false;
+    }
     auto const first = read->first();
     auto const second = read->after(*first);
     bool const in_order = first->id == 0 and second->id == 2 and second->value.empty();
@@ -112,11 +114,12 @@ constexpr bool walks_objects()
 PROOF("a page's objects are walked in order", walks_objects)
 
 /// Decodes octets as P; what decodes must encode to the same octets.
-template <typename P>
-bool is_identity(byte_view octets)
+template <typename P> bool is_identity(byte_view octets)
 {
     auto const read = P::decode(octets);
-    if (not read) { return true; }
+    if (not read) {
+        return true;
+    }
     std::array<std::byte, 256> place{};
     byte_writer out{place};
     read->write(out);
@@ -137,16 +140,20 @@ TEST_CASE("whatever decodes encodes to the same octets")
         random.fill(part);
         // Small numbers make headers that agree with themselves.
         for (std::byte& octet : part) {
-            if (random.below(3) != 0) { octet = to_byte(random.below(8)); }
+            if (random.below(3) != 0) {
+                octet = to_byte(random.below(8));
+            }
         }
-        if (size > 0) { part[0] = to_byte(codes[random.below(codes.size())]); }
+        if (size > 0) {
+            part[0] = to_byte(codes[random.below(codes.size())]);
+        }
         bool const same = is_identity<fc03>(part) and is_identity<fc03_answer>(part) and
                           is_identity<fc06>(part) and is_identity<fc16>(part) and
                           is_identity<fc16_answer>(part) and is_identity<fc23>(part) and
                           is_identity<read_write_multiple_registers_response>(part) and
-                          is_identity<diagnostics>(part) and is_identity<exception_response>(part) and
-                          is_identity<identify>(part) and is_identity<page>(part) and
-                          is_identity<raw_pdu>(part);
+                          is_identity<diagnostics>(part) and
+                          is_identity<exception_response>(part) and is_identity<identify>(part) and
+                          is_identity<page>(part) and is_identity<raw_pdu>(part);
         wrong += same ? 0U : 1U;
     }
     CHECK(wrong == 0);

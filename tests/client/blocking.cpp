@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The client that waits, over a port that is played by hand.
+#include <rtuwire/client/blocking.hpp>
+
+#include <vector>
+
+#include "support/catch.hpp"
+
+#include <rtuwire/core/hex.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/pdu/write_single_register.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+/// A port whose clock jumps to each deadline, and that answers each request with the next script line.
+struct scripted_port {
+    std::vector<std::vector<std::byte>> answers{};
+    std::vector<std::byte> input{};
+    std::vector<std::vector<std::byte>> sent{};
+    instant clock{0xFFFF'FF00U};
+    bool is_broken{false};
+
+    instant now() { return clock = clock + microseconds(10); }
+
+    result<void> write(byte_view octets, instant)
+    {
+        if (is_broken) {
+            return errc::device_vanished;
+        }
+        sent.emplace_back(octets.begin(), octets.end());
+        if (sent.size() <= answers.size()) {
+            input = answers[sent.size() - 1];
+        }
+        return {};
+    }
+
+    result<void> drain() { return {}; }
+
+    result<byte_span> read(byte_span place, instant until)
+    {
+        if (is_broken) {
+            return errc::device_vanished;
+        }
+        if (input.empty() and not reached(clock, until)) {
+            clock = until;
+        }
+        std::size_t const count = input.size() < place.size() ? input.size() : place.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            place[i] = input[i];
+        }
+        input.erase(input.begin(), input.begin() + static_cast<std::ptrdiff_t>(count));
+        return place.first(count);
+    }
+};
+
+template <std::size_t Size>
+std::vector<std::byte> line_of(std::array<std::byte, Size> const& octets)
+{
+    return {octets.begin(), octets.end()};
+}
+
+constexpr line_timing timing{19'200, character_format::even_8_1};
+constexpr read_holding_registers question{0x0C81, 1};
+
+} // namespace
+
+TEST_CASE("a waiting client gives the answer")
+{
+    scripted_port port{.answers = {line_of("01 03 02 12 34 B5 33"_hex)}};
+    blocking_client line{port, timing};
+    auto const answer = line.ask(unit_id{1}, question);
+    REQUIRE(answer);
+    CHECK(answer->registers[0] == 0x1234);
+    CHECK(port.sent.size() == 1);
+}
+
+TEST_CASE("a waiting client gives exceptions, time-outs and refusals as errors")
+{
+    scripted_port port{.answers = {line_of("01 83 02 C0 F1"_hex)}};
+    blocking_client line{port, timing, {.retries = 1}};
+    CHECK(line.ask(unit_id{1}, question) == errc::illegal_data_address);
+    CHECK(line.ask(unit_id{1}, question) == errc::timed_out);
+    CHECK(port.sent.size() == 3);
+    CHECK(line.ask(unit_id{1}, read_holding_registers{0, 126}) == errc::invalid_quantity);
+    CHECK(port.sent.size() == 3);
+}
+
+TEST_CASE("what lay in the port before the question does not answer it")
+{
+    scripted_port port{.answers = {line_of("01 03 02 12 34 B5 33"_hex)}};
+    port.input = line_of("01 03 02 56 78 87 C6"_hex);
+    blocking_client line{port, timing};
+    auto const answer = line.ask(unit_id{1}, question);
+    REQUIRE(answer);
+    CHECK(answer->registers[0] == 0x1234);
+}
+
+TEST_CASE("a command to all ends without an answer")
+{
+    scripted_port port;
+    blocking_client line{port, timing};
+    CHECK(line.tell_all(write_single_register{8501, 0}));
+    REQUIRE(port.sent.size() == 1);
+    CHECK(port.sent[0] == line_of("00 06 21 35 00 00 92 29"_hex));
+}
+
+TEST_CASE("a port that fails ends the question, and the next one can be asked")
+{
+    scripted_port port{.answers = {line_of("01 03 02 12 34 B5 33"_hex)}};
+    blocking_client line{port, timing};
+    port.is_broken = true;
+    CHECK(line.ask(unit_id{1}, question) == errc::device_vanished);
+    port.is_broken = false;
+    CHECK(line.ask(unit_id{1}, question));
+}

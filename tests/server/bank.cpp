@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Plain words, reached by address.
+#include <rtuwire/server/bank.hpp>
+
+#include "support/proof.hpp"
+
+using namespace rtuwire;
+
+namespace {
+
+STATIC_CHECK(register_bank<word_bank<4>>);
+
+constexpr word_bank<4> at_100{100};
+STATIC_CHECK(at_100.contains(100) and at_100.contains(103));
+STATIC_CHECK(not at_100.contains(99) and not at_100.contains(104));
+STATIC_CHECK(at_100.check_read(100, 4) == errc::none);
+STATIC_CHECK(at_100.check_read(100, 5) == errc::illegal_data_address);
+STATIC_CHECK(at_100.check_read(103, 2) == errc::illegal_data_address);
+STATIC_CHECK(at_100.check_read(99, 1) == errc::illegal_data_address);
+STATIC_CHECK(at_100.check_read(65535, 125) == errc::illegal_data_address);
+
+constexpr word_bank<2> at_the_end{65534};
+STATIC_CHECK(at_the_end.check_read(65535, 1) == errc::none);
+STATIC_CHECK(at_the_end.check_read(65535, 2) == errc::illegal_data_address);
+STATIC_CHECK(at_the_end.check_read(0, 1) == errc::illegal_data_address);
+
+constexpr bool set_and_get()
+{
+    word_bank<4> bank{100};
+    bool const set =
+        bank.set(103, 7).has_value() and bank.set(104, 7) == errc::illegal_data_address;
+    return set and bank.get(103) == 7 and bank.get(104) == 0 and bank.get(99) == 0;
+}
+PROOF("a word is set and got only where there is one", set_and_get)
+
+} // namespace

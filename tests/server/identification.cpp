@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A server's identification: categories, single objects, pages.
+#include <rtuwire/server/identification.hpp>
+
+#include <array>
+
+#include "support/proof.hpp"
+
+#include <rtuwire/core/hex.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr device_object drive[] = {{vendor_name, "Schneider Electric"},
+                                   {product_code, "ATV310H037N4"},
+                                   {major_minor_revision, "0201"}};
+
+struct answer {
+    std::array<std::byte, max_pdu_size> place{};
+    result<std::size_t> size{errc::busy};
+
+    constexpr byte_view octets() const { return byte_view{place}.first(*size); }
+};
+
+constexpr answer ask(device_objects objects, identification_access access, std::uint8_t object = 0)
+{
+    answer given;
+    given.size = write_identification(given.place, objects, {access, object});
+    return given;
+}
+
+constexpr bool manual_example()
+{
+    auto const given = ask(drive, identification_access::basic);
+    constexpr auto head = "2B 0E 01 81 00 00 03 00 12 53 63 68 6E 65"_hex;
+    auto const page = device_identification::decode(given.octets());
+    return given.size == std::size_t{47} and same_bytes(given.octets().first(head.size()), head) and
+           page and page->find(product_code)->size() == 12 and not page->more_follows;
+}
+PROOF("three objects of a drive are one page", manual_example)
+
+constexpr bool single_objects()
+{
+    auto const one = ask(drive, identification_access::single, major_minor_revision);
+    auto const none = ask(drive, identification_access::single, 7);
+    return same_bytes(one.octets(), "2B 0E 04 81 00 00 01 02 04 30 32 30 31"_hex) and
+           none.size == errc::illegal_data_address;
+}
+PROOF("a single object is given alone, an unknown one is exception 02", single_objects)
+
+constexpr bool unknown_start()
+{
+    auto const whole = ask(drive, identification_access::basic, 0);
+    auto const other = ask(drive, identification_access::basic, 9);
+    auto const later = ask(drive, identification_access::basic, 2);
+    return same_bytes(whole.octets(), other.octets()) and later.size == std::size_t{13};
+}
+PROOF("a stream starts where it is asked to, or at the first object", unknown_start)
+
+constexpr device_object categories[] = {{0, "v"}, {1, "p"}, {2, "r"}, {4, "name"}, {0x80, "x"}};
+STATIC_CHECK(conformity_of(drive) == 0x81);
+STATIC_CHECK(conformity_of(device_objects{categories}.first(4)) == 0x82);
+STATIC_CHECK(conformity_of(categories) == 0x83);
+
+constexpr std::uint8_t count_in(identification_access access)
+{
+    auto const given = ask(categories, access);
+    return to_u8(given.place[6]);
+}
+STATIC_CHECK(count_in(identification_access::basic) == 3);
+STATIC_CHECK(count_in(identification_access::regular) == 4);
+STATIC_CHECK(count_in(identification_access::extended) == 5);
+
+constexpr text long_text{"0123456789012345678901234567890123456789012345678901234567890123456789"
+                         "01234567890123456789"};
+constexpr device_object many[] = {{0, long_text}, {1, long_text}, {2, long_text}, {3, "url"}};
+
+constexpr bool pages()
+{
+    unsigned seen = 0;
+    std::uint8_t next = 0;
+    for (unsigned round = 0; round < 5; ++round) {
+        auto const given = ask(many, identification_access::regular, next);
+        auto const page = device_identification::decode(given.octets());
+        if (not page or given.octets().size() > max_pdu_size) {
+            return false;
+        }
+        for (auto at = page->first(); at; at = page->after(*at)) {
+            if (at->id != seen++) {
+                return false;
+            }
+        }
+        if (not page->more_follows) {
+            return seen == 4 and round == 1 and page->next_object == 0;
+        }
+        next = page->next_object;
+    }
+    return false;
+}
+PROOF("objects that do not fit follow on the next page", pages)
+
+constexpr bool too_large()
+{
+    std::array<std::byte, 40> place{};
+    return write_identification(place, many, {}) == errc::server_device_failure;
+}
+PROOF("an object that fits no page is exception 04", too_large)
+
+} // namespace

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A unit on a line: when it speaks, and when it is silent.
+#include <rtuwire/server/server.hpp>
+
+#include "support/proof.hpp"
+
+#include <rtuwire/core/hex.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr line_timing line{19'200, character_format::even_8_1};
+
+/// Unit 1 with four registers, and a clock that starts five seconds before it wraps.
+struct unit_1 {
+    server node{unit_id{1}, line};
+    word_bank<4> bank{};
+    instant now{0xFFFF'FFFFU - 5'000'000U};
+
+    constexpr unit_1()
+    {
+        node.advance(now);
+        pass(milliseconds(10));
+    }
+
+    constexpr void pass(duration length)
+    {
+        now = now + length;
+        node.advance(now);
+        node.serve(bank, now);
+    }
+
+    constexpr void hear(byte_view octets)
+    {
+        now = now + line.characters(octets.size());
+        node.receive(octets, now);
+        pass({});
+    }
+
+    /// Whether it answers these octets after t3.5, and listens again.
+    constexpr bool says(byte_view octets)
+    {
+        if (not node.poll_transmit().empty()) {
+            return false;
+        }
+        pass(line.t3_5());
+        byte_view const frame = node.poll_transmit();
+        bool const right = same_bytes(frame, octets);
+        now = now + line.characters(frame.size());
+        node.sent(now);
+        pass(line.t3_5());
+        return right;
+    }
+
+    constexpr bool is_silent()
+    {
+        pass(milliseconds(500));
+        return node.poll_transmit().empty();
+    }
+};
+
+constexpr auto write_3 = "01 06 00 01 00 03 98 0B"_hex;
+constexpr auto read_1 = "01 03 00 01 00 01 D5 CA"_hex;
+
+constexpr bool serves()
+{
+    unit_1 unit;
+    unit.hear(write_3);
+    bool const written = unit.says(write_3) and unit.bank.get(1) == 3;
+    unit.hear(read_1);
+    return written and unit.says("01 03 02 00 03 F8 45"_hex);
+}
+PROOF("a request is answered after t3.5, then the next", serves)
+
+template <std::size_t Size> constexpr bool is_ignored(std::array<std::byte, Size> const& octets)
+{
+    unit_1 unit;
+    unit.hear(octets);
+    bool const silent = unit.is_silent() and unit.bank.get(1) == 0;
+    unit.hear(write_3);
+    return silent and unit.says(write_3);
+}
+constexpr bool silent_on()
+{
+    return is_ignored("02 06 00 01 00 03 98 38"_hex) and
+           is_ignored("01 06 00 01 00 03 98 0C"_hex) and is_ignored("01 83 02 C0 F1"_hex) and
+           is_ignored("FF 03 00 00 00 01 91 D4"_hex) and
+           is_ignored("00 03 00 00 00 01 85 DB"_hex) and is_ignored("FF FF"_hex) and
+           is_ignored("02 03 00 01 FF FF 15 89"_hex) and is_ignored("01 03"_hex);
+}
+PROOF("other units, damage, answers, reserved units and broadcast reads get silence", silent_on)
+
+constexpr bool broadcast_write()
+{
+    unit_1 unit;
+    unit.hear("00 06 00 01 00 03 99 DA"_hex);
+    return unit.bank.get(1) == 3 and unit.is_silent();
+}
+PROOF("a broadcast write is obeyed in silence", broadcast_write)
+
+constexpr bool not_from_another_answer()
+{
+    // Unit 2 answers with data that is a whole request to unit 1.
+    constexpr auto answer = "02 03 08 01 06 00 01 00 03 98 0B DA 98"_hex;
+    unit_1 unit;
+    unit.hear("02 03 00 00 00 04 44 3A"_hex);
+    unit.hear(answer);
+    unit.hear(write_3);
+    bool const deaf = unit.bank.get(1) == 0;
+    unit.pass(line.t3_5());
+    unit.hear(write_3);
+    return deaf and unit.says(write_3) and unit.bank.get(1) == 3;
+}
+PROOF("another unit's answer is never taken for a request", not_from_another_answer)
+
+constexpr bool trailing_noise()
+{
+    unit_1 unit;
+    unit.hear(write_3);
+    unit.pass(microseconds(1'500));
+    unit.hear("00"_hex);
+    bool const waits = unit.node.poll_transmit().empty();
+    return waits and unit.says(write_3);
+}
+PROOF("noise behind a request delays the answer", trailing_noise)
+
+constexpr bool long_noise()
+{
+    unit_1 unit;
+    unit.hear(write_3);
+    for (unsigned i = 0; i < 250; ++i) {
+        unit.hear("00"_hex);
+    }
+    bool const dropped = unit.is_silent();
+    unit.hear(read_1);
+    return dropped and unit.says("01 03 02 00 03 F8 45"_hex);
+}
+PROOF("an answer that cannot leave in time is dropped", long_noise)
+
+constexpr bool power_up()
+{
+    server node{unit_id{1}, line};
+    word_bank<4> bank;
+    node.advance({5});
+    node.receive(write_3, {5});
+    node.serve(bank, {5});
+    return not node.is_asked() and bank.get(1) == 0 and
+           node.poll_deadline() == deadline{instant{5} + line.t3_5()};
+}
+PROOF("at power-up nothing is obeyed before the line was silent", power_up)
+
+constexpr bool poisoned()
+{
+    unit_1 unit;
+    unit.node.receive(byte_view{write_3}.first(3), unit.now);
+    unit.node.receive_error(unit.now);
+    unit.hear(byte_view{write_3}.subspan(3));
+    return unit.is_silent() and unit.bank.get(1) == 0;
+}
+PROOF("a request with a damaged octet is not obeyed even if its CRC is right", poisoned)
+
+constexpr bool second_request_is_noise()
+{
+    unit_1 unit;
+    unit.node.receive(read_1, unit.now);
+    unit.node.receive(write_3, unit.now);
+    unit.pass({});
+    return unit.says("01 03 02 00 00 B8 44"_hex) and unit.bank.get(1) == 0;
+}
+PROOF("a request before the answer to the last is noise", second_request_is_noise)
+
+} // namespace
