@@ -11,7 +11,7 @@ packages_of() {
         examples) echo cmake make c++ ;;
         build) echo cmake ninja-build g++ ;;
         tests) echo catch2 python3 binutils ;;
-        interop) echo pkg-config libmodbus-dev mbpoll python3 python3-pymodbus python3-serial socat tshark ;;
+        interop) echo pkg-config libmodbus-dev mbpoll python3 python3-pymodbus python3-serial python3-serial-asyncio socat tshark ;;
         arm) echo gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib ;;
         clang) echo clang libclang-rt-dev ;;
         bench) echo libbenchmark-dev ;;

@@ -93,8 +93,9 @@ answer_identification(byte_view request_pdu, server_profile const& profile, byte
 
 /// Answers any request; the size of the answer, or the exception.
 template <register_bank Bank>
-[[nodiscard]] constexpr result<std::size_t>
-answer(byte_view request_pdu, Bank& bank, server_profile const& profile, byte_span out) noexcept
+[[nodiscard]] constexpr result<std::size_t> answer_request(byte_view request_pdu, Bank& bank,
+                                                           server_profile const& profile,
+                                                           byte_span out) noexcept
 {
     auto const function = static_cast<function_code>(to_u8(request_pdu[0]));
     if (not profile.supports(function)) {
@@ -126,7 +127,7 @@ template <register_bank Bank>
     if (to_u8(function) >= exception_bit) {
         return {};
     }
-    auto const answered = answer(request_pdu, bank, profile, out.first(max_pdu_size));
+    auto const answered = answer_request(request_pdu, bank, profile, out.first(max_pdu_size));
     if (answered) {
         return out.first(*answered);
     }

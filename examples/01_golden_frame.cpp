@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The smallest use: a request as octets, an answer as a value; the compiler has checked both already.
+#include <cstdio>
+
+#include <rtuwire/rtuwire.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr auto question = encode(unit_id{2}, read_holding_registers{.start = 3102, .count = 4});
+static_assert(question == "02 03 0C 1E 00 04 27 6C"_hex);
+
+constexpr auto answer = "02 03 08 00 28 02 58 01 F4 00 00 52 B0"_hex;
+
+} // namespace
+
+int main()
+{
+    char text[3 * max_adu_size];
+    auto const hex = to_hex(*question, text);
+    std::printf("asked    %.*s\n", static_cast<int>(hex.size()), hex.data());
+    auto const taken = decode_adu(answer);
+    if (not taken or check_answer(*question, *taken) != errc::none) {
+        return 1;
+    }
+    auto const read = read_holding_registers_response::decode(taken->pdu);
+    if (not read) {
+        return 1;
+    }
+    for (std::size_t i = 0; i < read->registers.size(); ++i) {
+        std::printf("register %zu: %u\n", 3102 + i, read->registers[i]);
+    }
+    return 0;
+}

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Any octets as a frame: nothing reads outside, and whatever decodes encodes to the same octets.
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+
+#include <rtuwire/rtuwire.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+void require(bool holds)
+{
+    if (not holds) {
+        std::abort();
+    }
+}
+
+template <typename P> void decode(adu const& heard, byte_view frame)
+{
+    auto const value = P::decode(heard.pdu);
+    if (not value) {
+        return;
+    }
+    std::array<std::byte, max_adu_size> place{};
+    auto const again = encode_adu(place, heard.unit, *value);
+    // An answer may lie past the last register, which a question may not.
+    if (not again) {
+        return require(again == errc::invalid_address_range);
+    }
+    require(same_bytes(*again, frame));
+}
+
+void decode_all(byte_view frame)
+{
+    for (direction const way : {direction::request, direction::response}) {
+        auto const known = frame_length(way, frame);
+        require(known.size <= max_adu_size or not known.is_final);
+    }
+    auto const heard = decode_adu(frame);
+    if (not heard) {
+        return;
+    }
+    decode<read_holding_registers>(*heard, frame);
+    decode<read_holding_registers_response>(*heard, frame);
+    decode<write_single_register>(*heard, frame);
+    decode<write_multiple_registers>(*heard, frame);
+    decode<write_multiple_registers_response>(*heard, frame);
+    decode<read_write_multiple_registers>(*heard, frame);
+    decode<read_write_multiple_registers_response>(*heard, frame);
+    decode<diagnostics>(*heard, frame);
+    decode<read_device_identification>(*heard, frame);
+    decode<device_identification>(*heard, frame);
+    decode<exception_response>(*heard, frame);
+    decode<raw_pdu>(*heard, frame);
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
+{
+    std::array<std::byte, 300> octets{};
+    size = size < octets.size() - 2 ? size : octets.size() - 2;
+    for (std::size_t i = 0; i < size; ++i) {
+        octets[i] = static_cast<std::byte>(data[i]);
+    }
+    decode_all(byte_view{octets}.first(size));
+    std::uint16_t const crc = crc16(byte_view{octets}.first(size));
+    octets[size] = to_byte(crc);
+    octets[size + 1] = to_byte(std::uint32_t{crc} >> 8U);
+    decode_all(byte_view{octets}.first(size + 2));
+    return 0;
+}

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Any octets in any chunking and any pauses to a server: it never answers more than it was asked, and
+// what it says is a frame of its own unit.
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+
+#include <rtuwire/rtuwire.hpp>
+
+using namespace rtuwire;
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
+{
+    static constexpr device_object objects[] = {{0, "vendor"}, {1, "code"}, {2, "0100"}};
+    static constexpr server_profile profile{.identity = objects};
+    server node{unit_id{1}, line_timing{19'200, character_format::even_8_1}, profile};
+    word_bank<16> bank;
+    instant now{0xFFFF'0000U};
+    node.advance(now);
+    now = now + milliseconds(10);
+    node.advance(now);
+    while (size > 0) {
+        // One octet says how many follow at once, how long the pause is, and whether a CRC follows.
+        std::size_t const count = data[0] % 16U < size - 1 ? data[0] % 16U : size - 1;
+        std::array<std::byte, 18> lump{};
+        for (std::size_t i = 0; i < count; ++i) {
+            lump[i] = static_cast<std::byte>(data[1 + i]);
+        }
+        std::uint16_t const crc = crc16(byte_view{lump}.first(count));
+        lump[count] = to_byte(crc);
+        lump[count + 1] = to_byte(std::uint32_t{crc} >> 8U);
+        bool const has_crc = (data[0] & 0x10U) != 0;
+        now = now + microseconds((data[0] >> 5U) * 700U);
+        node.receive(byte_view{lump}.first(count + (has_crc ? 2U : 0U)), now);
+        node.advance(now);
+        node.serve(bank, now);
+        byte_view const answer = node.poll_transmit();
+        if (not answer.empty()) {
+            auto const said = decode_adu(answer);
+            if (not said or said->unit != 1) {
+                std::abort();
+            }
+            node.sent(now);
+        }
+        data += 1 + count;
+        size -= 1 + count;
+    }
+    return 0;
+}

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Our client against others' servers: unit 1 on the device named on the command line holds registers
+// 100..199 with their own address. With "identify" it reads the identification too.
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include <rtuwire/client/blocking.hpp>
+#include <rtuwire/core/hex.hpp>
+#include <rtuwire/port/posix_serial.hpp>
+#include <rtuwire/wire/errc_name.hpp>
+#include <rtuwire/wire/pdu/device_identification.hpp>
+#include <rtuwire/wire/pdu/raw.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
+#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
+#include <rtuwire/wire/pdu/write_single_register.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+int failures = 0;
+
+void expect(bool is_right, char const* what, errc error)
+{
+    std::printf("%s %s (%s)\n", is_right ? "ok  " : "FAIL", what, std::string{name(error)}.c_str());
+    failures += is_right ? 0 : 1;
+}
+
+void check_registers(blocking_client<posix_serial>& line)
+{
+    auto const four = line.ask(unit_id{1}, read_holding_registers{100, 4});
+    expect(four and four->registers[0] == 100 and four->registers[3] == 103, "03 reads",
+           four.error());
+    auto const many = line.ask(unit_id{1}, read_holding_registers{100, 100});
+    expect(many and many->registers[99] == 199, "03 reads a long frame", many.error());
+    auto const one = line.ask(unit_id{1}, write_single_register{110, 0xBEEF});
+    expect(one and one->value == 0xBEEF, "06 writes", one.error());
+    auto const two = line.ask(unit_id{1}, write_multiple_registers{111, register_block{7, 8}});
+    expect(two and two->count == 2, "16 writes", two.error());
+    auto const back = line.ask(unit_id{1}, read_holding_registers{110, 3});
+    expect(back and back->registers == register_block{0xBEEF, 7, 8}.view(), "all was written",
+           back.error());
+    auto const both =
+        line.ask(unit_id{1}, read_write_multiple_registers{112, 2, 112, register_block{0x1234}});
+    expect(both and both->registers == register_block{0x1234, 113}.view(), "23 writes, then reads",
+           both.error());
+}
+
+void check_exceptions(blocking_client<posix_serial>& line)
+{
+    auto const address = line.ask(unit_id{1}, read_holding_registers{60'000, 1});
+    expect(address == errc::illegal_data_address, "exception 02", address.error());
+    // A quantity of 0, which only a raw question can ask for.
+    auto const value =
+        line.ask(unit_id{1}, raw_pdu{function_code::read_holding_registers, "00 64 00 00"_hex});
+    expect(value == errc::illegal_data_value, "exception 03", value.error());
+    auto const silence = line.ask(unit_id{9}, read_holding_registers{100, 1});
+    expect(silence == errc::timed_out, "silence of another unit", silence.error());
+}
+
+void check_unknown_function(blocking_client<posix_serial>& line)
+{
+    auto const unknown = line.ask(unit_id{1}, raw_pdu{static_cast<function_code>(0x41), {}});
+    expect(unknown == errc::illegal_function, "exception 01", unknown.error());
+}
+
+void check_identification(blocking_client<posix_serial>& line)
+{
+    unsigned objects = 0;
+    std::uint8_t next = vendor_name;
+    for (bool more = true; more;) {
+        auto const page =
+            line.ask(unit_id{1}, read_device_identification{identification_access::regular, next});
+        expect(page.has_value(), "43/14 is answered", page.error());
+        if (not page) {
+            return;
+        }
+        for (auto at = page->first(); at; at = page->after(*at)) {
+            std::string text;
+            for (std::byte const octet : at->value) {
+                text += static_cast<char>(to_u8(octet));
+            }
+            std::printf("     object %u: %.20s (%zu)\n", at->id, text.c_str(), text.size());
+            ++objects;
+        }
+        more = page->more_follows and page->next_object > next;
+        next = page->next_object;
+    }
+    expect(objects >= 3, "43/14 names vendor, product and revision", errc::none);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    posix_serial port;
+    if (argc < 2 or not port.open(argv[1])) {
+        std::fprintf(stderr, "%s\n",
+                     argc < 2 ? "usage: our_client DEVICE [identify]" : port.failure().c_str());
+        return 2;
+    }
+    blocking_client line{port,
+                         line_timing::host(19'200, character_format::even_8_1),
+                         {.response_timeout = milliseconds(700), .retries = 0}};
+    check_registers(line);
+    check_exceptions(line);
+    // pymodbus is silent on functions it does not know, libmodbus has no identification.
+    if (argc > 2 and std::strcmp(argv[2], "identify") == 0) {
+        check_identification(line);
+    } else {
+        check_unknown_function(line);
+    }
+    return failures == 0 ? 0 : 1;
+}

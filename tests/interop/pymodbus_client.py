@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""A client of pymodbus against our server: python3 pymodbus_client.py DEVICE"""
+import sys
+
+from pymodbus.client import ModbusSerialClient
+from pymodbus.mei_message import ReadDeviceInformationRequest
+from pymodbus.pdu import ExceptionResponse
+
+failures = 0
+
+
+def expect(is_right, what, detail=""):
+    global failures
+    print("ok  " if is_right else "FAIL", what, detail)
+    failures += not is_right
+
+
+def refused(answer, code):
+    return isinstance(answer, ExceptionResponse) and answer.exception_code == code
+
+
+def main(device):
+    # A pseudo-terminal keeps no parity, and pyserial takes that for an error.
+    line = ModbusSerialClient(device, baudrate=19200, parity="N", stopbits=1, timeout=1, retries=0)
+    if not line.connect():
+        print("pymodbus cannot open the device")
+        return 2
+    read = line.read_holding_registers(100, 63, slave=1)
+    expect(not read.isError() and read.registers == list(range(100, 163)), "03 reads 63")
+    expect(not line.write_register(110, 0xBEEF, slave=1).isError(), "06 writes")
+    expect(not line.write_registers(111, [7, 8], slave=1).isError(), "16 writes")
+    back = line.read_holding_registers(110, 3, slave=1)
+    expect(not back.isError() and back.registers == [0xBEEF, 7, 8], "all was written")
+    both = line.readwrite_registers(read_address=112, read_count=2, write_address=112,
+                                    write_registers=[0x1234], unit=1)
+    expect(not both.isError() and both.registers == [0x1234, 113], "23 writes, then reads", both)
+    who = line.execute(ReadDeviceInformationRequest(read_code=2, object_id=0, unit=1))
+    expect(not who.isError() and who.information.get(1) == b"ATV310H037N4"
+           and who.information.get(4) == b"interoperability test", "43/14 identifies", who)
+    expect(refused(line.read_coils(0, 1, slave=1), 1), "exception 01")
+    expect(refused(line.read_holding_registers(199, 2, slave=1), 2), "exception 02")
+    expect(refused(line.read_holding_registers(100, 64, slave=1), 3), "exception 03")
+    expect(line.read_holding_registers(100, 1, slave=9).isError(), "silence of another unit")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Writes what our encoders and our server say as capture files for a protocol analyser: once as UDP
+// in raw IPv4, where each function is told apart, once as a recorder of serial lines has it, where the
+// CRC is checked. With "damaged" as second argument one octet of one frame is wrong.
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <rtuwire/rtuwire.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+using octet_list = std::vector<std::byte>;
+
+struct exchange {
+    octet_list request;
+    octet_list answer;
+};
+
+constexpr device_object objects[] = {{vendor_name, "Schneider Electric"},
+                                     {product_code, "ATV310H037N4"},
+                                     {major_minor_revision, "0201"}};
+constexpr server_profile profile{.identity = objects};
+
+template <typename Request> exchange ask(Request const& question)
+{
+    auto const frame = encode(unit_id{2}, question);
+    word_bank<100> bank{3100};
+    static_cast<void>(bank.set(3102, 40));
+    std::array<std::byte, max_pdu_size> place{};
+    auto const asked = decode_adu(*frame);
+    auto const said = raw_pdu::decode(respond(asked->pdu, bank, profile, place));
+    octet_list answer;
+    if (said) {
+        auto const sent = encode(unit_id{2}, *said);
+        answer.assign(sent->view().begin(), sent->view().end());
+    } else {
+        auto const refusal = exception_response::decode(respond(asked->pdu, bank, profile, place));
+        auto const sent = encode(unit_id{2}, *refusal);
+        answer.assign(sent->view().begin(), sent->view().end());
+    }
+    return {{frame->view().begin(), frame->view().end()}, answer};
+}
+
+std::vector<exchange> conversation_of_all()
+{
+    return {
+        ask(read_holding_registers{3102, 4}),
+        ask(write_single_register{3103, 13}),
+        ask(diagnostics{subfunction::return_query_data, register_block{0xA537}}),
+        ask(write_multiple_registers{3104, register_block{20, 30}}),
+        ask(read_write_multiple_registers{3102, 2, 3110, register_block{15, 1500}}),
+        ask(read_device_identification{}),
+        ask(read_holding_registers{1, 1}),
+    };
+}
+
+/// A capture file: a header, then records.
+class capture {
+public:
+    capture(std::string const& name, std::uint32_t link_type) : file_{name, std::ios::binary}
+    {
+        put({0xA1B2C3D4U, 0x00020004U, 0U, 0U, 65535U, link_type});
+    }
+
+    void record(octet_list const& octets)
+    {
+        auto const size = static_cast<std::uint32_t>(octets.size());
+        put({++seconds_, 0U, size, size});
+        for (std::byte const octet : octets) {
+            file_.put(static_cast<char>(to_u8(octet)));
+        }
+    }
+
+    std::uint32_t seconds() const { return seconds_; }
+
+private:
+    void put(std::initializer_list<std::uint32_t> words)
+    {
+        for (std::uint32_t const word : words) {
+            for (unsigned shift = 32; shift > 0; shift -= 8) {
+                file_.put(static_cast<char>(to_u8(to_byte(word >> (shift - 8)))));
+            }
+        }
+    }
+
+    std::ofstream file_;
+    std::uint32_t seconds_{0};
+};
+
+octet_list in_front_of(octet_list const& frame, byte_writer const& head)
+{
+    octet_list packet{head.written().begin(), head.written().end()};
+    packet.insert(packet.end(), frame.begin(), frame.end());
+    return packet;
+}
+
+octet_list as_udp(octet_list const& frame, bool is_request)
+{
+    constexpr std::uint32_t server_port = 5020;
+    constexpr std::uint32_t client_port = 40'000;
+    std::array<std::byte, 28> head{};
+    byte_writer out{head};
+    out.u16(0x4500);
+    out.u16(static_cast<std::uint32_t>(28 + frame.size()));
+    out.u16(0);
+    out.u16(0);
+    out.u16(0x4011);
+    out.u16(0);
+    for (int i = 0; i < 2; ++i) {
+        out.u16(0x7F00);
+        out.u16(0x0001);
+    }
+    out.u16(is_request ? client_port : server_port);
+    out.u16(is_request ? server_port : client_port);
+    out.u16(static_cast<std::uint32_t>(8 + frame.size()));
+    out.u16(0);
+    return in_front_of(frame, out);
+}
+
+octet_list as_serial(octet_list const& frame, bool is_request, std::uint32_t seconds)
+{
+    std::array<std::byte, 12> head{};
+    byte_writer out{head};
+    out.u16(0);
+    out.u16(seconds);
+    out.u16(0);
+    out.u16(0);
+    out.u8(is_request ? 1 : 2);
+    out.u8(0);
+    out.u16(0);
+    return in_front_of(frame, out);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    if (argc < 2) {
+        return 2;
+    }
+    std::string const folder = argv[1];
+    auto exchanges = conversation_of_all();
+    if (argc > 2) {
+        exchanges[0].answer[4] ^= std::byte{1};
+    }
+    capture udp{folder + "/udp.pcap", 101};
+    capture serial{folder + "/serial.pcap", 250};
+    for (exchange const& each : exchanges) {
+        udp.record(as_udp(each.request, true));
+        udp.record(as_udp(each.answer, false));
+        serial.record(as_serial(each.request, true, serial.seconds()));
+        serial.record(as_serial(each.answer, false, serial.seconds()));
+    }
+    return 0;
+}
