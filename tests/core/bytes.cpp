@@ -62,11 +62,13 @@ STATIC_CHECK(to_byte(0x1FF) == std::byte{0xFF});
 
 constexpr bool keeps_its_capacity()
 {
+    constexpr auto one = "01"_hex;
+    constexpr auto two = "01 02"_hex;
     fixed_buffer<4> buffer;
     bool const starts_empty = buffer.empty() and buffer.size() == 0;
     byte_writer{buffer.storage()}.u16(0x0102);
     buffer.resize(2);
-    bool const holds = buffer == byte_view{"01 02"_hex} and not(buffer == byte_view{"01"_hex});
+    bool const holds = buffer == byte_view{two} and not(buffer == byte_view{one});
     buffer.resize(9);
     return starts_empty and holds and buffer.size() == 4 and buffer.capacity() == 4;
 }

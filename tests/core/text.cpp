@@ -13,6 +13,7 @@ STATIC_CHECK(text{}.size() == 0);
 STATIC_CHECK(text{"ETA"}.size() == 3 and text{"ETA"}[2] == 'A');
 STATIC_CHECK(text{"ETA"} == text{"ETA"} and not(text{"ETA"} == text{"ETI"}));
 STATIC_CHECK(not(text{"ETA"} == text{"ET"}));
-STATIC_CHECK(*text{"ETA"}.begin() == 'E' and text{"ETA"}.end() - text{"ETA"}.begin() == 3);
+constexpr text eta{"ETA"};
+STATIC_CHECK(*eta.begin() == 'E' and eta.end() - eta.begin() == 3);
 
 } // namespace

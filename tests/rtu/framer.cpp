@@ -79,7 +79,8 @@ constexpr bool leaves_the_rest()
     byte_writer out{noisy};
     out.bytes(reply);
     bool const taken = ear.hear(noisy) == reply.size() and ear.has(reply);
-    bool const noise = ear.hear("00"_hex) == 1 and ear.fault() == errc::busy;
+    constexpr auto zero = "00"_hex;
+    bool const noise = ear.hear(zero) == 1 and ear.fault() == errc::busy;
     ear.pause(line.t3_5());
     return taken and noise and ear.fault() == errc::frame_too_short;
 }

@@ -47,11 +47,7 @@ public:
     result<typename Request::response> ask(To to, Request const& question)
     {
         single_question talk{to, question};
-        auto const ended = run(talk);
-        if (not ended) {
-            return ended.error();
-        }
-        auto const& outcome = *talk.outcome();
+        auto const outcome = outcome_of(talk);
         if (not outcome) {
             return outcome.error();
         }
@@ -63,11 +59,7 @@ public:
     template <broadcastable Request> result<void> tell_all(Request const& command)
     {
         single_question talk{broadcast, command};
-        auto const ended = run(talk);
-        if (not ended) {
-            return ended.error();
-        }
-        auto const& outcome = *talk.outcome();
+        auto const outcome = outcome_of(talk);
         if (not outcome) {
             return outcome.error();
         }
@@ -94,6 +86,15 @@ public:
     }
 
 private:
+    template <typename Talk> result<response> outcome_of(Talk& talk)
+    {
+        auto const ended = run(talk);
+        if (not ended) {
+            return ended.error();
+        }
+        return *talk.outcome();
+    }
+
     result<void> step()
     {
         client_.advance(port_.now());
