@@ -62,6 +62,18 @@ std::vector<std::byte> line_of(std::array<std::byte, Size> const& octets)
     return {octets.begin(), octets.end()};
 }
 
+constexpr auto answer_1234 = "01 03 02 12 34 B5 33"_hex;
+constexpr auto answer_5678 = "01 03 02 56 78 87 C6"_hex;
+constexpr auto refusal = "01 83 02 C0 F1"_hex;
+constexpr auto stop_all = "00 06 21 35 00 00 92 29"_hex;
+
+template <std::size_t Size> scripted_port answering(std::array<std::byte, Size> const& octets)
+{
+    scripted_port port;
+    port.answers.push_back(line_of(octets));
+    return port;
+}
+
 constexpr line_timing timing{19'200, character_format::even_8_1};
 constexpr read_holding_registers question{0x0C81, 1};
 
@@ -69,7 +81,7 @@ constexpr read_holding_registers question{0x0C81, 1};
 
 TEST_CASE("a waiting client gives the answer")
 {
-    scripted_port port{.answers = {line_of("01 03 02 12 34 B5 33"_hex)}};
+    scripted_port port = answering(answer_1234);
     blocking_client line{port, timing};
     auto const answer = line.ask(unit_id{1}, question);
     REQUIRE(answer);
@@ -79,7 +91,7 @@ TEST_CASE("a waiting client gives the answer")
 
 TEST_CASE("a waiting client gives exceptions, time-outs and refusals as errors")
 {
-    scripted_port port{.answers = {line_of("01 83 02 C0 F1"_hex)}};
+    scripted_port port = answering(refusal);
     blocking_client line{port, timing, {.retries = 1}};
     CHECK(line.ask(unit_id{1}, question) == errc::illegal_data_address);
     CHECK(line.ask(unit_id{1}, question) == errc::timed_out);
@@ -90,8 +102,8 @@ TEST_CASE("a waiting client gives exceptions, time-outs and refusals as errors")
 
 TEST_CASE("what lay in the port before the question does not answer it")
 {
-    scripted_port port{.answers = {line_of("01 03 02 12 34 B5 33"_hex)}};
-    port.input = line_of("01 03 02 56 78 87 C6"_hex);
+    scripted_port port = answering(answer_1234);
+    port.input = line_of(answer_5678);
     blocking_client line{port, timing};
     auto const answer = line.ask(unit_id{1}, question);
     REQUIRE(answer);
@@ -104,12 +116,12 @@ TEST_CASE("a command to all ends without an answer")
     blocking_client line{port, timing};
     CHECK(line.tell_all(write_single_register{8501, 0}));
     REQUIRE(port.sent.size() == 1);
-    CHECK(port.sent[0] == line_of("00 06 21 35 00 00 92 29"_hex));
+    CHECK(port.sent[0] == line_of(stop_all));
 }
 
 TEST_CASE("a port that fails ends the question, and the next one can be asked")
 {
-    scripted_port port{.answers = {line_of("01 03 02 12 34 B5 33"_hex)}};
+    scripted_port port = answering(answer_1234);
     blocking_client line{port, timing};
     port.is_broken = true;
     CHECK(line.ask(unit_id{1}, question) == errc::device_vanished);

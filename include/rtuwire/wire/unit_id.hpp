@@ -16,16 +16,28 @@ namespace rtuwire {
 /// Never defined: reached only in a constant expression, so that the compiler prints the name.
 void a_unit_address_is_1_to_247();
 
-/// The address of one unit, 1..247.
-class unit_id {
+/// A number from a source file that is a unit address. A class of its own, because Clang 14 crashes on
+/// the second use of a class whose own constructor is consteval.
+class unit_number {
 public:
-    /// A unit address known when compiling.
-    explicit consteval unit_id(int number) noexcept : octet_{static_cast<std::uint8_t>(number)}
+    consteval unit_number(int number) noexcept : octet_{static_cast<std::uint8_t>(number)}
     {
         if (number < 1 or number > 247) {
             a_unit_address_is_1_to_247();
         }
     }
+
+    [[nodiscard]] constexpr std::uint8_t octet() const noexcept { return octet_; }
+
+private:
+    std::uint8_t octet_;
+};
+
+/// The address of one unit, 1..247.
+class unit_id {
+public:
+    /// A unit address known when compiling: unit_id{7}.
+    explicit constexpr unit_id(unit_number number) noexcept : octet_{number.octet()} {}
 
     /// A unit address known only when running; `errc::invalid_unit` outside 1..247.
     [[nodiscard]] static constexpr result<unit_id> checked(std::uint32_t number) noexcept
