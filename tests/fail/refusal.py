@@ -12,12 +12,13 @@ import subprocess
 import sys
 
 # The compiler's echo of a source line must not pass for the message, nor a line break split it.
-FLAGS = ["-std=c++20", "-Wall", "-Wextra", "-Werror", "-fmessage-length=0",
-         "-fno-diagnostics-show-caret", "-c", "-o", os.devnull]
+FLAGS = ["-std=c++20", "-Wall", "-Wextra", "-Werror", "-fmessage-length=0", "-c", "-o", os.devnull]
+NO_ECHO = {"clang": "-fno-caret-diagnostics", "gcc": "-fno-diagnostics-show-caret"}
 
 
 def compiles(compiler, include_dir, file, *more):
-    done = subprocess.run([compiler, *FLAGS, "-I", include_dir, *more, file], text=True,
+    family = "clang" if "clang" in os.path.basename(compiler) else "gcc"
+    done = subprocess.run([compiler, *FLAGS, NO_ECHO[family], "-I", include_dir, *more, file], text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     return done.returncode == 0, done.stdout
 
