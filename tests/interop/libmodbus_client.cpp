@@ -29,8 +29,8 @@ void check_registers(modbus_t* line)
     expect(modbus_read_registers(line, 110, 3, words) == 3 and words[0] == 0xBEEF and words[2] == 8,
            "all was written");
     std::uint16_t const one[]{0x1234};
-    expect(modbus_write_and_read_registers(line, 112, 1, one, 112, 2, words) == 2 and
-               words[0] == 0x1234 and words[1] == 113,
+    expect(modbus_write_and_read_registers(line, 112, 1, one, 111, 3, words) == 3 and
+               words[0] == 7 and words[1] == 0x1234 and words[2] == 113,
            "23 writes, then reads");
 }
 

@@ -4,7 +4,8 @@
 import subprocess
 import sys
 
-LINE = ["-m", "rtu", "-b", "19200", "-P", "even", "-0", "-1", "-o", "0.5"]
+# Verbose: it shows the octets it sends.
+LINE = ["-v", "-m", "rtu", "-b", "19200", "-P", "even", "-0", "-1", "-o", "0.5"]
 failures = 0
 
 
@@ -24,11 +25,11 @@ def expect(is_right, what, output):
 
 def main(device):
     code, output = mbpoll(device, "-r", "100", "-c", "3")
-    expect(code == 0 and "[102]: \t102" in output, "03 reads", output)
+    expect(code == 0 and "[01][03]" in output and "[102]: \t102" in output, "03 reads", output)
     code, output = mbpoll(device, "-r", "110", "=4711")
-    expect(code == 0 and "Written 1 reference" in output, "06 writes", output)
+    expect(code == 0 and "[01][06]" in output and "Written 1 reference" in output, "06 writes", output)
     code, output = mbpoll(device, "-r", "111", "=7", "=8")
-    expect(code == 0 and "Written 2 reference" in output, "16 writes", output)
+    expect(code == 0 and "[01][10]" in output and "Written 2 reference" in output, "16 writes", output)
     code, output = mbpoll(device, "-r", "110", "-c", "3")
     expect("[110]: \t4711" in output and "[112]: \t8" in output, "all was written", output)
     code, output = mbpoll(device, "-t", "0", "-r", "0")

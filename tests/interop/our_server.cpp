@@ -11,10 +11,17 @@ using namespace rtuwire;
 
 namespace {
 
+// Too much for one page.
 constexpr device_object objects[] = {{vendor_name, "rtuwire"},
                                      {product_code, "ATV310H037N4"},
                                      {major_minor_revision, "0201"},
-                                     {4, "interoperability test"}};
+                                     {3, "0123456789012345678901234567890123456789"
+                                         "0123456789012345678901234567890123456789"
+                                         "0123456789012345678901234567890123456789"},
+                                     {4, "interoperability test"},
+                                     {5, "0123456789012345678901234567890123456789"
+                                         "0123456789012345678901234567890123456789"
+                                         "0123456789012345678901234567890123456789"}};
 constexpr server_profile profile{.limits = {63, 61, 20, 20}, .identity = objects};
 
 } // namespace

@@ -4,48 +4,60 @@
 
     python3 pair.py SERVER [ARGUMENT...] -- CLIENT [ARGUMENT...]
 
-In the commands, @ stands for the device of that end.
+In the commands, @ stands for the device of that end. The line lives in the working directory.
 """
 import os
+import select
 import signal
 import subprocess
 import sys
 import tempfile
 import time
 
+READY_LIMIT = 10
+CLIENT_LIMIT = 40
 
-def line(folder):
-    ends = [os.path.join(folder, name) for name in ("server", "client")]
-    process = subprocess.Popen(["socat", *[f"pty,raw,echo=0,link={end}" for end in ends]])
-    limit = time.monotonic() + 10
+
+def wait_for_line(wire, ends):
+    limit = time.monotonic() + READY_LIMIT
     while not all(map(os.path.exists, ends)):
-        if time.monotonic() > limit or process.poll() is not None:
+        if time.monotonic() > limit or wire.poll() is not None:
             raise RuntimeError("socat makes no line")
         time.sleep(0.01)
-    return process, ends
+
+
+def wait_for_server(server):
+    heard, _, _ = select.select([server.stdout], [], [], READY_LIMIT)
+    if not heard or server.stdout.readline().strip() != "ready":
+        raise RuntimeError("the server is not ready")
 
 
 def on(device, command):
     return [device if word == "@" else word for word in command]
 
 
+def run(server, client, folder, processes):
+    ends = [os.path.join(folder, name) for name in ("server", "client")]
+    processes.append(subprocess.Popen(["socat", *[f"pty,raw,echo=0,link={end}" for end in ends]]))
+    wait_for_line(processes[-1], ends)
+    processes.append(subprocess.Popen(on(ends[0], server), stdout=subprocess.PIPE, text=True))
+    wait_for_server(processes[-1])
+    return subprocess.run(on(ends[1], client), timeout=CLIENT_LIMIT, check=False).returncode
+
+
 def main(words):
     cut = words.index("--")
     processes = []
-    with tempfile.TemporaryDirectory() as folder:
+    # An exception, so that being ended cleans up too.
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
+    with tempfile.TemporaryDirectory(prefix="line-", dir=os.getcwd()) as folder:
         try:
-            wire, ends = line(folder)
-            processes.append(wire)
-            server = subprocess.Popen(on(ends[0], words[:cut]), stdout=subprocess.PIPE, text=True)
-            processes.append(server)
-            if server.stdout.readline().strip() != "ready":
-                print("the server is not ready")
-                return 1
-            client = subprocess.run(on(ends[1], words[cut + 1:]), timeout=60, check=False)
-            return client.returncode
+            status = run(words[:cut], words[cut + 1:], folder, processes)
+            print("the client's status:", status)
+            return status
         finally:
             for process in reversed(processes):
-                process.send_signal(signal.SIGKILL)
+                process.kill()
                 process.wait()
 
 

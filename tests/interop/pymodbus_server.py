@@ -12,8 +12,9 @@ from pymodbus.device import ModbusDeviceIdentification
 from pymodbus.server import StartAsyncSerialServer
 from pymodbus.transaction import ModbusRtuFramer
 
-IDENTITY = {0x00: "pymodbus", 0x01: "product " + "x" * 100, 0x02: "3.0",
-            0x03: "url " + "y" * 100, 0x04: "name"}
+# Too much for one page.
+IDENTITY = {0x00: "pymodbus", 0x01: "product " + "x" * 150, 0x02: "3.0",
+            0x03: "url " + "y" * 180, 0x04: "name"}
 
 
 async def serve(device):

@@ -8,7 +8,7 @@
 
 namespace rtuwire {
 
-/// A refusal of `function`; `code` is any number, listed in errc.hpp or not.
+/// A refusal of `function`, 0 too, since a server refuses that one like any other; `code` is any number, listed in errc.hpp or not.
 struct exception_response {
     static constexpr std::size_t max_size = 2;
 
@@ -17,8 +17,7 @@ struct exception_response {
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
-        return to_u8(function) == 0 or to_u8(function) >= exception_bit ? errc::invalid_function
-                                                                        : errc::none;
+        return to_u8(function) >= exception_bit ? errc::invalid_function : errc::none;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
     constexpr void write(byte_writer& out) const noexcept
