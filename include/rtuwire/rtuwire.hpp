@@ -4,9 +4,20 @@
 // Every portable header, for the impatient. What needs an operating system is in port/.
 #pragma once
 
+#include <rtuwire/altivar/atv12.hpp>
+#include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/atv28_values.hpp>
+#include <rtuwire/altivar/atv28_words.hpp>
+#include <rtuwire/altivar/atv310.hpp>
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/atv320_values.hpp>
+#include <rtuwire/altivar/compact_values.hpp>
+#include <rtuwire/altivar/words.hpp>
+#include <rtuwire/client/access.hpp>
 #include <rtuwire/client/blocking.hpp>
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/client/conversation.hpp>
+#include <rtuwire/client/poller.hpp>
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/crc16.hpp>
 #include <rtuwire/core/fixed_buffer.hpp>
@@ -23,6 +34,16 @@
 #include <rtuwire/server/request.hpp>
 #include <rtuwire/server/respond.hpp>
 #include <rtuwire/server/server.hpp>
+#include <rtuwire/server/typed_bank.hpp>
+#include <rtuwire/table/device.hpp>
+#include <rtuwire/table/enumeration.hpp>
+#include <rtuwire/table/flags.hpp>
+#include <rtuwire/table/read_plan.hpp>
+#include <rtuwire/table/register.hpp>
+#include <rtuwire/table/request_plan.hpp>
+#include <rtuwire/table/setting.hpp>
+#include <rtuwire/table/table.hpp>
+#include <rtuwire/table/write_plan.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/answer.hpp>
 #include <rtuwire/wire/errc.hpp>

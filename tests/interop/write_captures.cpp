@@ -17,7 +17,7 @@ namespace {
 
 using octet_list = std::vector<std::byte>;
 
-struct exchange {
+struct transaction {
     octet_list request;
     octet_list answer;
 };
@@ -27,7 +27,7 @@ constexpr device_object objects[] = {{vendor_name, "Schneider Electric"},
                                      {major_minor_revision, "0201"}};
 constexpr server_profile profile{.identity = objects};
 
-template <typename Request> exchange ask(Request const& question)
+template <typename Request> transaction ask(Request const& question)
 {
     auto const frame = encode(unit_id{2}, question);
     word_bank<100> bank{3100};
@@ -47,7 +47,7 @@ template <typename Request> exchange ask(Request const& question)
     return {{frame->view().begin(), frame->view().end()}, answer};
 }
 
-std::vector<exchange> conversation_of_all()
+std::vector<transaction> conversation_of_all()
 {
     return {
         ask(read_holding_registers{3102, 4}),
@@ -151,7 +151,7 @@ int main(int argc, char** argv)
     }
     capture udp{folder + "/udp.pcap", 101};
     capture serial{folder + "/serial.pcap", 250};
-    for (exchange const& each : exchanges) {
+    for (transaction const& each : exchanges) {
         udp.record(as_udp(each.request, true));
         udp.record(as_udp(each.answer, false));
         serial.record(as_serial(each.request, true, serial.seconds()));

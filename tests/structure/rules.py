@@ -13,7 +13,7 @@ MAY_INCLUDE = {
     "core": set(),
     "wire": {"core"},
     "rtu": {"wire"},
-    "table": {"core", "wire/function.hpp", "wire/limits.hpp"},
+    "table": {"core", "wire/errc.hpp", "wire/function.hpp", "wire/limits.hpp", "wire/unit_id.hpp"},
     "client": {"rtu", "table"},
     "server": {"rtu", "table"},
     "cia402": {"core"},

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A drive's registers as a table, or with --csv for another program: list_registers --drive atv320 [--csv]
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include <rtuwire/altivar/atv12.hpp>
+#include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/atv310.hpp>
+#include <rtuwire/altivar/atv320.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+
+namespace {
+
+std::string words(text characters) { return {characters.begin(), characters.end()}; }
+
+std::string shown(bound const& limit)
+{
+    if (limit.is_open()) {
+        return "";
+    }
+    if (limit.is_number()) {
+        return std::to_string(limit.raw());
+    }
+    std::string share;
+    if (limit.numerator() != limit.denominator()) {
+        char factor[16];
+        std::snprintf(factor, sizeof factor, "%g*",
+                      double(limit.numerator()) / limit.denominator());
+        share = factor;
+    }
+    std::string const factor = words(limit.factor());
+    return share + words(limit.code()) + (factor.empty() ? "" : "*" + factor);
+}
+
+char const* shown(access mode)
+{
+    switch (mode) {
+    case access::read_only: return "r";
+    case access::read_write: return "rw";
+    case access::configuration: return "conf";
+    }
+    return "";
+}
+
+/// Type, unit and scale, the unit with the prefix in which the manuals count.
+struct measure {
+    std::string type;
+    std::string unit;
+    double scale;
+};
+
+template <typename T> measure measure_of()
+{
+    if constexpr (bit_field<T>) {
+        return {"bits", "", 0};
+    } else if constexpr (register_enumeration<T>) {
+        return {"enum", "", 0};
+    } else {
+        std::string unit = T::dimension::symbol;
+        double scale = double(T::scale::num) / double(T::scale::den);
+        if (unit == "Hz" and scale > 10) {
+            unit = "kHz";
+            scale /= 1000;
+        } else if (unit == "A" and scale < 0.005) {
+            unit = "mA";
+            scale *= 1000;
+        }
+        return {std::is_signed_v<typename T::rep> ? "i16" : "u16", unit, scale};
+    }
+}
+
+struct row {
+    std::string fields[10];
+};
+
+template <auto const& R> row row_of()
+{
+    measure const how = measure_of<value_of<R>>();
+    char scale[16] = "";
+    if (how.scale > 0) {
+        std::snprintf(scale, sizeof scale, "%g", how.scale);
+    }
+    std::string const factory = R.factory ? std::to_string(*R.factory) : "";
+    std::string name = words(R.name);
+    if (R.source == trust::inferred) {
+        name += " [inferred]";
+    }
+    if (R.source == trust::doubtful) {
+        name += " [doubtful]";
+    }
+    if (R.steps_set_by.size() > 0) {
+        name += " [steps set by " + words(R.steps_set_by) + "]";
+    }
+    return {{words(R.code), std::to_string(R.address), shown(R.mode), how.type, how.unit, scale,
+             shown(R.min), shown(R.max), factory, name}};
+}
+
+void print(row const& line, bool as_csv)
+{
+    constexpr int widths[] = {-6, 6, -5, -5, -4, 6, 8, 8, 8, -1};
+    for (int i = 0; i < 10; ++i) {
+        if (as_csv) {
+            std::printf("%s%s", i > 0 ? "," : "", line.fields[i].c_str());
+        } else {
+            std::printf("%s%*s", i > 0 ? "  " : "", widths[i], line.fields[i].c_str());
+        }
+    }
+    std::puts("");
+}
+
+template <typename Device> int list(bool as_csv)
+{
+    print({{"code", "address", "access", "type", "unit", "scale", "min", "max", "default", "name"}},
+          as_csv);
+    Device::registers::for_each([&]<auto const & R>() { print(row_of<R>(), as_csv); });
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    std::string drive = argc == 1 ? "atv320" : "";
+    bool as_csv = false;
+    for (int i = 1; i < argc; ++i) {
+        if (std::strcmp(argv[i], "--csv") == 0) {
+            as_csv = true;
+        } else if (std::strcmp(argv[i], "--drive") == 0 and i + 1 < argc) {
+            drive = argv[++i];
+        } else {
+            drive.clear();
+            break;
+        }
+    }
+    if (drive == "atv12") {
+        return list<atv12::device>(as_csv);
+    }
+    if (drive == "atv28") {
+        return list<atv28::device>(as_csv);
+    }
+    if (drive == "atv310") {
+        return list<atv310::device>(as_csv);
+    }
+    if (drive == "atv310_2026") {
+        return list<atv310::device_2026>(as_csv);
+    }
+    if (drive == "atv320") {
+        return list<atv320::device>(as_csv);
+    }
+    std::fputs("usage: list_registers --drive atv12|atv28|atv310|atv310_2026|atv320 [--csv]\n",
+               stderr);
+    return 2;
+}

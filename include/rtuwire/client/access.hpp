@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Typed access to the registers of a station. What the device cannot do does not compile. Each call
+// makes a conversation of one question, which a client runs; all that is per register is folded into
+// the question's octets.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <rtuwire/client/conversation.hpp>
+#include <rtuwire/core/result.hpp>
+#include <rtuwire/table/device.hpp>
+#include <rtuwire/table/setting.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
+#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
+#include <rtuwire/wire/pdu/write_single_register.hpp>
+
+namespace rtuwire {
+
+/// Reads one register; the value is there, or why not, once `outcome()` is.
+template <auto const& R> class reading {
+public:
+    explicit constexpr reading(unit_id unit) noexcept : question_{unit, {R.address, 1}} {}
+
+    constexpr std::optional<request> next() const noexcept { return question_.next(); }
+
+    constexpr void accept(result<response> outcome) noexcept
+    {
+        question_.accept(outcome);
+        outcome_ = value_in(outcome);
+    }
+
+    /// The value read, or why there is none.
+    [[nodiscard]] constexpr std::optional<result<value_of<R>>> const& outcome() const noexcept
+    {
+        return outcome_;
+    }
+
+private:
+    static constexpr result<value_of<R>> value_in(result<response> const& outcome) noexcept
+    {
+        if (not outcome) {
+            return outcome.error();
+        }
+        auto const answer = outcome->to<read_holding_registers>();
+        if (not answer) {
+            return answer.error();
+        }
+        return from_word<value_of<R>>(answer->registers[0]);
+    }
+
+    single_question<read_holding_registers> question_;
+    std::optional<result<value_of<R>>> outcome_{};
+};
+
+/// Whether a register's steps are always the same size.
+template <auto const& R> inline constexpr bool has_own_steps = R.steps_set_by.size() == 0;
+
+/// A register, counted in other steps.
+template <typename Step, auto const& R>
+inline constexpr reg<Step> restepped{
+    .code = R.code, .address = R.address, .mode = R.mode, .min = R.min, .max = R.max};
+
+/// Asks for the value of one register of this device.
+template <auto const& R, device_type Device>
+[[nodiscard]] constexpr auto read(station<Device> const& of) noexcept
+{
+    static_assert(Device::registers::template contains<R>, "this device has no such register");
+    static_assert(implements<Device>(function_code::read_holding_registers),
+                  "this device does not implement function 03");
+    static_assert(has_own_steps<R>,
+                  "another register sets this register's steps: name them with read_in_steps_of");
+    return reading<R>{of.unit()};
+}
+
+/// Asks for a register whose steps another register sets; `Step` is what the caller knows them to be.
+template <typename Step, auto const& R, device_type Device>
+[[nodiscard]] constexpr auto read_in_steps_of(station<Device> const& of) noexcept
+{
+    static_assert(Device::registers::template contains<R>, "this device has no such register");
+    return reading<restepped<Step, R>>{of.unit()};
+}
+
+/// Refuses, in English, what cannot be written on a device.
+template <auto const& R, device_type Device> consteval bool is_writable() noexcept
+{
+    static_assert(Device::registers::template contains<R>, "this device has no such register");
+    static_assert(R.mode != access::read_only, "this register is read-only");
+    return true;
+}
+
+/// Writes one setting, by function 06.
+template <auto const& R, device_type Device>
+[[nodiscard]] constexpr auto write(station<Device> const& to, setting<R> value) noexcept
+{
+    static_assert(is_writable<R, Device>());
+    static_assert(has_own_steps<R>,
+                  "another register sets this register's steps: name them with write_in_steps_of");
+    static_assert(implements<Device>(function_code::write_single_register),
+                  "this device does not implement function 06");
+    return single_question{to.unit(), write_single_register{R.address, value.word()}};
+}
+
+/// Writes a register whose steps another register sets; `Step` is what the caller knows them to be.
+template <typename Step, auto const& R, device_type Device>
+[[nodiscard]] constexpr auto write_in_steps_of(station<Device> const& to,
+                                               setting<restepped<Step, R>> value) noexcept
+{
+    static_assert(is_writable<R, Device>());
+    return single_question{to.unit(), write_single_register{R.address, value.word()}};
+}
+
+/// A question whose frame is of a size known when compiling, and that keeps its values in it.
+template <std::size_t FrameSize> class framed_question {
+public:
+    template <pdu Request> constexpr framed_question(unit_id unit, Request const& question) noexcept
+    {
+        auto const written = encode_into(frame_, unit, question);
+        if (not written) {
+            outcome_ = written.error();
+        }
+    }
+
+    constexpr std::optional<request> next() const noexcept
+    {
+        if (outcome_) {
+            return std::nullopt;
+        }
+        return request{frame_};
+    }
+    constexpr void accept(result<response> outcome) noexcept { outcome_ = outcome; }
+
+    /// What came of it, once it is there.
+    [[nodiscard]] constexpr std::optional<result<response>> const& outcome() const noexcept
+    {
+        return outcome_;
+    }
+
+private:
+    std::array<std::byte, FrameSize> frame_{};
+    std::optional<result<response>> outcome_{};
+};
+
+/// Registers that follow one another without a gap.
+template <auto const& First, auto const&... Rest> struct registers {
+    static constexpr std::size_t count = 1 + sizeof...(Rest);
+    static constexpr std::uint16_t start = First.address;
+
+    static constexpr bool are_contiguous() noexcept
+    {
+        std::uint32_t next = First.address;
+        return ((Rest.address == ++next) and ...);
+    }
+
+    template <typename Device>
+    static constexpr bool are_of = Device::registers::template contains<First> and
+                                   (Device::registers::template contains<Rest> and ...);
+};
+
+/// Writes several settings whose registers follow one another, by function 16.
+template <auto const&... Registers, device_type Device>
+[[nodiscard]] constexpr auto write_all(station<Device> const& to,
+                                       setting<Registers>... values) noexcept
+{
+    static_assert((is_writable<Registers, Device>() and ...));
+    static_assert(registers<Registers...>::are_contiguous(),
+                  "one request writes registers that follow one another");
+    static_assert(implements<Device>(function_code::write_multiple_registers),
+                  "this device does not implement function 16");
+    static_assert(sizeof...(Registers) <= Device::limits.write,
+                  "this device takes fewer registers in one write");
+    register_block<sizeof...(Registers)> const words{values.word()...};
+    return framed_question<9 + 2 * sizeof...(Registers)>{
+        to.unit(), write_multiple_registers{registers<Registers...>::start, words}};
+}
+
+/// Writes some registers and then reads others, in one request, by function 23. The answer's words
+/// are in the order of `Read`.
+template <typename Read, auto const&... Written, device_type Device>
+[[nodiscard]] constexpr auto exchange(station<Device> const& with,
+                                      setting<Written>... values) noexcept
+{
+    static_assert(implements<Device>(function_code::read_write_multiple_registers),
+                  "this device does not implement function 23");
+    static_assert(Read::template are_of<Device>, "this device has no such register");
+    static_assert((is_writable<Written, Device>() and ...));
+    static_assert(Read::are_contiguous() and registers<Written...>::are_contiguous(),
+                  "one request exchanges registers that follow one another");
+    static_assert(Read::count <= Device::limits.exchange_read and
+                      sizeof...(Written) <= Device::limits.exchange_write,
+                  "this device takes fewer registers in one exchange");
+    register_block<sizeof...(Written)> const words{values.word()...};
+    return framed_question<13 + 2 * sizeof...(Written)>{
+        with.unit(), read_write_multiple_registers{Read::start, Read::count,
+                                                   registers<Written...>::start, words}};
+}
+
+} // namespace rtuwire

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Runs a read plan round after round: its requests in order, their registers into a snapshot. A round
+// with a failure leaves the snapshot of the last whole round as it was.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include <rtuwire/client/conversation.hpp>
+#include <rtuwire/table/device.hpp>
+#include <rtuwire/table/read_plan.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+
+namespace rtuwire {
+
+/// The conversation of a read plan with one unit; owns its frames and the snapshot. Each `begin` is one
+/// round.
+template <typename Plan> class poller {
+public:
+    using snapshot = typename Plan::snapshot;
+
+    explicit constexpr poller(station<typename Plan::device> const& of) noexcept
+        : frames_{Plan::frames(of.unit().octet())}
+    {}
+
+    /// Starts a round; one under way starts again.
+    constexpr void begin() noexcept
+    {
+        at_ = 0;
+        outcome_.reset();
+    }
+
+    constexpr std::optional<request> next() const noexcept
+    {
+        if (outcome_ or at_ >= Plan::request_count) {
+            return std::nullopt;
+        }
+        return request{frames_[at_]};
+    }
+
+    constexpr void accept(result<response> outcome) noexcept
+    {
+        if (not outcome) {
+            return end(outcome.error());
+        }
+        auto const answer = outcome->to<read_holding_registers>();
+        if (not answer) {
+            return end(answer.error());
+        }
+        incoming_.store(at_, answer->registers);
+        if (++at_ < Plan::request_count) {
+            return;
+        }
+        current_ = incoming_;
+        outcome_ = result<void>{};
+    }
+
+    /// How the round ended, once it has.
+    [[nodiscard]] constexpr std::optional<result<void>> const& outcome() const noexcept
+    {
+        return outcome_;
+    }
+
+    /// The values of the last whole round; zeros before it.
+    [[nodiscard]] constexpr snapshot const& latest() const noexcept { return current_; }
+
+private:
+    constexpr void end(errc error) noexcept { outcome_ = result<void>{error}; }
+
+    std::array<std::array<std::byte, 8>, Plan::request_count> frames_;
+    snapshot incoming_{};
+    snapshot current_{};
+    std::size_t at_{0};
+    std::optional<result<void>> outcome_{};
+};
+
+} // namespace rtuwire

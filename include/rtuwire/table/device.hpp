@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What a device type says of itself, and a station: one such device at its unit address. A device is
+// an empty type with constants: its functions, limits, unit addresses, line settings, time-out and
+// registers. Differences between devices are data here, never an `if` on a name.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <rtuwire/core/result.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/table/register.hpp>
+#include <rtuwire/table/table.hpp>
+#include <rtuwire/wire/errc.hpp>
+#include <rtuwire/wire/function.hpp>
+#include <rtuwire/wire/limits.hpp>
+#include <rtuwire/wire/unit_id.hpp>
+
+namespace rtuwire {
+
+/// The unit addresses that a device can be given.
+struct unit_range {
+    std::uint8_t first{1};
+    std::uint8_t last{247};
+
+    [[nodiscard]] constexpr bool contains(std::uint32_t number) const noexcept
+    {
+        return number >= first and number <= last;
+    }
+};
+
+/// Addresses that can be read across although not every one of them is described.
+struct address_range {
+    std::uint16_t first;
+    std::uint16_t last;
+};
+
+/// What a device does when nobody talks to it.
+struct silence_reaction {
+    duration factory; ///< the time-out as delivered
+    duration longest; ///< the longest that can be set; equal to `factory` where it is fixed
+    bool is_adjustable{true};
+};
+
+/// A device type. `registers` is a `table`; `readable` lists what can be read across.
+template <typename T>
+concept device_type = requires
+{
+    {
+        T::name
+        } -> std::convertible_to<text>;
+    {
+        T::functions
+        } -> std::convertible_to<function_set>;
+    {
+        T::limits
+        } -> std::convertible_to<device_limits>;
+    {
+        T::units
+        } -> std::convertible_to<unit_range>;
+    {std::span<address_range const>{T::readable}};
+    {
+        T::registers::size
+        } -> std::convertible_to<std::size_t>;
+};
+
+/// Never defined: reached only in a constant expression, so that the compiler prints the name.
+void unit_address_is_outside_the_range_of_this_device();
+
+/// A unit address from a source file that a device can be given.
+template <device_type Device> class unit_of {
+public:
+    consteval unit_of(unit_id unit) noexcept : unit_{unit}
+    {
+        if (not Device::units.contains(unit.octet())) {
+            unit_address_is_outside_the_range_of_this_device();
+        }
+    }
+
+    [[nodiscard]] constexpr unit_id unit() const noexcept { return unit_; }
+
+private:
+    unit_id unit_;
+};
+
+/// One device on a line: its type and its unit address.
+template <device_type Device> class station {
+public:
+    using device = Device;
+
+    /// A unit address known when compiling, within the device's range.
+    explicit constexpr station(unit_of<Device> where) noexcept : unit_{where.unit()} {}
+
+    /// A unit address known only when running; `invalid_unit` outside the device's range.
+    [[nodiscard]] static constexpr result<station> checked(std::uint32_t number) noexcept
+    {
+        if (not Device::units.contains(number)) {
+            return errc::invalid_unit;
+        }
+        return station{proven{}, *unit_id::checked(number)};
+    }
+
+    [[nodiscard]] constexpr unit_id unit() const noexcept { return unit_; }
+
+private:
+    struct proven {};
+    constexpr station(proven, unit_id unit) noexcept : unit_{unit} {}
+
+    unit_id unit_;
+};
+
+/// Whether a device implements a function.
+template <device_type Device>
+[[nodiscard]] constexpr bool implements(function_code function) noexcept
+{
+    return Device::functions.contains(function);
+}
+
+/// Whether every address from `first` to `last` can be read: each is a described register or lies in
+/// a range that the device's description calls readable.
+template <device_type Device>
+[[nodiscard]] constexpr bool is_readable_across(std::uint16_t first, std::uint16_t last) noexcept
+{
+    for (std::uint32_t address = first; address <= last; ++address) {
+        bool known = false;
+        for (std::uint16_t const each : Device::registers::addresses) {
+            known = known or each == address;
+        }
+        for (address_range const& range : Device::readable) {
+            known = known or (address >= range.first and address <= range.last);
+        }
+        if (not known) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace rtuwire

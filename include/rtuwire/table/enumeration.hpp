@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Names for the values of an enumeration, for people. Firmware that shows none carries none.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/core/text.hpp>
+
+namespace rtuwire {
+
+/// A value and the mnemonic that the manual gives it.
+struct named_value {
+    std::uint16_t value;
+    text name;
+};
+
+/// The names of an enumeration's values; specialised beside each enumeration that has any.
+template <typename E> inline constexpr std::array<named_value, 0> enumerators{};
+
+/// A list of names, for a specialisation of `enumerators`.
+template <typename E, std::size_t Count>
+[[nodiscard]] consteval std::array<named_value, Count>
+name_list(named_value const (&names)[Count]) noexcept
+{
+    std::array<named_value, Count> list{};
+    for (std::size_t i = 0; i < Count; ++i) {
+        list[i] = names[i];
+    }
+    return list;
+}
+
+/// The mnemonic of a value; empty where none is known.
+template <typename E> [[nodiscard]] constexpr text name_of(E value) noexcept
+{
+    for (named_value const& each : enumerators<E>) {
+        if (each.value == static_cast<std::uint16_t>(value)) {
+            return each.name;
+        }
+    }
+    return {};
+}
+
+} // namespace rtuwire

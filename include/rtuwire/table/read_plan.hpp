@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Any registers of a device, read with the fewest requests that it allows. The plan is made by the
+// compiler; of it only the requests' octets and the values reach the target.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/crc16.hpp>
+#include <rtuwire/table/device.hpp>
+#include <rtuwire/table/request_plan.hpp>
+#include <rtuwire/table/table.hpp>
+
+namespace rtuwire {
+
+/// The addresses of some registers, rising.
+template <auto const&... Registers> [[nodiscard]] constexpr auto rising_addresses() noexcept
+{
+    std::array<std::uint16_t, sizeof...(Registers)> addresses{Registers.address...};
+    sort_addresses(addresses);
+    return addresses;
+}
+
+/// The requests that read `Registers` of `Device`, and a place for the values.
+template <device_type Device, auto const&... Registers> class read_plan {
+    static_assert(sizeof...(Registers) > 0, "a plan reads at least one register");
+    static_assert((Device::registers::template contains<Registers> and ...),
+                  "a plan reads registers of one device only");
+    static_assert(first_duplicate(std::array{Registers.address...}).second == 0,
+                  "a plan reads each register once");
+
+    static constexpr auto addresses = rising_addresses<Registers...>();
+    static constexpr auto plan = plan_blocks<sizeof...(Registers)>(
+        addresses, Device::limits.read, [](std::uint16_t lower, std::uint16_t upper) {
+            return is_readable_across<Device>(lower, upper);
+        });
+
+public:
+    using device = Device;
+
+    static constexpr std::size_t register_count = sizeof...(Registers);
+    static constexpr std::size_t request_count = plan.count;
+
+    /// The frames of all requests to one unit, complete with their CRC; a constant when the unit is one.
+    [[nodiscard]] static constexpr auto frames(std::uint8_t unit) noexcept
+    {
+        std::array<std::array<std::byte, 8>, request_count> all{};
+        for (std::size_t i = 0; i < request_count; ++i) {
+            byte_writer out{all[i]};
+            out.u8(unit);
+            out.u8(to_u8(function_code::read_holding_registers));
+            out.u16(plan.blocks[i].start);
+            out.u16(plan.blocks[i].count);
+            std::uint16_t const crc = crc16(out.written());
+            out.u8(crc);
+            out.u8(std::uint32_t{crc} >> 8U);
+        }
+        return all;
+    }
+
+    /// The requests, in the order of their addresses.
+    static constexpr std::span<address_block const> requests() noexcept { return plan.view(); }
+
+    template <auto const& R>
+    static constexpr bool
+        contains = ((static_cast<void const*>(&R) == static_cast<void const*>(&Registers)) or ...);
+
+    /// The values of one round of reading, in address order.
+    class snapshot {
+    public:
+        /// The value of a register of the plan, 0 before the first round.
+        template <auto const& R> [[nodiscard]] constexpr value_of<R> get() const noexcept
+        {
+            static_assert(contains<R>, "this register is not in the plan of this snapshot");
+            return from_word<value_of<R>>(words_[place_of(R.address)]);
+        }
+
+        /// Takes the registers that answer one request.
+        template <typename Words>
+        constexpr void store(std::size_t request, Words const& words) noexcept
+        {
+            address_block const block = plan.blocks[request];
+            for (std::size_t i = 0; i < addresses.size(); ++i) {
+                if (block.contains(addresses[i])) {
+                    words_[i] = words[static_cast<std::size_t>(addresses[i] - block.start)];
+                }
+            }
+        }
+
+    private:
+        static constexpr std::size_t place_of(std::uint16_t address) noexcept
+        {
+            std::size_t place = 0;
+            while (addresses[place] != address) {
+                ++place;
+            }
+            return place;
+        }
+
+        std::array<std::uint16_t, register_count> words_{};
+    };
+};
+
+} // namespace rtuwire

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// One register of a device, as its manual's table has it. A descriptor is a constant that is passed by
+// reference as a template argument, so nothing of it reaches the target. Knows no device and no I/O.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+#include <rtuwire/core/text.hpp>
+#include <rtuwire/core/units.hpp>
+
+namespace rtuwire {
+
+/// Who may write a register, and when.
+enum class access : std::uint8_t {
+    read_only,
+    read_write,
+    configuration, ///< written only while the motor is stopped
+};
+
+/// How well the source of a descriptor stands.
+enum class trust : std::uint8_t {
+    documented, ///< printed in the device's manual or the manufacturer's parameter file
+    inferred,   ///< from the file of a sister device, confirmed there
+    doubtful,   ///< the source is damaged or contradicts itself
+};
+
+/// A limit of a register in raw counts: a number, or a share of what another register holds now.
+class bound {
+public:
+    /// No limit but that of sixteen bits.
+    constexpr bound() noexcept = default;
+
+    /// A number.
+    constexpr bound(std::int32_t raw) noexcept : raw_{raw}, numerator_{0} {}
+
+    /// The raw count of the register called `code`, times a fraction: "INV" times 1/2.
+    constexpr bound(text code, std::uint16_t numerator = 1, std::uint16_t denominator = 1,
+                    text factor = {}) noexcept
+        : code_{code}, factor_{factor}, numerator_{numerator}, denominator_{denominator}
+    {}
+
+    /// What the register called `code` holds.
+    template <std::size_t Size>
+    constexpr bound(char const (&code)[Size]) noexcept : bound{text{code}}
+    {}
+
+    [[nodiscard]] constexpr bool is_open() const noexcept
+    {
+        return numerator_ == 1 and code_.size() == 0;
+    }
+    [[nodiscard]] constexpr bool is_number() const noexcept { return numerator_ == 0; }
+
+    /// The number, where it is one.
+    [[nodiscard]] constexpr std::int32_t raw() const noexcept { return raw_; }
+
+    /// The mnemonic of the register it hangs on; empty for a number.
+    [[nodiscard]] constexpr text code() const noexcept { return code_; }
+
+    /// The mnemonic of a second register that is multiplied in; empty where there is none.
+    [[nodiscard]] constexpr text factor() const noexcept { return factor_; }
+    [[nodiscard]] constexpr std::uint16_t numerator() const noexcept { return numerator_; }
+    [[nodiscard]] constexpr std::uint16_t denominator() const noexcept { return denominator_; }
+
+    /// The limit in raw counts, when the other register holds `other` (and the second `multiplier`);
+    /// rounded towards zero.
+    [[nodiscard]] constexpr std::int32_t with(std::int32_t other,
+                                              std::int32_t multiplier = 1) const noexcept
+    {
+        return is_number() ? raw_ : other * multiplier * numerator_ / denominator_;
+    }
+
+private:
+    text code_{};
+    text factor_{};
+    std::int32_t raw_{0};
+    std::uint16_t numerator_{1};
+    std::uint16_t denominator_{1};
+};
+
+/// The smallest or largest value of a register named by another register.
+[[nodiscard]] constexpr bound share_of(text code, std::uint16_t numerator,
+                                       std::uint16_t denominator) noexcept
+{
+    return bound{code, numerator, denominator};
+}
+
+/// A limit that is the product of two registers.
+[[nodiscard]] constexpr bound product_of(text code, text factor) noexcept
+{
+    return bound{code, 1, 1, factor};
+}
+
+/// One register whose values are of type `T`: a quantity, an enumeration or a bit field.
+template <typename T> struct reg {
+    using value_type = T;
+
+    text code;             ///< the manufacturer's mnemonic, in upper case
+    std::uint16_t address; ///< as it stands on the wire
+    access mode{access::read_write};
+    bound min{};                           ///< in raw counts
+    bound max{};                           ///< in raw counts
+    std::optional<std::int32_t> factory{}; ///< the value as delivered, in raw counts, where known
+    text name{};                           ///< for people
+    trust source{trust::documented};
+    text steps_set_by{}; ///< the register that sets the size of a step, where one does
+};
+
+/// A bit field: one word of named bits.
+template <typename T>
+concept bit_field = requires(T value)
+{
+    {
+        value.bits
+        } -> std::convertible_to<std::uint16_t>;
+    typename T::is_bit_field;
+};
+
+/// An enumeration as wide as a register.
+template <typename T>
+concept register_enumeration =
+    std::is_enum_v<T> and std::same_as<std::underlying_type_t<T>, std::uint16_t>;
+
+/// A quantity that one register can hold.
+template <typename T>
+concept register_quantity = requires(T value)
+{
+    typename T::dimension;
+    typename T::scale;
+    {
+        value.count()
+        } -> std::same_as<typename T::rep>;
+    requires sizeof(typename T::rep) == 2;
+};
+
+/// What a register can hold.
+template <typename T>
+concept register_value = bit_field<T> or register_enumeration<T> or register_quantity<T>;
+
+/// A value as the word that stands on the wire.
+template <register_value T> [[nodiscard]] constexpr std::uint16_t to_word(T value) noexcept
+{
+    if constexpr (register_quantity<T>) {
+        return static_cast<std::uint16_t>(value.count());
+    } else if constexpr (bit_field<T>) {
+        return value.bits;
+    } else {
+        return static_cast<std::uint16_t>(value);
+    }
+}
+
+/// The value that a word from the wire stands for; any word stands for one.
+template <register_value T> [[nodiscard]] constexpr T from_word(std::uint16_t word) noexcept
+{
+    if constexpr (register_quantity<T>) {
+        return T{static_cast<typename T::rep>(word)};
+    } else if constexpr (bit_field<T>) {
+        return T{word};
+    } else {
+        return static_cast<T>(word);
+    }
+}
+
+/// The raw count of a word: negative only in a register of signed numbers.
+template <register_value T>
+[[nodiscard]] constexpr std::int32_t raw_count(std::uint16_t word) noexcept
+{
+    if constexpr (register_quantity<T>) {
+        return from_word<T>(word).count();
+    } else {
+        return word;
+    }
+}
+
+/// The type of a register's values.
+template <auto const& R> using value_of = typename std::remove_cvref_t<decltype(R)>::value_type;
+
+} // namespace rtuwire

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A write to a register that can only be read.
+// EXPECT: this register is read-only
+#include <rtuwire/altivar/atv12.hpp>
+#include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/client/access.hpp>
+#include <rtuwire/client/poller.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+
+inline constexpr station<atv12::device> drive{unit_id{7}};
+inline constexpr station<atv28::device> old{unit_id{3}};
+
+void act()
+{
+#ifdef REFUSED
+    static_cast<void>(write<atv12::rfr>(drive, 50_Hz));
+#else
+    static_cast<void>(write<atv12::lfr>(drive, 50_Hz));
+#endif
+}

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A register that this device does not have.
+// EXPECT: this device has no such register
+#include <rtuwire/altivar/atv12.hpp>
+#include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/client/access.hpp>
+#include <rtuwire/client/poller.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+
+inline constexpr station<atv12::device> drive{unit_id{7}};
+inline constexpr station<atv28::device> old{unit_id{3}};
+
+void act()
+{
+#ifdef REFUSED
+    static_cast<void>(read<atv28::rfr>(drive));
+#else
+    static_cast<void>(read<atv12::rfr>(drive));
+#endif
+}

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A bank of typed registers: access, limits and order of refusals; and typed access against it.
+#include <rtuwire/server/typed_bank.hpp>
+
+#include "support/proof.hpp"
+
+#include <rtuwire/core/hex.hpp>
+#include <rtuwire/server/respond.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr reg<decihertz> setpoint{
+    .code = "SET", .address = 10, .min = 100, .max = 600, .factory = 500};
+constexpr reg<signed_rpm> speed{.code = "SPD", .address = 11, .min = -1500, .max = 1500};
+constexpr reg<decihertz> actual{.code = "ACT", .address = 12, .mode = access::read_only};
+constexpr reg<plain> apart{.code = "APT", .address = 65535};
+using pump_bank = bank<setpoint, speed, actual, apart>;
+
+STATIC_CHECK(register_bank<pump_bank>);
+STATIC_CHECK(pump_bank{}.get<setpoint>() == decihertz{500});
+STATIC_CHECK(pump_bank{}.check_read(10, 3) == errc::none);
+STATIC_CHECK(pump_bank{}.check_read(10, 4) == errc::illegal_data_address);
+STATIC_CHECK(pump_bank{}.check_read(9, 1) == errc::illegal_data_address);
+STATIC_CHECK(pump_bank{}.check_read(65535, 1) == errc::none);
+STATIC_CHECK(pump_bank{}.check_read(65535, 2) == errc::illegal_data_address);
+
+template <std::size_t Asked, std::size_t Answered>
+constexpr bool answers(std::array<std::byte, Asked> const& request,
+                       std::array<std::byte, Answered> const& expected,
+                       std::uint16_t setpoint_after)
+{
+    pump_bank registers;
+    std::array<std::byte, max_pdu_size> place{};
+    return same_bytes(respond(request, registers, server_profile{}, place), expected) and
+           registers.get<setpoint>().count() == setpoint_after;
+}
+
+STATIC_CHECK(answers("06 00 0A 02 58"_hex, "06 00 0A 02 58"_hex, 600));
+STATIC_CHECK(answers("06 00 0A 02 59"_hex, "86 03"_hex, 500));
+STATIC_CHECK(answers("06 00 0A 00 63"_hex, "86 03"_hex, 500));
+STATIC_CHECK(answers("06 00 0B FA 24"_hex, "06 00 0B FA 24"_hex, 500));
+STATIC_CHECK(answers("06 00 0B FA 23"_hex, "86 03"_hex, 500));
+STATIC_CHECK(answers("06 00 0C 00 01"_hex, "86 02"_hex, 500));
+// The bad address of the third comes before the bad value of the first, and nothing is written.
+STATIC_CHECK(answers("10 00 0A 00 03 06 FF FF 00 00 00 00"_hex, "90 02"_hex, 500));
+STATIC_CHECK(answers("10 00 0A 00 02 04 00 C8 07 D0"_hex, "90 03"_hex, 500));
+STATIC_CHECK(answers("10 00 0A 00 02 04 00 C8 05 DC"_hex, "10 00 0A 00 02"_hex, 200));
+
+constexpr bool takes_written()
+{
+    pump_bank registers;
+    registers.set<actual>(decihertz{7});
+    bool const own =
+        not registers.take_written<actual>() and registers.get<actual>() == decihertz{7};
+    constexpr register_block values{200};
+    static_cast<void>(registers.write(10, values));
+    return own and registers.take_written<setpoint>() and not registers.take_written<setpoint>() and
+           not registers.take_written<speed>();
+}
+PROOF("a client's write is told once, the device's own is not", takes_written)
+
+} // namespace

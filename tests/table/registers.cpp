@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Descriptors, settings and tables.
+#include <rtuwire/table/setting.hpp>
+
+#include "support/proof.hpp"
+
+#include <rtuwire/table/enumeration.hpp>
+#include <rtuwire/table/flags.hpp>
+#include <rtuwire/table/table.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr reg<deciseconds> ramp{.code = "ACC", .address = 9001, .min = {1}, .max = {9999}};
+constexpr reg<signed_rpm> speed{.code = "LFRD", .address = 8602};
+constexpr reg<deciamperes> protection{
+    .code = "ITH", .address = 9622, .min = share_of("INV", 1, 2), .max = "INV"};
+
+constexpr setting<ramp> literal = 1.3_s;
+STATIC_CHECK(literal.word() == 13 and literal.value() == deciseconds{13});
+STATIC_CHECK(setting<ramp>{999.9_s}.word() == 9999 and setting<ramp>{2_s}.word() == 20);
+STATIC_CHECK(setting<speed>{-1500_rpm}.word() == 0xFA24);
+STATIC_CHECK(setting<speed>{-1500_rpm}.value() == signed_rpm{-1500});
+
+STATIC_CHECK(setting<ramp>::checked(deciseconds{9999}).has_value());
+STATIC_CHECK(setting<ramp>::checked(deciseconds{10'000}).error() == errc::illegal_data_value);
+STATIC_CHECK(setting<ramp>::checked(deciseconds{0}).error() == errc::illegal_data_value);
+STATIC_CHECK(setting<ramp>::clamped(deciseconds{65'535}).word() == 9999);
+STATIC_CHECK(setting<ramp>::clamped(deciseconds{0}).word() == 1);
+
+// A limit that hangs on another register is checked where that one's value is known.
+STATIC_CHECK(protection.min.with(100) == 50 and protection.max.with(100) == 100);
+STATIC_CHECK(setting<protection>::checked(deciamperes{70}, 50, 100).has_value());
+STATIC_CHECK(setting<protection>::checked(deciamperes{49}, 50, 100).error() ==
+             errc::illegal_data_value);
+STATIC_CHECK(setting<protection>::checked(deciamperes{101}, 50, 100).error() ==
+             errc::illegal_data_value);
+STATIC_CHECK(product_of("HSP", "SDS").with(500, 30) == 15'000);
+STATIC_CHECK(bound{}.is_open() and not bound{0}.is_open() and bound{0}.is_number());
+
+using three = table<ramp, speed, protection>;
+STATIC_CHECK(three::size == 3 and three::contains<speed> and three::addresses[2] == 9622);
+
+enum class lamp : std::uint8_t { red = 0, green = 15 };
+STATIC_CHECK(flags<lamp>{0x8000}.has(lamp::green) and not flags<lamp>{0x8000}.has(lamp::red));
+STATIC_CHECK(flags<lamp>{}.with(lamp::green).bits == 0x8000);
+STATIC_CHECK(flags<lamp>{0x8001}.without(lamp::green).bits == 1);
+
+} // namespace
