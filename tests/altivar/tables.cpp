@@ -22,7 +22,8 @@ STATIC_CHECK(atv310::device_2026::registers::contains<atv310::nm8>);
 STATIC_CHECK(not atv310::device::registers::contains<atv310::nm8>);
 
 // The manuals' round trips.
-STATIC_CHECK(setting<atv12::acc>{1.3_s}.word() == 13);
+constexpr setting<atv12::acc> ramp = 1.3_s;
+STATIC_CHECK(ramp.word() == 13);
 STATIC_CHECK(from_word<value_of<atv12::hsp>>(0x01F4) == decihertz{500});
 constexpr auto state = from_word<value_of<atv320::eta>>(0x0250);
 STATIC_CHECK(state.has(status_bit::voltage_enabled) and

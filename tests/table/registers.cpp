@@ -20,9 +20,11 @@ constexpr reg<deciamperes> protection{
 
 constexpr setting<ramp> literal = 1.3_s;
 STATIC_CHECK(literal.word() == 13 and literal.value() == deciseconds{13});
-STATIC_CHECK(setting<ramp>{999.9_s}.word() == 9999 and setting<ramp>{2_s}.word() == 20);
-STATIC_CHECK(setting<speed>{-1500_rpm}.word() == 0xFA24);
-STATIC_CHECK(setting<speed>{-1500_rpm}.value() == signed_rpm{-1500});
+constexpr setting<ramp> longest = 999.9_s;
+constexpr setting<ramp> two_seconds = 2_s;
+STATIC_CHECK(longest.word() == 9999 and two_seconds.word() == 20);
+constexpr setting<speed> backwards = -1500_rpm;
+STATIC_CHECK(backwards.word() == 0xFA24 and backwards.value() == signed_rpm{-1500});
 
 STATIC_CHECK(setting<ramp>::checked(deciseconds{9999}).has_value());
 STATIC_CHECK(setting<ramp>::checked(deciseconds{10'000}).error() == errc::illegal_data_value);

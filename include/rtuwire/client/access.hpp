@@ -22,40 +22,41 @@
 
 namespace rtuwire {
 
-/// Reads one register; the value is there, or why not, once `outcome()` is.
-template <auto const& R> class reading {
+/// Reads one register of values `T`; the value is there, or why not, once `outcome()` is.
+template <register_value T> class reading {
 public:
-    explicit constexpr reading(unit_id unit) noexcept : question_{unit, {R.address, 1}} {}
-
-    constexpr std::optional<request> next() const noexcept { return question_.next(); }
-
-    constexpr void accept(result<response> outcome) noexcept
+    constexpr reading(unit_id unit, std::uint16_t address) noexcept
     {
-        question_.accept(outcome);
-        outcome_ = value_in(outcome);
+        static_cast<void>(encode_into(frame_, unit, read_holding_registers{address, 1}));
+    }
+
+    constexpr std::optional<request> next() const noexcept
+    {
+        if (outcome_) {
+            return std::nullopt;
+        }
+        return request{frame_};
+    }
+
+    constexpr void accept(result<response> const& outcome) noexcept
+    {
+        if (outcome) {
+            // The client has held the answer's size against the question: one register.
+            outcome_ = result<T>{from_word<T>(u16_at(outcome->pdu(), 2))};
+        } else {
+            outcome_ = result<T>{outcome.error()};
+        }
     }
 
     /// The value read, or why there is none.
-    [[nodiscard]] constexpr std::optional<result<value_of<R>>> const& outcome() const noexcept
+    [[nodiscard]] constexpr std::optional<result<T>> const& outcome() const noexcept
     {
         return outcome_;
     }
 
 private:
-    static constexpr result<value_of<R>> value_in(result<response> const& outcome) noexcept
-    {
-        if (not outcome) {
-            return outcome.error();
-        }
-        auto const answer = outcome->to<read_holding_registers>();
-        if (not answer) {
-            return answer.error();
-        }
-        return from_word<value_of<R>>(answer->registers[0]);
-    }
-
-    single_question<read_holding_registers> question_;
-    std::optional<result<value_of<R>>> outcome_{};
+    std::array<std::byte, 8> frame_{};
+    std::optional<result<T>> outcome_{};
 };
 
 /// Whether a register's steps are always the same size.
@@ -75,7 +76,7 @@ template <auto const& R, device_type Device>
                   "this device does not implement function 03");
     static_assert(has_own_steps<R>,
                   "another register sets this register's steps: name them with read_in_steps_of");
-    return reading<R>{of.unit()};
+    return reading<value_of<R>>{of.unit(), R.address};
 }
 
 /// Asks for a register whose steps another register sets; `Step` is what the caller knows them to be.
@@ -83,7 +84,7 @@ template <typename Step, auto const& R, device_type Device>
 [[nodiscard]] constexpr auto read_in_steps_of(station<Device> const& of) noexcept
 {
     static_assert(Device::registers::template contains<R>, "this device has no such register");
-    return reading<restepped<Step, R>>{of.unit()};
+    return reading<Step>{of.unit(), R.address};
 }
 
 /// Refuses, in English, what cannot be written on a device.

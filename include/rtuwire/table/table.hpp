@@ -51,6 +51,18 @@ template <std::size_t Index, auto const& First, auto const&... Rest>
 
 /// A device's registers. Each address and each mnemonic occurs once.
 template <auto const&... Registers> class table {
+    static constexpr std::array<void const*, sizeof...(Registers)> places{&Registers...};
+
+    static constexpr bool holds(void const* place) noexcept
+    {
+        for (void const* const each : places) {
+            if (each == place) {
+                return true;
+            }
+        }
+        return false;
+    }
+
 public:
     static constexpr std::size_t size = sizeof...(Registers);
 
@@ -58,9 +70,7 @@ public:
     static constexpr std::array<std::uint16_t, size> addresses{Registers.address...};
 
     /// Whether a register is one of this device's.
-    template <auto const& R>
-    static constexpr bool
-        contains = ((static_cast<void const*>(&R) == static_cast<void const*>(&Registers)) or ...);
+    template <auto const& R> static constexpr bool contains = holds(&R);
 
     /// Calls `visit.template operator()<R>()` for each register.
     template <typename Visit> static constexpr void for_each(Visit&& visit)
