@@ -54,6 +54,17 @@ constexpr bool reads_a_value()
 }
 PROOF("a register is read as a value with its unit", reads_a_value)
 
+constexpr bool refuses_another_size()
+{
+    auto talk = read<atv12::uln>(drive);
+    constexpr auto two = "03 04 00 E6 00 00"_hex;
+    talk.accept(result<response>{response{two}});
+    auto other = read<atv12::uln>(drive);
+    other.accept(result<response>{response{}});
+    return *talk.outcome() == errc::wrong_length and *other.outcome() == errc::wrong_length;
+}
+PROOF("an answer of another size is no value", refuses_another_size)
+
 using monitor = read_plan<atv12::device, atv12::rfr, atv12::lcr, atv12::acc>;
 STATIC_CHECK(monitor::request_count == 2);
 STATIC_CHECK(same_bytes(monitor::frames(2)[1], "02 03 23 29 00 01 5E 75"_hex));

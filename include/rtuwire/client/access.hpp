@@ -40,12 +40,7 @@ public:
 
     constexpr void accept(result<response> const& outcome) noexcept
     {
-        if (outcome) {
-            // The client has held the answer's size against the question: one register.
-            outcome_ = result<T>{from_word<T>(u16_at(outcome->pdu(), 2))};
-        } else {
-            outcome_ = result<T>{outcome.error()};
-        }
+        outcome_ = outcome ? value_in(outcome->pdu()) : result<T>{outcome.error()};
     }
 
     /// The value read, or why there is none.
@@ -55,6 +50,15 @@ public:
     }
 
 private:
+    static constexpr result<T> value_in(byte_view pdu) noexcept
+    {
+        constexpr std::size_t size_of_one = 4;
+        if (pdu.size() != size_of_one) {
+            return errc::wrong_length;
+        }
+        return from_word<T>(u16_at(pdu, 2));
+    }
+
     std::array<std::byte, 8> frame_{};
     std::optional<result<T>> outcome_{};
 };

@@ -50,6 +50,9 @@ public:
         if (not answer) {
             return end(answer.error());
         }
+        if (answer->registers.size() != Plan::requests()[at_].count) {
+            return end(errc::wrong_length);
+        }
         incoming_.store(at_, answer->registers);
         if (++at_ < Plan::request_count) {
             return;
