@@ -17,6 +17,7 @@
 #include <rtuwire/client/blocking.hpp>
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/client/conversation.hpp>
+#include <rtuwire/client/plan_writer.hpp>
 #include <rtuwire/client/poller.hpp>
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/crc16.hpp>

@@ -31,6 +31,7 @@ template <device_type Device, auto const&... Registers> class write_plan {
 
 public:
     using device = Device;
+    static constexpr std::size_t register_count = sizeof...(Registers);
     static constexpr std::size_t request_count = plan.count;
 
     explicit constexpr write_plan(setting<Registers>... values) noexcept

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A write plan is run request by request, and ends at the first refusal.
+#include <rtuwire/client/plan_writer.hpp>
+
+#include "support/far_end.hpp"
+#include "support/proof.hpp"
+
+#include <rtuwire/altivar/atv12.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+
+namespace {
+
+using ramps = write_plan<atv12::device, atv12::acc, atv12::dec, atv12::ac2>;
+constexpr ramps values{2_s, 3_s, 5_s};
+constexpr station<atv12::device> drive{unit_id{2}};
+
+constexpr bool writes_both_requests()
+{
+    test::far_end unit;
+    plan_writer<ramps> talk{drive, values};
+    unit.link.converse(talk, unit.now);
+    bool const first =
+        same_bytes(unit.link.poll_transmit(), "02 10 23 29 00 02 04 00 14 00 1E 73 A4"_hex);
+    unit.link.sent(unit.now);
+    unit.say("02 10 23 29 00 02 9B B7"_hex);
+    unit.link.converse(talk, unit.now);
+    bool const waits = not talk.outcome() and talk.written() == 1;
+    unit.run(milliseconds(10));
+    unit.say("02 10 23 34 00 01 4B B0"_hex);
+    unit.link.converse(talk, unit.now);
+    return first and waits and talk.outcome() and *talk.outcome() and talk.written() == 2;
+}
+PROOF("a plan of two requests is written in order", writes_both_requests)
+
+constexpr bool ends_at_a_refusal()
+{
+    test::far_end unit;
+    plan_writer<ramps> talk{drive, values};
+    unit.link.converse(talk, unit.now);
+    unit.transmit();
+    unit.say("02 90 03 FC 01"_hex);
+    unit.link.converse(talk, unit.now);
+    return talk.outcome() and *talk.outcome() == errc::illegal_data_value and
+           talk.written() == 0 and not unit.link.is_busy();
+}
+PROOF("a refusal ends the plan and is told", ends_at_a_refusal)
+
+} // namespace
