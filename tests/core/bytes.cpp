@@ -4,7 +4,9 @@
 #include <rtuwire/core/bytes.hpp>
 
 #include <array>
+#include <type_traits>
 
+#include "support/exact.hpp"
 #include "support/proof.hpp"
 
 #include <rtuwire/core/fixed_buffer.hpp>
@@ -31,6 +33,58 @@ constexpr bool stays_failed()
     return none and in.u8() == 0 and in.u16() == 0 and not in.ok();
 }
 PROOF("a reader past its end yields zeros and never recovers", stays_failed)
+
+constexpr bool reads_no_half_word()
+{
+    test::exact_octets const octets{"01 02 03"_hex};
+    byte_reader in{octets.view()};
+    bool const first = in.u16() == 0x0102 and in.ok();
+    bool const half = in.u16() == 0 and not in.ok() and in.rest().empty();
+    return first and half and in.u8() == 0 and in.take(0).empty() and not in.ok();
+}
+PROOF("a word of which only half is there is not read, nor is that half afterwards",
+      reads_no_half_word)
+
+constexpr bool takes_what_is_there()
+{
+    test::exact_octets const octets{"01 02"_hex};
+    for (std::size_t count = 0; count <= 4; ++count) {
+        byte_reader in{octets.view()};
+        bool const is_there = count <= 2;
+        if (in.take(count).size() != (is_there ? count : 0) or in.ok() != is_there or
+            in.rest().size() != (is_there ? 2 - count : 0)) {
+            return false;
+        }
+    }
+    byte_reader in{octets.view()};
+    in.u8();
+    return in.take(static_cast<std::size_t>(-1)).empty() and not in.ok();
+}
+PROOF("a reader gives all the octets asked for or none", takes_what_is_there)
+
+constexpr bool writes_no_half_word()
+{
+    test::exact_octets place{1, std::byte{0xA5}};
+    byte_writer out{place.span()};
+    out.u16(0x1234);
+    bool const refused = not out.ok() and out.size() == 0 and out.written().empty();
+    out.u8(0x56);
+    out.bytes({});
+    return refused and not out.ok() and out.size() == 0 and place.view()[0] == std::byte{0xA5};
+}
+PROOF("a word of which only half fits is not written, nor is anything afterwards",
+      writes_no_half_word)
+
+constexpr bool fills_to_the_last_octet()
+{
+    test::exact_octets place{3};
+    byte_writer out{place.span()};
+    out.u16(0x1'0203);
+    out.u8(0x104);
+    out.bytes({});
+    return out.ok() and out.size() == 3 and same_bytes(out.written(), "02 03 04"_hex);
+}
+PROOF("a writer fills its target to the last octet with the low bits", fills_to_the_last_octet)
 
 constexpr bool writes_whole_fields_only()
 {
@@ -73,5 +127,22 @@ constexpr bool keeps_its_capacity()
     return starts_empty and holds and buffer.size() == 4 and buffer.capacity() == 4;
 }
 PROOF("a fixed buffer never holds more than its capacity", keeps_its_capacity)
+
+constexpr bool is_equal_by_what_it_holds()
+{
+    constexpr auto one = "01"_hex;
+    fixed_buffer<2> buffer;
+    byte_writer{buffer.storage()}.u16(0x01FF);
+    buffer.resize(1);
+    fixed_buffer<2> const copy = buffer;
+    byte_writer{buffer.storage()}.u16(0x02FF);
+    byte_view const viewed = copy;
+    return copy == byte_view{one} and not(buffer == byte_view{one}) and same_bytes(viewed, one);
+}
+PROOF("a fixed buffer is equal by what it holds, not by what lies behind, and a copy is its own",
+      is_equal_by_what_it_holds)
+
+STATIC_CHECK(std::is_trivially_copyable_v<fixed_buffer<256>>);
+STATIC_CHECK(sizeof(fixed_buffer<256>) == 258);
 
 } // namespace

@@ -32,6 +32,17 @@ TEST_CASE("octets are shown two digits each with a space between")
     CHECK(shown(byte_view{}, 8).empty());
 }
 
+TEST_CASE("what lies behind the text shown stays as it was")
+{
+    for (std::size_t room = 0; room <= 10; ++room) {
+        CAPTURE(room);
+        std::string text(room, '?');
+        std::size_t const size = to_hex("02 0C FE"_hex, text).size();
+        CHECK(size == (room < 2 ? 0 : room < 5 ? 2 : room < 8 ? 5 : 8));
+        CHECK(text == std::string{"02 0C FE"}.substr(0, size) + std::string(room - size, '?'));
+    }
+}
+
 TEST_CASE("octets that do not fit are left out whole")
 {
     CHECK(shown("02 0C FE"_hex, 7) == "02 0C");

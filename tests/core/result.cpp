@@ -35,6 +35,36 @@ STATIC_CHECK(half(8).and_then(half) == 2);
 STATIC_CHECK(half(6).and_then(half) == errc::malformed);
 STATIC_CHECK(half(5).and_then(half) == errc::malformed);
 
+STATIC_CHECK(half(8) == half(8) and half(8) != half(6));
+STATIC_CHECK(half(7) == half(5) and half(7) != half(8) and half(8) != half(7));
+STATIC_CHECK(half(7) != result<int>{errc::timed_out});
+
+constexpr bool calls_nothing_after_an_error()
+{
+    unsigned calls = 0;
+    auto const count = [&](int number) -> result<int> {
+        ++calls;
+        return number + 1;
+    };
+    bool const passed_on = half(7).and_then(count) == errc::malformed and calls == 0;
+    return passed_on and half(8).and_then(count) == 5 and calls == 1;
+}
+PROOF("and_then calls its function for a value only", calls_nothing_after_an_error)
+
+constexpr result<char> letter(int number)
+{
+    return number == 4 ? result<char>{'d'} : result<char>{errc::illegal_data_value};
+}
+STATIC_CHECK(half(8).and_then(letter) == 'd');
+STATIC_CHECK(half(6).and_then(letter) == errc::illegal_data_value);
+
+struct pair {
+    int left, right;
+};
+STATIC_CHECK(result<pair> {
+    pair { 1, 2 }
+} -> right == 2);
+
 constexpr result<void> checked(bool good)
 {
     if (good) {

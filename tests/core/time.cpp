@@ -24,6 +24,13 @@ STATIC_CHECK(milliseconds(3) == microseconds(3'000) and milliseconds(2) < millis
 STATIC_CHECK(milliseconds(2) + microseconds(5) == microseconds(2'005));
 STATIC_CHECK(microseconds(7) * 3 == microseconds(21));
 
+// Half the counter's range is the horizon: one microsecond less is past, half of it is to come.
+STATIC_CHECK(reached(late + microseconds(0x7FFF'FFFF), late));
+STATIC_CHECK(not reached(late + microseconds(0x8000'0000), late));
+STATIC_CHECK(reached(instant{0}, instant{0xFFFF'FFFF}));
+STATIC_CHECK(not reached(instant{0xFFFF'FFFF}, instant{0}));
+STATIC_CHECK(instant{4} - instant{0xFFFF'FFFE} == microseconds(6));
+
 STATIC_CHECK(earlier(late, late + milliseconds(10'000)) == deadline{late});
 STATIC_CHECK(earlier(late + milliseconds(10'000), late) == deadline{late});
 STATIC_CHECK(earlier({}, late) == deadline{late} and earlier(late, {}) == deadline{late});

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "support/exact.hpp"
 #include "support/proof.hpp"
 
 #include <rtuwire/core/hex.hpp>
@@ -93,4 +94,38 @@ STATIC_CHECK(refusal(raw_pdu{static_cast<function_code>(0x80), {}}) == errc::inv
 STATIC_CHECK(encode(destination{broadcast}, write_single_register{8501, 0}) ==
              "00 06 21 35 00 00 92 29"_hex);
 
+constexpr bool refuses_every_wrong_octet()
+{
+    constexpr auto frame = "02 83 02 30 F1"_hex;
+    for (std::size_t at = 0; at < frame.size(); ++at) {
+        for (std::uint32_t other = 1; other <= 0xFF; ++other) {
+            auto wrong = frame;
+            wrong[at] ^= to_byte(other);
+            if (not(decode_adu(wrong) == errc::crc_mismatch)) {
+                return false;
+            }
+        }
+    }
+    return decode_adu(frame).has_value();
+}
+PROOF("a frame with any one octet wrong is refused", refuses_every_wrong_octet)
+
 } // namespace
+
+TEST_CASE("a frame has 4 to 256 octets, whatever its CRC")
+{
+    for (std::size_t size = 0; size <= 300; ++size) {
+        CAPTURE(size);
+        // The CRC over nothing but its own two octets FF, and then zeros, stays zero.
+        test::exact_octets frame{size};
+        if (size >= 2) {
+            frame.span()[0] = frame.span()[1] = std::byte{0xFF};
+        }
+        errc const expected = size < 4     ? errc::frame_too_short
+                              : size > 256 ? errc::frame_too_long
+                                           : errc::none;
+        auto const taken = decode_adu(frame.view());
+        CHECK(taken.error() == expected);
+        CHECK((not taken or taken->pdu.size() == size - 3));
+    }
+}

@@ -5,9 +5,15 @@
 
 #include <array>
 
+#include "support/exact.hpp"
 #include "support/proof.hpp"
+#include "support/random.hpp"
 
 #include <rtuwire/core/hex.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
+#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
+#include <rtuwire/wire/pdu/write_single_register.hpp>
 
 using namespace rtuwire;
 
@@ -62,10 +68,62 @@ STATIC_CHECK(verdict(identify, "2B 0E 01 01 00 00 01 00 01 41"_hex) == errc::non
 STATIC_CHECK(verdict(identify, "2B 0E 02 01 00 00 01 00 01 41"_hex) == errc::wrong_echo);
 STATIC_CHECK(verdict(identify, "2B 0E 01 01 00 00 02 00 01 41"_hex) == errc::malformed);
 
+STATIC_CHECK(verdict(identify, "2B 0D 01 01 00 00 01 00 01 41"_hex) == errc::malformed);
+STATIC_CHECK(verdict(identify, "2B 0E 01 01 00 00"_hex) == errc::wrong_length);
+STATIC_CHECK(verdict(identify, "AB 01"_hex) == errc::illegal_function);
+// A stream may start elsewhere than it was asked to; a single object is that object or nothing.
+constexpr auto identify_rest = "02 2B 0E 01 02 00 00"_hex;
+STATIC_CHECK(verdict(identify_rest, "2B 0E 01 01 00 00 01 00 01 41"_hex) == errc::none);
+constexpr auto single = "02 2B 0E 04 01 00 00"_hex;
+STATIC_CHECK(verdict(single, "2B 0E 04 81 00 00 01 01 01 41"_hex) == errc::none);
+STATIC_CHECK(verdict(single, "2B 0E 04 81 00 00 01 00 01 41"_hex) == errc::wrong_echo);
+STATIC_CHECK(verdict(single, "2B 0E 04 81 00 00 02 01 01 41 02 00"_hex) == errc::wrong_echo);
+
 // A raw question may be shorter than its function allows.
 STATIC_CHECK(verdict("02 03 00 00"_hex, "03 02 12 34"_hex) == errc::none);
 STATIC_CHECK(verdict("02 2B 00 00"_hex, "2B 01"_hex) == errc::none);
 STATIC_CHECK(verdict("02 03 00 00 00 00 00"_hex, "03 00"_hex) == errc::none);
+
+/// Whether no answer of another unit or function is accepted, and nothing is read outside, whatever
+/// the sizes of a question of this function and of the answer.
+constexpr bool is_safe_for(std::uint8_t code)
+{
+    for (std::size_t size = 4; size <= 9; ++size) {
+        test::exact_octets question{size};
+        question.span()[0] = std::byte{2};
+        question.span()[1] = to_byte(code);
+        for (std::size_t answer_size = 1; answer_size <= 6; ++answer_size) {
+            test::exact_octets said{answer_size};
+            std::array<std::uint32_t, 3> const answer_codes{code, code | 0x80U, code ^ 1U};
+            for (std::uint32_t const answer_code : answer_codes) {
+                said.span()[0] = to_byte(answer_code);
+                errc const here = check_answer(question.view(), adu{2, said.view()});
+                errc const other_unit = check_answer(question.view(), adu{3, said.view()});
+                bool const is_other = answer_code == (code ^ 1U);
+                bool const is_refusal = answer_code == (code | 0x80U);
+                if (other_unit != errc::wrong_unit or (is_other and here != errc::wrong_function) or
+                    (is_refusal and
+                     here != (answer_size == 2 ? errc::unlisted_exception : errc::wrong_length))) {
+                    return false;
+                }
+            }
+        }
+    }
+    return true;
+}
+
+constexpr bool is_safe_for_short_questions()
+{
+    constexpr std::array<std::uint8_t, 7> codes{3, 6, 8, 16, 23, 43, 0x41};
+    for (std::uint8_t const code : codes) {
+        if (not is_safe_for(code)) {
+            return false;
+        }
+    }
+    return true;
+}
+PROOF("a question shorter than its function allows is held against its unit and function",
+      is_safe_for_short_questions)
 
 STATIC_CHECK(answer_size(read) == 7 and answer_size(write) == 8 and answer_size(block) == 8);
 STATIC_CHECK(answer_size(exchange) == 11 and answer_size(loop) == 8);
@@ -73,4 +131,85 @@ STATIC_CHECK(answer_size(identify) == 256);
 STATIC_CHECK(answer_size("02 03 00 00"_hex) == 256);
 STATIC_CHECK(answer_size("02 03 00 00 FF FF 00 00"_hex) == 256);
 
+/// One of few questions, so that pairs of them are often nearly alike.
+struct question {
+    std::uint32_t unit, kind, start, count, value;
+
+    explicit constexpr question(test::random& random)
+        : unit{1 + random.below(2)}, kind{random.below(5)}, start{random.below(2)},
+          count{1 + random.below(2)}, value{random.below(2)}
+    {}
+
+    /// Whether an answer to the other one tells nothing that this one does not ask for.
+    [[nodiscard]] constexpr bool is_answered_like(question const& other) const
+    {
+        if (unit != other.unit or kind != other.kind) {
+            return false;
+        }
+        switch (kind) {
+        case 0:
+        case 1: return count == other.count;
+        case 2: return start == other.start and count == other.count;
+        default: return start == other.start and value == other.value;
+        }
+    }
+};
+
+/// Asks `asked`, answers `answered`, and returns the verdict.
+errc verdict_on(question const& asked, question const& answered)
+{
+    constexpr register_block<2> words{0x0000, 0x0001};
+    auto const some = [&](question const& from) {
+        return register_view{words.view().bytes().first(2 * from.count)};
+    };
+    std::array<std::byte, 256> question_octets{};
+    std::array<std::byte, 256> answer_octets{};
+    auto const unit = [](question const& from) { return *unit_id::checked(from.unit); };
+    auto const say = [&](byte_span place, question const& from, auto const& value) {
+        return *encode_into(place, unit(from), value);
+    };
+    auto const u16 = [](std::uint32_t number) { return static_cast<std::uint16_t>(number); };
+    auto const both = [&](byte_span place, question const& q, bool is_answer) -> byte_view {
+        switch (q.kind) {
+        case 0:
+            return is_answer ? say(place, q, read_holding_registers_response{some(q)})
+                             : say(place, q, read_holding_registers{u16(q.start), u16(q.count)});
+        case 1:
+            return is_answer
+                       ? say(place, q, read_write_multiple_registers_response{some(q)})
+                       : say(place, q,
+                             read_write_multiple_registers{u16(q.start), u16(q.count), 9, some(q)});
+        case 2:
+            return is_answer ? say(place, q,
+                                   write_multiple_registers_response{u16(q.start), u16(q.count)})
+                             : say(place, q, write_multiple_registers{u16(q.start), some(q)});
+        case 3: return say(place, q, write_single_register{u16(q.start), u16(q.value)});
+        default: {
+            register_block const data{u16(q.start), u16(q.value)};
+            return say(place, q, diagnostics{subfunction::return_query_data, data});
+        }
+        }
+    };
+    byte_view const frame = both(question_octets, asked, false);
+    auto const answer = decode_adu(both(answer_octets, answered, true));
+    return answer ? check_answer(frame, *answer) : answer.error();
+}
+
 } // namespace
+
+TEST_CASE("an answer to another question is never accepted, and the right one always")
+{
+    test::random random{21};
+    unsigned accepted = 0;
+    unsigned wrong = 0;
+    for (unsigned round = 0; round < 20'000; ++round) {
+        question const asked{random};
+        question const answered{random};
+        bool const is_accepted = verdict_on(asked, answered) == errc::none;
+        accepted += is_accepted ? 1U : 0U;
+        wrong += is_accepted != asked.is_answered_like(answered) ? 1U : 0U;
+        wrong += verdict_on(asked, asked) != errc::none ? 1U : 0U;
+    }
+    CHECK(wrong == 0);
+    CHECK(accepted > 500);
+}

@@ -7,32 +7,15 @@
 
 #include "support/proof.hpp"
 #include "support/random.hpp"
+#include "support/told.hpp"
 
 #include <rtuwire/core/hex.hpp>
 
 using namespace rtuwire;
+using rtuwire::test::is_ended_by_silence;
+using rtuwire::test::is_told;
 
 namespace {
-
-/// Whether each prefix either asks for more than it has or, at the end only, says the size; and no
-/// prefix is left waiting for fewer octets than it has.
-constexpr bool is_told(direction way, byte_view frame)
-{
-    std::size_t look_at = 2;
-    for (std::size_t size = 0; size <= frame.size(); ++size) {
-        length_so_far const known = frame_length(way, frame.first(size));
-        if (known.is_final and known.size != frame.size()) {
-            return false;
-        }
-        if (not known.is_final and known.size <= size) {
-            return false;
-        }
-        if (size == look_at) {
-            look_at = known.size;
-        }
-    }
-    return look_at == frame.size();
-}
 
 constexpr auto asks = direction::request;
 constexpr auto answers = direction::response;
@@ -58,6 +41,24 @@ STATIC_CHECK(is_told(asks, "02 16 00 04 00 F2 00 25 00 00"_hex));
 STATIC_CHECK(is_told(asks, "02 18 00 04 00 00"_hex));
 STATIC_CHECK(is_told(asks, "02 0F 00 00 00 08 01 FF 00 00"_hex));
 STATIC_CHECK(is_told(asks, "02 14 01 00 00 00"_hex));
+STATIC_CHECK(is_told(answers, "02 14 02 01 06 00 00"_hex));
+STATIC_CHECK(is_told(asks, "02 15 03 06 00 04 00 00"_hex));
+STATIC_CHECK(is_told(answers, "02 15 03 06 00 04 00 00"_hex));
+STATIC_CHECK(is_told(asks, "02 01 00 13 00 25 00 00"_hex));
+STATIC_CHECK(is_told(answers, "02 01 05 CD 6B B2 0E 1B 00 00"_hex));
+STATIC_CHECK(is_told(asks, "02 02 00 C4 00 16 00 00"_hex));
+STATIC_CHECK(is_told(answers, "02 02 03 AC DB 35 00 00"_hex));
+STATIC_CHECK(is_told(asks, "02 04 00 08 00 01 00 00"_hex));
+STATIC_CHECK(is_told(answers, "02 04 02 00 0A 00 00"_hex));
+STATIC_CHECK(is_told(asks, "02 05 00 AC FF 00 00 00"_hex));
+STATIC_CHECK(is_told(answers, "02 05 00 AC FF 00 00 00"_hex));
+STATIC_CHECK(is_told(asks, "02 0C 00 00"_hex));
+STATIC_CHECK(is_told(answers, "02 0C 08 00 00 01 08 01 21 20 00 00 00"_hex));
+STATIC_CHECK(is_told(asks, "02 11 00 00"_hex));
+STATIC_CHECK(is_told(answers, "02 11 02 42 FF 00 00"_hex));
+STATIC_CHECK(is_told(answers, "02 0F 00 13 00 0A 00 00"_hex));
+STATIC_CHECK(is_told(answers, "02 16 00 04 00 F2 00 25 00 00"_hex));
+STATIC_CHECK(is_told(answers, "02 08 00 0B 00 2A 00 00"_hex));
 
 // Only silence ends these.
 constexpr length_so_far silence{};
@@ -70,6 +71,60 @@ STATIC_CHECK(frame_length(answers, "02 00"_hex) == silence);
 STATIC_CHECK(frame_length(asks, "02 10 00 00 00 7B FF"_hex) == silence);
 STATIC_CHECK(frame_length(answers, "02 03 FC"_hex) == silence);
 STATIC_CHECK(frame_length(answers, "02 18 FF FF"_hex) == silence);
+STATIC_CHECK(is_ended_by_silence(asks, "02 08 00 00 A5 37 DA BE"_hex, 4));
+STATIC_CHECK(is_ended_by_silence(asks, "02 2B 0D 00 00 00"_hex, 3));
+// 255 objects that are announced and not there: more is asked for until the first of them says no.
+STATIC_CHECK(is_ended_by_silence(answers, "02 2B 0E 01 01 00 00 FF 00 F8 41"_hex, 10));
+
+constexpr bool knows_nineteen_functions()
+{
+    constexpr std::array<std::uint8_t, 19> known{1,  2,  3,  4,  5,  6,  7,  8,  11, 12,
+                                                 15, 16, 17, 20, 21, 22, 23, 24, 43};
+    std::size_t at = 0;
+    for (std::uint32_t code = 0; code <= 0xFF; ++code) {
+        bool const is_known = at < known.size() and known[at] == code;
+        at += is_known ? 1U : 0U;
+        std::array<std::byte, 2> const head{std::byte{2}, to_byte(code)};
+        length_so_far const asked = frame_length(asks, head);
+        length_so_far const answered = frame_length(answers, head);
+        bool const is_refusal = code >= 0x80;
+        if ((asked != silence) != is_known or (answered != silence) != (is_known or is_refusal) or
+            (is_refusal and answered != length_so_far{5, true})) {
+            return false;
+        }
+    }
+    return at == known.size();
+}
+PROOF("nineteen functions have a length rule, a refusal has five octets, all else ends by silence",
+      knows_nineteen_functions)
+
+constexpr bool ends_no_frame_beyond_256()
+{
+    struct {
+        direction way;
+        std::uint8_t code;
+        std::size_t at;
+        std::size_t base;
+    } constexpr rules[]{{answers, 1, 2, 5},  {answers, 2, 2, 5},  {answers, 3, 2, 5},
+                        {answers, 4, 2, 5},  {answers, 12, 2, 5}, {answers, 17, 2, 5},
+                        {asks, 15, 6, 9},    {asks, 16, 6, 9},    {asks, 20, 2, 5},
+                        {answers, 20, 2, 5}, {asks, 21, 2, 5},    {answers, 21, 2, 5},
+                        {asks, 23, 10, 13},  {answers, 23, 2, 5}};
+    for (auto const& rule : rules) {
+        for (std::uint32_t count = 0; count <= 0xFF; ++count) {
+            test::exact_octets head{rule.at + 1};
+            head.span()[1] = to_byte(rule.code);
+            head.span()[rule.at] = to_byte(count);
+            std::size_t const size = rule.base + count;
+            length_so_far const expected = size > 256 ? silence : length_so_far{size, true};
+            if (frame_length(rule.way, head.view()) != expected) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+PROOF("a byte count ends a frame of up to 256 octets, and none beyond", ends_no_frame_beyond_256)
 
 } // namespace
 
@@ -80,7 +135,8 @@ TEST_CASE("whatever the octets say, a final size is one that a frame can have")
     unsigned wrong = 0;
     for (unsigned round = 0; round < 20'000; ++round) {
         random.fill(octets);
-        auto const part = byte_view{octets}.first(random.below(257));
+        test::exact_octets const exact{byte_view{octets}.first(random.below(257))};
+        byte_view const part = exact.view();
         for (direction const way : {asks, answers}) {
             length_so_far const known = frame_length(way, part);
             if (known.is_final and (known.size < 4 or known.size > 256)) {

@@ -18,6 +18,7 @@
 
 using namespace rtuwire;
 using rtuwire::test::encodes;
+using rtuwire::test::is_told;
 
 namespace {
 
@@ -69,6 +70,7 @@ constexpr auto fc43_rsp_ok =
     "74 72 69 63 01 0C 41 54 56 33 31 30 48 30 33 37 4E 34 02 04 30 32 30 31 "
     "B0 38 "_hex;
 STATIC_CHECK(reencodes(fc43_rsp_ok));
+STATIC_CHECK(is_told(direction::response, fc43_rsp_ok));
 STATIC_CHECK(object_is(fc43_rsp_ok, vendor_name, "Schneider Electric"));
 STATIC_CHECK(object_is(fc43_rsp_ok, product_code, "ATV310H037N4"));
 STATIC_CHECK(object_is(fc43_rsp_ok, major_minor_revision, "0201"));
@@ -86,6 +88,7 @@ constexpr auto fc43_rsp_11 =
     "74 72 69 63 01 0B 41 54 56 33 31 30 48 30 33 37 4E 02 04 30 32 30 31 3D "
     "43 "_hex;
 STATIC_CHECK(reencodes(fc43_rsp_11));
+STATIC_CHECK(is_told(direction::response, fc43_rsp_11));
 STATIC_CHECK(object_is(fc43_rsp_11, vendor_name, "Schneider Electric"));
 STATIC_CHECK(object_is(fc43_rsp_11, product_code, "ATV310H037N"));
 STATIC_CHECK(object_is(fc43_rsp_11, major_minor_revision, "0201"));

@@ -64,6 +64,39 @@ STATIC_CHECK(not function_set{static_cast<function_code>(0x86)}.contains(functio
 STATIC_CHECK(not function_set{static_cast<function_code>(0)}.contains(function_code{0}));
 STATIC_CHECK(not two.contains(static_cast<function_code>(0x86)));
 
+constexpr bool holds_what_it_was_given()
+{
+    for (std::uint32_t member = 0; member <= 0xFF; ++member) {
+        function_set const one{static_cast<function_code>(member)};
+        for (std::uint32_t code = 0; code <= 0xFF; ++code) {
+            bool const is_member = code == member and code >= 1 and code <= 127;
+            if (one.contains(static_cast<function_code>(code)) != is_member) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+constexpr bool says_which_functions_it_answers()
+{
+    unsigned count = 0;
+    for (std::uint32_t code = 0; code <= 0xFF; ++code) {
+        count += all_functions.contains(static_cast<function_code>(code)) ? 1U : 0U;
+    }
+    using enum function_code;
+    return count == 6 and
+           all_functions == function_set{encapsulated_interface,   read_write_multiple_registers,
+                                         write_multiple_registers, diagnostics,
+                                         write_single_register,    read_holding_registers};
+}
+PROOF("rtuwire answers six functions", says_which_functions_it_answers)
+
+STATIC_CHECK(not unit_id::checked(0xFFFF'FFFF) and not unit_id::checked(256 + 7));
+STATIC_CHECK(is_address_range(65535, 0) and not is_address_range(65535, 65535));
+STATIC_CHECK(not is_address_range(0, 65537) and is_address_range(65534, 2));
+STATIC_CHECK(not is_address_range(1, static_cast<std::size_t>(-1)));
+
 STATIC_CHECK(is_address_range(65535, 1) and not is_address_range(65535, 2));
 STATIC_CHECK(is_address_range(0, 65536) and not is_address_range(1, 65536));
 STATIC_CHECK(is_address_range(65411, 125) and not is_address_range(65412, 125));
@@ -71,6 +104,11 @@ STATIC_CHECK(not is_quantity(0, 125) and is_quantity(1, 125));
 STATIC_CHECK(is_quantity(125, 125) and not is_quantity(126, 125));
 
 } // namespace
+
+TEST_CASE("a set of functions holds the one it was given, of 1 to 127")
+{
+    CHECK(holds_what_it_was_given());
+}
 
 TEST_CASE("every error that has a name has its own")
 {

@@ -48,6 +48,12 @@ public:
         return next(value_);
     }
 
+    /// Equal when both hold equal values or the same error.
+    friend constexpr bool operator==(result const& left, result const& right)
+    {
+        return left.error_ == right.error_ and (not left.has_value() or *left == *right);
+    }
+
     /// Equal to a value when it holds one that is.
     template <typename U>
         requires(not std::is_same_v<U, errc>)

@@ -48,8 +48,13 @@ namespace rtuwire {
     if (not page) {
         return page.error();
     }
-    return to_u8(question_pdu[2]) == static_cast<std::uint8_t>(page->access) ? errc::none
-                                                                             : errc::wrong_echo;
+    if (to_u8(question_pdu[2]) != static_cast<std::uint8_t>(page->access)) {
+        return errc::wrong_echo;
+    }
+    // A stream may start elsewhere than it was asked to; a single object is the one asked for.
+    bool const is_other = page->access == identification_access::single and
+                          (page->count != 1 or page->first()->id != to_u8(question_pdu[3]));
+    return is_other ? errc::wrong_echo : errc::none;
 }
 
 /// Holds the fields of a normal answer against its question; both PDUs are of one function.

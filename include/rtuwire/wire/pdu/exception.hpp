@@ -8,7 +8,8 @@
 
 namespace rtuwire {
 
-/// A refusal of `function`, 0 too, since a server refuses that one like any other; `code` is any number, listed in errc.hpp or not.
+/// A refusal of `function`, 0 too, since a server refuses that one like any other; `code` is any
+/// number, listed in errc.hpp or not.
 struct exception_response {
     static constexpr std::size_t max_size = 2;
 
