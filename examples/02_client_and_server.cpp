@@ -18,7 +18,7 @@ int main()
 
     single_question ask_speed{unit_id{7}, read_holding_registers{.start = 3, .count = 1}};
     instant now{};
-    while (not ask_speed.outcome()) {
+    while (not ask_speed.settled()) {
         link.advance(now);
         link.converse(ask_speed, now);
         if (byte_view const frame = link.poll_transmit(); not frame.empty()) {
@@ -35,7 +35,7 @@ int main()
         }
         now = now + microseconds(100);
     }
-    auto const& outcome = *ask_speed.outcome();
+    auto const outcome = ask_speed.outcome();
     if (not outcome) {
         return 1;
     }

@@ -23,7 +23,7 @@ struct line_of_two {
 
     template <conversation Talk> void run(Talk& talk)
     {
-        while (not talk.outcome()) {
+        while (not talk.settled()) {
             link.advance(now);
             link.converse(talk, now);
             if (byte_view const frame = link.poll_transmit(); not frame.empty()) {
@@ -65,8 +65,8 @@ int main()
                 runs ? "running" : "stopped", seen.get<atv12::rfr>().count() / 10,
                 seen.get<atv12::rfr>().count() % 10, seen.get<atv12::acc>().count() / 10U,
                 seen.get<atv12::acc>().count() % 10U);
-    bool const is_read = ask.outcome()->has_value() and **ask.outcome() == signed_decihertz{487};
+    bool const is_read = ask.outcome() == signed_decihertz{487};
     bool const is_written =
-        tell.outcome()->has_value() and seen.get<atv12::acc>() == deciseconds{13};
-    return is_read and is_written and runs and panel.outcome()->has_value() ? 0 : 1;
+        tell.outcome().has_value() and seen.get<atv12::acc>() == deciseconds{13};
+    return is_read and is_written and runs and panel.outcome().has_value() ? 0 : 1;
 }

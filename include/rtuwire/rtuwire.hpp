@@ -39,6 +39,7 @@
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/enumeration.hpp>
 #include <rtuwire/table/flags.hpp>
+#include <rtuwire/table/key_index.hpp>
 #include <rtuwire/table/read_plan.hpp>
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/table/request_plan.hpp>

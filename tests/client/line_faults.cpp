@@ -181,12 +181,12 @@ struct two_questions {
 
     constexpr std::optional<request> next() const
     {
-        return first.outcome() ? second.next() : first.next();
+        return first.settled() ? second.next() : first.next();
     }
     constexpr void accept(result<response> outcome)
     {
         ++outcomes;
-        if (first.outcome()) {
+        if (first.settled()) {
             second.accept(outcome);
         } else {
             first.accept(outcome);
@@ -206,7 +206,7 @@ constexpr bool converses()
         unit.link.converse(talk, unit.now);
     }
     return talk.outcomes == 2 and unit.transmissions == 2 and talk.second.outcome() and
-           *talk.second.outcome() and not unit.link.is_busy();
+           not unit.link.is_busy();
 }
 PROOF("a conversation of two questions is run in order", converses)
 
@@ -215,7 +215,7 @@ constexpr bool unencodable()
     single_question talk{unit_id{1}, read_holding_registers{0, 126}};
     far_end unit;
     unit.link.converse(talk, unit.now);
-    return talk.outcome() and *talk.outcome() == errc::invalid_quantity and not unit.link.is_busy();
+    return talk.outcome() == errc::invalid_quantity and not unit.link.is_busy();
 }
 PROOF("a question that cannot be encoded is never asked", unencodable)
 

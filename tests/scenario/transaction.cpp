@@ -37,7 +37,7 @@ struct line_of_two {
 
     template <conversation Talk> constexpr void run(Talk& talk)
     {
-        for (unsigned step = 0; step < 200 and not talk.outcome(); ++step) {
+        for (unsigned step = 0; step < 200 and not talk.settled(); ++step) {
             link.advance(now);
             node.advance(now);
             node.serve(bank, now);
@@ -60,12 +60,9 @@ struct line_of_two {
         single_question talk{unit_id{2}, question};
         run(talk);
         if (not talk.outcome()) {
-            return errc::busy;
+            return talk.outcome().error();
         }
-        if (not *talk.outcome()) {
-            return talk.outcome()->error();
-        }
-        return (*talk.outcome())->template to<Request>();
+        return talk.outcome()->template to<Request>();
     }
 };
 

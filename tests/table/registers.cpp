@@ -39,7 +39,7 @@ STATIC_CHECK(setting<protection>::checked(deciamperes{49}, 50, 100).error() ==
              errc::illegal_data_value);
 STATIC_CHECK(setting<protection>::checked(deciamperes{101}, 50, 100).error() ==
              errc::illegal_data_value);
-STATIC_CHECK(product_of("HSP", "SDS").with(500, 30) == 15'000);
+STATIC_CHECK(product_of("HSP", "SDS", 10).with(500, 30) == 1'500);
 STATIC_CHECK(bound{}.is_open() and not bound{0}.is_open() and bound{0}.is_number());
 
 using three = table<ramp, speed, protection>;

@@ -199,11 +199,11 @@ inline constexpr reg<signed_rpm> frhd{.code = "FRHD", .address = 604, .mode = ac
     .name = "Ramp output, signed"};
 inline constexpr reg<rpm> rfrd{.code = "RFRD", .address = 605, .mode = access::read_only, .min = {0}, .max = {65535},
     .name = "Motor speed", .source = trust::inferred};
-inline constexpr reg<rpm> smil{.code = "SMIL", .address = 606, .min = {0}, .max = product_of("HSP", "SDS"),
+inline constexpr reg<rpm> smil{.code = "SMIL", .address = 606, .min = {0}, .max = product_of("HSP", "SDS", 10),
     .name = "Low speed in rpm (LSP)"};
 inline constexpr reg<plain> smih{.code = "SMIH", .address = 607, .min = {0}, .max = {0}, .factory = 0,
     .name = "Reserved (0)"};
-inline constexpr reg<rpm> smal{.code = "SMAL", .address = 608, .min = product_of("LSP", "SDS"), .max = product_of("TFR", "SDS"),
+inline constexpr reg<rpm> smal{.code = "SMAL", .address = 608, .min = product_of("LSP", "SDS", 10), .max = product_of("TFR", "SDS", 10),
     .name = "High speed in rpm (HSP)"};
 inline constexpr reg<plain> smah{.code = "SMAH", .address = 609, .min = {0}, .max = {0}, .factory = 0,
     .name = "Reserved (0)"};

@@ -22,17 +22,17 @@
 
 namespace rtuwire {
 
-/// Reads one register of values `T`; the value is there, or why not, once `outcome()` is.
-template <register_value T> class reading {
+/// Reads one register as a word. The plain engine of `reading`, whatever the word stands for.
+class word_reading {
 public:
-    constexpr reading(unit_id unit, std::uint16_t address) noexcept
+    constexpr word_reading(unit_id unit, std::uint16_t address) noexcept
     {
         static_cast<void>(encode_into(frame_, unit, read_holding_registers{address, 1}));
     }
 
     constexpr std::optional<request> next() const noexcept
     {
-        if (outcome_) {
+        if (settled()) {
             return std::nullopt;
         }
         return request{frame_};
@@ -40,27 +40,42 @@ public:
 
     constexpr void accept(result<response> const& outcome) noexcept
     {
-        outcome_ = outcome ? value_in(outcome->pdu()) : result<T>{outcome.error()};
+        outcome_ = outcome ? word_in(outcome->pdu()) : result<std::uint16_t>{outcome.error()};
     }
 
-    /// The value read, or why there is none.
-    [[nodiscard]] constexpr std::optional<result<T>> const& outcome() const noexcept
+    /// Whether the outcome is there.
+    [[nodiscard]] constexpr bool settled() const noexcept
     {
-        return outcome_;
+        return outcome_.error() != errc::pending;
     }
+
+    /// The word read, or why there is none; `pending` until it is settled.
+    [[nodiscard]] constexpr result<std::uint16_t> word() const noexcept { return outcome_; }
 
 private:
-    static constexpr result<T> value_in(byte_view pdu) noexcept
+    static constexpr result<std::uint16_t> word_in(byte_view pdu) noexcept
     {
         constexpr std::size_t size_of_one = 4;
         if (pdu.size() != size_of_one) {
             return errc::wrong_length;
         }
-        return from_word<T>(u16_at(pdu, 2));
+        return u16_at(pdu, 2);
     }
 
     std::array<std::byte, 8> frame_{};
-    std::optional<result<T>> outcome_{};
+    result<std::uint16_t> outcome_{errc::pending};
+};
+
+/// Reads one register of values `T`; the value is there, or why not, once `outcome()` is.
+template <register_value T> class reading : public word_reading {
+public:
+    using word_reading::word_reading;
+
+    /// The value read, or why there is none; `pending` until it is settled.
+    [[nodiscard]] constexpr result<T> outcome() const noexcept
+    {
+        return word() ? result<T>{from_word<T>(*word())} : result<T>{word().error()};
+    }
 };
 
 /// Whether a register's steps are always the same size.
@@ -133,22 +148,25 @@ public:
 
     constexpr std::optional<request> next() const noexcept
     {
-        if (outcome_) {
+        if (settled()) {
             return std::nullopt;
         }
         return request{frame_};
     }
     constexpr void accept(result<response> outcome) noexcept { outcome_ = outcome; }
 
-    /// What came of it, once it is there.
-    [[nodiscard]] constexpr std::optional<result<response>> const& outcome() const noexcept
+    /// Whether the outcome is there.
+    [[nodiscard]] constexpr bool settled() const noexcept
     {
-        return outcome_;
+        return outcome_.error() != errc::pending;
     }
+
+    /// What came of it, `pending` until it is settled.
+    [[nodiscard]] constexpr result<response> outcome() const noexcept { return outcome_; }
 
 private:
     std::array<std::byte, FrameSize> frame_{};
-    std::optional<result<response>> outcome_{};
+    result<response> outcome_{errc::pending};
 };
 
 /// Registers that follow one another without a gap.

@@ -92,7 +92,7 @@ private:
         if (not ended) {
             return ended.error();
         }
-        return *talk.outcome();
+        return talk.outcome();
     }
 
     result<void> step()

@@ -74,7 +74,7 @@ public:
 
     constexpr std::optional<request> next() const noexcept
     {
-        if (outcome_) {
+        if (settled()) {
             return std::nullopt;
         }
         return request{frame_};
@@ -82,15 +82,19 @@ public:
 
     constexpr void accept(result<response> outcome) noexcept { outcome_ = outcome; }
 
-    /// What came of it, once it is there; the answer is valid until the client's next request.
-    [[nodiscard]] constexpr std::optional<result<response>> const& outcome() const noexcept
+    /// Whether the outcome is there.
+    [[nodiscard]] constexpr bool settled() const noexcept
     {
-        return outcome_;
+        return outcome_.error() != errc::pending;
     }
+
+    /// What came of it, `pending` until it is settled; the answer is valid until the client's next
+    /// request.
+    [[nodiscard]] constexpr result<response> outcome() const noexcept { return outcome_; }
 
 private:
     frame_of<Request> frame_{};
-    std::optional<result<response>> outcome_{};
+    result<response> outcome_{errc::pending};
 };
 
 template <typename To, pdu Request> single_question(To, Request) -> single_question<Request>;

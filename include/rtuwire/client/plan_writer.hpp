@@ -31,7 +31,7 @@ public:
 
     constexpr std::optional<request> next() const noexcept
     {
-        if (outcome_) {
+        if (settled()) {
             return std::nullopt;
         }
         return request{byte_view{frame_}.first(frame_size_)};
@@ -40,7 +40,7 @@ public:
     constexpr void accept(result<response> const& outcome) noexcept
     {
         if (not outcome) {
-            outcome_ = result<void>{outcome.error()};
+            outcome_ = outcome.error();
         } else if (++written_ == Plan::request_count) {
             outcome_ = result<void>{};
         } else {
@@ -48,11 +48,14 @@ public:
         }
     }
 
-    /// How the plan ended, once it has.
-    [[nodiscard]] constexpr std::optional<result<void>> const& outcome() const noexcept
+    /// Whether the outcome is there.
+    [[nodiscard]] constexpr bool settled() const noexcept
     {
-        return outcome_;
+        return outcome_.error() != errc::pending;
     }
+
+    /// How the plan ended; `pending` until it is settled.
+    [[nodiscard]] constexpr result<void> outcome() const noexcept { return outcome_; }
 
     /// How many of the plan's requests the unit has confirmed.
     [[nodiscard]] constexpr std::size_t written() const noexcept { return written_; }
@@ -71,7 +74,7 @@ private:
         if (frame) {
             frame_size_ = frame->size();
         } else {
-            outcome_ = result<void>{frame.error()};
+            outcome_ = frame.error();
         }
     }
 
@@ -79,7 +82,7 @@ private:
     std::array<std::byte, 9 + 2 * Plan::register_count> frame_{};
     std::size_t frame_size_{0};
     std::size_t written_{0};
-    std::optional<result<void>> outcome_{};
+    result<void> outcome_{errc::pending};
     unit_id unit_;
 };
 

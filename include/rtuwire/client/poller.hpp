@@ -30,12 +30,12 @@ public:
     constexpr void begin() noexcept
     {
         at_ = 0;
-        outcome_.reset();
+        outcome_ = errc::pending;
     }
 
     constexpr std::optional<request> next() const noexcept
     {
-        if (outcome_ or at_ >= Plan::request_count) {
+        if (settled()) {
             return std::nullopt;
         }
         return request{frames_[at_]};
@@ -61,23 +61,26 @@ public:
         outcome_ = result<void>{};
     }
 
-    /// How the round ended, once it has.
-    [[nodiscard]] constexpr std::optional<result<void>> const& outcome() const noexcept
+    /// Whether the outcome is there.
+    [[nodiscard]] constexpr bool settled() const noexcept
     {
-        return outcome_;
+        return outcome_.error() != errc::pending;
     }
+
+    /// How the round ended; `pending` until it is settled.
+    [[nodiscard]] constexpr result<void> outcome() const noexcept { return outcome_; }
 
     /// The values of the last whole round; zeros before it.
     [[nodiscard]] constexpr snapshot const& latest() const noexcept { return current_; }
 
 private:
-    constexpr void end(errc error) noexcept { outcome_ = result<void>{error}; }
+    constexpr void end(errc error) noexcept { outcome_ = error; }
 
     std::array<std::array<std::byte, 8>, Plan::request_count> frames_;
     snapshot incoming_{};
     snapshot current_{};
     std::size_t at_{0};
-    std::optional<result<void>> outcome_{};
+    result<void> outcome_{errc::pending};
 };
 
 } // namespace rtuwire

@@ -127,10 +127,7 @@ template <device_type Device>
 [[nodiscard]] constexpr bool is_readable_across(std::uint16_t first, std::uint16_t last) noexcept
 {
     for (std::uint32_t address = first; address <= last; ++address) {
-        bool known = false;
-        for (std::uint16_t const each : Device::registers::addresses) {
-            known = known or each == address;
-        }
+        bool known = Device::registers::has_address(static_cast<std::uint16_t>(address));
         for (address_range const& range : Device::readable) {
             known = known or (address >= range.first and address <= range.last);
         }

@@ -14,6 +14,7 @@
 #include <rtuwire/core/crc16.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/request_plan.hpp>
+#include <rtuwire/table/setting.hpp>
 #include <rtuwire/table/table.hpp>
 
 namespace rtuwire {
@@ -80,6 +81,17 @@ public:
             return from_word<value_of<R>>(words_[place_of(R.address)]);
         }
 
+        /// A value that fits the register's limits as they are now: those that hang on other
+        /// registers are taken from this snapshot. `illegal_data_value` outside.
+        template <auto const& R>
+        [[nodiscard]] constexpr result<setting<R>> checked(value_of<R> value) const noexcept
+        {
+            static_assert(knows(R.min) and knows(R.max),
+                          "the limits of this register hang on a register that is not in the plan");
+            return setting<R>::checked(value, R.min.is_open() ? lowest<R>() : limit(R.min),
+                                       R.max.is_open() ? highest<R>() : limit(R.max));
+        }
+
         /// Takes the registers that answer one request.
         template <typename Words>
         constexpr void store(std::size_t request, Words const& words) noexcept
@@ -93,6 +105,41 @@ public:
         }
 
     private:
+        static constexpr std::array<text, register_count> codes{Registers.code...};
+
+        static constexpr bool knows(bound const& limit) noexcept
+        {
+            return limit.is_number() or limit.is_open() or
+                   (is_named(limit.code()) and
+                    (limit.factor().size() == 0 or is_named(limit.factor())));
+        }
+
+        static constexpr bool is_named(text code) noexcept
+        {
+            for (text const each : codes) {
+                if (each == code) {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        constexpr std::int32_t limit(bound const& of) const noexcept
+        {
+            return of.with(raw_of(of.code()), of.factor().size() == 0 ? 1 : raw_of(of.factor()));
+        }
+
+        /// The raw count of a register of the plan; 0 for no mnemonic.
+        constexpr std::int32_t raw_of(text code) const noexcept
+        {
+            std::int32_t raw = 0;
+            ((raw = Registers.code == code
+                        ? raw_count<value_of<Registers>>(words_[place_of(Registers.address)])
+                        : raw),
+             ...);
+            return raw;
+        }
+
         static constexpr std::size_t place_of(std::uint16_t address) noexcept
         {
             std::size_t place = 0;

@@ -90,10 +90,11 @@ private:
     return bound{code, numerator, denominator};
 }
 
-/// A limit that is the product of two registers.
-[[nodiscard]] constexpr bound product_of(text code, text factor) noexcept
+/// A limit that is the product of two registers' raw counts, divided: by 10 where one of them counts
+/// tenths and the product whole units.
+[[nodiscard]] constexpr bound product_of(text code, text factor, std::uint16_t denominator) noexcept
 {
-    return bound{code, 1, 1, factor};
+    return bound{code, 1, denominator, factor};
 }
 
 /// One register whose values are of type `T`: a quantity, an enumeration or a bit field.

@@ -61,9 +61,7 @@ public:
     /// A quantity known when compiling, a whole number of this register's steps and within its limits.
     template <typename Dimension, std::integral Rep, typename Scale>
         requires measures_dimension<value_type, Dimension>
-    consteval setting(quantity<Dimension, Rep, Scale> amount) noexcept : word_{word_of(amount)}
-    {
-    }
+    consteval setting(quantity<Dimension, Rep, Scale> amount) noexcept : word_{word_of(amount)} {}
 
     /// Refused: a quantity of something else than this register holds.
     template <typename Dimension, std::integral Rep, typename Scale>

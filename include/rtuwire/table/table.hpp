@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include <rtuwire/core/text.hpp>
+#include <rtuwire/table/key_index.hpp>
 #include <rtuwire/table/register.hpp>
 
 namespace rtuwire {
@@ -17,26 +18,6 @@ namespace rtuwire {
 /// Never defined: their names are the message, their arguments the culprits.
 template <auto const& A, auto const& B> struct these_registers_overlap;
 template <auto const& A, auto const& B> struct these_registers_have_one_code;
-
-/// Two places in a list; none when both are 0.
-struct index_pair {
-    std::size_t first{0};
-    std::size_t second{0};
-};
-
-/// The first two equal elements of a list.
-template <typename T, std::size_t Size>
-[[nodiscard]] constexpr index_pair first_duplicate(std::array<T, Size> const& list) noexcept
-{
-    for (std::size_t i = 0; i < Size; ++i) {
-        for (std::size_t k = i + 1; k < Size; ++k) {
-            if (list[i] == list[k]) {
-                return {i, k};
-            }
-        }
-    }
-    return {};
-}
 
 /// The register at a place in a list of registers.
 template <std::size_t Index, auto const& First, auto const&... Rest>
@@ -53,24 +34,26 @@ template <std::size_t Index, auto const& First, auto const&... Rest>
 template <auto const&... Registers> class table {
     static constexpr std::array<void const*, sizeof...(Registers)> places{&Registers...};
 
-    static constexpr bool holds(void const* place) noexcept
-    {
-        for (void const* const each : places) {
-            if (each == place) {
-                return true;
-            }
-        }
-        return false;
-    }
-
 public:
     static constexpr std::size_t size = sizeof...(Registers);
 
     /// The addresses, in the table's order.
     static constexpr std::array<std::uint16_t, size> addresses{Registers.address...};
 
+private:
+    static constexpr key_index<std::uint16_t, size> by_address{addresses};
+
+public:
+    /// Whether there is a register at an address.
+    [[nodiscard]] static constexpr bool has_address(std::uint16_t address) noexcept
+    {
+        return by_address.find(address) < size;
+    }
+
     /// Whether a register is one of this device's.
-    template <auto const& R> static constexpr bool contains = holds(&R);
+    template <auto const& R>
+    static constexpr bool
+        contains = has_address(R.address) and places[by_address.find(R.address)] == &R;
 
     /// Calls `visit.template operator()<R>()` for each register.
     template <typename Visit> static constexpr void for_each(Visit&& visit)
@@ -80,7 +63,7 @@ public:
 
 private:
     static constexpr std::array<text, size> codes{Registers.code...};
-    static constexpr index_pair overlap = first_duplicate(addresses);
+    static constexpr index_pair overlap = by_address.duplicate();
     static constexpr index_pair namesake = first_duplicate(codes);
 
     static consteval bool is_sound() noexcept

@@ -34,6 +34,7 @@ enum class errc : std::uint8_t {
     invalid_function,        ///< a function code outside 1..127
     not_for_broadcast,       ///< a question that nobody may answer
     busy,                    ///< a transaction is under way
+    pending,                 ///< a conversation has not ended yet
 
     // What came in is not what it should be; nothing of it was handed on.
     frame_too_short,    ///< fewer than 4 octets

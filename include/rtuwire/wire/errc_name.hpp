@@ -32,6 +32,7 @@ namespace rtuwire {
     case errc::invalid_function: return "function code outside 1..127";
     case errc::not_for_broadcast: return "not possible as a broadcast";
     case errc::busy: return "a transaction is under way";
+    case errc::pending: return "not ended yet";
     case errc::frame_too_short: return "frame too short";
     case errc::frame_too_long: return "frame too long";
     case errc::crc_mismatch: return "CRC mismatch";

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// One register read by name, over the client. Twin of one_by_hand.cpp.
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/client/access.hpp>
+#include <rtuwire/client/client.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+
+result<std::uint16_t> read_one(station<atv320::device> const& drive, client& link, instant now)
+{
+    auto talk = read<atv320::lcr>(drive);
+    link.converse(talk, now);
+    link.converse(talk, now);
+    if (not talk.outcome()) {
+        return talk.outcome().error();
+    }
+    return talk.outcome()->count();
+}
