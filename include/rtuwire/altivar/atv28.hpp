@@ -10,8 +10,10 @@
 
 #include <rtuwire/altivar/atv28_values.hpp>
 #include <rtuwire/altivar/atv28_words.hpp>
+#include <rtuwire/altivar/profile.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/table/device.hpp>
+#include <rtuwire/table/read_plan.hpp>
 
 namespace rtuwire::altivar::atv28 {
 
@@ -233,6 +235,26 @@ struct device {
     static constexpr character_format formats[]{character_format::none_8_1};
     static constexpr std::uint32_t rates[]{9'600, 19'200};
     static constexpr silence_reaction silence{milliseconds(7'000), milliseconds(7'000), false};
+    static constexpr auto const& speed_reference = lfrd;
+    static constexpr auto const& frequency_reference = lfr;
+    static constexpr drive_profile profile{.cmd = cmd.address,
+                                           .eta = eta.address,
+                                           .lft = lft.address,
+                                           .cmi = cmi.address,
+                                           .eti = eti.address,
+                                           .rfr = rfr.address,
+                                           .chart = {.quick_stop_waits = true},
+                                           .mains_bit_is_inverted = true,
+                                           .refuses_commands_in_local = true,
+                                           .falls_back_when_configured = false,
+                                           .shows_eeprom_access = false,
+                                           .halt = 0,
+                                           .dc_injection = 0xA00A,
+                                           .eeprom_time = milliseconds(2'100)};
+    /// What tells who it is, without function 43.
+    struct nameplate {
+        template <typename Device> using plan = read_plan<Device, cpu, ncv, vcal, inv>;
+    };
     using registers =
         table<cod, crl, crh, tcc, add, bdr, bfr, sds, aot, sfr, tfr, frs, uns, tun, nrd, uft, bra,
               frt, li1, li2, li3, li4, ai2, r2, ao, atr, opl, ipl, flr, stp, drn, hsp, lsp, acc,

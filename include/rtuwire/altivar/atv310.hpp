@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include <rtuwire/altivar/compact_values.hpp>
+#include <rtuwire/altivar/profile.hpp>
 #include <rtuwire/altivar/words.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/table/device.hpp>
@@ -204,6 +205,16 @@ struct device {
         character_format::none_8_2};
     static constexpr std::uint32_t rates[]{4'800, 9'600, 19'200, 38'400};
     static constexpr silence_reaction silence{milliseconds(10'000), milliseconds(30'000)};
+    static constexpr auto const& speed_reference = lfrd;
+    static constexpr auto const& frequency_reference = lfr;
+    static constexpr drive_profile profile{.cmd = cmd.address,
+                                           .eta = eta.address,
+                                           .lft = lft.address,
+                                           .cmi = cmi.address,
+                                           .eti = eti.address,
+                                           .rfr = rfr.address,
+                                           .chart = {.enables_from_ready = true},
+                                           .scanner_words = 4};
     using registers =
         table<ncv, vcal, inv, sfr, tfr, hsp, lsp, eta, rfr, frh, lcr, eti, uln, thd, opr, rthi, pth,
               hmis, vdp, add, tbr, tfo, tto, sll, lft, cic, dp0, dp1, dp2, dp3, dp4, chcf, fr1, cd1,
@@ -227,6 +238,16 @@ struct device_2026 {
         character_format::none_8_2};
     static constexpr std::uint32_t rates[]{4'800, 9'600, 19'200, 38'400};
     static constexpr silence_reaction silence{milliseconds(10'000), milliseconds(30'000)};
+    static constexpr auto const& speed_reference = lfrd;
+    static constexpr auto const& frequency_reference = lfr;
+    static constexpr drive_profile profile{.cmd = cmd.address,
+                                           .eta = eta.address,
+                                           .lft = lft.address,
+                                           .cmi = cmi.address,
+                                           .eti = eti.address,
+                                           .rfr = rfr.address,
+                                           .chart = {.enables_from_ready = true},
+                                           .scanner_words = 8};
     using registers =
         table<ncv, vcal, inv, sfr, tfr, hsp, lsp, eta, rfr, frh, lcr, eti, uln, thd, opr, rthi, pth,
               hmis, vdp, add, tbr, tfo, tto, sll, lft, cic, dp0, dp1, dp2, dp3, dp4, chcf, fr1, cd1,

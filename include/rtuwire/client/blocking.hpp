@@ -66,17 +66,20 @@ public:
         return {};
     }
 
-    /// Runs a conversation until it has no further question. Errors: those of the port; the question
-    /// under way is then cancelled and the conversation told so.
+    /// Runs a conversation until it is settled. Errors: those of the port; the question under way is
+    /// then cancelled and the conversation told so.
     template <conversation Talk> result<void> run(Talk& talk)
     {
         auto failed = drop_stale_input();
         while (failed) {
             client_.converse(talk, port_.now());
-            if (not client_.is_busy()) {
+            if (client_.is_busy()) {
+                failed = step();
+            } else if (talk.settled()) {
                 return {};
+            } else {
+                failed = wait_for(talk);
             }
-            failed = step();
         }
         client_.cancel(port_.now());
         if (auto const outcome = client_.poll_outcome()) {
@@ -93,6 +96,16 @@ private:
             return ended.error();
         }
         return talk.outcome();
+    }
+
+    /// Waits until a conversation that pauses has something to ask again.
+    template <typename Talk> result<void> wait_for(Talk& talk)
+    {
+        deadline next{};
+        if constexpr (timed_conversation<Talk>) {
+            next = talk.poll_deadline();
+        }
+        return receive_until(next ? *next : port_.now());
     }
 
     result<void> step()

@@ -25,18 +25,26 @@
 
 namespace rtuwire {
 
-/// How patient a client is.
-struct client_options {
+/// How patient a client is with one unit.
+struct patience {
     /// From the end of a request to the start of its answer; the time the answer itself takes on the
     /// line comes on top.
+    duration response_timeout{milliseconds(1000)};
+    /// How often a request is repeated after silence or a damaged answer; never after an exception,
+    /// and never for a broadcast.
+    std::uint8_t retries{2};
+};
+
+/// How patient a client is.
+struct client_options {
+    /// As in `patience`, for every unit that none is given for.
     duration response_timeout{milliseconds(1000)};
     /// From the end of a broadcast to the next request; units need it to act (SL 2.4.1).
     duration turnaround{milliseconds(100)};
     /// How long after the end of a transaction an answer that came too late may still arrive. Until
     /// then the unit is asked nothing new, because an answer does not say which question it is to.
     duration late_answer{milliseconds(200)};
-    /// How often a request is repeated after silence or a damaged answer; never after an exception,
-    /// and never for a broadcast.
+    /// As in `patience`.
     std::uint8_t retries{2};
 };
 
@@ -83,7 +91,7 @@ public:
         bool const is_broadcast = to_u8(question_[0]) == 0;
         phase_ = is_broadcast ? phase::turnaround : phase::awaiting;
         deadline_ = now + (is_broadcast ? options_.turnaround
-                                        : options_.response_timeout +
+                                        : patience_.response_timeout +
                                               framer_.line().characters(answer_size(question_)));
     }
 
@@ -108,6 +116,12 @@ public:
     /// `frame_too_short`, `frame_too_long`; nothing is changed then.
     constexpr result<void> start(request question, instant now) noexcept
     {
+        return start(question, now, {options_.response_timeout, options_.retries});
+    }
+
+    /// The same, with patience for this question's unit.
+    constexpr result<void> start(request question, instant now, patience with) noexcept
+    {
         if (phase_ != phase::idle) {
             return errc::busy;
         }
@@ -118,7 +132,8 @@ public:
             return errc::frame_too_long;
         }
         question_ = question.frame();
-        retries_left_ = options_.retries;
+        patience_ = with;
+        retries_left_ = with.retries;
         trouble_ = errc::none;
         wait_for_silence(now);
         advance(now);
@@ -183,6 +198,7 @@ public:
         if (auto const outcome = poll_outcome()) {
             talk.accept(*outcome);
         }
+        advance_talk(talk, now);
         if (is_busy()) {
             return;
         }
@@ -217,7 +233,7 @@ private:
             return;
         }
         phase_ = phase::ready;
-        deadline_ = now + options_.response_timeout + framer_.line().characters(question_.size());
+        deadline_ = now + patience_.response_timeout + framer_.line().characters(question_.size());
     }
 
     constexpr void note_noise(instant now) noexcept
@@ -300,7 +316,7 @@ private:
     {
         phase_ = phase::waiting;
         deadline_ =
-            (must_wait_for_late_answer() ? quarantine_end_ : now) + options_.response_timeout;
+            (must_wait_for_late_answer() ? quarantine_end_ : now) + patience_.response_timeout;
     }
 
     /// Ends the transaction. Where an answer may still be on its way, its unit is asked nothing new
@@ -318,7 +334,7 @@ private:
         quarantine_end_ = now + options_.late_answer;
     }
 
-    constexpr bool has_repeated() const noexcept { return retries_left_ != options_.retries; }
+    constexpr bool has_repeated() const noexcept { return retries_left_ != patience_.retries; }
 
     constexpr bool must_wait_for_late_answer() const noexcept
     {
@@ -331,6 +347,7 @@ private:
 
     framer framer_;
     client_options options_;
+    patience patience_{};
     byte_view question_{};
     byte_view answer_{};
     instant deadline_{};

@@ -11,6 +11,7 @@
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/result.hpp>
+#include <rtuwire/core/time.hpp>
 #include <rtuwire/wire/adu.hpp>
 
 namespace rtuwire {
@@ -48,7 +49,8 @@ private:
 };
 
 /// Whatever has questions and takes answers: `next` gives the next question, or nothing when there is
-/// none now; `accept` takes the outcome of the last one before `next` is called again.
+/// none now; `accept` takes the outcome of the last one before `next` is called again; `settled` tells
+/// that no question follows.
 template <typename T>
 concept conversation = requires(T& talk, result<response> outcome)
 {
@@ -56,7 +58,29 @@ concept conversation = requires(T& talk, result<response> outcome)
         talk.next()
         } -> std::same_as<std::optional<request>>;
     talk.accept(outcome);
+    {
+        talk.settled()
+        } -> std::convertible_to<bool>;
 };
+
+/// A conversation that pauses, or has a time limit: whoever runs it calls `advance` before `next`, and
+/// again at `poll_deadline`.
+template <typename T>
+concept timed_conversation = conversation<T> and requires(T& talk, instant now)
+{
+    talk.advance(now);
+    {
+        talk.poll_deadline()
+        } -> std::same_as<deadline>;
+};
+
+/// Lets time pass for a conversation that cares for it.
+template <conversation Talk> constexpr void advance_talk(Talk& talk, instant now) noexcept
+{
+    if constexpr (timed_conversation<Talk>) {
+        talk.advance(now);
+    }
+}
 
 /// The conversation of one question, which it owns.
 template <pdu Request> class single_question {

@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Keeps a drive running: one exchange a period, by function 23 over the scanner where the device moves
+// its words so, by functions 03 and 16 elsewhere. After a loss it looks at the status and the last fault
+// before it writes anything.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <rtuwire/altivar/configure_scanner.hpp>
+#include <rtuwire/altivar/cyclic_control.hpp>
+#include <rtuwire/altivar/reference.hpp>
+#include <rtuwire/client/conversation.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/table/device.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
+#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
+
+namespace rtuwire::altivar {
+
+/// How often, and against which time-out of the drive.
+struct cyclic_options {
+    /// From one exchange to the next; at most a third of the drive's time-out is used.
+    duration period{milliseconds(100)};
+    /// TTO as it is set in the drive; zero stands for the device's factory value.
+    duration drive_timeout{};
+    /// From an order to "operation enabled".
+    duration climb_limit{milliseconds(3'000)};
+    /// Whether function 23 is used where the device's words fit into it.
+    bool by_function_23{true};
+};
+
+/// The words that a device's cycle moves. Scanner slots 1 and 2 hold, as delivered, ETA and RFRD one
+/// way and CMD and LFRD the other.
+template <device_type Device> struct cycle_words {
+    static constexpr bool has_scanner = Device::profile.scanner_words > 0;
+    static constexpr bool needs_two = Device::limits.exchange_read < Device::profile.scanner_words;
+    static constexpr bool is_long = has_scanner and needs_two and Device::profile.scanner_words > 4;
+    static constexpr std::uint16_t inputs = not has_scanner ? 7 : is_long ? 8 : 4;
+    static constexpr std::uint16_t outputs = not has_scanner ? 2 : is_long ? 8 : 4;
+    /// Without a scanner: CMD and LFR; and the seven words that end with ETA.
+    static constexpr std::uint16_t read_from =
+        has_scanner ? scanner_input_words
+                    : static_cast<std::uint16_t>(Device::profile.eta - inputs + 1);
+    static constexpr std::uint16_t write_to =
+        has_scanner ? scanner_output_words : Device::profile.cmd;
+    static constexpr std::size_t status_at = has_scanner ? 0 : inputs - 1U;
+    static constexpr std::size_t speed_at = has_scanner ? 1 : 0;
+    static constexpr bool fits_function_23 =
+        inputs <= Device::limits.exchange_read and outputs <= Device::limits.exchange_write;
+
+    static constexpr auto const& reference = []() -> auto const&
+    {
+        if constexpr (has_scanner) {
+            return Device::speed_reference;
+        } else {
+            return Device::frequency_reference;
+        }
+    }
+    ();
+};
+
+/// A conversation without an end: give it to a client or a bus in each pass. It needs the scanner's first
+/// slots as delivered, or set so by `configure_scanner`.
+template <device_type Device> class cyclic {
+    using words = cycle_words<Device>;
+
+public:
+    explicit constexpr cyclic(station<Device> const& drive,
+                              cyclic_options const& options = {}) noexcept
+        : options_{options}, period_{safe_period(options)}, unit_{drive.unit()}
+    {}
+
+    /// Orders operation at a speed (a frequency on a device without scanner). False, with nothing
+    /// changed, before the drive was heard, after a loss until it is heard again, in a fault, and in
+    /// local control.
+    constexpr bool run(setting<words::reference> reference, heading way = heading::forward) noexcept
+    {
+        bool const was_ordered = control_.is_ordered();
+        bool const is_taken = control_.run(reference.word(), way == heading::reverse);
+        if (is_taken and not was_ordered) {
+            climb_end_ = now_ + options_.climb_limit;
+        }
+        return is_taken;
+    }
+
+    /// Takes the order back: the motor stops on its ramp.
+    constexpr void stop() noexcept { control_.stop(); }
+
+    /// Orders one fault reset.
+    constexpr void reset_fault() noexcept { control_.reset_fault(); }
+
+    /// Sets an output word beyond the first two, where the device has it.
+    constexpr void set_output(std::size_t slot, std::uint16_t word) noexcept
+    {
+        if (slot >= 2 and slot < words::outputs) {
+            outputs_[slot] = word;
+        }
+    }
+
+    /// An input word of the last exchange; 0 before it.
+    [[nodiscard]] constexpr std::uint16_t input(std::size_t slot) const noexcept
+    {
+        return slot < words::inputs ? inputs_[slot] : std::uint16_t{0};
+    }
+
+    /// The motor's speed in rpm at the last exchange.
+    [[nodiscard]] constexpr std::int16_t speed() const noexcept
+    {
+        return static_cast<std::int16_t>(inputs_[words::speed_at]);
+    }
+
+    /// State, order, and why the last order was dropped.
+    [[nodiscard]] constexpr cyclic_control const& control() const noexcept { return control_; }
+
+    /// Whether the last exchange failed, or none was made yet.
+    [[nodiscard]] constexpr bool link_lost() const noexcept { return step_ == step::look; }
+
+    constexpr void advance(instant now) noexcept
+    {
+        now_ = now;
+        bool const climbs = control_.is_ordered() and not control_.is_running();
+        if (climbs and reached(now, climb_end_)) {
+            control_.note_late();
+        }
+        if (not has_begun_) {
+            has_begun_ = true;
+            due_ = now;
+        }
+        is_due_ = is_due_ or reached(now, due_);
+    }
+
+    constexpr std::optional<request> next() noexcept
+    {
+        if (not is_due_) {
+            return std::nullopt;
+        }
+        return request{byte_view{frame_}.first(make_frame())};
+    }
+
+    constexpr void accept(result<response> const& outcome) noexcept
+    {
+        if (not outcome) {
+            return lose(outcome.error());
+        }
+        take(*outcome);
+    }
+
+    [[nodiscard]] constexpr deadline poll_deadline() const noexcept
+    {
+        return has_begun_ and not is_due_ ? deadline{due_} : deadline{};
+    }
+
+    /// Never: the cycle goes on until it is no longer asked.
+    [[nodiscard]] static constexpr bool settled() noexcept { return false; }
+
+private:
+    enum class step : std::uint8_t { look, look_for_fault, exchange, read, write };
+
+    static constexpr duration safe_period(cyclic_options const& options) noexcept
+    {
+        duration const limit = options.drive_timeout.microseconds != 0 ? options.drive_timeout
+                                                                       : Device::silence.factory;
+        duration const third{limit.microseconds / 3};
+        return options.period < third ? options.period : third;
+    }
+
+    constexpr step first_step() const noexcept
+    {
+        return words::fits_function_23 and options_.by_function_23 ? step::exchange : step::read;
+    }
+
+    /// Puts the question of this step into the frame; its size.
+    constexpr std::size_t make_frame() noexcept
+    {
+        constexpr drive_profile const& profile = Device::profile;
+        switch (step_) {
+        case step::look: return encoded(read_holding_registers{profile.eta, 1});
+        case step::look_for_fault: return encoded(read_holding_registers{profile.lft, 1});
+        case step::read: return encoded(read_holding_registers{words::read_from, words::inputs});
+        case step::write: return encoded(write_multiple_registers{words::write_to, output()});
+        case step::exchange: break;
+        }
+        return encoded(read_write_multiple_registers{words::read_from, words::inputs,
+                                                     words::write_to, output()});
+    }
+
+    template <pdu Question> constexpr std::size_t encoded(Question const& question) noexcept
+    {
+        auto const frame = encode_into(frame_, unit_, question);
+        return frame ? frame->size() : 0;
+    }
+
+    constexpr register_view output() noexcept
+    {
+        outputs_[0] = control_.next_command();
+        outputs_[1] = control_.reference();
+        for (std::size_t i = 0; i < words::outputs; ++i) {
+            output_block_.set(i, outputs_[i]);
+        }
+        return output_block_;
+    }
+
+    constexpr void lose(errc error) noexcept
+    {
+        control_.note_loss(error);
+        step_ = step::look;
+        wait_a_period();
+    }
+
+    constexpr void wait_a_period() noexcept
+    {
+        is_due_ = false;
+        due_ = now_ + period_;
+    }
+
+    constexpr void take(response const& answer) noexcept
+    {
+        if (step_ == step::write) {
+            step_ = first_step();
+            return wait_a_period();
+        }
+        constexpr std::size_t words_from = 2;
+        byte_view const pdu = answer.pdu();
+        register_view const read{pdu.subspan(words_from)};
+        if (step_ == step::look) {
+            control_.note_status(read[0]);
+            step_ = step::look_for_fault;
+            return;
+        }
+        if (step_ == step::look_for_fault) {
+            control_.note_fault(read[0]);
+            step_ = first_step();
+            return;
+        }
+        for (std::size_t i = 0; i < words::inputs; ++i) {
+            inputs_[i] = read[i];
+        }
+        bool const was_in_fault = is_in_fault(control_.state());
+        control_.note_status(inputs_[words::status_at]);
+        if (step_ == step::read) {
+            step_ = step::write;
+        } else {
+            wait_a_period();
+        }
+        if (not was_in_fault and is_in_fault(control_.state())) {
+            step_ = step::look_for_fault;
+        }
+    }
+
+    static constexpr std::size_t frame_size =
+        13 + 2 * (words::outputs > 2 ? words::outputs : std::size_t{2});
+
+    cyclic_control control_{};
+    cyclic_options options_;
+    duration period_;
+    instant now_{};
+    instant due_{};
+    instant climb_end_{};
+    std::array<std::byte, frame_size> frame_{};
+    std::array<std::uint16_t, words::outputs> outputs_{};
+    std::array<std::uint16_t, words::inputs> inputs_{};
+    register_block<words::outputs> output_block_{};
+    unit_id unit_;
+    step step_{step::look};
+    bool has_begun_{false};
+    bool is_due_{false};
+};
+
+} // namespace rtuwire::altivar

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Runs a script as a conversation with one unit: single reads and writes, pauses, and a time limit.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <rtuwire/altivar/script.hpp>
+#include <rtuwire/client/conversation.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/pdu/write_single_register.hpp>
+
+namespace rtuwire::altivar {
+
+/// The conversation of a script. It ends by its limit, counted from the first `advance`, or at the end
+/// of the one question that is then under way or still has to be asked to leave the drive safe.
+template <typename Script> class drive_talk {
+public:
+    constexpr drive_talk(unit_id unit, Script const& script, duration limit) noexcept
+        : script_{script}, limit_{limit}, unit_{unit}
+    {}
+
+    /// Lets time pass: starts the clock, ends pauses, and the whole at its limit.
+    constexpr void advance(instant now) noexcept
+    {
+        now_ = now;
+        if (not has_begun_) {
+            has_begun_ = true;
+            late_at_ = now + limit_;
+            take(script_.step({event::kind::begun}));
+        }
+        if (settled() or is_asking_) {
+            return;
+        }
+        if (not is_late_ and reached(now, late_at_)) {
+            is_late_ = true;
+            take(script_.step({event::kind::late}));
+        } else if (wish_.what == wish::kind::pause and reached(now, pause_end_)) {
+            take(script_.step({event::kind::pause_over}));
+        }
+    }
+
+    constexpr std::optional<request> next() noexcept
+    {
+        bool const has_question = wish_.what == wish::kind::read or wish_.what == wish::kind::write;
+        if (not has_begun_ or not has_question) {
+            return std::nullopt;
+        }
+        is_asking_ = true;
+        return request{frame_};
+    }
+
+    constexpr void accept(result<response> const& outcome) noexcept
+    {
+        is_asking_ = false;
+        if (settled()) {
+            return;
+        }
+        take(script_.step(heard(outcome)));
+    }
+
+    /// When `advance` has something to do; nothing while a question is under way.
+    [[nodiscard]] constexpr deadline poll_deadline() const noexcept
+    {
+        if (settled() or is_asking_ or not has_begun_) {
+            return {};
+        }
+        deadline const limit = is_late_ ? deadline{} : deadline{late_at_};
+        return wish_.what == wish::kind::pause ? earlier(limit, pause_end_) : limit;
+    }
+
+    /// Whether the ending is there.
+    [[nodiscard]] constexpr bool settled() const noexcept
+    {
+        return has_begun_ and wish_.what == wish::kind::end;
+    }
+
+    /// How it ended; `pending` until it is settled.
+    [[nodiscard]] constexpr altivar::reason reason() const noexcept
+    {
+        return settled() ? script_.reason() : altivar::reason{};
+    }
+
+    /// Whether it ended as wished.
+    [[nodiscard]] constexpr bool succeeded() const noexcept
+    {
+        return reason().how == ending::succeeded;
+    }
+
+protected:
+    [[nodiscard]] constexpr Script const& told() const noexcept { return script_; }
+
+private:
+    constexpr event heard(result<response> const& outcome) const noexcept
+    {
+        if (not outcome) {
+            return {event::kind::failed, 0, outcome.error()};
+        }
+        if (wish_.what == wish::kind::write) {
+            return {event::kind::written};
+        }
+        constexpr std::size_t size_of_one = 4;
+        byte_view const pdu = outcome->pdu();
+        if (pdu.size() != size_of_one) {
+            return {event::kind::failed, 0, errc::wrong_length};
+        }
+        return {event::kind::word_read, u16_at(pdu, 2)};
+    }
+
+    constexpr void take(wish next) noexcept
+    {
+        // After the limit one question is granted, and no pause.
+        bool const is_question = next.what == wish::kind::read or next.what == wish::kind::write;
+        if (is_late_ and (next.what == wish::kind::pause or (is_question and was_granted_))) {
+            next = script_.give_up();
+        }
+        was_granted_ = was_granted_ or (is_late_ and is_question);
+        wish_ = next;
+        pause_end_ = now_ + next.length;
+        if (next.what == wish::kind::read) {
+            static_cast<void>(encode_into(frame_, unit_, read_holding_registers{next.address, 1}));
+        } else if (next.what == wish::kind::write) {
+            static_cast<void>(
+                encode_into(frame_, unit_, write_single_register{next.address, next.word}));
+        }
+    }
+
+    Script script_;
+    wish wish_{wish::kind::pause};
+    duration limit_;
+    instant now_{};
+    instant late_at_{};
+    instant pause_end_{};
+    std::array<std::byte, 8> frame_{};
+    unit_id unit_;
+    bool has_begun_{false};
+    bool is_asking_{false};
+    bool is_late_{false};
+    bool was_granted_{false};
+};
+
+} // namespace rtuwire::altivar

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What a controller has to know of a drive beyond its registers: where its words stand and how its
+// chart differs. Each device carries one as data, so that no conversation asks for a model's name.
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/cia402/transition.hpp>
+#include <rtuwire/core/time.hpp>
+
+namespace rtuwire::altivar {
+
+/// Status bits that all Altivars share, beside those of the state.
+inline constexpr std::uint16_t remote_bit = 0x0200; ///< 0 in local control
+inline constexpr std::uint16_t reference_reached_bit = 0x0400;
+inline constexpr std::uint16_t reference_limited_bit = 0x0800; ///< below LSP or above HSP
+inline constexpr std::uint16_t stop_key_bit = 0x4000;
+inline constexpr std::uint16_t runs_backwards_bit = 0x8000;
+
+/// Control bits that all Altivars share.
+inline constexpr std::uint16_t reverse_bit = 0x0800;
+inline constexpr std::uint16_t save_bit = 0x0002; ///< of CMI
+
+/// Addresses and habits of one device.
+struct drive_profile {
+    std::uint16_t cmd; ///< control word
+    std::uint16_t eta; ///< status word
+    std::uint16_t lft; ///< last fault
+    std::uint16_t cmi; ///< extended control word
+    std::uint16_t eti; ///< extended status word
+    std::uint16_t rfr; ///< output frequency, signed, 0.1 Hz
+    cia402::chart_options chart{};
+    bool mains_bit_is_inverted{false};      ///< status bit 4 is 1 without mains
+    bool refuses_commands_in_local{false};  ///< with an exception, instead of ignoring them
+    bool falls_back_when_configured{true};  ///< from "switched on", by transition 10
+    bool shows_eeprom_access{true};         ///< ETI bit 0 is 1 while it saves
+    std::uint16_t halt{cia402::halt_bit};   ///< or-ed to the control word; 0: has no halt
+    std::uint16_t dc_injection{0};          ///< the control word that brakes so; 0: by none
+    duration eeprom_time{milliseconds(50)}; ///< without communication while it saves
+    std::uint8_t scanner_words{0};          ///< slots each way; 0: has no scanner
+};
+
+} // namespace rtuwire::altivar

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// How a conversation with a drive ended, and what was known of the drive then.
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/cia402/state.hpp>
+#include <rtuwire/core/text.hpp>
+#include <rtuwire/wire/errc.hpp>
+
+namespace rtuwire::altivar {
+
+/// How it ended.
+enum class ending : std::uint8_t {
+    pending, ///< it has not
+    succeeded,
+    refused,               ///< by an exception, which `error` tells
+    silent,                ///< no answer was accepted; `error` tells why
+    stuck,                 ///< the state did not change in time, or fell back
+    in_fault,              ///< the drive is in fault; `fault` is its LFT
+    local_control,         ///< somebody at the drive has the command
+    reference_limited,     ///< done, but the reference is outside LSP..HSP
+    refused_while_running, ///< only a stopped drive takes this
+    unsupported,           ///< this drive cannot do that
+};
+
+/// An ending with what was known.
+struct reason {
+    ending how{ending::pending};
+    errc error{errc::none};
+    cia402::state state{cia402::state::unknown}; ///< the last one seen
+    std::uint16_t fault{0};                      ///< LFT, where it was read; 0 otherwise
+
+    friend constexpr bool operator==(reason const&, reason const&) noexcept = default;
+};
+
+/// An ending in words.
+[[nodiscard]] constexpr text name_of(ending how) noexcept
+{
+    switch (how) {
+    case ending::pending: return "under way";
+    case ending::succeeded: return "done";
+    case ending::refused: return "refused by the drive";
+    case ending::silent: return "no answer";
+    case ending::stuck: return "the drive does not follow";
+    case ending::in_fault: return "the drive is in fault";
+    case ending::local_control: return "the drive is in local control";
+    case ending::reference_limited: return "the reference is outside the drive's limits";
+    case ending::refused_while_running: return "only possible while the motor is stopped";
+    case ending::unsupported: return "this drive cannot do that";
+    }
+    return "unknown";
+}
+
+} // namespace rtuwire::altivar

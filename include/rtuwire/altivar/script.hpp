@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// A script decides, `drive_talk` acts: what happened goes in as an event, what to do next comes out as
+// a wish. So each start, stop or reset is a small function of words, without frames and clocks.
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/altivar/profile.hpp>
+#include <rtuwire/altivar/reason.hpp>
+
+namespace rtuwire::altivar {
+
+/// What happened.
+struct event {
+    enum class kind : std::uint8_t {
+        begun,
+        word_read,  ///< `word` is what was read
+        written,    ///< the drive confirmed the write
+        failed,     ///< `error` tells why a read or write was not
+        pause_over, ///< the pause that was wished for
+        late,       ///< the time limit; one more wish is granted
+    };
+    kind what;
+    std::uint16_t word{0};
+    errc error{errc::none};
+};
+
+/// What to do next.
+struct wish {
+    enum class kind : std::uint8_t { read, write, pause, end };
+    kind what;
+    std::uint16_t address{0};
+    std::uint16_t word{0};
+    duration length{};
+};
+
+[[nodiscard]] constexpr wish to_read(std::uint16_t address) noexcept
+{
+    return {wish::kind::read, address, 0, {}};
+}
+[[nodiscard]] constexpr wish to_write(std::uint16_t address, std::uint16_t word) noexcept
+{
+    return {wish::kind::write, address, word, {}};
+}
+[[nodiscard]] constexpr wish to_pause(duration length) noexcept
+{
+    return {wish::kind::pause, 0, 0, length};
+}
+
+/// Between two looks at a word that has to change.
+inline constexpr duration look_period = milliseconds(50);
+
+/// What every script has: the drive's profile, and why it ended.
+class script {
+public:
+    [[nodiscard]] constexpr altivar::reason const& reason() const noexcept { return reason_; }
+
+protected:
+    explicit constexpr script(drive_profile const& profile) noexcept : profile_{&profile} {}
+
+    [[nodiscard]] constexpr drive_profile const& profile() const noexcept { return *profile_; }
+
+    /// Ends; the first ending counts.
+    constexpr wish end(ending how, errc error = errc::none) noexcept
+    {
+        if (reason_.how == ending::pending) {
+            reason_.how = how;
+            reason_.error = error;
+        }
+        return {wish::kind::end, 0, 0, {}};
+    }
+
+    /// Ends because a question failed.
+    constexpr wish end(errc error) noexcept
+    {
+        return end(is_exception(error) ? ending::refused : ending::silent, error);
+    }
+
+    /// Keeps the state that a status word tells.
+    constexpr cia402::state note(std::uint16_t status_word) noexcept
+    {
+        reason_.state = cia402::decode(status_word);
+        return reason_.state;
+    }
+
+    constexpr wish end_in_fault(std::uint16_t code) noexcept
+    {
+        reason_.fault = code;
+        return end(ending::in_fault);
+    }
+
+private:
+    drive_profile const* profile_;
+    altivar::reason reason_{};
+};
+
+[[nodiscard]] constexpr bool is_in_fault(cia402::state at) noexcept
+{
+    return at == cia402::state::fault or at == cia402::state::fault_reaction_active;
+}
+
+} // namespace rtuwire::altivar

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// The commands of the drive profile and the control words that give them.
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/core/text.hpp>
+
+namespace rtuwire::cia402 {
+
+/// What a control word asks for. "Switch on" and "disable operation" are one word, which the state
+/// tells apart.
+enum class command : std::uint8_t {
+    none, ///< a word that asks for nothing
+    shutdown,
+    switch_on,
+    enable_operation,
+    disable_voltage,
+    quick_stop,
+    fault_reset,
+};
+
+/// Bits of the control word that are not a command.
+inline constexpr std::uint16_t halt_bit = 0x0100;
+inline constexpr std::uint16_t fault_reset_bit = 0x0080;
+
+/// The control word of a command; 0 for `none`, which is also "disable voltage".
+[[nodiscard]] constexpr std::uint16_t word_of(command what) noexcept
+{
+    switch (what) {
+    case command::none:
+    case command::disable_voltage: return 0x0000;
+    case command::shutdown: return 0x0006;
+    case command::switch_on: return 0x0007;
+    case command::enable_operation: return 0x000F;
+    case command::quick_stop: return 0x0002;
+    case command::fault_reset: return fault_reset_bit;
+    }
+    return 0x0000;
+}
+
+/// What a control word asks for, given the one before it: a fault reset is a rising edge of bit 7, and
+/// where it is one, nothing else counts.
+[[nodiscard]] constexpr command recognise(std::uint16_t before, std::uint16_t word) noexcept
+{
+    if ((word & fault_reset_bit) != 0) {
+        return (before & fault_reset_bit) == 0 ? command::fault_reset : command::none;
+    }
+    if ((word & 0x02) == 0) {
+        return command::disable_voltage;
+    }
+    if ((word & 0x04) == 0) {
+        return command::quick_stop;
+    }
+    if ((word & 0x01) == 0) {
+        return command::shutdown;
+    }
+    return (word & 0x08) == 0 ? command::switch_on : command::enable_operation;
+}
+
+/// A command in the profile's words.
+[[nodiscard]] constexpr text name_of(command what) noexcept
+{
+    switch (what) {
+    case command::none: break;
+    case command::shutdown: return "shutdown";
+    case command::switch_on: return "switch on";
+    case command::enable_operation: return "enable operation";
+    case command::disable_voltage: return "disable voltage";
+    case command::quick_stop: return "quick stop";
+    case command::fault_reset: return "fault reset";
+    }
+    return "none";
+}
+
+} // namespace rtuwire::cia402

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// The states of a drive (CiA 402, IEC 61800-7-201) and the status word that tells them. Vendor neutral:
+// knows neither a bus nor a drive. A word that fits no state decodes to `unknown`; it is never guessed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <rtuwire/core/text.hpp>
+
+namespace rtuwire::cia402 {
+
+/// Where a drive stands.
+enum class state : std::uint8_t {
+    unknown, ///< the status word says nothing that the profile knows
+    not_ready_to_switch_on,
+    switch_on_disabled,
+    ready_to_switch_on,
+    switched_on,
+    operation_enabled,
+    quick_stop_active,
+    fault_reaction_active,
+    fault,
+};
+
+/// The bits of a status word that say one state.
+struct state_pattern {
+    std::uint16_t mask;
+    std::uint16_t value;
+    state meaning;
+};
+
+/// The eight patterns; no word fits two of them.
+inline constexpr std::array<state_pattern, 8> state_patterns{{
+    {0x4F, 0x00, state::not_ready_to_switch_on},
+    {0x4F, 0x40, state::switch_on_disabled},
+    {0x6F, 0x21, state::ready_to_switch_on},
+    {0x6F, 0x23, state::switched_on},
+    {0x6F, 0x27, state::operation_enabled},
+    {0x6F, 0x07, state::quick_stop_active},
+    {0x4F, 0x0F, state::fault_reaction_active},
+    {0x4F, 0x08, state::fault},
+}};
+
+/// The state that a status word tells. Bit 4 says nothing here: drives differ in its sense.
+[[nodiscard]] constexpr state decode(std::uint16_t status_word) noexcept
+{
+    for (state_pattern const& each : state_patterns) {
+        if ((status_word & each.mask) == each.value) {
+            return each.meaning;
+        }
+    }
+    return state::unknown;
+}
+
+/// The bits 0 to 6 that a drive in a state shows, quick stop bit high where it is free; 0 for `unknown`.
+[[nodiscard]] constexpr std::uint16_t status_bits(state of) noexcept
+{
+    constexpr std::uint16_t no_quick_stop = 0x20;
+    for (state_pattern const& each : state_patterns) {
+        if (each.meaning == of) {
+            bool const is_free = (each.mask & no_quick_stop) == 0;
+            return static_cast<std::uint16_t>(each.value | (is_free ? no_quick_stop : 0));
+        }
+    }
+    return 0;
+}
+
+/// Whether the drive may be turning its motor by itself.
+[[nodiscard]] constexpr bool has_power(state of) noexcept
+{
+    return of == state::operation_enabled or of == state::quick_stop_active or
+           of == state::fault_reaction_active;
+}
+
+/// A state in the profile's words.
+[[nodiscard]] constexpr text name_of(state of) noexcept
+{
+    switch (of) {
+    case state::unknown: break;
+    case state::not_ready_to_switch_on: return "not ready to switch on";
+    case state::switch_on_disabled: return "switch on disabled";
+    case state::ready_to_switch_on: return "ready to switch on";
+    case state::switched_on: return "switched on";
+    case state::operation_enabled: return "operation enabled";
+    case state::quick_stop_active: return "quick stop active";
+    case state::fault_reaction_active: return "fault reaction active";
+    case state::fault: return "fault";
+    }
+    return "unknown";
+}
+
+} // namespace rtuwire::cia402

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// The transitions of the drive profile, with their numbers, and which command leads where. What a drive
+// does besides is a `chart_options`, so that one chart serves all.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <rtuwire/cia402/command.hpp>
+#include <rtuwire/cia402/state.hpp>
+#include <rtuwire/core/text.hpp>
+
+namespace rtuwire::cia402 {
+
+/// The number of a transition. 3B is the short way of some drives from "ready" to "operation enabled";
+/// the profile's 16, from "quick stop active" back to operation, is one that a drive may lack.
+enum class transition : std::uint8_t {
+    t0,
+    t1,
+    t2,
+    t3,
+    t4,
+    t5,
+    t6,
+    t7,
+    t8,
+    t9,
+    t10,
+    t11,
+    t12,
+    t13,
+    t14,
+    t15,
+    t16,
+    t3b,
+    none = 0xFF,
+};
+
+/// How a drive's chart differs from the profile's.
+struct chart_options {
+    bool enables_from_ready{false};      ///< has transition 3B
+    bool quick_stop_waits{false};        ///< transition 12 waits for "disable voltage"
+    bool resumes_from_quick_stop{false}; ///< has transition 16
+};
+
+/// One arrow that a command makes a drive go along.
+struct arrow {
+    transition number;
+    state from;
+    command cause;
+    state to;
+};
+
+/// The arrows that commands cause. The others happen by themselves: 0 and 1 at power-up, 12 at the end
+/// of a quick stop, 13 and 14 when a fault is detected.
+inline constexpr std::array<arrow, 16> arrows{{
+    {transition::t2, state::switch_on_disabled, command::shutdown, state::ready_to_switch_on},
+    {transition::t3, state::ready_to_switch_on, command::switch_on, state::switched_on},
+    {transition::t3b, state::ready_to_switch_on, command::enable_operation,
+     state::operation_enabled},
+    {transition::t4, state::switched_on, command::enable_operation, state::operation_enabled},
+    {transition::t5, state::operation_enabled, command::switch_on, state::switched_on},
+    {transition::t6, state::switched_on, command::shutdown, state::ready_to_switch_on},
+    {transition::t7, state::ready_to_switch_on, command::disable_voltage,
+     state::switch_on_disabled},
+    {transition::t7, state::ready_to_switch_on, command::quick_stop, state::switch_on_disabled},
+    {transition::t8, state::operation_enabled, command::shutdown, state::ready_to_switch_on},
+    {transition::t9, state::operation_enabled, command::disable_voltage, state::switch_on_disabled},
+    {transition::t10, state::switched_on, command::disable_voltage, state::switch_on_disabled},
+    {transition::t10, state::switched_on, command::quick_stop, state::switch_on_disabled},
+    {transition::t11, state::operation_enabled, command::quick_stop, state::quick_stop_active},
+    {transition::t12, state::quick_stop_active, command::disable_voltage,
+     state::switch_on_disabled},
+    {transition::t15, state::fault, command::fault_reset, state::switch_on_disabled},
+    {transition::t16, state::quick_stop_active, command::enable_operation,
+     state::operation_enabled},
+}};
+
+/// Whether a drive with these options has an arrow at all.
+[[nodiscard]] constexpr bool is_present(transition number, chart_options const& options) noexcept
+{
+    if (number == transition::t3b) {
+        return options.enables_from_ready;
+    }
+    return number != transition::t16 or options.resumes_from_quick_stop;
+}
+
+/// Where a command leads from a state, and by which arrow; the same state and `none` where it is not
+/// accepted.
+[[nodiscard]] constexpr arrow step(state from, command cause, chart_options const& options) noexcept
+{
+    for (arrow const& each : arrows) {
+        if (each.from == from and each.cause == cause and is_present(each.number, options)) {
+            return each;
+        }
+    }
+    return {transition::none, from, cause, from};
+}
+
+/// The number of a transition as the diagrams print it.
+[[nodiscard]] constexpr text name_of(transition number) noexcept
+{
+    constexpr std::array<text, 18> names{"0", "1",  "2",  "3",  "4",  "5",  "6",  "7",  "8",
+                                         "9", "10", "11", "12", "13", "14", "15", "16", "3B"};
+    auto const at = static_cast<std::uint8_t>(number);
+    return at < names.size() ? names[at] : text{"none"};
+}
+
+} // namespace rtuwire::cia402

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// The registers of a whole device as words: found by address for the line, by mnemonic for the model.
+// Checks what each may hold, limits that hang on other registers too.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/sim/factory.hpp>
+#include <rtuwire/table/device.hpp>
+#include <rtuwire/table/key_index.hpp>
+#include <rtuwire/table/setting.hpp>
+#include <rtuwire/wire/errc.hpp>
+
+namespace rtuwire::sim {
+
+/// What an image has to know of one register.
+struct register_rule {
+    text code;
+    access mode;
+    bool is_signed;
+    bound min;
+    bound max;
+    std::uint16_t factory;
+    std::int32_t steps_per_unit; ///< 10 where it counts tenths; 1 where it is no quantity
+};
+
+/// How many steps of a register make one whole unit.
+template <auto const& R> [[nodiscard]] constexpr std::int32_t steps_per_unit() noexcept
+{
+    if constexpr (register_quantity<value_of<R>>) {
+        using scale = typename value_of<R>::scale;
+        return static_cast<std::int32_t>(scale::den / scale::num);
+    } else {
+        return 1;
+    }
+}
+
+/// The rules of a table's registers, in its order.
+template <typename Table> struct rules_of;
+template <auto const&... Registers> struct rules_of<table<Registers...>> {
+    static constexpr std::size_t count = sizeof...(Registers);
+    static constexpr std::array<register_rule, count> list{register_rule{
+        Registers.code, Registers.mode, lowest<Registers>() < 0, Registers.min, Registers.max,
+        Registers.factory ? static_cast<std::uint16_t>(*Registers.factory)
+                          : factory_value_of(Registers.code),
+        steps_per_unit<Registers>()}...};
+    static constexpr std::array<text, count> codes{Registers.code...};
+    static constexpr std::array<std::uint16_t, count> addresses{Registers.address...};
+};
+
+/// The words of all registers of a device, as delivered first.
+template <device_type Device> class image {
+    using rules = rules_of<typename Device::registers>;
+    static constexpr key_index<text, rules::count> by_code{rules::codes};
+    static constexpr key_index<std::uint16_t, rules::count> by_address{rules::addresses};
+
+public:
+    /// The place of no register. What is put there is lost, and it reads 0.
+    static constexpr std::size_t nowhere = rules::count;
+
+    using words = std::array<std::uint16_t, rules::count>;
+
+    [[nodiscard]] static constexpr std::size_t at(text code) noexcept { return by_code.find(code); }
+    [[nodiscard]] static constexpr std::size_t at_address(std::size_t address) noexcept
+    {
+        return address > 0xFFFF ? nowhere : by_address.find(static_cast<std::uint16_t>(address));
+    }
+    [[nodiscard]] static constexpr register_rule const& rule(std::size_t place) noexcept
+    {
+        return rules::list[place];
+    }
+
+    [[nodiscard]] constexpr std::uint16_t get(std::size_t place) const noexcept
+    {
+        return place == nowhere ? std::uint16_t{0} : words_[place];
+    }
+    [[nodiscard]] constexpr std::int32_t get_signed(std::size_t place) const noexcept
+    {
+        return static_cast<std::int16_t>(get(place));
+    }
+
+    /// Puts a value, cut off at the ends of a word.
+    constexpr void put(std::size_t place, std::int64_t value) noexcept
+    {
+        if (place == nowhere) {
+            return;
+        }
+        std::int64_t const least = rule(place).is_signed ? -0x8000 : 0;
+        std::int64_t const most = rule(place).is_signed ? 0x7FFF : 0xFFFF;
+        std::int64_t const cut = value < least ? least : value > most ? most : value;
+        words_[place] = static_cast<std::uint16_t>(cut);
+    }
+
+    /// Whether a register takes a word; `illegal_data_value` outside its limits.
+    [[nodiscard]] constexpr errc check(std::size_t place, std::uint16_t word) const noexcept
+    {
+        register_rule const& known = rule(place);
+        std::int32_t const raw = known.is_signed ? static_cast<std::int16_t>(word) : word;
+        bool const is_inside = (known.min.is_open() or raw >= limit(known.min)) and
+                               (known.max.is_open() or raw <= limit(known.max));
+        return is_inside ? errc::none : errc::illegal_data_value;
+    }
+
+    [[nodiscard]] constexpr words const& all() const noexcept { return words_; }
+
+    /// Sets every register that a client may write to what `saved` holds of it.
+    constexpr void restore(words const& saved) noexcept
+    {
+        for (std::size_t i = 0; i < rules::count; ++i) {
+            if (rule(i).mode != access::read_only) {
+                words_[i] = saved[i];
+            }
+        }
+    }
+
+    /// The words as delivered.
+    [[nodiscard]] static constexpr words factory() noexcept
+    {
+        words all{};
+        for (std::size_t i = 0; i < rules::count; ++i) {
+            all[i] = rule(i).factory;
+        }
+        return all;
+    }
+
+private:
+    constexpr std::int32_t limit(bound const& of) const noexcept
+    {
+        std::int32_t const factor =
+            of.factor().size() == 0 ? 1 : std::int32_t{get(at(of.factor()))};
+        return of.with(get(at(of.code())), factor);
+    }
+
+    words words_{factory()};
+};
+
+} // namespace rtuwire::sim

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// How a drive watches its serial link: from the first request on, the next must follow in time.
+#pragma once
+
+#include <rtuwire/core/time.hpp>
+
+namespace rtuwire::sim {
+
+/// Whether requests keep coming.
+class supervision {
+public:
+    /// A request has come.
+    constexpr void note_contact(instant now) noexcept
+    {
+        is_armed_ = true;
+        last_ = now;
+    }
+
+    /// Whether the time-out has passed since the last request, once; 0 is never.
+    [[nodiscard]] constexpr bool is_lost(instant now, duration time_out) noexcept
+    {
+        bool const is_over = is_armed_ and time_out.microseconds != 0 and
+                             (now - last_).microseconds >= time_out.microseconds;
+        if (is_over) {
+            is_armed_ = false;
+        }
+        return is_over;
+    }
+
+private:
+    instant last_{};
+    bool is_armed_{false};
+};
+
+} // namespace rtuwire::sim

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// A simulated drive at an address of a line: the drive, its server and what it says of itself.
+#pragma once
+
+#include <array>
+
+#include <rtuwire/server/server.hpp>
+#include <rtuwire/sim/drive.hpp>
+
+namespace rtuwire::sim {
+
+/// The functions, limits and identification of a device, as a server answers them.
+template <device_type Device> struct line_profile {
+    static constexpr std::array<device_object, 3> objects{
+        {{vendor_name, "rtuwire"}, {product_code, Device::name}, {major_minor_revision, "0201"}}};
+    static constexpr server_profile value{
+        Device::functions, Device::limits,
+        Device::functions.contains(function_code::encapsulated_interface) ? device_objects{objects}
+                                                                          : device_objects{}};
+};
+
+/// A drive on a line. Call `receive`, `sent` and `advance` as for a server; then send what
+/// `poll_transmit` gives.
+template <device_type Device> class unit {
+public:
+    constexpr unit(unit_id address, line_timing const& line, instant now) noexcept
+        : node_{address, line, line_profile<Device>::value}, drive_{now}
+    {}
+
+    constexpr void receive(byte_view octets, instant now) noexcept { node_.receive(octets, now); }
+    constexpr void sent(instant now) noexcept { node_.sent(now); }
+
+    /// Lets time pass for the drive and its server, and serves a request that is there.
+    constexpr void advance(instant now) noexcept
+    {
+        drive_.advance(now);
+        node_.advance(now);
+        if (node_.is_asked()) {
+            drive_.note_contact();
+            node_.serve(drive_, now);
+        }
+    }
+
+    [[nodiscard]] constexpr byte_view poll_transmit() noexcept { return node_.poll_transmit(); }
+    [[nodiscard]] constexpr deadline poll_deadline() const noexcept
+    {
+        return node_.poll_deadline();
+    }
+
+    [[nodiscard]] constexpr drive<Device>& inside() noexcept { return drive_; }
+    [[nodiscard]] constexpr drive<Device> const& inside() const noexcept { return drive_; }
+
+private:
+    server node_;
+    drive<Device> drive_;
+};
+
+} // namespace rtuwire::sim

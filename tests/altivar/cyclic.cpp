@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The cycle: the manuals' frames, and what it does when something goes wrong.
+#include <rtuwire/altivar/cyclic.hpp>
+
+#include <string>
+
+#include "support/catch.hpp"
+#include "support/party_line.hpp"
+
+#include <rtuwire/altivar/atv12.hpp>
+#include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/atv310.hpp>
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/broadcast.hpp>
+#include <rtuwire/altivar/identify.hpp>
+#include <rtuwire/altivar/reset_fault.hpp>
+#include <rtuwire/core/hex.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+using state = cia402::state;
+
+namespace {
+
+constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
+
+/// A controller that cycles, and the drive.
+template <typename Device> struct running : test::party_line<client, Device> {
+    cyclic<Device> loop;
+
+    explicit running(cyclic_options const& options = {}, unit_id address = unit_id{3})
+        : test::party_line<client, Device>{client{test::party_timing, patient}},
+          loop{*station<Device>::checked(address.octet()), options}
+    {
+        this->add(address);
+        this->idle(milliseconds(20));
+    }
+
+    void pass(duration length)
+    {
+        this->run([&](instant now) { this->link().converse(loop, now); }, [] { return false; },
+                  length);
+    }
+    sim::drive<Device>& far() { return this->drive(0); }
+    state now_in() { return far().chart().state(); }
+
+    bool order()
+    {
+        if constexpr (cycle_words<Device>::has_scanner) {
+            return loop.run(1'500_rpm);
+        } else {
+            return loop.run(50_Hz);
+        }
+    }
+};
+
+/// The frame that a cycle asks next, and an answer to it.
+template <typename Device> struct by_hand {
+    cyclic<Device> loop;
+    instant now{};
+
+    bool asks(byte_view expected)
+    {
+        now = now + milliseconds(100);
+        loop.advance(now);
+        auto const question = loop.next();
+        return question and same_bytes(question->frame(), expected);
+    }
+    void say(byte_view frame)
+    {
+        auto const answer = decode_adu(frame);
+        REQUIRE(answer);
+        loop.accept(result<response>{response{answer->pdu}});
+    }
+};
+
+template <typename Device> void runs_a_drive()
+{
+    INFO(std::string(Device::name.begin(), Device::name.end()));
+    running<Device> it;
+    CHECK_FALSE(it.order());
+    CHECK(it.loop.link_lost());
+    it.pass(milliseconds(500));
+    CHECK_FALSE(it.loop.link_lost());
+    CHECK(it.now_in() == state::switch_on_disabled);
+    CHECK(it.order());
+    it.pass(milliseconds(6'000));
+    CHECK(it.now_in() == state::operation_enabled);
+    CHECK(it.loop.control().is_running());
+    CHECK(it.loop.speed() == 1'500);
+    it.loop.stop();
+    it.pass(milliseconds(6'000));
+    CHECK(it.now_in() == state::switch_on_disabled);
+    CHECK(it.loop.speed() == 0);
+}
+
+template <typename Device> void never_resumes()
+{
+    INFO(std::string(Device::name.begin(), Device::name.end()));
+    running<Device> it;
+    it.pass(milliseconds(500));
+    REQUIRE(it.order());
+    it.pass(milliseconds(5'000));
+    REQUIRE(it.now_in() == state::operation_enabled);
+
+    it.cut(0, true);
+    it.pass(milliseconds(11'000));
+    CHECK(it.loop.link_lost());
+    CHECK(it.loop.control().reason().how == ending::silent);
+    CHECK(it.now_in() == state::fault);
+    CHECK_FALSE(it.order());
+    it.cut(0, false);
+    it.pass(milliseconds(5'000));
+    CHECK_FALSE(it.loop.link_lost());
+    CHECK(it.now_in() == state::fault);
+    CHECK(it.loop.control().reason().fault == 5);
+    CHECK_FALSE(it.order());
+    it.loop.reset_fault();
+    it.pass(milliseconds(2'000));
+    CHECK(it.now_in() == state::switch_on_disabled);
+    CHECK(it.order());
+    it.pass(milliseconds(2'000));
+    CHECK(it.now_in() == state::operation_enabled);
+
+    it.far().press_stop();
+    it.pass(milliseconds(5'000));
+    CHECK(it.now_in() != state::operation_enabled);
+    CHECK(it.loop.control().reason().how == ending::stuck);
+    CHECK(it.order());
+    it.pass(milliseconds(2'000));
+    CHECK(it.now_in() == state::operation_enabled);
+
+    it.far().set_local(true);
+    it.pass(milliseconds(1'000));
+    it.far().set_local(false);
+    it.pass(milliseconds(5'000));
+    CHECK(it.now_in() != state::operation_enabled);
+    CHECK(it.order());
+    it.pass(milliseconds(2'000));
+    it.far().inject_fault(9);
+    it.far().clear_cause();
+    it.pass(milliseconds(2'000));
+    CHECK(it.loop.control().reason().fault == 9);
+    it.loop.reset_fault();
+    it.pass(milliseconds(5'000));
+    CHECK(it.now_in() == state::switch_on_disabled);
+}
+
+} // namespace
+
+TEST_CASE("the application example by function 23, frame by frame")
+{
+    by_hand<atv310::device> it{cyclic{station<atv310::device>{unit_id{3}}}};
+    CHECK(it.asks("03 03 0C 81 00 01 D6 90"_hex));
+    it.say("03 03 02 02 50 C0 D8"_hex);
+    CHECK(it.asks("03 03 1B D1 00 01 D3 35"_hex));
+    it.say("03 03 02 00 00 C1 84"_hex);
+    CHECK(it.loop.run(1'500_rpm));
+    CHECK(it.asks("03 17 31 C5 00 04 31 D9 00 04 08 00 06 05 DC 00 00 00 00 0A C8"_hex));
+    it.say("03 17 08 02 31 00 00 00 00 00 00 7F 35"_hex);
+    CHECK(it.asks("03 17 31 C5 00 04 31 D9 00 04 08 00 07 05 DC 00 00 00 00 1A 08"_hex));
+    it.say("03 17 08 02 33 00 00 00 00 00 00 5C F5"_hex);
+    CHECK(it.asks("03 17 31 C5 00 04 31 D9 00 04 08 00 0F 05 DC 00 00 00 00 93 C8"_hex));
+    it.say("03 17 08 02 37 05 DC 00 00 00 00 C8 B3"_hex);
+    CHECK(it.loop.speed() == 1'500);
+    CHECK(it.loop.control().is_running());
+}
+
+TEST_CASE("the application example by functions 03 and 16, frame by frame")
+{
+    by_hand<atv12::device> it{
+        cyclic{station<atv12::device>{unit_id{3}}, {.by_function_23 = false}}};
+    CHECK(it.asks("03 03 0C 81 00 01 D6 90"_hex));
+    it.say("03 03 02 02 33 80 F1"_hex);
+    CHECK(it.asks("03 03 1B D1 00 01 D3 35"_hex));
+    it.say("03 03 02 00 00 C1 84"_hex);
+    CHECK(it.asks("03 03 31 C5 00 04 5B 2A"_hex));
+    it.say("03 03 08 02 33 00 00 00 00 00 00 1C B5"_hex);
+    CHECK(it.loop.run(1'500_rpm));
+    CHECK(it.asks("03 10 31 D9 00 04 08 00 0F 05 DC 00 00 00 00 87 2E"_hex));
+    it.say("03 10 31 D9 00 04 1F 2F"_hex);
+    CHECK(it.asks("03 03 31 C5 00 04 5B 2A"_hex));
+}
+
+TEST_CASE("every drive is kept running in a cycle")
+{
+    runs_a_drive<atv12::device>();
+    runs_a_drive<atv28::device>();
+    runs_a_drive<atv310::device>();
+    runs_a_drive<atv310::device_2026>();
+    runs_a_drive<atv320::device>();
+}
+
+TEST_CASE("no drive is made to run again after a loss, a fault, a stop key or local control")
+{
+    never_resumes<atv12::device>();
+    never_resumes<atv28::device>();
+    never_resumes<atv310::device>();
+    never_resumes<atv310::device_2026>();
+    never_resumes<atv320::device>();
+}
+
+TEST_CASE("the period never exceeds a third of the drive's time-out")
+{
+    running<atv320::device> it{{.period = milliseconds(9'000), .drive_timeout = milliseconds(900)}};
+    REQUIRE(it.far().check_write(6005, register_block{9}) == errc::none);
+    it.far().write(6005, register_block{9});
+    it.pass(milliseconds(2'000));
+    REQUIRE(it.order());
+    it.pass(milliseconds(20'000));
+    CHECK(it.now_in() == state::operation_enabled);
+}
+
+TEST_CASE("output words beyond the second are the user's, where they are")
+{
+    running<atv320::device> it;
+    it.loop.set_output(0, 0xFFFF);
+    it.loop.set_output(2, 7);
+    it.loop.set_output(99, 7);
+    it.pass(milliseconds(1'000));
+    CHECK(it.far().word("NC3") == 7);
+    CHECK(it.far().word("NC1") == 0);
+    CHECK(it.loop.input(0) == it.far().word("ETA"));
+    CHECK(it.loop.input(99) == 0);
+}
+
+TEST_CASE("a drive says who it is")
+{
+    test::party_line<client, atv320::device> line{client{test::party_timing, patient}};
+    line.add(unit_id{7});
+    line.idle(milliseconds(20));
+    identify<atv320::device> who{station<atv320::device>{unit_id{7}}};
+    REQUIRE(line.run(who));
+    REQUIRE(who.outcome());
+    CHECK(who.outcome()->product == byte_view{"61 74 76 33 32 30"_hex});
+
+    test::party_line<client, atv28::device> old{client{test::party_timing, patient}};
+    old.add(unit_id{7});
+    old.idle(milliseconds(20));
+    identify<atv28::device> words{station<atv28::device>{unit_id{7}}};
+    REQUIRE(old.run(words));
+    CHECK(words.outcome());
+    CHECK(words.latest().get<atv28::inv>() == deciamperes{23});
+}
+
+TEST_CASE("everybody stops at one word")
+{
+    test::party_line<client, atv320::device> line{client{test::party_timing, patient}};
+    line.add(unit_id{7});
+    line.add(unit_id{8});
+    line.idle(milliseconds(20));
+    for (std::size_t i = 0; i < 2; ++i) {
+        line.drive(i).write(8501, register_block{0x0006});
+        line.drive(i).write(8501, register_block{0x0007});
+        line.drive(i).write(8501, register_block{0x000F});
+        REQUIRE(line.drive(i).chart().state() == state::operation_enabled);
+    }
+    auto all = stop_everyone<atv320::device>();
+    CHECK(line.run(all));
+    CHECK(line.drive(0).chart().state() == state::switch_on_disabled);
+    CHECK(line.drive(1).chart().state() == state::switch_on_disabled);
+    CHECK(
+        same_bytes(stop_everyone<atv320::device>().next()->frame(), "00 06 21 35 00 00 92 29"_hex));
+    auto quick = stop_everyone<atv320::device>(cia402::command::quick_stop);
+    CHECK(quick.next()->frame()[5] == std::byte{2});
+}

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Control words, and every pair of a state and a command.
+#include <rtuwire/cia402/transition.hpp>
+
+#include <array>
+
+#include "support/proof.hpp"
+
+#include <rtuwire/cia402/way.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::cia402;
+
+namespace {
+
+constexpr chart_options profile{false, false, true};
+constexpr chart_options altivar{true, false, false};
+
+constexpr std::array all_states{state::unknown,
+                                state::not_ready_to_switch_on,
+                                state::switch_on_disabled,
+                                state::ready_to_switch_on,
+                                state::switched_on,
+                                state::operation_enabled,
+                                state::quick_stop_active,
+                                state::fault_reaction_active,
+                                state::fault};
+constexpr std::array all_commands{command::none,
+                                  command::shutdown,
+                                  command::switch_on,
+                                  command::enable_operation,
+                                  command::disable_voltage,
+                                  command::quick_stop,
+                                  command::fault_reset};
+
+/// The numbers of the transitions, a row for each state in the order above, a column for each command.
+/// -1: not accepted; 30: 3B, which only some drives have; 16: which only others have.
+constexpr int chart[9][7] = {
+    //  none shutdown switch_on enable disable quick reset
+    {-1, -1, -1, -1, -1, -1, -1}, // unknown
+    {-1, -1, -1, -1, -1, -1, -1}, // not ready to switch on
+    {-1, 2, -1, -1, -1, -1, -1},  // switch on disabled
+    {-1, -1, 3, 30, 7, 7, -1},    // ready to switch on
+    {-1, 6, -1, 4, 10, 10, -1},   // switched on
+    {-1, 8, 5, -1, 9, 11, -1},    // operation enabled
+    {-1, -1, -1, 16, 12, -1, -1}, // quick stop active
+    {-1, -1, -1, -1, -1, -1, -1}, // fault reaction active
+    {-1, -1, -1, -1, -1, -1, 15}, // fault
+};
+
+constexpr transition expected(int number, chart_options const& options)
+{
+    switch (number) {
+    case -1: return transition::none;
+    case 30: return options.enables_from_ready ? transition::t3b : transition::none;
+    case 16: return options.resumes_from_quick_stop ? transition::t16 : transition::none;
+    default: return static_cast<transition>(number);
+    }
+}
+
+constexpr bool follows_the_chart()
+{
+    for (auto const& options : {profile, altivar}) {
+        for (std::size_t row = 0; row < all_states.size(); ++row) {
+            for (std::size_t column = 0; column < all_commands.size(); ++column) {
+                arrow const taken = step(all_states[row], all_commands[column], options);
+                bool const stays = taken.to == all_states[row];
+                if (taken.number != expected(chart[row][column], options) or
+                    stays != (taken.number == transition::none)) {
+                    return false;
+                }
+            }
+        }
+    }
+    return true;
+}
+PROOF("every pair of a state and a command takes the profile's arrow or none", follows_the_chart)
+
+constexpr bool recognises_its_words()
+{
+    for (command const each : all_commands) {
+        if (each != command::none and recognise(0, word_of(each)) != each) {
+            return false;
+        }
+    }
+    return recognise(0x80, 0x80) == command::none and recognise(0x80, 0x8F) == command::none and
+           recognise(0, 0x86) == command::fault_reset and
+           recognise(0x80, 0x06) == command::shutdown and
+           recognise(0, 0x080F) == command::enable_operation and
+           recognise(0, 0x010F) == command::enable_operation and
+           recognise(0, 0x000B) == command::quick_stop and
+           recognise(0, 0x000E) == command::shutdown and
+           recognise(0, 0x000D) == command::disable_voltage;
+}
+PROOF("control words are recognised by their bits, a fault reset by its edge", recognises_its_words)
+
+/// Follows the commands toward a goal until none is left; whether that ends in the goal.
+template <typename Toward, typename Goal>
+constexpr bool arrives(state from, Toward toward, Goal is_goal)
+{
+    for (unsigned steps = 0; steps < 8; ++steps) {
+        command const next = toward(from);
+        if (next == command::none) {
+            return is_goal(from);
+        }
+        from = step(from, next, altivar).to;
+    }
+    return false;
+}
+
+constexpr bool leads_to_the_goals()
+{
+    for (state const from : all_states) {
+        bool const can_climb = height_of(from) > 0;
+        bool const runs =
+            arrives(from, toward_running, [](state at) { return at == state::operation_enabled; });
+        bool const stops = arrives(from, toward_stopped, [](state at) {
+            return at != state::operation_enabled and at != state::switched_on and
+                   at != state::quick_stop_active;
+        });
+        bool const clears =
+            arrives(from, toward_cleared, [](state at) { return at != state::fault; });
+        if (runs != can_climb or not stops or not clears) {
+            return false;
+        }
+    }
+    return true;
+}
+PROOF("the ways end where they lead, from every state", leads_to_the_goals)
+
+STATIC_CHECK(name_of(transition::t3b) == text{"3B"} and name_of(transition::t0) == text{"0"});
+STATIC_CHECK(name_of(transition::none) == text{"none"});
+STATIC_CHECK(name_of(command::quick_stop) == text{"quick stop"});
+STATIC_CHECK(word_of(command::fault_reset) == 0x0080 and word_of(command::none) == 0);
+
+} // namespace

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A client's end and simulated drives on one virtual wire: octets take their time, everybody hears
+// everybody, and time jumps from one deadline to the next.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <rtuwire/client/bus.hpp>
+#include <rtuwire/sim/unit.hpp>
+
+namespace rtuwire::test {
+
+inline constexpr line_timing party_timing{19'200, character_format::even_8_1};
+
+/// The wire. `Link` is a client or a bus. `converse` is what its owner does in each pass.
+template <typename Link, typename Device> class party_line {
+public:
+    explicit party_line(Link link, instant start = {}) : link_{link}, now_{start} {}
+
+    Link& link() { return link_; }
+    instant now() const { return now_; }
+    sim::unit<Device>& unit(std::size_t index) { return *units_[index]; }
+    sim::drive<Device>& drive(std::size_t index = 0) { return units_[index]->inside(); }
+
+    void add(unit_id address)
+    {
+        units_.push_back(std::make_unique<sim::unit<Device>>(address, party_timing, now_));
+        is_cut_.push_back(false);
+        answers_.push_back(0);
+    }
+
+    /// Takes a unit off the wire, or puts it back.
+    void cut(std::size_t index, bool is_cut) { is_cut_[index] = is_cut; }
+
+    /// Frames of a unit that the client's end heard.
+    std::size_t answers(std::size_t index) const { return answers_[index]; }
+
+    /// One pass at `now`, and the jump to the next thing that happens, at most `most` away.
+    template <typename Converse> void step(Converse converse, duration most)
+    {
+        link_.advance(now_);
+        converse(now_);
+        for (auto const& each : units_) {
+            each->advance(now_);
+        }
+        bool is_moved = false;
+        if (byte_view const frame = link_.poll_transmit(); not frame.empty()) {
+            is_moved = true;
+            pass(frame.size());
+            link_.sent(now_);
+            for (std::size_t i = 0; i < units_.size(); ++i) {
+                hear(i, frame);
+            }
+        }
+        for (std::size_t talker = 0; talker < units_.size(); ++talker) {
+            byte_view const frame = units_[talker]->poll_transmit();
+            if (frame.empty()) {
+                continue;
+            }
+            is_moved = true;
+            pass(frame.size());
+            units_[talker]->sent(now_);
+            if (is_cut_[talker]) {
+                continue;
+            }
+            link_.receive(frame, now_);
+            ++answers_[talker];
+            for (std::size_t i = 0; i < units_.size(); ++i) {
+                if (i != talker) {
+                    hear(i, frame);
+                }
+            }
+        }
+        if (not is_moved) {
+            jump(most);
+        }
+    }
+
+    /// Passes until `is_done`, or until `most` has gone by; whether it was done.
+    template <typename Converse, typename Done>
+    bool run(Converse converse, Done is_done, duration most)
+    {
+        instant const end = now_ + most;
+        while (not is_done()) {
+            if (reached(now_, end)) {
+                return false;
+            }
+            step(converse, end - now_);
+        }
+        return true;
+    }
+
+    /// Runs one conversation to its end.
+    template <conversation Talk> bool run(Talk& talk, duration most = milliseconds(60'000))
+    {
+        return run([&](instant now) { link_.converse(talk, now); }, [&] { return talk.settled(); },
+                   most);
+    }
+
+    /// Time without a controller.
+    void idle(duration length)
+    {
+        instant const end = now_ + length;
+        while (not reached(now_, end)) {
+            step([](instant) {}, end - now_);
+        }
+    }
+
+private:
+    void hear(std::size_t index, byte_view frame)
+    {
+        if (not is_cut_[index]) {
+            units_[index]->receive(frame, now_);
+        }
+    }
+
+    void pass(std::size_t octets) { now_ = now_ + party_timing.characters(octets); }
+
+    void jump(duration most)
+    {
+        deadline next = now_ + most;
+        next = earlier(next, link_.poll_deadline());
+        for (auto const& each : units_) {
+            next = earlier(next, each->poll_deadline());
+        }
+        // A conversation's own deadlines are not asked for: its pauses are longer than this.
+        next = earlier(next, now_ + milliseconds(20));
+        bool const is_ahead = not reached(now_, *next);
+        now_ = is_ahead ? *next : now_ + microseconds(10);
+    }
+
+    Link link_;
+    std::vector<std::unique_ptr<sim::unit<Device>>> units_;
+    std::vector<bool> is_cut_;
+    std::vector<std::size_t> answers_;
+    instant now_;
+};
+
+} // namespace rtuwire::test
