@@ -110,8 +110,8 @@ constexpr bool limits_silence(std::uint8_t share, std::uint32_t at_most)
     return lost >= 2 and lost * 57 <= at_most and all.talks[0].answers > 25 and
            all.link.is_silent(2) and not all.link.is_silent(0);
 }
-constexpr bool limits_silence_to_ten_percent() { return limits_silence(10, 230); }
-constexpr bool limits_silence_to_half() { return limits_silence(50, 860); }
+constexpr bool limits_silence_to_ten_percent() { return limits_silence(10, 400); }
+constexpr bool limits_silence_to_half() { return limits_silence(50, 1'000); }
 PROOF("a silent unit costs no more than its share", limits_silence_to_ten_percent)
 PROOF("and the share can be chosen", limits_silence_to_half)
 

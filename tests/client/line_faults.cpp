@@ -179,6 +179,8 @@ struct two_questions {
     single_question<read_holding_registers> second{unit_id{1}, {0x0C82, 1}};
     unsigned outcomes{0};
 
+    constexpr bool settled() const { return second.settled(); }
+
     constexpr std::optional<request> next() const
     {
         return first.settled() ? second.next() : first.next();

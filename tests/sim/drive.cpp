@@ -357,7 +357,9 @@ TEST_CASE("the ATV28 obeys direct commands, and shows mains by a low bit 4")
         it.wait(6'000);
         CHECK(it.drive.word("RFR") == 400);
         it.command(static_cast<std::uint16_t>(stop));
-        it.wait(3'000);
+        it.wait(800);
+        CHECK((it.drive.word("RFR") == 0) == (stop == 0xC00A));
+        it.wait(2'200);
         CHECK(it.drive.word("RFR") == 0);
     }
     it.command(0x8108);

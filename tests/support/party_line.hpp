@@ -4,6 +4,7 @@
 // everybody, and time jumps from one deadline to the next.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -37,6 +38,10 @@ public:
     /// Frames of a unit that the client's end heard.
     std::size_t answers(std::size_t index) const { return answers_[index]; }
 
+    /// The question that passed last, and how many did.
+    byte_view question() const { return byte_view{question_}.first(question_size_); }
+    std::size_t questions() const { return questions_; }
+
     /// One pass at `now`, and the jump to the next thing that happens, at most `most` away.
     template <typename Converse> void step(Converse converse, duration most)
     {
@@ -48,6 +53,7 @@ public:
         bool is_moved = false;
         if (byte_view const frame = link_.poll_transmit(); not frame.empty()) {
             is_moved = true;
+            keep(frame);
             pass(frame.size());
             link_.sent(now_);
             for (std::size_t i = 0; i < units_.size(); ++i) {
@@ -116,6 +122,13 @@ private:
         }
     }
 
+    void keep(byte_view frame)
+    {
+        question_size_ = frame.size();
+        byte_writer{question_}.bytes(frame);
+        ++questions_;
+    }
+
     void pass(std::size_t octets) { now_ = now_ + party_timing.characters(octets); }
 
     void jump(duration most)
@@ -135,6 +148,9 @@ private:
     std::vector<std::unique_ptr<sim::unit<Device>>> units_;
     std::vector<bool> is_cut_;
     std::vector<std::size_t> answers_;
+    std::array<std::byte, max_adu_size> question_{};
+    std::size_t question_size_{0};
+    std::size_t questions_{0};
     instant now_;
 };
 

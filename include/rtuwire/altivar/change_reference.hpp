@@ -39,7 +39,7 @@ private:
     constexpr wish look(std::uint16_t status) noexcept
     {
         cia402::state const at = note(status);
-        if (is_in_fault(at)) {
+        if (cia402::is_in_fault(at)) {
             is_reading_fault_ = true;
             return to_read(profile().lft);
         }

@@ -31,6 +31,9 @@ struct cyclic_options {
     duration drive_timeout{};
     /// From an order to "operation enabled".
     duration climb_limit{milliseconds(3'000)};
+    /// How many exchanges in a row may fail before the link counts as lost. None is repeated as it was:
+    /// the next one says what is ordered then.
+    std::uint8_t tolerated_misses{1};
     /// Whether function 23 is used where the device's words fit into it.
     bool by_function_23{true};
 };
@@ -118,8 +121,10 @@ public:
     /// State, order, and why the last order was dropped.
     [[nodiscard]] constexpr cyclic_control const& control() const noexcept { return control_; }
 
-    /// Whether the last exchange failed, or none was made yet.
+    /// Whether more exchanges in a row failed than are tolerated, or none was made yet.
     [[nodiscard]] constexpr bool link_lost() const noexcept { return step_ == step::look; }
+
+    [[nodiscard]] constexpr unit_id unit() const noexcept { return unit_; }
 
     constexpr void advance(instant now) noexcept
     {
@@ -140,14 +145,15 @@ public:
         if (not is_due_) {
             return std::nullopt;
         }
-        return request{byte_view{frame_}.first(make_frame())};
+        return request{byte_view{frame_}.first(make_frame()), repetition::never};
     }
 
     constexpr void accept(result<response> const& outcome) noexcept
     {
         if (not outcome) {
-            return lose(outcome.error());
+            return miss(outcome.error());
         }
+        misses_ = 0;
         take(*outcome);
     }
 
@@ -206,11 +212,16 @@ private:
         return output_block_;
     }
 
-    constexpr void lose(errc error) noexcept
+    constexpr void miss(errc error) noexcept
     {
+        wait_a_period();
+        bool const is_tolerated = misses_ < options_.tolerated_misses and not is_exception(error);
+        if (is_tolerated) {
+            ++misses_;
+            return;
+        }
         control_.note_loss(error);
         step_ = step::look;
-        wait_a_period();
     }
 
     constexpr void wait_a_period() noexcept
@@ -241,14 +252,14 @@ private:
         for (std::size_t i = 0; i < words::inputs; ++i) {
             inputs_[i] = read[i];
         }
-        bool const was_in_fault = is_in_fault(control_.state());
+        bool const was_in_fault = cia402::is_in_fault(control_.state());
         control_.note_status(inputs_[words::status_at]);
         if (step_ == step::read) {
             step_ = step::write;
         } else {
             wait_a_period();
         }
-        if (not was_in_fault and is_in_fault(control_.state())) {
+        if (not was_in_fault and cia402::is_in_fault(control_.state())) {
             step_ = step::look_for_fault;
         }
     }
@@ -268,6 +279,7 @@ private:
     register_block<words::outputs> output_block_{};
     unit_id unit_;
     step step_{step::look};
+    std::uint8_t misses_{0};
     bool has_begun_{false};
     bool is_due_{false};
 };

@@ -29,6 +29,7 @@ public:
         if (not is_ordered_) {
             is_ordered_ = true;
             highest_ = cia402::height_of(state_);
+            had_stop_key_ = (status_ & stop_key_bit) != 0;
             reason_ = {};
         }
         return true;
@@ -51,7 +52,7 @@ public:
         status_ = status;
         state_ = cia402::decode(status);
         is_known_ = true;
-        if (is_in_fault(state_)) {
+        if (cia402::is_in_fault(state_)) {
             return drop(ending::in_fault);
         }
         reset_step_ = 0;
@@ -59,9 +60,11 @@ public:
             return drop(ending::local_control);
         }
         int const height = cia402::height_of(state_);
-        if (is_ordered_ and height < highest_) {
+        bool const is_stop_pressed = (status & stop_key_bit) != 0 and not had_stop_key_;
+        if (is_ordered_ and (height < highest_ or is_stop_pressed)) {
             return drop(ending::stuck);
         }
+        had_stop_key_ = had_stop_key_ and (status & stop_key_bit) != 0;
         highest_ = height;
     }
 
@@ -92,8 +95,8 @@ public:
 
     [[nodiscard]] constexpr bool is_able() const noexcept
     {
-        return is_known_ and state_ != cia402::state::unknown and not is_in_fault(state_) and
-               (status_ & remote_bit) != 0;
+        return is_known_ and state_ != cia402::state::unknown and
+               not cia402::is_in_fault(state_) and (status_ & remote_bit) != 0;
     }
     [[nodiscard]] constexpr bool is_ordered() const noexcept { return is_ordered_; }
     [[nodiscard]] constexpr bool is_running() const noexcept
@@ -167,6 +170,7 @@ private:
     std::uint8_t reset_step_{0};
     bool is_known_{false};
     bool is_ordered_{false};
+    bool had_stop_key_{false}; ///< pressed before the order, and shown until the motor runs
 };
 
 } // namespace rtuwire::altivar

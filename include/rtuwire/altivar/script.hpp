@@ -79,9 +79,9 @@ protected:
     }
 
     /// Keeps the state that a status word tells.
-    constexpr cia402::state note(std::uint16_t status_word) noexcept
+    constexpr cia402::state note(std::uint16_t status) noexcept
     {
-        reason_.state = cia402::decode(status_word);
+        reason_.state = cia402::decode(status);
         return reason_.state;
     }
 
@@ -95,10 +95,5 @@ private:
     drive_profile const* profile_;
     altivar::reason reason_{};
 };
-
-[[nodiscard]] constexpr bool is_in_fault(cia402::state at) noexcept
-{
-    return at == cia402::state::fault or at == cia402::state::fault_reaction_active;
-}
 
 } // namespace rtuwire::altivar

@@ -49,7 +49,7 @@ private:
     constexpr wish look(std::uint16_t status) noexcept
     {
         cia402::state const at = note(status);
-        if (is_in_fault(at)) {
+        if (cia402::is_in_fault(at)) {
             stage_ = stage::reading_fault;
             return to_read(profile().lft);
         }

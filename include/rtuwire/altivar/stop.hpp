@@ -84,7 +84,7 @@ private:
     constexpr wish look(std::uint16_t status) noexcept
     {
         cia402::state const at = note(status);
-        if (is_in_fault(at)) {
+        if (cia402::is_in_fault(at)) {
             return ask(asked::fault, profile().lft);
         }
         if (not cia402::has_power(at) and is_low_enough(at)) {

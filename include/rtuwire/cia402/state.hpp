@@ -75,6 +75,12 @@ inline constexpr std::array<state_pattern, 8> state_patterns{{
            of == state::fault_reaction_active;
 }
 
+/// Whether only a fault reset leads on, now or as soon as the motor stands.
+[[nodiscard]] constexpr bool is_in_fault(state of) noexcept
+{
+    return of == state::fault or of == state::fault_reaction_active;
+}
+
 /// A state in the profile's words.
 [[nodiscard]] constexpr text name_of(state of) noexcept
 {

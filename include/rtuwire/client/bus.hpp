@@ -17,6 +17,8 @@ namespace rtuwire {
 struct bus_options {
     /// How much of the line's time all silent units together may cost, in percent, 1 to 100.
     std::uint8_t silent_share{10};
+    /// After how many questions without an answer a unit counts as silent.
+    std::uint8_t silent_after{2};
 };
 
 /// How a bus treats one unit.
@@ -77,7 +79,7 @@ public:
         advance_talk(talk, now);
         slot& own = slots_[index];
         own.wake = wake_of(talk);
-        if (client_.is_busy() or is_urgent_) {
+        if (client_.is_busy() or is_urgent_ or not client_.is_quiet()) {
             return;
         }
         skip_the_absent(index);
@@ -108,7 +110,7 @@ public:
         if (client_.is_busy()) {
             return client_.poll_deadline();
         }
-        if (passed_ < Slots and has_passed_) {
+        if (passed_ < Slots and has_passed_ and client_.is_quiet()) {
             return now_;
         }
         deadline next = client_.poll_deadline();
@@ -118,10 +120,10 @@ public:
         return next;
     }
 
-    /// Whether the last question to a slot's unit got no answer.
+    /// Whether a slot's unit has not answered for some questions.
     [[nodiscard]] constexpr bool is_silent(std::size_t index) const noexcept
     {
-        return index < Slots and slots_[index].is_silent;
+        return index < Slots and is_silent(slots_[index]);
     }
 
 private:
@@ -130,7 +132,7 @@ private:
         instant not_before{};
         deadline wake{};
         bool is_resting{false};
-        bool is_silent{false};
+        std::uint8_t failures{0};
     };
 
     static constexpr std::size_t nobody = 0xFF;
@@ -155,10 +157,13 @@ private:
 
     constexpr void note_health(slot& own, errc error, instant now) noexcept
     {
-        own.is_silent = error != errc::none and not is_exception(error);
+        bool const is_failure = error != errc::none and not is_exception(error);
+        own.failures = not is_failure        ? std::uint8_t{0}
+                       : own.failures < 0xFF ? static_cast<std::uint8_t>(own.failures + 1)
+                                             : own.failures;
         own.not_before = now + own.options.least_idle;
         own.is_resting = own.options.least_idle.microseconds != 0;
-        if (own.is_silent) {
+        if (is_silent(own)) {
             // The cost of silence, times what the others get for it.
             std::uint64_t const cost = (now - asked_at_).microseconds;
             std::uint64_t const rest = cost * (100U - share_.silent_share) / share_.silent_share;
@@ -167,6 +172,11 @@ private:
                 now + microseconds(static_cast<std::uint32_t>(rest < longest ? rest : longest));
             is_probe_limited_ = true;
         }
+    }
+
+    constexpr bool is_silent(slot const& own) const noexcept
+    {
+        return own.failures >= share_.silent_after;
     }
 
     template <typename Talk> static constexpr deadline wake_of(Talk const& talk) noexcept
@@ -179,10 +189,10 @@ private:
     }
 
     /// A known-silent unit is asked without repetitions.
-    static constexpr patience own_patience(slot const& own) noexcept
+    constexpr patience own_patience(slot const& own) const noexcept
     {
         patience with = own.options.with;
-        with.retries = own.is_silent ? std::uint8_t{0} : with.retries;
+        with.retries = is_silent(own) ? std::uint8_t{0} : with.retries;
         return with;
     }
 
@@ -193,7 +203,7 @@ private:
             own.wake = earlier(own.wake, own.not_before);
             return true;
         }
-        if (own.is_silent and is_probe_limited_) {
+        if (is_silent(own) and is_probe_limited_) {
             own.wake = earlier(own.wake, probe_at_);
             return true;
         }
@@ -203,7 +213,7 @@ private:
     template <typename Talk>
     constexpr bool ask(std::size_t index, Talk& talk, patience with, instant now) noexcept
     {
-        auto const question = talk.next();
+        auto const question = client_.is_free_for(talk) ? talk.next() : std::nullopt;
         if (not question) {
             return false;
         }

@@ -7,7 +7,8 @@
 //   phase         leaves it
 //   idle          start -> waiting
 //   waiting       t3.5 of silence, quarantine over -> ready; none in time -> settled (bus_jam)
-//   ready         poll_transmit -> transmitting; octets -> waiting; too late -> settled
+//   ready         poll_transmit -> transmitting; octets -> waiting, or settled where the question
+//                 may not wait; too late -> settled
 //   transmitting  sent -> awaiting, or turnaround after a broadcast; too late -> settled
 //   awaiting      the answer -> settled; time over or our answer damaged -> waiting, or settled
 //   turnaround    time over -> settled
@@ -133,7 +134,11 @@ public:
         }
         question_ = question.frame();
         patience_ = with;
-        retries_left_ = with.retries;
+        may_be_stale_ = not question.may_be_repeated();
+        if (may_be_stale_) {
+            patience_.retries = 0;
+        }
+        retries_left_ = patience_.retries;
         trouble_ = errc::none;
         wait_for_silence(now);
         advance(now);
@@ -191,6 +196,23 @@ public:
     /// Whether a question is under way or its outcome not taken yet.
     [[nodiscard]] constexpr bool is_busy() const noexcept { return phase_ != phase::idle; }
 
+    /// Whether the line has fallen silent since the last octet.
+    [[nodiscard]] constexpr bool is_quiet() const noexcept { return framer_.is_quiet(); }
+
+    /// Whether a question of this conversation would be ready to leave at once.
+    template <conversation Talk>
+    [[nodiscard]] constexpr bool is_free_for(Talk const& talk) const noexcept
+    {
+        if constexpr (prompt_conversation<Talk>) {
+            std::uint8_t const unit = talk.unit().octet();
+            bool const is_owed =
+                is_quarantined_ and (quarantined_unit_ == any_unit or quarantined_unit_ == unit);
+            return is_quiet() and not is_owed;
+        } else {
+            return true;
+        }
+    }
+
     /// Hands an outcome to the conversation and asks its next question. One conversation at a time:
     /// the outcome goes to whoever comes first.
     template <conversation Talk> constexpr void converse(Talk& talk, instant now) noexcept
@@ -199,7 +221,7 @@ public:
             talk.accept(*outcome);
         }
         advance_talk(talk, now);
-        if (is_busy()) {
+        if (is_busy() or not is_free_for(talk)) {
             return;
         }
         if (auto const question = talk.next()) {
@@ -239,7 +261,12 @@ private:
     constexpr void note_noise(instant now) noexcept
     {
         framer_.note_activity(now);
-        if (phase_ == phase::ready) {
+        if (phase_ != phase::ready) {
+            return;
+        }
+        if (may_be_stale_) {
+            settle(errc::bus_jam, now, has_repeated());
+        } else {
             phase_ = phase::waiting;
         }
     }
@@ -357,6 +384,7 @@ private:
     phase phase_{phase::idle};
     errc trouble_{errc::none};
     bool is_quarantined_{false};
+    bool may_be_stale_{false}; ///< the question must leave at once or not at all
 };
 
 } // namespace rtuwire

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 #include <optional>
 
 #include <rtuwire/core/bytes.hpp>
@@ -16,16 +17,27 @@
 
 namespace rtuwire {
 
+/// Whether a client may send a question again by itself. A command that somebody may take back meanwhile
+/// is sent once.
+enum class repetition : std::uint8_t { allowed, never };
+
 /// A question: the octets of a frame that `encode` made. Whoever asks keeps them unchanged until the
 /// outcome is there, so that a repetition is the same question.
 class request {
 public:
-    explicit constexpr request(byte_view frame) noexcept : frame_{frame} {}
+    explicit constexpr request(byte_view frame, repetition again = repetition::allowed) noexcept
+        : frame_{frame}, again_{again}
+    {}
 
     [[nodiscard]] constexpr byte_view frame() const noexcept { return frame_; }
+    [[nodiscard]] constexpr bool may_be_repeated() const noexcept
+    {
+        return again_ == repetition::allowed;
+    }
 
 private:
     byte_view frame_;
+    repetition again_;
 };
 
 /// An answer that belongs to its question: same unit, function, length and echoed fields. Empty after
@@ -72,6 +84,16 @@ concept timed_conversation = conversation<T> and requires(T& talk, instant now)
     {
         talk.poll_deadline()
         } -> std::same_as<deadline>;
+};
+
+/// A conversation with one unit whose question is made at the last moment: it is asked for one only when
+/// the line is free for that unit.
+template <typename T>
+concept prompt_conversation = conversation<T> and requires(T const& talk)
+{
+    {
+        talk.unit()
+        } -> std::same_as<unit_id>;
 };
 
 /// Lets time pass for a conversation that cares for it.

@@ -83,14 +83,31 @@ public:
         return static_cast<std::int16_t>(get(place));
     }
 
+    [[nodiscard]] static constexpr bool is_signed(std::size_t place) noexcept
+    {
+        return place != nowhere and rule(place).is_signed;
+    }
+
+    /// How many steps of a register make one whole unit.
+    [[nodiscard]] static constexpr std::int32_t scale(std::size_t place) noexcept
+    {
+        return place == nowhere ? 1 : rule(place).steps_per_unit;
+    }
+
+    /// Takes a word as it came over the line.
+    constexpr void put_word(std::size_t place, std::uint16_t word) noexcept
+    {
+        put(place, is_signed(place) ? static_cast<std::int16_t>(word) : std::int32_t{word});
+    }
+
     /// Puts a value, cut off at the ends of a word.
     constexpr void put(std::size_t place, std::int64_t value) noexcept
     {
         if (place == nowhere) {
             return;
         }
-        std::int64_t const least = rule(place).is_signed ? -0x8000 : 0;
-        std::int64_t const most = rule(place).is_signed ? 0x7FFF : 0xFFFF;
+        std::int64_t const least = is_signed(place) ? -0x8000 : 0;
+        std::int64_t const most = is_signed(place) ? 0x7FFF : 0xFFFF;
         std::int64_t const cut = value < least ? least : value > most ? most : value;
         words_[place] = static_cast<std::uint16_t>(cut);
     }

@@ -32,6 +32,12 @@ public:
     /// In 0.1 A; nothing without power.
     [[nodiscard]] constexpr std::int32_t current() const noexcept { return current_; }
 
+    /// The current in percent of the rated one.
+    [[nodiscard]] constexpr std::int64_t load(motor_settings const& set) const noexcept
+    {
+        return set.rated_current == 0 ? 0 : std::int64_t{current_} * 100 / set.rated_current;
+    }
+
     /// In percent of the rated state.
     [[nodiscard]] constexpr std::int32_t thermal_state() const noexcept
     {
@@ -54,7 +60,7 @@ public:
             trend_ = 0;
             remainder_ = 0;
         }
-        load(set);
+        draw_current(set);
         warm(time, set);
     }
 
@@ -100,7 +106,7 @@ private:
         return 0;
     }
 
-    constexpr void load(motor_settings const& set) noexcept
+    constexpr void draw_current(motor_settings const& set) noexcept
     {
         std::int64_t const speed = size_of(position_) * 100 / set.rated_frequency;
         std::int64_t const share = position_ == 0 ? 0 : 35 + speed / 2 + (trend_ > 0 ? 40 : 0);

@@ -39,6 +39,7 @@ public:
         node_.advance(now);
         if (node_.is_asked()) {
             drive_.note_contact();
+            ++requests_;
             node_.serve(drive_, now);
         }
     }
@@ -49,12 +50,16 @@ public:
         return node_.poll_deadline();
     }
 
+    /// How many requests it was asked, broadcasts too.
+    [[nodiscard]] constexpr std::uint32_t requests() const noexcept { return requests_; }
+
     [[nodiscard]] constexpr drive<Device>& inside() noexcept { return drive_; }
     [[nodiscard]] constexpr drive<Device> const& inside() const noexcept { return drive_; }
 
 private:
     server node_;
     drive<Device> drive_;
+    std::uint32_t requests_{0};
 };
 
 } // namespace rtuwire::sim

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What a simulated drive's monitoring registers show of it.
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/altivar/profile.hpp>
+#include <rtuwire/cia402/state.hpp>
+#include <rtuwire/sim/image.hpp>
+#include <rtuwire/sim/motor.hpp>
+#include <rtuwire/sim/parameters.hpp>
+#include <rtuwire/sim/places.hpp>
+
+namespace rtuwire::sim {
+
+/// A drive at one moment, as its registers have to tell it.
+struct appearance {
+    cia402::state state;
+    std::int32_t asked;  ///< mHz, what the line asks for
+    std::int32_t target; ///< mHz, what the ramp goes to
+    bool is_limited;
+    bool is_local;
+    bool is_stopped_by_key;
+    bool has_cause; ///< the fault's cause is still there
+
+    [[nodiscard]] constexpr bool is_running() const noexcept
+    {
+        return state == cia402::state::operation_enabled;
+    }
+};
+
+/// The status word, ETA.
+[[nodiscard]] constexpr std::uint16_t status_word_of(appearance const& seen, motor const& shaft,
+                                                     altivar::drive_profile const& profile) noexcept
+{
+    std::uint32_t word = cia402::status_bits(seen.state);
+    bool const is_reached = shaft.frequency() == seen.target;
+    word |= profile.mains_bit_is_inverted ? 0U : 0x10U;
+    word |= seen.is_local ? 0U : altivar::remote_bit;
+    word |= seen.is_running() and is_reached ? altivar::reference_reached_bit : 0U;
+    word |= seen.is_running() and seen.is_limited ? altivar::reference_limited_bit : 0U;
+    word |= seen.is_stopped_by_key ? altivar::stop_key_bit : 0U;
+    word |= shaft.frequency() < 0 ? altivar::runs_backwards_bit : 0U;
+    return static_cast<std::uint16_t>(word);
+}
+
+/// The extended status word, ETI.
+[[nodiscard]] constexpr std::uint16_t extended_status_of(appearance const& seen,
+                                                         motor const& shaft) noexcept
+{
+    constexpr unsigned fault_is_gone = 2, motor_turns = 4, accelerates = 9, slows = 10,
+                       by_link = 14, backwards = 15;
+    bool const may_reset = cia402::is_in_fault(seen.state) and not seen.has_cause;
+    std::uint32_t word = 0;
+    word |= (may_reset ? 1U : 0U) << fault_is_gone;
+    word |= (shaft.is_at_rest() ? 0U : 1U) << motor_turns;
+    word |= (shaft.is_accelerating() ? 1U : 0U) << accelerates;
+    word |= (shaft.is_decelerating() ? 1U : 0U) << slows;
+    word |= (seen.is_local ? 0U : 1U) << by_link;
+    word |= (seen.asked < 0 ? 1U : 0U) << backwards;
+    return static_cast<std::uint16_t>(word);
+}
+
+/// The state of the product, HMIS.
+[[nodiscard]] constexpr std::uint16_t product_state_of(appearance const& seen,
+                                                       motor const& shaft) noexcept
+{
+    constexpr std::uint16_t ready = 2, freewheel = 3, runs = 4, accelerates = 5, slows = 6,
+                            in_fault = 23;
+    if (cia402::is_in_fault(seen.state)) {
+        return in_fault;
+    }
+    if (not cia402::has_power(seen.state)) {
+        return seen.state == cia402::state::switch_on_disabled ? freewheel : ready;
+    }
+    return shaft.is_accelerating() ? accelerates : shaft.is_decelerating() ? slows : runs;
+}
+
+/// Brings the monitoring registers up to date.
+template <device_type Device>
+constexpr void display(image<Device>& registers, appearance const& seen,
+                       motor const& shaft) noexcept
+{
+    constexpr places<Device> at{};
+    constexpr std::int64_t volts_of_mains = 400;
+    parameters<Device> const set{registers};
+    std::int64_t const turning = shaft.frequency();
+    std::int64_t const size = turning < 0 ? -turning : turning;
+    std::uint16_t const status = status_word_of(seen, shaft, Device::profile);
+    registers.put(at.eta, status);
+    registers.put(at.etad, status);
+    registers.put(at.eti, extended_status_of(seen, shaft));
+    registers.put(at.hmis, product_state_of(seen, shaft));
+    registers.put(at.rfr, (registers.is_signed(at.rfr) ? turning : size) / 100);
+    registers.put(at.frh, seen.target / 100);
+    registers.put(at.rfrd, set.to_rpm(turning));
+    registers.put(at.frhd, set.to_rpm(seen.target));
+    registers.put(at.spd, set.to_rpm(size));
+    registers.put(at.lcr, shaft.current());
+    motor_settings const rated = set.motor();
+    std::int64_t const load = shaft.load(rated);
+    registers.put(at.otr, load * registers.scale(at.otr));
+    registers.put(at.opr, load * size / rated.rated_frequency);
+    registers.put(at.uln, volts_of_mains * registers.scale(at.uln));
+    registers.put(at.thr, shaft.thermal_state());
+    registers.put(at.thd, shaft.thermal_state() / 2);
+}
+
+} // namespace rtuwire::sim

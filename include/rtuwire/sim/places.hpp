@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Where a device's image holds the registers that the simulated drive reads or shows.
+#pragma once
+
+#include <cstddef>
+
+#include <rtuwire/sim/image.hpp>
+
+namespace rtuwire::sim {
+
+/// Places in a device's image by mnemonic; `nowhere` for what the device does not have.
+template <device_type Device> struct places {
+    using registers = image<Device>;
+
+    std::size_t cmd{registers::at("CMD")}, cmdd{registers::at("CMDD")};
+    std::size_t lfr{registers::at("LFR")}, lfrd{registers::at("LFRD")};
+    std::size_t cmi{registers::at("CMI")}, eta{registers::at("ETA")};
+    std::size_t etad{registers::at("ETAD")}, eti{registers::at("ETI")};
+    std::size_t rfr{registers::at("RFR")}, frh{registers::at("FRH")};
+    std::size_t rfrd{registers::at("RFRD")}, frhd{registers::at("FRHD")};
+    std::size_t spd{registers::at("SPD")}, lcr{registers::at("LCR")};
+    std::size_t otr{registers::at("OTR")}, opr{registers::at("OPR")};
+    std::size_t uln{registers::at("ULN")}, thd{registers::at("THD")};
+    std::size_t thr{registers::at("THR")}, hmis{registers::at("HMIS")};
+    std::size_t acc{registers::at("ACC")}, dec{registers::at("DEC")};
+    std::size_t inr{registers::at("INR")}, hsp{registers::at("HSP")};
+    std::size_t lsp{registers::at("LSP")}, frs{registers::at("FRS")};
+    std::size_t nsp{registers::at("NSP")}, sds{registers::at("SDS")};
+    std::size_t ncr{registers::at("NCR")}, inv{registers::at("INV")};
+    std::size_t ith{registers::at("ITH")}, tto{registers::at("TTO")};
+    std::size_t sll{registers::at("SLL")};
+
+    [[nodiscard]] static constexpr bool has(std::size_t place) noexcept
+    {
+        return place != registers::nowhere;
+    }
+};
+
+} // namespace rtuwire::sim
