@@ -100,21 +100,6 @@ constexpr bool broadcast_write()
 }
 PROOF("a broadcast write is obeyed in silence", broadcast_write)
 
-constexpr bool not_from_another_answer()
-{
-    // Unit 2 answers with data that is a whole request to unit 1.
-    constexpr auto answer = "02 03 08 01 06 00 01 00 03 98 0B DA 98"_hex;
-    unit_1 unit;
-    unit.hear("02 03 00 00 00 04 44 3A"_hex);
-    unit.hear(answer);
-    unit.hear(write_3);
-    bool const deaf = unit.bank.get(1) == 0;
-    unit.pass(line.t3_5());
-    unit.hear(write_3);
-    return deaf and unit.says(write_3) and unit.bank.get(1) == 3;
-}
-PROOF("another unit's answer is never taken for a request", not_from_another_answer)
-
 constexpr bool trailing_noise()
 {
     unit_1 unit;

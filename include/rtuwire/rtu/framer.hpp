@@ -123,6 +123,17 @@ public:
     /// Ignores everything until the line has been silent.
     constexpr void resynchronise() noexcept { state_ = state::synchronising; }
 
+    /// Takes note that a request to another unit passed: a frame of that unit and function is then its
+    /// answer and ends as one, so that what follows is heard without a silence before it. Any other
+    /// frame is read as before; the unit may never answer.
+    constexpr void overhear(std::uint8_t unit, std::uint8_t function) noexcept
+    {
+        overheard_ = {unit, function, true};
+    }
+
+    /// Whether the frame that ended last was the answer that `overhear` spoke of.
+    [[nodiscard]] constexpr bool is_overheard() const noexcept { return is_overheard_; }
+
     /// Records that the line was not silent at `now`, and leaves the frame alone.
     constexpr void note_activity(instant now) noexcept
     {
@@ -152,6 +163,19 @@ public:
 private:
     enum class state : std::uint8_t { synchronising, idle, receiving, done };
 
+    /// A question between others whose answer may come.
+    struct exchange_of_others {
+        std::uint8_t unit{0};
+        std::uint8_t function{0};
+        bool is_open{false};
+
+        [[nodiscard]] constexpr bool answers(byte_view so_far) const noexcept
+        {
+            return is_open and so_far.size() >= 2 and to_u8(so_far[0]) == unit and
+                   (to_u8(so_far[1]) & ~exception_bit) == function;
+        }
+    };
+
     constexpr bool waits_for_silence() const noexcept
     {
         return state_ != state::idle and state_ != state::done;
@@ -160,6 +184,7 @@ private:
     constexpr void begin() noexcept
     {
         state_ = state::receiving;
+        is_overheard_ = false;
         size_ = 0;
         look_at_ = 2;
         crc_ = {};
@@ -189,9 +214,13 @@ private:
     /// Applies the length rule at the octet it asked for.
     constexpr void look() noexcept
     {
-        length_so_far const known = frame_length(way_, byte_view{octets_}.first(size_));
+        byte_view const so_far = byte_view{octets_}.first(size_);
+        bool const is_foreign = overheard_.answers(so_far);
+        length_so_far const known = frame_length(is_foreign ? direction::response : way_, so_far);
         bool const is_end = known.is_final and known.size == size_;
         if (is_end and verdict() == errc::none) {
+            is_overheard_ = is_foreign;
+            overheard_.is_open = overheard_.is_open and not is_foreign;
             finish();
         }
         // Past an end whose CRC is wrong only silence tells where the next frame starts.
@@ -234,6 +263,8 @@ private:
     std::uint16_t look_at_{0};
     running_crc16<> crc_{};
     direction way_;
+    exchange_of_others overheard_{};
+    bool is_overheard_{false};
     state state_{state::synchronising};
     bool poisoned_{false};
     bool overlong_{false};

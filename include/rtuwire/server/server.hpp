@@ -145,12 +145,17 @@ private:
             return;
         }
         adu const& heard = **frame;
+        if (framer_.is_overheard()) {
+            return;
+        }
         bool const is_for_us = heard.unit == unit_ or heard.unit == 0;
-        if (is_for_us and not heard.is_exception()) {
+        if (not is_for_us and not heard.is_exception()) {
+            framer_.overhear(heard.unit, to_u8(heard.pdu[0]));
+        } else if (is_for_us and not heard.is_exception()) {
             asked_size_ = static_cast<std::uint8_t>(heard.pdu.size());
             phase_ = phase::asked;
         } else {
-            // What follows may be another unit's answer, whose data may look like a request to us.
+            // An answer to a question that was not heard: what it belongs to is unknown.
             framer_.resynchronise();
         }
     }

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A unit among others: whatever they say, only a request to it is obeyed, and none is missed.
+#include <rtuwire/server/server.hpp>
+
+#include "support/proof.hpp"
+
+#include <rtuwire/core/hex.hpp>
+#include <rtuwire/wire/pdu/device_identification.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
+#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
+#include <rtuwire/wire/pdu/write_single_register.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+/// A host's times: its silence is long, and between the frames here there is none.
+constexpr auto line = line_timing::host(19'200, character_format::even_8_1);
+
+/// Our unit 1, unit 2 with as many registers, and the clock.
+struct two_units {
+    server ours{unit_id{1}, line};
+    server other{unit_id{2}, line};
+    word_bank<16> bank{};
+    word_bank<16> others{};
+    instant now{};
+
+    constexpr two_units()
+    {
+        pass({});
+        pass(milliseconds(60));
+    }
+
+    constexpr void pass(duration length)
+    {
+        now = now + length;
+        ours.advance(now);
+        ours.serve(bank, now);
+        other.advance(now);
+        other.serve(others, now);
+    }
+
+    constexpr void hear(byte_view octets)
+    {
+        now = now + line.characters(octets.size());
+        ours.receive(octets, now);
+        pass({});
+    }
+
+    /// A question to unit 2, and its answer.
+    template <pdu Question> constexpr void between_others(Question const& question)
+    {
+        auto const frame = *encode(unit_id{2}, question);
+        hear(frame);
+        other.receive(frame, now);
+        pass(line.t3_5());
+        byte_view const answer = other.poll_transmit();
+        hear(answer);
+        other.sent(now);
+    }
+
+    /// Whether a write to us is obeyed.
+    constexpr bool obeys(std::uint16_t word)
+    {
+        hear(*encode(unit_id{1}, write_single_register{1, word}));
+        pass(line.t3_5());
+        now = now + line.characters(ours.poll_transmit().size());
+        ours.sent(now);
+        return bank.get(1) == word;
+    }
+};
+
+constexpr bool hears_at_once()
+{
+    two_units it;
+    it.between_others(read_holding_registers{0, 4});
+    bool ok = it.obeys(1);
+    it.between_others(write_single_register{0, 7});
+    ok = it.obeys(2) and ok;
+    it.between_others(write_multiple_registers{0, register_block{1, 2, 3}});
+    ok = it.obeys(3) and ok;
+    it.between_others(read_write_multiple_registers{0, 3, 2, register_block{5}});
+    ok = it.obeys(4) and ok;
+    it.between_others(read_holding_registers{99, 4}); // an exception
+    ok = it.obeys(5) and ok;
+    it.between_others(read_holding_registers{0, 1});
+    it.between_others(read_holding_registers{0, 1});
+    return it.obeys(6) and ok and it.others.get(0) == 1;
+}
+PROOF("after another unit's answer the next request is heard without a silence", hears_at_once)
+
+constexpr bool not_from_the_data()
+{
+    // Unit 2 holds a whole request to unit 1.
+    constexpr auto request = encode(unit_id{1}, write_single_register{1, 3});
+    byte_view const octets = *request;
+    two_units it;
+    for (std::size_t i = 0; i < 4; ++i) {
+        static_cast<void>(it.others.set(static_cast<std::uint16_t>(i), u16_at(octets, 2 * i)));
+    }
+    it.between_others(read_holding_registers{0, 4});
+    bool const heeds_not = it.bank.get(1) == 0;
+    return heeds_not and it.obeys(9);
+}
+PROOF("another unit's answer that holds a request to us is no request", not_from_the_data)
+
+constexpr bool not_after_a_lost_question()
+{
+    constexpr auto answer = "02 03 08 01 06 00 01 00 03 98 0B DA 98"_hex;
+    two_units it;
+    it.hear(answer); // its question was not heard
+    bool const is_deaf = not it.obeys(3);
+    it.pass(line.frame_end());
+    return is_deaf and it.obeys(4);
+}
+PROOF("an answer without its question silences the ear until the line is quiet",
+      not_after_a_lost_question)
+
+constexpr bool never_answered()
+{
+    two_units it;
+    auto const question = *encode(unit_id{2}, read_holding_registers{0, 4});
+    it.hear(question);
+    it.pass(milliseconds(3));
+    bool ok = it.obeys(1);
+    it.hear(question);
+    it.pass(milliseconds(500));
+    it.hear(question); // the client's second try
+    it.pass(milliseconds(500));
+    ok = it.obeys(2) and ok;
+    it.hear(question);
+    it.pass(milliseconds(500));
+    it.hear(*encode(unit_id{2}, write_single_register{0, 7})); // another question to the same unit
+    return it.obeys(3) and ok;
+}
+PROOF("a unit that never answers keeps nobody from hearing", never_answered)
+
+constexpr bool repeated_then_answered()
+{
+    two_units it;
+    it.hear(*encode(unit_id{2}, read_holding_registers{0, 4}));
+    it.pass(milliseconds(500));
+    it.between_others(read_holding_registers{0, 4});
+    it.pass(line.frame_end());
+    return it.obeys(1);
+}
+PROOF("a question that is repeated and answered is over with the silence", repeated_then_answered)
+
+constexpr bool damaged_answer()
+{
+    two_units it;
+    it.hear(*encode(unit_id{2}, read_holding_registers{0, 4}));
+    it.hear("02 03 08 01 06 00 01 00 03 98 0B DA 99"_hex);
+    bool const is_deaf = not it.obeys(3);
+    it.pass(line.frame_end());
+    return is_deaf and it.obeys(4);
+}
+PROOF("after a damaged answer only silence opens the ear", damaged_answer)
+
+} // namespace
