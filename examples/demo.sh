@@ -1,5 +1,8 @@
 #!/bin/sh
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-# The demonstration: a client and a server exchange the manuals' examples.
-exec sh "$(dirname "$0")/run.sh" demo "$@"
+# The main job: a client drives a simulated drive, or with --port a real one.
+here=$(cd "$(dirname "$0")" && pwd)
+mkdir -p "$here/../build/examples"
+svg=$(cd "$here/../build/examples" && pwd)/demo.svg
+exec sh "$here/run.sh" demo --svg "$svg" "$@"

@@ -5,13 +5,10 @@
 #include <cstring>
 #include <string>
 
-#include <rtuwire/altivar/atv12.hpp>
-#include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv310.hpp>
-#include <rtuwire/altivar/atv320.hpp>
+#include "support/command_line.hpp"
 
 using namespace rtuwire;
-using namespace rtuwire::altivar;
+using namespace examples;
 
 namespace {
 
@@ -112,12 +109,11 @@ void print(row const& line, bool as_csv)
     std::puts("");
 }
 
-template <typename Device> int list(bool as_csv)
+template <typename Device> void list(bool as_csv)
 {
     print({{"code", "address", "access", "type", "unit", "scale", "min", "max", "default", "name"}},
           as_csv);
     Device::registers::for_each([&]<auto const & R>() { print(row_of<R>(), as_csv); });
-    return 0;
 }
 
 } // namespace
@@ -136,22 +132,10 @@ int main(int argc, char** argv)
             break;
         }
     }
-    if (drive == "atv12") {
-        return list<atv12::device>(as_csv);
+    bool const is_known =
+        with_drive(drive, [as_csv](auto device) { list<typename decltype(device)::type>(as_csv); });
+    if (not is_known) {
+        std::fprintf(stderr, "usage: list_registers --drive %s [--csv]\n", drive_names);
     }
-    if (drive == "atv28") {
-        return list<atv28::device>(as_csv);
-    }
-    if (drive == "atv310") {
-        return list<atv310::device>(as_csv);
-    }
-    if (drive == "atv310_2026") {
-        return list<atv310::device_2026>(as_csv);
-    }
-    if (drive == "atv320") {
-        return list<atv320::device>(as_csv);
-    }
-    std::fputs("usage: list_registers --drive atv12|atv28|atv310|atv310_2026|atv320 [--csv]\n",
-               stderr);
-    return 2;
+    return is_known ? 0 : 2;
 }

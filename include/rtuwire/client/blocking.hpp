@@ -33,6 +33,31 @@ concept serial_port = requires(T& port, byte_view out, byte_span in, instant unt
         } -> std::same_as<result<byte_span>>;
 };
 
+/// The end of one pass of a client or a bus over a host's port, after `advance` and `converse`: sends
+/// what there is to send, then takes what has arrived, or arrives until `until` or until the engine has
+/// something to do. `place` is working memory. Errors: those of the port.
+template <typename Engine, serial_port Port>
+result<void> pump(Engine& engine, Port& port, byte_span place, instant until,
+                  duration write_limit = milliseconds(1'000))
+{
+    if (byte_view const frame = engine.poll_transmit(); not frame.empty()) {
+        auto written = port.write(frame, port.now() + write_limit);
+        if (written) {
+            written = port.drain();
+        }
+        if (not written) {
+            return written;
+        }
+        engine.sent(port.now());
+    }
+    auto const octets = port.read(place, *earlier(engine.poll_deadline(), until));
+    if (not octets) {
+        return octets.error();
+    }
+    engine.receive(*octets, port.now());
+    return {};
+}
+
 /// Asks and waits. Borrows its port, which must outlive it.
 template <serial_port Port> class blocking_client {
 public:
@@ -111,18 +136,7 @@ private:
     result<void> step()
     {
         client_.advance(port_.now());
-        if (byte_view const frame = client_.poll_transmit(); not frame.empty()) {
-            auto written = port_.write(frame, port_.now() + write_limit_);
-            if (written) {
-                written = port_.drain();
-            }
-            if (not written) {
-                return written;
-            }
-            client_.sent(port_.now());
-        }
-        deadline const next = client_.poll_deadline();
-        return receive_until(next ? *next : port_.now());
+        return pump(client_, port_, input_, port_.now() + write_limit_, write_limit_);
     }
 
     /// What the operating system kept from before the question must not pass for its answer.

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Simulated drives of any kind on one port of a host, and what can happen to them.
+#pragma once
+
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <rtuwire/sim/unit.hpp>
+
+#include "command_line.hpp"
+
+namespace examples {
+
+/// A drive on a line, whichever it is.
+class simulated_drive {
+public:
+    simulated_drive() = default;
+    simulated_drive(simulated_drive const&) = delete;
+    simulated_drive& operator=(simulated_drive const&) = delete;
+    virtual ~simulated_drive() = default;
+
+    virtual void receive(rtuwire::byte_view octets, rtuwire::instant now) = 0;
+    virtual void sent(rtuwire::instant now) = 0;
+    virtual void advance(rtuwire::instant now) = 0;
+    virtual rtuwire::byte_view poll_transmit() = 0;
+    virtual rtuwire::deadline poll_deadline() const = 0;
+
+    virtual rtuwire::unit_id address() const = 0;
+    virtual bool is_at_rest() const = 0;
+
+    /// Lets something happen to it: fault, clear, local, remote, stop, cut or join; false for what it
+    /// does not know.
+    virtual bool suffer(std::string const& what) = 0;
+};
+
+template <rtuwire::device_type Device> class simulated final : public simulated_drive {
+public:
+    simulated(rtuwire::unit_id address, rtuwire::line_timing const& line, rtuwire::instant now)
+        : address_{address}, unit_{address, line, now}
+    {}
+
+    void receive(rtuwire::byte_view octets, rtuwire::instant now) override
+    {
+        if (not is_cut_) {
+            unit_.receive(octets, now);
+        }
+    }
+    void sent(rtuwire::instant now) override { unit_.sent(now); }
+    void advance(rtuwire::instant now) override { unit_.advance(now); }
+    rtuwire::byte_view poll_transmit() override { return unit_.poll_transmit(); }
+    rtuwire::deadline poll_deadline() const override { return unit_.poll_deadline(); }
+    rtuwire::unit_id address() const override { return address_; }
+    bool is_at_rest() const override { return unit_.inside().motor().is_at_rest(); }
+
+    bool suffer(std::string const& what) override
+    {
+        constexpr std::uint16_t overcurrent = 9; // LFT
+        auto& drive = unit_.inside();
+        if (what == "fault") {
+            drive.inject_fault(overcurrent);
+        } else if (what == "clear") {
+            drive.clear_cause();
+        } else if (what == "local" or what == "remote") {
+            drive.set_local(what == "local");
+        } else if (what == "stop") {
+            drive.press_stop();
+        } else if (what == "cut" or what == "join") {
+            is_cut_ = what == "cut";
+        } else {
+            return false;
+        }
+        return true;
+    }
+
+private:
+    rtuwire::unit_id address_;
+    rtuwire::sim::unit<Device> unit_;
+    bool is_cut_{false};
+};
+
+/// Drives that hear one line, and each other.
+template <typename Port> class simulated_line {
+public:
+    simulated_line(Port& port, rtuwire::line_timing const& timing)
+        : port_{port}, timing_{timing}, last_{port.now()}
+    {}
+
+    /// Adds a drive by its name; false where the name is none, or the address taken or out of the
+    /// device's range.
+    bool add(std::string const& name, std::uint32_t address)
+    {
+        auto const unit = rtuwire::unit_id::checked(address);
+        if (not unit or find(address) != nullptr) {
+            return false;
+        }
+        bool is_added = false;
+        with_drive(name, [&](auto device) {
+            using type = typename decltype(device)::type;
+            if (rtuwire::station<type>::checked(address)) {
+                drives_.push_back(std::make_unique<simulated<type>>(*unit, timing_, last_));
+                is_added = true;
+            }
+        });
+        return is_added;
+    }
+
+    simulated_drive* find(std::uint32_t address) const
+    {
+        for (auto const& each : drives_) {
+            if (each->address().octet() == address) {
+                return each.get();
+            }
+        }
+        return nullptr;
+    }
+
+    bool is_at_rest() const
+    {
+        bool all = true;
+        for (auto const& each : drives_) {
+            all = all and each->is_at_rest();
+        }
+        return all;
+    }
+
+    /// Waits for octets, at most for `patience`, and lets the drives do what is due. Errors: those of
+    /// the port.
+    rtuwire::result<void> pass(rtuwire::duration patience)
+    {
+        rtuwire::deadline until = port_.now() + patience;
+        for (auto const& each : drives_) {
+            until = rtuwire::earlier(until, each->poll_deadline());
+        }
+        auto const octets = port_.read(input_, *until);
+        if (not octets) {
+            return octets.error();
+        }
+        // Nothing came until then; whatever came since is read in the next pass, however late that is.
+        rtuwire::instant const now = octets->empty() ? *until : port_.now();
+        last_ = rtuwire::reached(now, last_) ? now : last_;
+        for (auto const& each : drives_) {
+            each->receive(*octets, last_);
+            each->advance(last_);
+        }
+        return answer();
+    }
+
+private:
+    rtuwire::result<void> answer()
+    {
+        constexpr rtuwire::duration write_limit = rtuwire::milliseconds(1'000);
+        for (auto const& speaker : drives_) {
+            rtuwire::byte_view const frame = speaker->poll_transmit();
+            if (frame.empty()) {
+                continue;
+            }
+            auto written = port_.write(frame, port_.now() + write_limit);
+            if (written) {
+                written = port_.drain();
+            }
+            last_ = port_.now();
+            for (auto const& other : drives_) {
+                if (other != speaker) {
+                    other->receive(frame, last_);
+                }
+            }
+            speaker->sent(last_);
+            if (not written and written.error() != rtuwire::errc::timed_out) {
+                return written;
+            }
+        }
+        return {};
+    }
+
+    Port& port_;
+    rtuwire::line_timing timing_;
+    rtuwire::instant last_;
+    std::vector<std::unique_ptr<simulated_drive>> drives_{};
+    std::array<std::byte, rtuwire::max_adu_size> input_{};
+};
+
+} // namespace examples

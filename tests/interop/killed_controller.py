@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Kills the demo's controller at some moment while it runs a simulated drive, which then has to stop by
+itself within its time-out, and to stay stopped when the controller comes back.
+
+    python3 killed_controller.py SIMULATE DEMO DRIVE MOMENT...
+
+A moment is a text that the demo prints, and the seconds after it: "Reverse+0.5".
+"""
+import os
+import subprocess
+import sys
+import time
+
+from pymodbus.client import ModbusSerialClient
+
+from simulator import Checks, Registers, Simulator
+
+UNIT = 3
+TTO = 10  # in 0.1 s
+MARGIN = 0.5
+
+
+def open_line(device):
+    line = ModbusSerialClient(device, baudrate=19200, parity="N", stopbits=1, timeout=1, retries=2)
+    if not line.connect():
+        raise RuntimeError("pymodbus cannot open the device")
+    return line
+
+
+def words_of(device, *addresses):
+    line = open_line(device)
+    words = [line.read_holding_registers(each, 1, slave=UNIT).registers[0] for each in addresses]
+    line.close()
+    return words
+
+
+def demo(program, device, drive, *options):
+    return subprocess.Popen([program, "--drive", drive, "--port", device, "--unit", str(UNIT),
+                             "--svg", os.devnull, *options], stdout=subprocess.PIPE, text=True)
+
+
+def kill_at(controller, moment):
+    text, _, seconds = moment.partition("+")
+    for line in controller.stdout:
+        if text in line:
+            time.sleep(float(seconds or 0))
+            controller.kill()
+            return True
+    return False
+
+
+def is_stopped(device, at):
+    frequency, status = words_of(device, at.rfr, at.eta)
+    return frequency == 0 and status & 0x6F != 0x27
+
+
+def main(simulate, program, drive, *moments):
+    check = Checks()
+    at = Registers(drive)
+    for moment in moments:
+        with Simulator(simulate, f"{drive}:{UNIT}") as device:
+            line = open_line(device)
+            if at.tto:
+                line.write_register(at.tto, TTO, slave=UNIT)
+            line.close()
+            controller = demo(program, device, drive, "--allow-run")
+            check(kill_at(controller, moment), f"killed at {moment}")
+            controller.wait()
+            time.sleep((TTO / 10 if at.tto else 7) + MARGIN)
+            check(is_stopped(device, at), "the motor stands")
+            again = demo(program, device, drive)
+            again.communicate()
+            check(again.returncode == 0, "the controller is back")
+            check(is_stopped(device, at), "and the motor still stands")
+    return 1 if check.failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

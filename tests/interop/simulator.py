@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Runs the `simulate` example, and says what others' tools need to know of the simulated drives."""
+import subprocess
+import sys
+import time
+
+DRIVES = ("atv12", "atv28", "atv310", "atv310_2026", "atv320")
+
+
+class Registers:
+    """Where a drive keeps what these tests touch."""
+
+    def __init__(self, drive):
+        old = drive == "atv28"
+        self.cmd, self.lfr = (400, 401) if old else (8501, 8502)
+        self.eta, self.rfr, self.lft = (458, 451, 457) if old else (3201, 3202, 7121)
+        self.acc, self.dec = (252, 253) if old else (9001, 9002)
+        self.tto = None if old else 6005
+        self.monitoring = (451, 7) if old else (3201, 4)
+
+
+class Simulator:
+    """with Simulator(program, "atv320:1") as device: ..."""
+
+    def __init__(self, program, *drives):
+        self.drives = drives
+        words = [word for drive in drives for word in ("--drive", drive)]
+        self.process = subprocess.Popen([program, *words], stdin=subprocess.PIPE,
+                                        stdout=subprocess.PIPE, text=True)
+
+    def __enter__(self):
+        device = None
+        for drive in self.drives:
+            line = self.process.stdout.readline()
+            name, unit = drive.split(":")
+            start, _, device = line.strip().rpartition(" ")
+            if start != f"{name} unit {unit} on":
+                raise RuntimeError(f"the simulator says {line!r}")
+        return device
+
+    def __exit__(self, *_):
+        self.process.kill()
+        self.process.wait()
+
+    def suffer(self, what):
+        """What happens to a drive: "1 fault", "1 clear", "1 local"..."""
+        self.process.stdin.write(what + "\n")
+        self.process.stdin.flush()
+
+
+class Checks:
+    """Prints each check, and remembers the failures."""
+
+    def __init__(self):
+        self.failures = 0
+
+    def __call__(self, is_right, what, detail=""):
+        print("ok  " if is_right else "FAIL", what, detail)
+        sys.stdout.flush()
+        self.failures += not is_right
+
+    def soon(self, is_right, what, limit=5):
+        end = time.monotonic() + limit
+        while not is_right() and time.monotonic() < end:
+            time.sleep(0.05)
+        self(is_right(), what)
