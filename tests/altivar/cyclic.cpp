@@ -67,6 +67,16 @@ template <typename Device> struct by_hand {
         auto const question = loop.next();
         return question and same_bytes(question->frame(), expected);
     }
+    /// The scanner as delivered.
+    bool checks_scanner()
+    {
+        bool const asks_inputs = asks("03 03 31 9D 00 04 DA F9"_hex);
+        say("03 03 08 0C 81 21 9C 00 00 00 00 D9 9F"_hex);
+        bool const asks_outputs = asks("03 03 31 B1 00 04 1B 30"_hex);
+        say("03 03 08 21 35 21 9A 00 00 00 00 66 15"_hex);
+        return asks_inputs and asks_outputs;
+    }
+
     void say(byte_view frame)
     {
         auto const answer = decode_adu(frame);
@@ -156,6 +166,7 @@ TEST_CASE("the application example by function 23, frame by frame")
     it.say("03 03 02 02 50 C0 D8"_hex);
     CHECK(it.asks("03 03 1B D1 00 01 D3 35"_hex));
     it.say("03 03 02 00 00 C1 84"_hex);
+    CHECK(it.checks_scanner());
     CHECK(it.loop.run(1'500_rpm));
     CHECK(it.asks("03 17 31 C5 00 04 31 D9 00 04 08 00 06 05 DC 00 00 00 00 0A C8"_hex));
     it.say("03 17 08 02 31 00 00 00 00 00 00 7F 35"_hex);
@@ -175,6 +186,7 @@ TEST_CASE("the application example by functions 03 and 16, frame by frame")
     it.say("03 03 02 02 33 80 F1"_hex);
     CHECK(it.asks("03 03 1B D1 00 01 D3 35"_hex));
     it.say("03 03 02 00 00 C1 84"_hex);
+    CHECK(it.checks_scanner());
     CHECK(it.asks("03 03 31 C5 00 04 5B 2A"_hex));
     it.say("03 03 08 02 33 00 00 00 00 00 00 1C B5"_hex);
     CHECK(it.loop.run(1'500_rpm));
@@ -223,6 +235,38 @@ TEST_CASE("output words beyond the second are the user's, where they are")
     CHECK(it.far().word("NC1") == 0);
     CHECK(it.loop.input(0) == it.far().word("ETA"));
     CHECK(it.loop.input(99) == 0);
+}
+
+TEST_CASE("nothing is written through a scanner that holds other words")
+{
+    running<atv320::device> it;
+    auto const set = [&](std::uint16_t address, std::uint16_t word) {
+        REQUIRE(it.far().check_write(address, register_block{word}) == errc::none);
+        it.far().write(address, register_block{word});
+    };
+    set(12'723, 9'001); // output word 3 is ACC
+    it.pass(milliseconds(2'000));
+    CHECK(it.loop.control().reason().how == ending::misconfigured);
+    CHECK_FALSE(it.order());
+    CHECK(it.far().word("ACC") == 30);
+    it.loop.set_output(2, 40);
+    it.pass(milliseconds(2'000));
+    CHECK(it.far().word("ACC") == 40);
+    CHECK(it.order());
+    it.pass(milliseconds(2'000));
+    CHECK(it.now_in() == state::operation_enabled);
+
+    // The cable is off while somebody maps another register: the cycle finds out before it writes.
+    it.cut(0, true);
+    it.pass(milliseconds(1'000));
+    it.far().press_stop();
+    set(12'722, 8'503);
+    it.cut(0, false);
+    it.pass(milliseconds(4'000));
+    CHECK(it.loop.link_lost());
+    CHECK_FALSE(it.order());
+    CHECK(it.loop.control().reason().how == ending::misconfigured);
+    CHECK(it.far().word("PISP") == 0);
 }
 
 TEST_CASE("a drive says who it is")

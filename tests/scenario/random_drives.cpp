@@ -160,6 +160,7 @@ template <typename Device> bool is_explained(reason const& told, life<Device>& i
     switch (told.how) {
     case ending::pending:
     case ending::unsupported:
+    case ending::misconfigured:
     case ending::refused_while_running:
     case ending::reference_limited: return false;
     case ending::succeeded: return true;

@@ -250,7 +250,8 @@ struct device {
                                            .shows_eeprom_access = false,
                                            .halt = 0,
                                            .dc_injection = 0xA00A,
-                                           .eeprom_time = milliseconds(2'100)};
+                                           .eeprom_time = milliseconds(2'100),
+                                           .rfrd = 605};
     /// What tells who it is, without function 43.
     struct nameplate {
         template <typename Device> using plan = read_plan<Device, cpu, ncv, vcal, inv>;

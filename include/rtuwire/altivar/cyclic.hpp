@@ -69,7 +69,9 @@ template <device_type Device> struct cycle_words {
 };
 
 /// A conversation without an end: give it to a client or a bus in each pass. It needs the scanner's first
-/// slots as delivered, or set so by `configure_scanner`.
+/// two slots as delivered, or set so by `configure_scanner`, and no output slots beyond but those that
+/// `set_output` names. Before the first exchange, and after each loss, it reads the scanner's addresses;
+/// where they are others it writes nothing, and says `misconfigured`.
 template <device_type Device> class cyclic {
     using words = cycle_words<Device>;
 
@@ -98,11 +100,13 @@ public:
     /// Orders one fault reset.
     constexpr void reset_fault() noexcept { control_.reset_fault(); }
 
-    /// Sets an output word beyond the first two, where the device has it.
+    /// Sets an output word beyond the first two, where the device has it. It is written in each cycle
+    /// from then on, to whatever register the scanner's slot stands for.
     constexpr void set_output(std::size_t slot, std::uint16_t word) noexcept
     {
         if (slot >= 2 and slot < words::outputs) {
             outputs_[slot] = word;
+            slots_in_use_ |= 1U << slot;
         }
     }
 
@@ -121,7 +125,8 @@ public:
     /// State, order, and why the last order was dropped.
     [[nodiscard]] constexpr cyclic_control const& control() const noexcept { return control_; }
 
-    /// Whether more exchanges in a row failed than are tolerated, or none was made yet.
+    /// Whether more exchanges in a row failed than are tolerated, none was made yet, or the scanner was
+    /// not found as it has to be.
     [[nodiscard]] constexpr bool link_lost() const noexcept { return step_ == step::look; }
 
     [[nodiscard]] constexpr unit_id unit() const noexcept { return unit_; }
@@ -166,7 +171,15 @@ public:
     [[nodiscard]] static constexpr bool settled() noexcept { return false; }
 
 private:
-    enum class step : std::uint8_t { look, look_for_fault, exchange, read, write };
+    enum class step : std::uint8_t {
+        look,
+        look_for_fault,
+        check_inputs,
+        check_outputs,
+        exchange,
+        read,
+        write
+    };
 
     static constexpr duration safe_period(cyclic_options const& options) noexcept
     {
@@ -174,6 +187,12 @@ private:
                                                                        : Device::silence.factory;
         duration const third{limit.microseconds / 3};
         return options.period < third ? options.period : third;
+    }
+
+    /// Whether the scanner is known to hold the words of the cycle.
+    constexpr step step_after_look() const noexcept
+    {
+        return words::has_scanner and not is_checked_ ? step::check_inputs : first_step();
     }
 
     constexpr step first_step() const noexcept
@@ -188,6 +207,10 @@ private:
         switch (step_) {
         case step::look: return encoded(read_holding_registers{profile.eta, 1});
         case step::look_for_fault: return encoded(read_holding_registers{profile.lft, 1});
+        case step::check_inputs:
+            return encoded(read_holding_registers{scanner_input_addresses, words::inputs});
+        case step::check_outputs:
+            return encoded(read_holding_registers{scanner_output_addresses, words::outputs});
         case step::read: return encoded(read_holding_registers{words::read_from, words::inputs});
         case step::write: return encoded(write_multiple_registers{words::write_to, output()});
         case step::exchange: break;
@@ -221,6 +244,7 @@ private:
             return;
         }
         control_.note_loss(error);
+        is_checked_ = false;
         step_ = step::look;
     }
 
@@ -246,8 +270,11 @@ private:
         }
         if (step_ == step::look_for_fault) {
             control_.note_fault(read[0]);
-            step_ = first_step();
+            step_ = step_after_look();
             return;
+        }
+        if (step_ == step::check_inputs or step_ == step::check_outputs) {
+            return check_scanner(read);
         }
         for (std::size_t i = 0; i < words::inputs; ++i) {
             inputs_[i] = read[i];
@@ -262,6 +289,25 @@ private:
         if (not was_in_fault and cia402::is_in_fault(control_.state())) {
             step_ = step::look_for_fault;
         }
+    }
+
+    constexpr void check_scanner(register_view addresses) noexcept
+    {
+        constexpr drive_profile const& profile = Device::profile;
+        bool const is_input = step_ == step::check_inputs;
+        std::uint16_t const second = is_input ? profile.rfrd : words::reference.address;
+        bool is_right =
+            addresses[0] == (is_input ? profile.eta : profile.cmd) and addresses[1] == second;
+        for (std::size_t slot = 2; slot < words::outputs and not is_input; ++slot) {
+            bool const is_in_use = ((slots_in_use_ >> slot) & 1U) != 0;
+            is_right = is_right and (is_in_use or addresses[slot] == 0);
+        }
+        if (not is_right) {
+            control_.note_misconfigured();
+            wait_a_period();
+        }
+        is_checked_ = is_right and not is_input;
+        step_ = not is_right ? step::look : is_input ? step::check_outputs : first_step();
     }
 
     static constexpr std::size_t frame_size =
@@ -279,7 +325,9 @@ private:
     register_block<words::outputs> output_block_{};
     unit_id unit_;
     step step_{step::look};
+    std::uint32_t slots_in_use_{0};
     std::uint8_t misses_{0};
+    bool is_checked_{false};
     bool has_begun_{false};
     bool is_due_{false};
 };

@@ -80,6 +80,15 @@ public:
         state_ = cia402::state::unknown;
     }
 
+    /// The drive's words are not where they are expected: nothing may be written there.
+    constexpr void note_misconfigured() noexcept
+    {
+        drop(ending::misconfigured);
+        reason_.how = ending::misconfigured;
+        is_known_ = false;
+        reset_step_ = 0;
+    }
+
     /// The way up takes too long.
     constexpr void note_late() noexcept { drop(ending::stuck); }
 

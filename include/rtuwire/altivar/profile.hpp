@@ -40,6 +40,7 @@ struct drive_profile {
     std::uint16_t dc_injection{0};          ///< the control word that brakes so; 0: by none
     duration eeprom_time{milliseconds(50)}; ///< without communication while it saves
     std::uint8_t scanner_words{0};          ///< slots each way; 0: has no scanner
+    std::uint16_t rfrd{8604};               ///< output speed, which a scanner shows as delivered
 };
 
 } // namespace rtuwire::altivar

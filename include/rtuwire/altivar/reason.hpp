@@ -24,6 +24,7 @@ enum class ending : std::uint8_t {
     reference_limited,     ///< done, but the reference is outside LSP..HSP
     refused_while_running, ///< only a stopped drive takes this
     unsupported,           ///< this drive cannot do that
+    misconfigured,         ///< the drive's scanner holds other words than are needed
 };
 
 /// An ending with what was known.
@@ -50,6 +51,7 @@ struct reason {
     case ending::reference_limited: return "the reference is outside the drive's limits";
     case ending::refused_while_running: return "only possible while the motor is stopped";
     case ending::unsupported: return "this drive cannot do that";
+    case ending::misconfigured: return "the drive's scanner holds other words";
     }
     return "unknown";
 }
