@@ -72,7 +72,7 @@ public:
 
     bool shorten_times()
     {
-        return set_short_times(drive_, [this](auto talk) { return run(talk); });
+        return set_short_times(drive_, [this](auto talk) { return this->run(talk); });
     }
 
     /// One round of the monitor plan, in its units.

@@ -55,6 +55,12 @@ template <typename Device> struct running : test::party_line<client, Device> {
     }
 };
 
+// W12701..W12704 and W12721..W12724.
+constexpr auto read_inputs = "03 03 31 9D 00 04 DA F9"_hex;
+constexpr auto inputs_as_delivered = "03 03 08 0C 81 21 9C 00 00 00 00 D9 9F"_hex;
+constexpr auto read_outputs = "03 03 31 B1 00 04 1B 30"_hex;
+constexpr auto outputs_as_delivered = "03 03 08 21 35 21 9A 00 00 00 00 66 15"_hex;
+
 /// The frame that a cycle asks next, and an answer to it.
 template <typename Device> struct by_hand {
     cyclic<Device> loop;
@@ -70,10 +76,10 @@ template <typename Device> struct by_hand {
     /// The scanner as delivered.
     bool checks_scanner()
     {
-        bool const asks_inputs = asks("03 03 31 9D 00 04 DA F9"_hex);
-        say("03 03 08 0C 81 21 9C 00 00 00 00 D9 9F"_hex);
-        bool const asks_outputs = asks("03 03 31 B1 00 04 1B 30"_hex);
-        say("03 03 08 21 35 21 9A 00 00 00 00 66 15"_hex);
+        bool const asks_inputs = asks(read_inputs);
+        say(inputs_as_delivered);
+        bool const asks_outputs = asks(read_outputs);
+        say(outputs_as_delivered);
         return asks_inputs and asks_outputs;
     }
 
