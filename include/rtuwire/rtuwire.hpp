@@ -33,12 +33,18 @@
 #include <rtuwire/cia402/transition.hpp>
 #include <rtuwire/cia402/way.hpp>
 #include <rtuwire/client/access.hpp>
+#include <rtuwire/client/attempts.hpp>
 #include <rtuwire/client/blocking.hpp>
 #include <rtuwire/client/bus.hpp>
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/client/conversation.hpp>
+#include <rtuwire/client/echo.hpp>
+#include <rtuwire/client/echo_probe.hpp>
+#include <rtuwire/client/options.hpp>
 #include <rtuwire/client/plan_writer.hpp>
 #include <rtuwire/client/poller.hpp>
+#include <rtuwire/client/quarantine.hpp>
+#include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/crc16.hpp>
 #include <rtuwire/core/fixed_buffer.hpp>
@@ -54,6 +60,7 @@
 #include <rtuwire/server/identification.hpp>
 #include <rtuwire/server/request.hpp>
 #include <rtuwire/server/respond.hpp>
+#include <rtuwire/server/serial_diagnostics.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/server/typed_bank.hpp>
 #include <rtuwire/sim/chart.hpp>

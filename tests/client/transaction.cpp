@@ -98,7 +98,7 @@ constexpr bool refusals()
 {
     return refusal_is("01 83 01 80 F0"_hex, errc::illegal_function) and
            refusal_is("01 83 02 C0 F1"_hex, errc::illegal_data_address) and
-           refusal_is("01 83 06 C1 32"_hex, errc::server_device_busy) and
+           refusal_is("01 83 04 40 F3"_hex, errc::server_device_failure) and
            refusal_is("01 83 7F 00 D0"_hex, static_cast<errc>(0x7F)) and
            refusal_is("01 83 00 41 30"_hex, errc::unlisted_exception);
 }

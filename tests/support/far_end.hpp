@@ -15,12 +15,12 @@ inline constexpr line_timing line{19'200, character_format::even_8_1};
 
 /// A client whose line was silent for a second, and its clock, which starts five seconds before it
 /// wraps.
-struct far_end {
-    client link;
+template <typename Client> struct basic_far_end {
+    Client link;
     instant now{0xFFFF'FFFFU - 5'000'000U};
     unsigned transmissions{0};
 
-    explicit constexpr far_end(client_options const& options = {}) : link{line, options}
+    explicit constexpr basic_far_end(client_options const& options = {}) : link{line, options}
     {
         link.advance(now);
         pass(milliseconds(1'000));
@@ -90,10 +90,12 @@ struct far_end {
         if (not outcome or not *outcome) {
             return false;
         }
-        auto const answer = (*outcome)->to<read_holding_registers>();
+        auto const answer = (*outcome)->template to<read_holding_registers>();
         return answer and answer->registers[0] == value;
     }
 };
+
+using far_end = basic_far_end<client>;
 
 inline constexpr auto read_eta = "01 03 0C 81 00 01 D7 72"_hex;
 inline constexpr auto read_next = "01 03 0C 82 00 01 27 72"_hex;

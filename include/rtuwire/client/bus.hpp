@@ -31,7 +31,7 @@ struct slot_options {
 /// A client for `Slots` conversations. In each pass call `receive`, `sent` and `advance` as for a
 /// client; then `converse` once for every slot in use, in any order; then send what `poll_transmit`
 /// gives. Sleep no longer than `poll_deadline` says.
-template <std::size_t Slots> class bus {
+template <std::size_t Slots, typename Statistics = no_statistics> class bus {
     static_assert(Slots > 0 and Slots < 0xFF, "a bus has 1 to 254 slots");
 
 public:
@@ -40,7 +40,8 @@ public:
         : client_{line, options}, share_{share}
     {
         for (slot& each : slots_) {
-            each.options.with = {options.response_timeout, options.retries};
+            each.options.with.response_timeout = options.response_timeout;
+            each.options.with.retries = options.retries;
         }
     }
 
@@ -118,6 +119,12 @@ public:
             next = earlier(next, each.wake);
         }
         return next;
+    }
+
+    /// What was counted, where counting was asked for.
+    [[nodiscard]] constexpr Statistics const& statistics() const noexcept
+    {
+        return client_.statistics();
     }
 
     /// Whether a slot's unit has not answered for some questions.
@@ -252,7 +259,7 @@ private:
         }
     }
 
-    client client_;
+    basic_client<Statistics> client_;
     bus_options share_;
     std::array<slot, Slots> slots_{};
     instant now_{};

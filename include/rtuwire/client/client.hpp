@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The client's end of a line (SL 2.4.1): one request at a time, its repetitions and time limits. Owns
-// neither the wire nor a clock; knows of functions only what wire/answer.hpp says.
+// The client's end of a line (SL 2.4.1): one request at a time. Owns neither the wire nor a clock; knows
+// of functions only what wire/answer.hpp says.
 //
 //   phase         leaves it
 //   idle          start -> waiting
@@ -10,7 +10,9 @@
 //   ready         poll_transmit -> transmitting; octets -> waiting, or settled where the question
 //                 may not wait; too late -> settled
 //   transmitting  sent -> awaiting, or turnaround after a broadcast; too late -> settled
-//   awaiting      the answer -> settled; time over or our answer damaged -> waiting, or settled
+//   awaiting      the answer -> settled; time over or our answer damaged -> waiting, or settled;
+//                 exception 05 or 06 -> pausing, or settled
+//   pausing       time over -> waiting
 //   turnaround    time over -> settled
 //   settled       poll_outcome -> idle
 #pragma once
@@ -18,7 +20,12 @@
 #include <cstdint>
 #include <optional>
 
+#include <rtuwire/client/attempts.hpp>
 #include <rtuwire/client/conversation.hpp>
+#include <rtuwire/client/echo.hpp>
+#include <rtuwire/client/options.hpp>
+#include <rtuwire/client/quarantine.hpp>
+#include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/rtu/framer.hpp>
 #include <rtuwire/rtu/line.hpp>
@@ -26,48 +33,28 @@
 
 namespace rtuwire {
 
-/// How patient a client is with one unit.
-struct patience {
-    /// From the end of a request to the start of its answer; the time the answer itself takes on the
-    /// line comes on top.
-    duration response_timeout{milliseconds(1000)};
-    /// How often a request is repeated after silence or a damaged answer; never after an exception,
-    /// and never for a broadcast.
-    std::uint8_t retries{2};
-};
-
-/// How patient a client is.
-struct client_options {
-    /// As in `patience`, for every unit that none is given for.
-    duration response_timeout{milliseconds(1000)};
-    /// From the end of a broadcast to the next request; units need it to act (SL 2.4.1).
-    duration turnaround{milliseconds(100)};
-    /// How long after the end of a transaction an answer that came too late may still arrive. Until
-    /// then the unit is asked nothing new, because an answer does not say which question it is to.
-    duration late_answer{milliseconds(200)};
-    /// As in `patience`.
-    std::uint8_t retries{2};
-};
-
 /// Asks one question at a time. In each pass call `receive` with what arrived, `sent` when the last
 /// stop bit has left, `advance`; then take the outcome and `start` the next, or let `converse` do
 /// both; then send what `poll_transmit` gives. Sleep no longer than `poll_deadline` says.
-class client {
+template <typename Statistics> class basic_client {
 public:
-    explicit constexpr client(line_timing const& line, client_options const& options = {}) noexcept
-        : framer_{direction::response, line}, options_{options}
+    explicit constexpr basic_client(line_timing const& timing,
+                                    client_options const& options = {}) noexcept
+        : framer_{direction::response, timing}, options_{options}
     {}
 
     /// Takes octets that had arrived by `now`, in any chunking. Outside of waiting for an answer they
     /// are noise: dropped, but the line was not silent.
     constexpr void receive(byte_view octets, instant now) noexcept
     {
+        octets = take_echo(octets, now);
         while (not octets.empty() and phase_ == phase::awaiting) {
+            octets = skip_noise(octets, now);
             octets = octets.subspan(framer_.receive(octets, now));
             take_frame(now);
         }
         if (not octets.empty()) {
-            note_noise(now);
+            note_noise(octets, now);
         }
     }
 
@@ -77,7 +64,7 @@ public:
         if (phase_ == phase::awaiting) {
             framer_.receive_error(now);
         } else {
-            note_noise(now);
+            note_noise({}, now);
         }
     }
 
@@ -89,10 +76,12 @@ public:
             return;
         }
         framer_.restart(now);
-        bool const is_broadcast = to_u8(question_[0]) == 0;
+        bool const is_broadcast = unit() == 0;
         phase_ = is_broadcast ? phase::turnaround : phase::awaiting;
+        skip_left_ = options_.skip_noise;
+        sent_at_ = now;
         deadline_ = now + (is_broadcast ? options_.turnaround
-                                        : patience_.response_timeout +
+                                        : attempts_.response_timeout() +
                                               framer_.line().characters(answer_size(question_)));
     }
 
@@ -100,9 +89,7 @@ public:
     constexpr void advance(instant now) noexcept
     {
         framer_.advance(now);
-        if (is_quarantined_ and reached(now, quarantine_end_)) {
-            is_quarantined_ = false;
-        }
+        quarantine_.advance(now);
         if (phase_ == phase::awaiting) {
             take_frame(now);
         }
@@ -117,7 +104,8 @@ public:
     /// `frame_too_short`, `frame_too_long`; nothing is changed then.
     constexpr result<void> start(request question, instant now) noexcept
     {
-        return start(question, now, {options_.response_timeout, options_.retries});
+        return start(question, now,
+                     {.response_timeout = options_.response_timeout, .retries = options_.retries});
     }
 
     /// The same, with patience for this question's unit.
@@ -133,12 +121,8 @@ public:
             return errc::frame_too_long;
         }
         question_ = question.frame();
-        patience_ = with;
         may_be_stale_ = not question.may_be_repeated();
-        if (may_be_stale_) {
-            patience_.retries = 0;
-        }
-        retries_left_ = patience_.retries;
+        attempts_.begin(with, question.may_be_repeated());
         trouble_ = errc::none;
         wait_for_silence(now);
         advance(now);
@@ -152,7 +136,7 @@ public:
             return;
         }
         bool const was_sent = phase_ == phase::transmitting or phase_ == phase::awaiting;
-        settle(errc::cancelled, now, was_sent or has_repeated());
+        settle(errc::cancelled, now, was_sent or attempts_.has_failed());
     }
 
     /// The octets to send now, each request and repetition once; empty when there is nothing. They are
@@ -162,21 +146,18 @@ public:
         if (phase_ != phase::ready) {
             return {};
         }
+        statistics_.note(attempts_.is_first() ? line_event::request : line_event::repetition,
+                         unit());
         phase_ = phase::transmitting;
+        echo_.expect(options_.has_echo ? question_ : byte_view{});
         return question_;
     }
 
     /// When `advance` has something to do.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
-        deadline next = framer_.poll_deadline();
-        if (has_deadline()) {
-            next = earlier(next, deadline_);
-        }
-        if (is_quarantined_) {
-            next = earlier(next, quarantine_end_);
-        }
-        return next;
+        auto const own = has_deadline() ? deadline{deadline_} : deadline{};
+        return earlier(earlier(framer_.poll_deadline(), quarantine_.end()), own);
     }
 
     /// What came of the question, once. The answer is valid until the next request is sent. The error
@@ -187,11 +168,13 @@ public:
             return std::nullopt;
         }
         phase_ = phase::idle;
-        if (trouble_ != errc::none) {
-            return result<response>{trouble_};
-        }
-        return result<response>{response{answer_}};
+        return trouble_ != errc::none ? result<response>{trouble_}
+                                      : result<response>{response{answer_}};
     }
+
+    /// What was counted.
+    [[nodiscard]] constexpr Statistics& statistics() noexcept { return statistics_; }
+    [[nodiscard]] constexpr Statistics const& statistics() const noexcept { return statistics_; }
 
     /// Whether a question is under way or its outcome not taken yet.
     [[nodiscard]] constexpr bool is_busy() const noexcept { return phase_ != phase::idle; }
@@ -204,10 +187,7 @@ public:
     [[nodiscard]] constexpr bool is_free_for(Talk const& talk) const noexcept
     {
         if constexpr (prompt_conversation<Talk>) {
-            std::uint8_t const unit = talk.unit().octet();
-            bool const is_owed =
-                is_quarantined_ and (quarantined_unit_ == any_unit or quarantined_unit_ == unit);
-            return is_quiet() and not is_owed;
+            return is_quiet() and not quarantine_.covers(talk.unit().octet());
         } else {
             return true;
         }
@@ -239,6 +219,7 @@ private:
         ready,
         transmitting,
         awaiting,
+        pausing,
         turnaround,
         settled,
     };
@@ -255,17 +236,47 @@ private:
             return;
         }
         phase_ = phase::ready;
-        deadline_ = now + patience_.response_timeout + framer_.line().characters(question_.size());
+        deadline_ =
+            now + attempts_.response_timeout() + framer_.line().characters(question_.size());
     }
 
-    constexpr void note_noise(instant now) noexcept
+    /// What is left of octets without the echo of what was sent.
+    constexpr byte_view take_echo(byte_view octets, instant now) noexcept
     {
+        std::size_t const count = echo_.take(octets);
+        if (count > 0) {
+            framer_.note_activity(now);
+            if (echo_.is_wrong()) {
+                trouble_ = errc::collision;
+                statistics_.note(line_event::collision, unit());
+            }
+        }
+        return octets.subspan(count);
+    }
+
+    /// Leaves out what comes before a unit's first octet, as far as that is wanted.
+    constexpr byte_view skip_noise(byte_view octets, instant now) noexcept
+    {
+        while (skip_left_ > 0 and not octets.empty() and framer_.is_at_start() and
+               to_u8(octets[0]) != unit()) {
+            octets = octets.subspan(1);
+            --skip_left_;
+            framer_.note_activity(now);
+            statistics_.note(line_event::noise, unit());
+        }
+        return octets;
+    }
+
+    constexpr void note_noise(byte_view octets, instant now) noexcept
+    {
+        std::uint8_t const owing = framer_.is_quiet() ? quarantine_.unit() : std::uint8_t{0};
+        rtuwire::note_noise(statistics_, octets, owing);
         framer_.note_activity(now);
         if (phase_ != phase::ready) {
             return;
         }
         if (may_be_stale_) {
-            settle(errc::bus_jam, now, has_repeated());
+            settle(errc::bus_jam, now, attempts_.has_failed());
         } else {
             phase_ = phase::waiting;
         }
@@ -274,23 +285,22 @@ private:
     constexpr void take_frame(instant now) noexcept
     {
         auto const frame = framer_.poll_frame();
-        if (not frame) {
+        if (not frame or trouble_ == errc::collision) {
             return;
         }
         errc const wrong = *frame ? check_answer(question_, **frame) : frame->error();
         if (wrong == errc::none) {
             answer_ = (*frame)->pdu;
         }
-        if (wrong == errc::none or is_refusal(wrong)) {
-            settle(wrong, now, has_repeated());
+        note_frame(statistics_, wrong, unit(), now - sent_at_);
+        if (attempts_.may_pause(wrong)) {
+            deadline_ = now + attempts_.take_pause();
+            phase_ = phase::pausing;
+        } else if (wrong == errc::none or is_refusal(wrong)) {
+            settle(wrong, now, attempts_.has_failed());
         } else if (wrong != errc::wrong_unit) {
             take_trouble(wrong, now);
         }
-    }
-
-    static constexpr bool is_refusal(errc error) noexcept
-    {
-        return is_exception(error) or error == errc::unlisted_exception;
     }
 
     /// A damaged answer of our unit is worth an early repetition. Anything else may be noise before the
@@ -301,8 +311,7 @@ private:
             return;
         }
         trouble_ = wrong;
-        bool const is_damaged = wrong == errc::crc_mismatch or wrong == errc::uart_error;
-        if (is_damaged and framer_.claimed_unit() == to_u8(question_[0])) {
+        if (event_of(wrong) == line_event::crc and framer_.claimed_unit() == unit()) {
             attempt_failed(now);
         }
     }
@@ -310,18 +319,21 @@ private:
     constexpr void time_is_over(instant now) noexcept
     {
         switch (phase_) {
-        case phase::waiting: settle(errc::bus_jam, now, has_repeated()); break;
-        case phase::ready: settle(errc::transmit_stalled, now, has_repeated()); break;
+        case phase::waiting: settle(errc::bus_jam, now, attempts_.has_failed()); break;
+        case phase::ready: settle(errc::transmit_stalled, now, attempts_.has_failed()); break;
         case phase::transmitting: settle(errc::transmit_stalled, now, true); break;
         case phase::awaiting:
             if (trouble_ == errc::none) {
                 trouble_ = framer_.is_quiet() ? errc::timed_out : errc::bus_jam;
+                statistics_.note(framer_.is_quiet() ? line_event::timeout : line_event::jam,
+                                 unit());
             }
             attempt_failed(now);
             break;
+        case phase::pausing: wait_for_silence(now); break;
         case phase::turnaround:
             answer_ = {};
-            settle(errc::none, now, false);
+            settle(trouble_, now, false);
             break;
         case phase::idle:
         case phase::settled: break;
@@ -330,11 +342,10 @@ private:
 
     constexpr void attempt_failed(instant now) noexcept
     {
-        if (retries_left_ == 0) {
+        if (not attempts_.take_retry()) {
             settle(trouble_, now, true);
             return;
         }
-        --retries_left_;
         trouble_ = errc::none;
         wait_for_silence(now);
     }
@@ -342,8 +353,9 @@ private:
     constexpr void wait_for_silence(instant now) noexcept
     {
         phase_ = phase::waiting;
+        echo_.forget();
         deadline_ =
-            (must_wait_for_late_answer() ? quarantine_end_ : now) + patience_.response_timeout;
+            (must_wait_for_late_answer() ? *quarantine_.end() : now) + attempts_.response_timeout();
     }
 
     /// Ends the transaction. Where an answer may still be on its way, its unit is asked nothing new
@@ -352,39 +364,37 @@ private:
     {
         trouble_ = error;
         phase_ = phase::settled;
-        if (not answer_is_owed) {
-            return;
+        echo_.forget();
+        if (answer_is_owed) {
+            quarantine_.begin(unit(), now + options_.late_answer);
         }
-        auto const unit = to_u8(question_[0]);
-        quarantined_unit_ = is_quarantined_ and quarantined_unit_ != unit ? any_unit : unit;
-        is_quarantined_ = true;
-        quarantine_end_ = now + options_.late_answer;
     }
 
-    constexpr bool has_repeated() const noexcept { return retries_left_ != patience_.retries; }
+    /// Who is asked.
+    constexpr std::uint8_t unit() const noexcept { return to_u8(question_[0]); }
 
     constexpr bool must_wait_for_late_answer() const noexcept
     {
-        return is_quarantined_ and not has_repeated() and
-               (quarantined_unit_ == any_unit or quarantined_unit_ == to_u8(question_[0]));
+        return not attempts_.has_failed() and quarantine_.covers(unit());
     }
 
-    /// Stands for several units in `quarantined_unit_`; no unit has it.
-    static constexpr std::uint8_t any_unit = 0xFF;
-
+    [[no_unique_address]] Statistics statistics_{};
     framer framer_;
+    echo_check echo_{};
     client_options options_;
-    patience patience_{};
+    attempts attempts_{};
     byte_view question_{};
     byte_view answer_{};
     instant deadline_{};
-    instant quarantine_end_{};
-    std::uint8_t quarantined_unit_{0};
-    std::uint8_t retries_left_{0};
+    quarantine quarantine_{};
+    instant sent_at_{};
+    std::uint8_t skip_left_{0};
     phase phase_{phase::idle};
     errc trouble_{errc::none};
-    bool is_quarantined_{false};
     bool may_be_stale_{false}; ///< the question must leave at once or not at all
 };
+
+/// A client that counts nothing.
+using client = basic_client<no_statistics>;
 
 } // namespace rtuwire

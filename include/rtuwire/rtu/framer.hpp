@@ -145,6 +145,12 @@ public:
     /// Whether t3.5 of silence has passed, so that somebody may send.
     [[nodiscard]] constexpr bool is_quiet() const noexcept { return started_ and not busy_; }
 
+    /// Whether the next octet would be the first of a frame.
+    [[nodiscard]] constexpr bool is_at_start() const noexcept
+    {
+        return state_ == state::idle or state_ == state::done;
+    }
+
     /// The first octet of what ended last, when it had a frame's size: who it claims to be for or from.
     [[nodiscard]] constexpr std::optional<std::uint8_t> claimed_unit() const noexcept
     {

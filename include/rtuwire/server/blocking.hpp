@@ -14,8 +14,8 @@ namespace rtuwire {
 
 /// Reads what has arrived, or arrives before `patience` is over; answers what is asked. Errors: those
 /// of the port.
-template <typename Port, register_bank Bank>
-result<void> serve_once(server& node, Port& port, Bank& bank, duration patience)
+template <typename Diagnostics, typename Port, register_bank Bank>
+result<void> serve_once(basic_server<Diagnostics>& node, Port& port, Bank& bank, duration patience)
 {
     constexpr duration write_limit = milliseconds(1000);
     std::array<std::byte, max_adu_size> input;

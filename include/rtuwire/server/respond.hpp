@@ -11,6 +11,7 @@
 #include <rtuwire/server/bank.hpp>
 #include <rtuwire/server/identification.hpp>
 #include <rtuwire/server/request.hpp>
+#include <rtuwire/server/serial_diagnostics.hpp>
 #include <rtuwire/wire/pdu/diagnostics.hpp>
 #include <rtuwire/wire/pdu/exception.hpp>
 
@@ -64,21 +65,6 @@ template <register_bank Bank>
     return writer.size();
 }
 
-/// Answers function 08: only the loop-back, sub-function 0.
-[[nodiscard]] constexpr result<std::size_t> answer_diagnostics(byte_view request_pdu,
-                                                               byte_span out) noexcept
-{
-    if (request_pdu.size() >= 3 and u16_at(request_pdu, 1) != 0) {
-        return errc::illegal_function;
-    }
-    if (not diagnostics::decode(request_pdu)) {
-        return errc::illegal_data_value;
-    }
-    byte_writer writer{out};
-    writer.bytes(request_pdu);
-    return writer.size();
-}
-
 /// Answers function 43: only type 14, device identification.
 [[nodiscard]] constexpr result<std::size_t>
 answer_identification(byte_view request_pdu, server_profile const& profile, byte_span out) noexcept
@@ -92,17 +78,17 @@ answer_identification(byte_view request_pdu, server_profile const& profile, byte
 }
 
 /// Answers any request; the size of the answer, or the exception.
-template <register_bank Bank>
-[[nodiscard]] constexpr result<std::size_t> answer_request(byte_view request_pdu, Bank& bank,
-                                                           server_profile const& profile,
-                                                           byte_span out) noexcept
+template <register_bank Bank, typename Diagnostics>
+[[nodiscard]] constexpr result<std::size_t>
+answer_request(byte_view request_pdu, Bank& bank, server_profile const& profile, byte_span out,
+               Diagnostics& line) noexcept
 {
     auto const function = static_cast<function_code>(to_u8(request_pdu[0]));
     if (not profile.supports(function)) {
         return errc::illegal_function;
     }
     switch (function) {
-    case function_code::diagnostics: return answer_diagnostics(request_pdu, out);
+    case function_code::diagnostics: return line.answer(request_pdu, out);
     case function_code::encapsulated_interface:
         return answer_identification(request_pdu, profile, out);
     case function_code::read_holding_registers:
@@ -114,11 +100,13 @@ template <register_bank Bank>
 }
 
 /// Answers a request PDU that was sent to one unit. Writes the answer, normal or exception, into `out`
-/// and returns its part written; empty, with nothing done, for a PDU without a function below 80.
-/// `out` holds at least 253 octets and may be the request's own place.
-template <register_bank Bank>
+/// and returns its part written; empty, with nothing done, for a PDU without a function below 80, and
+/// where function 08 wants no answer. `out` holds at least 253 octets and may be the request's own
+/// place.
+template <register_bank Bank, typename Diagnostics>
 [[nodiscard]] constexpr byte_span respond(byte_view request_pdu, Bank& bank,
-                                          server_profile const& profile, byte_span out) noexcept
+                                          server_profile const& profile, byte_span out,
+                                          Diagnostics& line) noexcept
 {
     if (request_pdu.empty() or out.size() < max_pdu_size) {
         return {};
@@ -127,7 +115,7 @@ template <register_bank Bank>
     if (to_u8(function) >= exception_bit) {
         return {};
     }
-    auto const answered = answer_request(request_pdu, bank, profile, out.first(max_pdu_size));
+    auto const answered = answer_request(request_pdu, bank, profile, out.first(max_pdu_size), line);
     if (answered) {
         return out.first(*answered);
     }
@@ -138,21 +126,29 @@ template <register_bank Bank>
     return writer.written();
 }
 
-/// Does what a broadcast asks; only functions 06 and 16 have an effect, and nobody learns of errors.
+/// The same with function 08 as a loop-back.
 template <register_bank Bank>
-constexpr void obey_broadcast(byte_view request_pdu, Bank& bank,
+[[nodiscard]] constexpr byte_span respond(byte_view request_pdu, Bank& bank,
+                                          server_profile const& profile, byte_span out) noexcept
+{
+    loop_back line;
+    return respond(request_pdu, bank, profile, out, line);
+}
+
+/// Does what a broadcast asks; only functions 06 and 16 have an effect. Nobody is told of the error that
+/// it returns.
+template <register_bank Bank>
+constexpr errc obey_broadcast(byte_view request_pdu, Bank& bank,
                               server_profile const& profile) noexcept
 {
     bool const is_write = is_pdu_of(request_pdu, function_code::write_single_register) or
                           is_pdu_of(request_pdu, function_code::write_multiple_registers);
     if (not is_write or not profile.supports(static_cast<function_code>(to_u8(request_pdu[0])))) {
-        return;
+        return errc::illegal_function;
     }
     auto const asked = decode_access(request_pdu, profile.limits);
     byte_writer nowhere{byte_span{}};
-    if (asked) {
-        static_cast<void>(access_registers(*asked, bank, nowhere));
-    }
+    return asked ? access_registers(*asked, bank, nowhere) : asked.error();
 }
 
 } // namespace rtuwire

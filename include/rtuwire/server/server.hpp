@@ -25,19 +25,20 @@ namespace rtuwire {
 /// Serves one unit address. In each pass call `receive` with what arrived, `sent` when the last stop
 /// bit of an answer has left, `advance`, `serve`; then send what `poll_transmit` gives. Sleep no longer
 /// than `poll_deadline` says. Hears nothing until the line has been silent once.
-class server {
+template <typename Diagnostics> class basic_server {
 public:
     /// Listens as `unit`; the profile, and the objects in it, outlive the server.
-    constexpr server(unit_id unit, line_timing const& line, server_profile const& profile) noexcept
-        : framer_{direction::request, line}, profile_{&profile}, unit_{unit.octet()}
+    constexpr basic_server(unit_id unit, line_timing const& timing,
+                           server_profile const& profile) noexcept
+        : framer_{direction::request, timing}, profile_{&profile}, unit_{unit.octet()}
     {}
 
     /// Listens as `unit` with every function and the specification's limits, without identification.
-    constexpr server(unit_id unit, line_timing const& line) noexcept
-        : server{unit, line, default_profile}
+    constexpr basic_server(unit_id unit, line_timing const& timing) noexcept
+        : basic_server{unit, timing, default_profile}
     {}
 
-    server(unit_id, line_timing const&, server_profile&&) = delete;
+    basic_server(unit_id, line_timing const&, server_profile&&) = delete;
 
     /// Takes octets that had arrived by `now`, in any chunking. Octets after a request to this unit and
     /// before its answer has left are noise.
@@ -60,6 +61,13 @@ public:
         } else {
             note_noise(now);
         }
+    }
+
+    /// The same, where the receiver says that it lost an octet.
+    constexpr void receive_overrun(instant now) noexcept
+    {
+        diagnostics_.note_overrun();
+        receive_error(now);
     }
 
     /// Takes note that the last stop bit of what `poll_transmit` gave has left at `now`.
@@ -94,17 +102,21 @@ public:
         if (phase_ != phase::asked) {
             return;
         }
+        diagnostics_.note_request();
         byte_span const place = framer_.storage().subspan(1);
         byte_view const asked = byte_view{place}.first(asked_size_);
         if (to_u8(framer_.storage()[0]) == 0) {
-            obey_broadcast(asked, bank, *profile_);
-            phase_ = phase::listening;
+            obey(asked, bank);
             return;
         }
-        std::size_t const size = respond(asked, bank, *profile_, place).size();
+        bool const is_deaf =
+            diagnostics_.is_listen_only() and not is_pdu_of(asked, function_code::diagnostics);
+        std::size_t const size =
+            is_deaf ? 0 : respond(asked, bank, *profile_, place, diagnostics_).size();
         seal(size);
         phase_ = size > 0 ? phase::answering : phase::listening;
         too_late_ = now + answer_limit;
+        count(place.first(size));
         advance(now);
     }
 
@@ -141,9 +153,14 @@ private:
     constexpr void take_frame() noexcept
     {
         auto const frame = framer_.poll_frame();
-        if (not frame or not *frame) {
+        if (not frame) {
             return;
         }
+        if (not *frame) {
+            diagnostics_.note_error();
+            return;
+        }
+        diagnostics_.note_message();
         adu const& heard = **frame;
         if (framer_.is_overheard()) {
             return;
@@ -157,6 +174,28 @@ private:
         } else {
             // An answer to a question that was not heard: what it belongs to is unknown.
             framer_.resynchronise();
+        }
+    }
+
+    template <register_bank Bank> constexpr void obey(byte_view asked, Bank& bank) noexcept
+    {
+        phase_ = phase::listening;
+        diagnostics_.note_silence();
+        if (diagnostics_.is_listen_only()) {
+            return;
+        }
+        errc const wrong = obey_broadcast(asked, bank, *profile_);
+        if (wrong != errc::none) {
+            diagnostics_.note_exception(wrong);
+        }
+    }
+
+    constexpr void count(byte_view answer) noexcept
+    {
+        if (answer.empty()) {
+            diagnostics_.note_silence();
+        } else if ((to_u8(answer[0]) & exception_bit) != 0) {
+            diagnostics_.note_exception(exception_error(to_u8(answer[1])));
         }
     }
 
@@ -185,6 +224,7 @@ private:
         answer_size_ = static_cast<std::uint16_t>(end + 2);
     }
 
+    [[no_unique_address]] Diagnostics diagnostics_{};
     framer framer_;
     server_profile const* profile_;
     instant too_late_{};
@@ -193,5 +233,11 @@ private:
     std::uint8_t unit_;
     phase phase_{phase::listening};
 };
+
+/// A server that answers of function 08 the loop-back only.
+using server = basic_server<loop_back>;
+
+/// A server that counts, and can be told to listen only.
+using counting_server = basic_server<serial_diagnostics>;
 
 } // namespace rtuwire

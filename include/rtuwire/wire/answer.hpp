@@ -99,8 +99,9 @@ namespace rtuwire {
 }
 
 /// Whether `answer`, whose CRC was right, answers the question in `question_adu`, a frame that was
-/// encoded here. The error is the exception when the server refused; `wrong_unit`, `wrong_function`,
-/// `wrong_length`, `wrong_echo` or `malformed` when this is no answer to it.
+/// encoded here. The error is the exception when the server refused; `echoed` when it is the question
+/// itself; `wrong_unit`, `wrong_function`, `wrong_length`, `wrong_echo` or `malformed` when this is no
+/// answer to it.
 [[nodiscard]] constexpr errc check_answer(byte_view question_adu, adu const& answer) noexcept
 {
     byte_view const question_pdu = question_adu.subspan(1, question_adu.size() - adu_overhead);
@@ -113,7 +114,9 @@ namespace rtuwire {
     if (answer.is_exception()) {
         return answer.pdu.size() == 2 ? exception_error(to_u8(answer.pdu[1])) : errc::wrong_length;
     }
-    return check_fields(question_pdu, answer.pdu);
+    errc const wrong = check_fields(question_pdu, answer.pdu);
+    bool const is_own = wrong != errc::none and same_bytes(question_pdu, answer.pdu);
+    return is_own ? errc::echoed : wrong;
 }
 
 } // namespace rtuwire

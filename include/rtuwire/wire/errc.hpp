@@ -47,6 +47,8 @@ enum class errc : std::uint8_t {
     malformed,          ///< a field holds what the function does not allow
     unlisted_exception, ///< an exception response with code 0 or from 0x80, which no document uses
     uart_error,         ///< parity, framing or overrun error reported by the receiver
+    echoed,             ///< the question itself came back: the line echoes what is sent
+    collision,          ///< what was sent came back as something else
 
     // What did not happen in time.
     timed_out,        ///< no answer within the response time-out
@@ -68,6 +70,12 @@ enum class errc : std::uint8_t {
 [[nodiscard]] constexpr bool is_exception(errc error) noexcept
 {
     return error != errc::none and static_cast<std::uint8_t>(error) < 0x80;
+}
+
+/// Whether a server refused, by an exception of any code.
+[[nodiscard]] constexpr bool is_refusal(errc error) noexcept
+{
+    return is_exception(error) or error == errc::unlisted_exception;
 }
 
 /// The error for an exception code from the wire.

@@ -43,6 +43,8 @@ namespace rtuwire {
     case errc::malformed: return "malformed field";
     case errc::unlisted_exception: return "exception with an unlisted code";
     case errc::uart_error: return "parity, framing or overrun error";
+    case errc::echoed: return "the question itself came back: the line echoes";
+    case errc::collision: return "what was sent came back as something else";
     case errc::timed_out: return "no answer in time";
     case errc::bus_jam: return "the line never fell silent";
     case errc::transmit_stalled: return "the transmitter never finished";

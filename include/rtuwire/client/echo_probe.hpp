@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Finds out whether a line gives back what is sent. On such a line the echo of a function 06 request
+// looks like the answer to it, so this is worth one question before the first write.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <rtuwire/client/conversation.hpp>
+#include <rtuwire/core/result.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+
+namespace rtuwire {
+
+/// Asks a unit for one register and looks at what comes back first. For a client without `has_echo`.
+class echo_probe {
+public:
+    explicit constexpr echo_probe(unit_id unit) noexcept : question_{unit, {address, 1}} {}
+
+    [[nodiscard]] constexpr std::optional<request> next() const noexcept
+    {
+        return question_.next();
+    }
+
+    constexpr void accept(result<response> const& outcome) noexcept { question_.accept(outcome); }
+
+    [[nodiscard]] constexpr bool settled() const noexcept { return question_.settled(); }
+
+    /// Whether the line echoes; `pending` until it is settled. Errors: those of the client, where the
+    /// unit did not answer at all. A refusal is an answer.
+    [[nodiscard]] constexpr result<bool> outcome() const noexcept
+    {
+        errc const wrong = question_.outcome().error();
+        if (wrong == errc::echoed) {
+            return true;
+        }
+        if (wrong == errc::none or is_refusal(wrong)) {
+            return false;
+        }
+        return wrong;
+    }
+
+private:
+    /// Any address whose high octet is 3: as an answer, the question then has the length it claims, so
+    /// that it is told from an answer that follows at once.
+    static constexpr std::uint16_t address = 0x0300;
+
+    single_question<read_holding_registers> question_;
+};
+
+} // namespace rtuwire

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What a client counts of its line, if it is told to: `basic_client<unit_statistics<30>>`. A client
+// without statistics holds no octet of them and runs no instruction for them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/wire/errc.hpp>
+
+namespace rtuwire {
+
+/// What can be counted.
+enum class line_event : std::uint8_t {
+    request,    ///< a question left for the first time
+    repetition, ///< a question left again
+    reply,      ///< an answer was accepted
+    timeout,    ///< no answer in time
+    late,       ///< something of a unit's came after its time
+    foreign,    ///< an answer of another unit
+    crc,        ///< a frame with a wrong CRC, or damaged by the receiver's word
+    length,     ///< a frame whose size is wrong
+    mismatch,   ///< a good frame that is no answer to the question
+    exception,  ///< an exception response
+    collision,  ///< our own transmission came back as something else
+    jam,        ///< the line did not fall silent
+    noise,      ///< an octet that belonged to nothing
+};
+
+/// What a frame counts as, by the error that was found in it.
+[[nodiscard]] constexpr line_event event_of(errc found) noexcept
+{
+    if (is_refusal(found)) {
+        return line_event::exception;
+    }
+    if (found == errc::none) {
+        return line_event::reply;
+    }
+    if (found == errc::wrong_unit) {
+        return line_event::foreign;
+    }
+    if (found == errc::crc_mismatch or found == errc::uart_error) {
+        return line_event::crc;
+    }
+    bool const is_size = found == errc::wrong_length or found == errc::frame_too_short or
+                         found == errc::frame_too_long;
+    return is_size ? line_event::length : line_event::mismatch;
+}
+
+/// Counts since the last reset; each stops at its highest value.
+struct counters {
+    static constexpr std::size_t events = 13;
+    static constexpr std::size_t codes = 12;
+
+    std::array<std::uint32_t, events> by_event{};
+    /// Exceptions 1 to 11; any other at 0.
+    std::array<std::uint32_t, codes> by_exception{};
+    /// From the end of a question to the end of its answer.
+    duration worst_latency{};
+
+    [[nodiscard]] constexpr std::uint32_t operator[](line_event what) const noexcept
+    {
+        return by_event[static_cast<std::size_t>(what)];
+    }
+
+    constexpr void note(line_event what) noexcept
+    {
+        increment(by_event[static_cast<std::size_t>(what)]);
+    }
+    constexpr void note_exception(errc code) noexcept
+    {
+        std::size_t const number = static_cast<std::uint8_t>(code);
+        increment(by_exception[number < codes ? number : 0]);
+    }
+    constexpr void note_latency(duration latency) noexcept
+    {
+        if (latency.microseconds > worst_latency.microseconds) {
+            worst_latency = latency;
+        }
+    }
+
+private:
+    static constexpr void increment(std::uint32_t& count) noexcept
+    {
+        count += count == 0xFFFF'FFFF ? 0 : 1;
+    }
+};
+
+/// Counts nothing.
+struct no_statistics {
+    static constexpr void note(line_event, std::uint8_t) noexcept {}
+    static constexpr void note_exception(errc, std::uint8_t) noexcept {}
+    static constexpr void note_latency(duration, std::uint8_t) noexcept {}
+};
+
+/// Counts for the line as a whole.
+class line_statistics {
+public:
+    constexpr void note(line_event what, std::uint8_t) noexcept { line_.note(what); }
+    constexpr void note_exception(errc code, std::uint8_t) noexcept { line_.note_exception(code); }
+    constexpr void note_latency(duration latency, std::uint8_t) noexcept
+    {
+        line_.note_latency(latency);
+    }
+
+    [[nodiscard]] constexpr counters const& line() const noexcept { return line_; }
+    constexpr void reset() noexcept { line_ = {}; }
+
+private:
+    counters line_{};
+};
+
+/// Counts for the line and for the first `Units` units that are asked. Of a frame that names no unit for
+/// sure, the unit asked is charged.
+template <std::size_t Units> class unit_statistics {
+public:
+    constexpr void note(line_event what, std::uint8_t unit) noexcept
+    {
+        line_.note(what, unit);
+        if (counters* const own = find_or_add(unit)) {
+            own->note(what);
+        }
+    }
+    constexpr void note_exception(errc code, std::uint8_t unit) noexcept
+    {
+        line_.note_exception(code, unit);
+        if (counters* const own = find_or_add(unit)) {
+            own->note_exception(code);
+        }
+    }
+    constexpr void note_latency(duration latency, std::uint8_t unit) noexcept
+    {
+        line_.note_latency(latency, unit);
+        if (counters* const own = find_or_add(unit)) {
+            own->note_latency(latency);
+        }
+    }
+
+    [[nodiscard]] constexpr counters const& line() const noexcept { return line_.line(); }
+
+    /// A unit's counts; null for one that was not asked, or came after the table was full.
+    [[nodiscard]] constexpr counters const* unit(std::uint8_t number) const noexcept
+    {
+        for (row const& each : rows_) {
+            if (each.is_used and each.unit == number) {
+                return &each.counts;
+            }
+        }
+        return nullptr;
+    }
+
+    constexpr void reset() noexcept { *this = {}; }
+
+private:
+    struct row {
+        counters counts{};
+        std::uint8_t unit{0};
+        bool is_used{false};
+    };
+
+    constexpr counters* find_or_add(std::uint8_t unit) noexcept
+    {
+        for (row& each : rows_) {
+            if (not each.is_used) {
+                each.is_used = true;
+                each.unit = unit;
+            }
+            if (each.unit == unit) {
+                return &each.counts;
+            }
+        }
+        return nullptr;
+    }
+
+    line_statistics line_{};
+    std::array<row, Units> rows_{};
+};
+
+/// Notes a frame that came `latency` after the question to `unit`, by the error that was found in it.
+template <typename Statistics>
+constexpr void note_frame(Statistics& to, errc found, std::uint8_t unit, duration latency) noexcept
+{
+    if (is_refusal(found)) {
+        to.note_exception(found, unit);
+    }
+    if (found == errc::none or is_refusal(found)) {
+        to.note_latency(latency, unit);
+    }
+    to.note(event_of(found), unit);
+}
+
+/// Notes octets that belong to no answer: one event for a frame that starts where the answer of `owing`
+/// may still come, one for each octet elsewhere.
+template <typename Statistics>
+constexpr void note_noise(Statistics& to, byte_view octets, std::uint8_t owing) noexcept
+{
+    bool const is_late = owing != 0 and not octets.empty() and to_u8(octets[0]) == owing;
+    if (is_late) {
+        to.note(line_event::late, owing);
+        return;
+    }
+    for (std::size_t i = 0; i < octets.size(); ++i) {
+        to.note(line_event::noise, 0);
+    }
+}
+
+} // namespace rtuwire

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What a client counts, and what counting nothing costs.
+#include <rtuwire/client/statistics.hpp>
+
+#include <rtuwire/client/client.hpp>
+
+#include "support/far_end.hpp"
+#include "support/proof.hpp"
+
+using namespace rtuwire;
+using test::answer_1234;
+using test::read_eta;
+
+namespace {
+
+using counting_end = test::basic_far_end<basic_client<unit_statistics<2>>>;
+
+constexpr client_options impatient{.response_timeout = milliseconds(50),
+                                   .late_answer = milliseconds(100),
+                                   .retries = 0,
+                                   .skip_noise = 1};
+
+constexpr std::uint32_t of_unit(counting_end const& unit, line_event what)
+{
+    counters const* const own = unit.link.statistics().unit(1);
+    return own == nullptr ? 0 : (*own)[what];
+}
+
+constexpr bool counts_good_and_bad()
+{
+    counting_end unit{impatient};
+    unit.ask(read_eta);
+    unit.pass(milliseconds(7));
+    unit.say(answer_1234);
+    bool ok = unit.has(0x1234);
+    unit.pass(milliseconds(5));
+    unit.ask(read_eta);
+    unit.say("00"_hex);
+    unit.say("02 03 02 12 34 F1 33"_hex);
+    unit.say("01 83 02 C0 F1"_hex);
+    ok = ok and unit.fault() == errc::illegal_data_address;
+    unit.pass(milliseconds(5));
+    unit.ask(read_eta);
+    unit.say("01 03 02 12 34 B4 33"_hex);
+    unit.run(milliseconds(10));
+    ok = ok and unit.fault() == errc::crc_mismatch;
+    unit.say(answer_1234); // too late
+    unit.run(milliseconds(200));
+    unit.ask(read_eta);
+    unit.run(milliseconds(200));
+    ok = ok and unit.fault() == errc::timed_out;
+    auto const& line = unit.link.statistics().line();
+    return ok and of_unit(unit, line_event::request) == 4 and
+           of_unit(unit, line_event::reply) == 1 and of_unit(unit, line_event::exception) == 1 and
+           unit.link.statistics().unit(1)->by_exception[2] == 1 and
+           of_unit(unit, line_event::crc) == 1 and of_unit(unit, line_event::late) == 1 and
+           of_unit(unit, line_event::timeout) == 1 and of_unit(unit, line_event::foreign) == 1 and
+           of_unit(unit, line_event::noise) == 1 and line[line_event::request] == 4 and
+           line.worst_latency == milliseconds(7) + test::line.characters(answer_1234.size());
+}
+PROOF("good, bad, late and missing answers are counted, each as what it was", counts_good_and_bad)
+
+constexpr bool has_room_for_two()
+{
+    unit_statistics<2> counts;
+    counts.note(line_event::request, 3);
+    counts.note(line_event::request, 7);
+    counts.note(line_event::request, 9);
+    counts.note_exception(static_cast<errc>(0x7F), 7);
+    bool const full = counts.unit(9) == nullptr and counts.line()[line_event::request] == 3;
+    bool const other = counts.unit(7)->by_exception[0] == 1 and counts.unit(4) == nullptr;
+    counts.reset();
+    return full and other and counts.unit(3) == nullptr and counts.line()[line_event::request] == 0;
+}
+PROOF("a unit beyond the table is counted for the line", has_room_for_two)
+
+constexpr bool stops_at_the_end()
+{
+    counters counts;
+    counts.by_event[0] = 0xFFFF'FFFE;
+    counts.note(line_event::request);
+    counts.note(line_event::request);
+    return counts[line_event::request] == 0xFFFF'FFFF;
+}
+PROOF("a counter stays at its highest value", stops_at_the_end)
+
+// Nothing is counted: nothing is held.
+static_assert(sizeof(basic_client<line_statistics>) >= sizeof(client) + sizeof(line_statistics));
+static_assert(sizeof(client) + sizeof(line_statistics) + 8 >=
+              sizeof(basic_client<line_statistics>));
+
+} // namespace

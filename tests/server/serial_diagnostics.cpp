@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Function 08 with its counters, and the listen-only mode.
+#include <rtuwire/server/serial_diagnostics.hpp>
+
+#include "support/proof.hpp"
+
+#include <rtuwire/core/hex.hpp>
+#include <rtuwire/server/server.hpp>
+#include <rtuwire/wire/pdu/raw.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr line_timing line{19'200, character_format::even_8_1};
+constexpr unit_id one{1};
+constexpr std::uint16_t nothing = 0xFFFF;
+
+/// Unit 1 with one register, and its line.
+template <typename Server = counting_server> struct counted {
+    Server node;
+    word_bank<1> bank{};
+    instant now{};
+
+    constexpr counted() : node{one, line} { pass(milliseconds(10)); }
+
+    constexpr void pass(duration length)
+    {
+        node.advance(now);
+        now = now + length;
+        node.advance(now);
+        node.serve(bank, now);
+    }
+
+    constexpr void hear(byte_view octets)
+    {
+        now = now + line.characters(octets.size());
+        node.receive(octets, now);
+        pass(line.t3_5());
+    }
+
+    /// What it answers to a PDU for a unit; the octets are valid until the next.
+    constexpr byte_view ask(byte_view pdu, std::uint8_t unit = 1)
+    {
+        std::array<std::byte, max_adu_size> frame{};
+        byte_writer out{frame};
+        out.u8(unit);
+        out.bytes(pdu);
+        std::uint16_t const crc = crc16(out.written());
+        out.u8(crc & 0xFFU);
+        out.u8(std::uint32_t{crc} >> 8U);
+        hear(out.written());
+        byte_view const answer = node.poll_transmit();
+        if (not answer.empty()) {
+            node.sent(now);
+        }
+        pass(line.t3_5());
+        return answer;
+    }
+
+    /// The word that a sub-function returns.
+    constexpr std::uint16_t word(std::uint8_t what)
+    {
+        std::array<std::byte, 5> const pdu{std::byte{8}, std::byte{0}, std::byte{what}};
+        byte_view const answer = ask(pdu);
+        bool const is_normal = answer.size() == 8 and answer[1] == std::byte{8};
+        return is_normal ? u16_at(answer, 4) : nothing;
+    }
+
+    constexpr bool is_refused(byte_view pdu, errc code)
+    {
+        byte_view const answer = ask(pdu);
+        return answer.size() == 5 and answer[1] == std::byte{0x88} and
+               to_u8(answer[2]) == static_cast<std::uint8_t>(code);
+    }
+};
+
+constexpr bool counts()
+{
+    counted<> unit;
+    bool ok = unit.word(0x0B) == 1 and unit.word(0x0E) == 2;
+    static_cast<void>(unit.ask("03 00 00 00 01"_hex));    // answered
+    static_cast<void>(unit.ask("03 00 09 00 01"_hex));    // refused
+    static_cast<void>(unit.ask("06 00 00 00 07"_hex, 0)); // everyone
+    static_cast<void>(unit.ask("06 00 09 00 07"_hex, 0)); // everyone, and wrong
+    static_cast<void>(unit.ask("03 00 00 00 01"_hex, 9)); // somebody else
+    unit.hear("01 03 00 00 00 01 00 00"_hex);             // damaged
+    unit.pass(milliseconds(5));
+    unit.node.receive_overrun(unit.now);
+    unit.pass(milliseconds(5));
+    ok = ok and unit.bank.get(0) == 7;
+    return ok and unit.word(0x0B) == 8 and unit.word(0x0C) == 2 and unit.word(0x0D) == 2 and
+           unit.word(0x0E) == 10 and unit.word(0x0F) == 2 and unit.word(0x10) == 0 and
+           unit.word(0x11) == 0 and unit.word(0x12) == 1 and unit.word(0x02) == 0;
+}
+PROOF("messages, errors, exceptions, requests and silences are counted", counts)
+
+constexpr bool clears()
+{
+    counted<> unit;
+    unit.node.receive_overrun(unit.now);
+    unit.pass(milliseconds(5));
+    bool ok = unit.word(0x12) == 1 and unit.word(0x14) == 0 and unit.word(0x12) == 0 and
+              unit.word(0x0C) == 1;
+    ok = ok and unit.word(0x0A) == 0 and unit.word(0x0C) == 0 and unit.word(0x0B) == 2;
+    return ok and unit.word(0x01) == 0 and unit.word(0x0B) == 1;
+}
+PROOF("the counters are cleared by 0A, by 01 and the overruns by 14", clears)
+
+constexpr bool refuses()
+{
+    counted<> unit;
+    return unit.is_refused("08 00 05 00 00"_hex, errc::illegal_function) and
+           unit.is_refused("08 00 13 00 00"_hex, errc::illegal_function) and
+           unit.is_refused("08 00 15 00 00"_hex, errc::illegal_function) and
+           unit.is_refused("08 FF 00 00 00"_hex, errc::illegal_function) and
+           unit.is_refused("08 00 01 12 34"_hex, errc::illegal_data_value) and
+           unit.is_refused("08 00 03 41 01"_hex, errc::illegal_data_value) and
+           unit.is_refused("08 00 0B 00 01"_hex, errc::illegal_data_value) and
+           unit.is_refused("08 00 0B"_hex, errc::illegal_data_value) and unit.word(0x03) == 0 and
+           unit.word(0x0D) == 8 and unit.node.poll_transmit().empty();
+}
+PROOF("reserved sub-functions get 01, other data 03", refuses)
+
+constexpr bool only_listens()
+{
+    counted<> unit;
+    bool ok = unit.ask("08 00 04 00 00"_hex).empty();
+    ok = ok and unit.ask("06 00 00 00 07"_hex).empty() and unit.bank.get(0) == 0;
+    ok = ok and unit.ask("06 00 00 00 07"_hex, 0).empty() and unit.bank.get(0) == 0;
+    ok = ok and unit.word(0x0B) == nothing and unit.word(0x0A) == nothing and
+         unit.ask("08 00 01 12 34"_hex).empty();
+    ok = ok and unit.ask("08 00 01 FF 00"_hex).empty();
+    ok = ok and unit.word(0x0B) == 1;
+    static_cast<void>(unit.ask("06 00 00 00 07"_hex));
+    return ok and unit.bank.get(0) == 7;
+}
+PROOF("a server that listens only acts on nothing but a restart, and answers nothing", only_listens)
+
+constexpr auto query = "08 00 00 A5 37"_hex;
+constexpr auto bus_messages = "08 00 0B 00 00"_hex;
+constexpr auto listen_only = "08 00 04 00 00"_hex;
+
+constexpr bool loops_back()
+{
+    counted<server> unit;
+    byte_view const answer = unit.ask(query);
+    bool ok = answer.size() == 8 and same_bytes(answer.subspan(1, query.size()), query);
+    ok = ok and unit.is_refused(bus_messages, errc::illegal_function);
+    return ok and unit.is_refused(listen_only, errc::illegal_function);
+}
+PROOF("a plain server loops back, and cannot be silenced", loops_back)
+
+constexpr auto naks = "08 00 10 00 00"_hex;
+constexpr auto busies = "08 00 11 00 00"_hex;
+constexpr auto exceptions = "08 00 0D 00 00"_hex;
+
+constexpr bool counts_kinds_of_refusal()
+{
+    serial_diagnostics unit;
+    unit.note_exception(errc::negative_acknowledge);
+    unit.note_exception(errc::server_device_busy);
+    unit.note_exception(errc::server_device_busy);
+    std::array<std::byte, 8> out{};
+    bool ok = unit.answer(naks, out).has_value() and u16_at(out, 3) == 1;
+    ok = ok and unit.answer(busies, out).has_value() and u16_at(out, 3) == 2;
+    return ok and unit.answer(exceptions, out).has_value() and u16_at(out, 3) == 3;
+}
+PROOF("NAK and busy are counted for themselves", counts_kinds_of_refusal)
+
+static_assert(sizeof(server) < sizeof(counting_server));
+
+} // namespace
