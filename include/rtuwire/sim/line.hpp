@@ -28,7 +28,7 @@ struct line_faults {
     std::uint32_t dropped{0};    ///< characters that nobody hears
     std::uint32_t added{0};      ///< characters after which another one follows
     std::uint32_t lost{0};       ///< frames that nobody hears
-    std::uint32_t repeated{0};   ///< frames that are heard twice
+    std::uint32_t repeated{0};   ///< frames that are heard twice, the second right behind the first
     std::uint32_t delayed{0};    ///< frames that leave late, by up to `delay`
     std::uint32_t glitches{0};   ///< frames before which the line twitches
     duration delay{};
@@ -51,12 +51,21 @@ struct sound {
 /// The line. `talk` puts frames on it, `listen` takes characters off it.
 class line {
 public:
+    static constexpr unsigned talkers = 8;
+
     constexpr line(std::uint32_t bits_per_second, character_format format,
                    std::uint32_t seed) noexcept
         : dice_{seed}, bit_ns_{1'000'000'000U / bits_per_second}, format_{format}
     {}
 
-    constexpr void set_faults(line_faults const& faults) noexcept { faults_ = faults; }
+    /// What goes wrong with what one of the talkers 0 to 7 sends.
+    constexpr void set_faults(unsigned talker, line_faults const& faults) noexcept
+    {
+        faults_[talker % talkers] = faults;
+    }
+
+    /// The same for everybody.
+    constexpr void set_faults(line_faults const& faults) noexcept { faults_.fill(faults); }
 
     /// One of the talkers 0 to 7 sends octets from `at` on, which is not before what was heard last.
     /// Returns when its last stop bit has left, as the talker sees it.
@@ -65,21 +74,22 @@ public:
         if (cursor_ >= wave_.size()) {
             start_over(at);
         }
+        line_faults const& faults = faults_[talker % talkers];
         std::size_t const bits = octets.size() * bits_per_character(format_);
         instant const end = at + time_of(bits);
-        if (faults_.is_cut or dice_.happens(faults_.lost)) {
+        if (faults.is_cut or dice_.happens(faults.lost)) {
             return end;
         }
         std::size_t place = place_of(at);
-        if (dice_.happens(faults_.delayed)) {
-            place += dice_.below(static_cast<std::uint32_t>(place_of(begin_ + faults_.delay)));
+        if (dice_.happens(faults.delayed)) {
+            place += dice_.below(static_cast<std::uint32_t>(place_of(begin_ + faults.delay)));
         }
-        if (dice_.happens(faults_.glitches)) {
+        if (dice_.happens(faults.glitches)) {
             place = twitch(place);
         }
         std::size_t after = lay(talker, octets, place);
-        if (dice_.happens(faults_.repeated)) {
-            constexpr std::uint32_t longest_pause = 400;
+        if (dice_.happens(faults.repeated)) {
+            constexpr std::uint32_t longest_pause = 35; // below t3.5
             lay(talker, octets, after + dice_.below(longest_pause));
         }
         return end;
@@ -152,32 +162,33 @@ private:
 
     constexpr std::size_t lay(unsigned talker, byte_view octets, std::size_t place) noexcept
     {
+        line_faults const& faults = faults_[talker % talkers];
         std::size_t const begin = place;
         for (std::byte const octet : octets) {
-            if (not dice_.happens(faults_.dropped)) {
+            if (not dice_.happens(faults.dropped)) {
                 wave_.lay(place, character_bits(format_, octet), bits_per_character(format_));
             }
             place += bits_per_character(format_);
-            if (dice_.happens(faults_.added)) {
+            if (dice_.happens(faults.added)) {
                 wave_.lay(place, character_bits(format_, to_byte(dice_.next())),
                           bits_per_character(format_));
                 place += bits_per_character(format_);
             }
         }
-        disturb(begin, place);
+        disturb(faults, begin, place);
         parts_[next_part_] = {begin, place, static_cast<std::uint8_t>(1U << talker)};
         next_part_ = (next_part_ + 1) % parts_.size();
         return place;
     }
 
-    constexpr void disturb(std::size_t begin, std::size_t end) noexcept
+    constexpr void disturb(line_faults const& faults, std::size_t begin, std::size_t end) noexcept
     {
-        for (std::size_t at = begin; faults_.bit_errors > 0 and at < end; ++at) {
-            if (dice_.happens(faults_.bit_errors)) {
+        for (std::size_t at = begin; faults.bit_errors > 0 and at < end; ++at) {
+            if (dice_.happens(faults.bit_errors)) {
                 wave_.flip(at);
             }
         }
-        if (dice_.happens(faults_.bursts)) {
+        if (dice_.happens(faults.bursts)) {
             constexpr std::uint32_t longest = 16;
             std::uint32_t const first = dice_.below(static_cast<std::uint32_t>(end - begin));
             std::uint32_t const pattern = dice_.next() | 1U;
@@ -218,7 +229,7 @@ private:
 
     waveform wave_{};
     std::array<part, 8> parts_{};
-    line_faults faults_{};
+    std::array<line_faults, talkers> faults_{};
     dice dice_;
     instant begin_{};
     std::size_t cursor_{0};
