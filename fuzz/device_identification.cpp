@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Device identification both ways: any objects that a server holds come back whole page by page, and any
+// pages leave the conversation that asks for them settled or asking.
+#include <iterator>
+
+#include <rtuwire/rtuwire.hpp>
+
+#include "input.hpp"
+
+using namespace rtuwire;
+using fuzz::require;
+
+namespace {
+
+constexpr text texts[] = {"", "A", "Schneider Electric",
+                          "bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb"
+                          "bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb",
+                          "cccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc"
+                          "cccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc"
+                          "cccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc"
+                          "cccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc"
+                          "cccc",
+                          // One octet more than a page has room for.
+                          "dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd"
+                          "dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd"
+                          "dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd"
+                          "dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd"
+                          "ddddd"};
+
+/// Up to four objects, their numbers rising.
+void pages_are_whole(fuzz::input in)
+{
+    std::array<device_object, 4> objects{};
+    std::size_t count = 0;
+    unsigned id = in.u8() % 3U;
+    for (; count < objects.size() and not in.is_empty() and id < 256; ++count) {
+        objects[count] = {static_cast<std::uint8_t>(id), texts[in.u8() % std::size(texts)]};
+        id += 1U + in.u8() % 90U;
+    }
+    device_objects const all{objects.data(), count};
+    std::uint8_t next = 0;
+    std::size_t seen = 0;
+    for (unsigned page = 0; count > 0 and page < 8; ++page) {
+        std::array<std::byte, max_pdu_size> place{};
+        auto const size = write_identification(place, all, {identification_access::extended, next});
+        if (not size) {
+            return;
+        }
+        auto const read = device_identification::decode(byte_view{place}.first(*size));
+        require(read.has_value());
+        for (auto at = read->first(); at; at = read->after(*at)) {
+            ++seen;
+        }
+        if (not read->more_follows) {
+            break;
+        }
+        require(read->next_object > next or page == 0);
+        next = read->next_object;
+    }
+    require(seen <= 2 * count);
+}
+
+void any_pages_end(fuzz::input in)
+{
+    altivar::identify<altivar::atv320::device> talk{station<altivar::atv320::device>{unit_id{1}}};
+    for (unsigned page = 0; page < 300 and not talk.settled() and not in.is_empty(); ++page) {
+        require(talk.next().has_value());
+        byte_view const pdu = in.some(in.u8());
+        if (pdu.size() < 2 or not device_identification::decode(pdu)) {
+            talk.accept(errc::malformed);
+        } else {
+            talk.accept(result<response>{response{pdu}});
+        }
+    }
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
+{
+    pages_are_whole({data, size});
+    any_pages_end({data, size});
+    return 0;
+}

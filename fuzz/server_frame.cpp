@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Any PDU to a server as a pure function: the answer fits, is of the function asked, and a refusal changed
+// nothing.
+#include <rtuwire/rtuwire.hpp>
+
+#include "input.hpp"
+
+using namespace rtuwire;
+using fuzz::require;
+
+namespace {
+
+struct shadowed_bank {
+    word_bank<32> words{100};
+    unsigned writes{0};
+
+    errc check_read(std::uint16_t start, std::size_t count) const
+    {
+        return words.check_read(start, count);
+    }
+    errc check_write(std::uint16_t start, register_view values) const
+    {
+        return words.check_write(start, values);
+    }
+    errc read(std::uint16_t start, std::size_t count, byte_writer& out)
+    {
+        return words.read(start, count, out);
+    }
+    errc write(std::uint16_t start, register_view values)
+    {
+        ++writes;
+        return words.write(start, values);
+    }
+};
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
+{
+    static constexpr device_object objects[] = {{0, "vendor"}, {1, "code"}, {2, "0100"}};
+    static constexpr server_profile wide{.identity = objects};
+    static constexpr server_profile narrow{.limits = {7, 7, 0, 0}};
+    shadowed_bank bank;
+    serial_diagnostics line;
+    fuzz::input in{data, size};
+    while (not in.is_empty()) {
+        bool const is_wide = (in.u8() & 1U) != 0;
+        byte_view const asked = in.some(in.u8());
+        std::array<std::byte, max_pdu_size> place{};
+        unsigned const before = bank.writes;
+        byte_view const answer = respond(asked, bank, is_wide ? wide : narrow, place, line);
+        bool const is_broadcast = obey_broadcast(asked.empty() ? byte_view{place}.first(1) : asked,
+                                                 bank, narrow) == errc::none;
+        if (answer.empty()) {
+            continue;
+        }
+        require(answer.size() <= max_pdu_size and not asked.empty());
+        require((to_u8(answer[0]) & 0x7FU) == to_u8(asked[0]));
+        if (to_u8(answer[0]) >= 0x80) {
+            require(answer.size() == 2 and to_u8(answer[1]) >= 1 and to_u8(answer[1]) <= 4);
+            require(bank.writes == before + (is_broadcast ? 1U : 0U));
+        }
+    }
+    return 0;
+}
