@@ -128,3 +128,68 @@ TEST_CASE("a port that fails ends the question, and the next one can be asked")
     port.is_broken = false;
     CHECK(line.ask(unit_id{1}, question));
 }
+
+namespace {
+
+/// Pauses before its one question.
+class patient_question {
+public:
+    void advance(instant now)
+    {
+        if (not begun_) {
+            begun_ = true;
+            start_ = now + milliseconds(30);
+        }
+        is_due_ = is_due_ or reached(now, start_);
+    }
+    deadline poll_deadline() const { return is_due_ ? deadline{} : deadline{start_}; }
+    std::optional<request> next() const { return is_due_ ? talk_.next() : std::nullopt; }
+    void accept(result<response> const& outcome) { talk_.accept(outcome); }
+    bool settled() const { return talk_.settled(); }
+    auto outcome() const { return talk_.outcome(); }
+
+private:
+    single_question<read_holding_registers> talk_{unit_id{1}, question};
+    instant start_{};
+    bool begun_{false};
+    bool is_due_{false};
+};
+
+} // namespace
+
+TEST_CASE("a conversation that pauses is waited for")
+{
+    scripted_port port = answering(answer_1234);
+    blocking_client line{port, timing};
+    patient_question talk;
+    instant const before = port.clock;
+    REQUIRE(line.run(talk));
+    CHECK(talk.outcome());
+    CHECK((port.clock - before).microseconds >= 30'000);
+}
+
+TEST_CASE("a port that breaks while an answer is awaited settles the conversation")
+{
+    struct breaking_port : scripted_port {
+        result<byte_span> read(byte_span place, instant until)
+        {
+            is_broken = is_broken or not sent.empty();
+            return scripted_port::read(place, until);
+        }
+    };
+    breaking_port port;
+    blocking_client line{port, timing};
+    single_question talk{unit_id{1}, question};
+    CHECK(line.run(talk) == errc::device_vanished);
+    CHECK(talk.outcome().error() == errc::cancelled);
+}
+
+TEST_CASE("a port that breaks while a broadcast leaves is reported")
+{
+    struct mute_port : scripted_port {
+        static result<void> write(byte_view, instant) { return errc::device_failed; }
+    };
+    mute_port port;
+    blocking_client line{port, timing};
+    CHECK(line.tell_all(write_single_register{8501, 0}) == errc::device_failed);
+}

@@ -33,8 +33,6 @@ public:
         return end(ending::stuck);
     }
 
-    constexpr wish give_up() noexcept { return end(ending::stuck); }
-
 private:
     constexpr wish look(std::uint16_t status) noexcept
     {

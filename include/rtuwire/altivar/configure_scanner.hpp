@@ -66,8 +66,6 @@ public:
         return end(ending::silent, errc::timed_out);
     }
 
-    constexpr wish give_up() noexcept { return end(ending::stuck); }
-
 private:
     constexpr wish write_slot() noexcept
     {

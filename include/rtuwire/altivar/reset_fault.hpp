@@ -32,8 +32,6 @@ public:
         return to_read(profile().lft);
     }
 
-    constexpr wish give_up() noexcept { return end(ending::in_fault); }
-
 private:
     enum class stage : std::uint8_t { looking, low, high, low_again, checking, reading_fault };
 

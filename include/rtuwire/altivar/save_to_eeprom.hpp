@@ -31,8 +31,6 @@ public:
         return withdraw(errc::timed_out);
     }
 
-    constexpr wish give_up() noexcept { return end(ending::stuck); }
-
 private:
     enum class stage : std::uint8_t { looking, reading_control, saving, taking_back };
 

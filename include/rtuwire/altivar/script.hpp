@@ -57,6 +57,9 @@ class script {
 public:
     [[nodiscard]] constexpr altivar::reason const& reason() const noexcept { return reason_; }
 
+    /// Ends a script that wishes on after its limit.
+    constexpr wish give_up() noexcept { return end(ending::stuck); }
+
 protected:
     explicit constexpr script(drive_profile const& profile) noexcept : profile_{&profile} {}
 

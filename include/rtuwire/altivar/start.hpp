@@ -41,8 +41,6 @@ public:
         return end(ending::stuck);
     }
 
-    constexpr wish give_up() noexcept { return end(ending::stuck); }
-
 private:
     enum class stage : std::uint8_t { climbing, referring, enabled, reading_fault, withdrawing };
 

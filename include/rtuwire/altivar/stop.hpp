@@ -45,8 +45,6 @@ public:
         return end(ending::stuck);
     }
 
-    constexpr wish give_up() noexcept { return end(ending::stuck); }
-
 private:
     enum class asked : std::uint8_t { status, fault, control, frequency };
 

@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// How conversations end that go wrong: refused, silent, in local control, at their limit.
+#include <string>
+
+#include "support/catch.hpp"
+#include "support/party_line.hpp"
+#include "support/proof.hpp"
+
+#include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/change_reference.hpp>
+#include <rtuwire/altivar/configure_scanner.hpp>
+#include <rtuwire/altivar/cyclic_control.hpp>
+#include <rtuwire/altivar/identify.hpp>
+#include <rtuwire/altivar/reset_fault.hpp>
+#include <rtuwire/altivar/save_to_eeprom.hpp>
+#include <rtuwire/altivar/start.hpp>
+#include <rtuwire/altivar/stop.hpp>
+#include <rtuwire/core/hex.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+
+namespace {
+
+using device = atv320::device;
+using scanned = configure_scanner<scanner_inputs<atv320::eta>, scanner_outputs<atv320::cmd>>;
+
+constexpr station<device> drive{unit_id{7}};
+constexpr response nothing{};
+
+/// A conversation at its next question; the clock is run on by the pauses between.
+template <typename Talk> struct by_hand {
+    Talk talk;
+    instant now{0xFFFF'0000U};
+
+    /// Whether it asks for something within a second.
+    bool asks()
+    {
+        for (unsigned i = 0; i < 100; ++i) {
+            talk.advance(now);
+            if (talk.next() or talk.settled()) {
+                return not talk.settled();
+            }
+            now = now + milliseconds(10);
+        }
+        return false;
+    }
+    void hear(errc error)
+    {
+        REQUIRE(asks());
+        talk.accept(error);
+    }
+    void hear_word(std::uint16_t word)
+    {
+        REQUIRE(asks());
+        std::array<std::byte, 4> const pdu{std::byte{3}, std::byte{2}, to_byte(word >> 8U),
+                                           to_byte(word)};
+        talk.accept(result<response>{response{pdu}});
+    }
+    void confirm()
+    {
+        REQUIRE(asks());
+        talk.accept(result<response>{nothing});
+    }
+};
+
+template <typename Talk> reason silent(Talk talk)
+{
+    by_hand<Talk> it{talk};
+    it.hear(errc::timed_out);
+    CHECK(it.talk.settled());
+    CHECK_FALSE(it.talk.next());
+    it.talk.accept(errc::timed_out); // nothing more changes
+    it.talk.advance(it.now);
+    return it.talk.reason();
+}
+
+template <typename Talk> reason refused(Talk talk)
+{
+    by_hand<Talk> it{talk};
+    it.hear(errc::illegal_data_address);
+    return it.talk.reason();
+}
+
+} // namespace
+
+TEST_CASE("a drive that does not answer is silent, one that refuses refuses")
+{
+    for (reason const& told : {silent(start{drive, 50_Hz}), silent(stop{drive}),
+                               silent(reset_fault{drive}), silent(change_reference{drive, 50_Hz}),
+                               silent(save_to_eeprom{drive}), silent(scanned{drive})}) {
+        CHECK(told.how == ending::silent);
+        CHECK(told.error == errc::timed_out);
+    }
+    for (reason const& told : {refused(start{drive, 50_Hz}), refused(stop{drive}),
+                               refused(reset_fault{drive}), refused(change_reference{drive, 50_Hz}),
+                               refused(save_to_eeprom{drive}), refused(scanned{drive})}) {
+        CHECK(told.how == ending::refused);
+        CHECK(told.error == errc::illegal_data_address);
+    }
+}
+
+TEST_CASE("an answer that is no word is a failure")
+{
+    by_hand<stop> it{stop{drive}};
+    it.confirm();
+    CHECK(it.talk.reason().error == errc::wrong_length);
+}
+
+TEST_CASE("a conversation nobody began settles nothing, and one cannot be late before it")
+{
+    stop const talk{drive};
+    CHECK_FALSE(talk.settled());
+    CHECK_FALSE(talk.poll_deadline());
+    CHECK(talk.reason().how == ending::pending);
+}
+
+TEST_CASE("at their limits all end, and none leaves a command behind")
+{
+    constexpr std::uint16_t enabled = 0x0637, ready = 0x0631, tripping = 0x063F, in_local = 0x0437;
+    by_hand<stop> stopping{stop{drive, stop_by::ramp, milliseconds(200)}};
+    stopping.hear_word(enabled);
+    stopping.confirm();
+    while (stopping.asks()) {
+        stopping.hear_word(enabled);
+    }
+    CHECK(stopping.talk.reason().how == ending::stuck);
+
+    by_hand<stop> foreign{stop{drive}};
+    foreign.hear_word(in_local);
+    CHECK(foreign.talk.reason().how == ending::local_control);
+
+    by_hand<change_reference> other{change_reference{drive, 50_Hz}};
+    other.hear_word(in_local);
+    CHECK(other.talk.reason().how == ending::local_control);
+
+    by_hand<reset_fault> resetting{reset_fault{drive, milliseconds(120)}};
+    resetting.hear_word(tripping);
+    resetting.hear_word(tripping);
+    resetting.hear_word(tripping);
+    resetting.hear_word(9); // its fault, once it is late
+    CHECK(resetting.talk.reason().how == ending::in_fault);
+    CHECK(resetting.talk.reason().fault == 9);
+
+    by_hand<start> starting{start{drive, 50_Hz, heading::forward, milliseconds(200)}};
+    starting.hear_word(ready);
+    starting.confirm(); // "switch on"
+    while (starting.asks()) {
+        starting.hear_word(ready);
+    }
+    CHECK(starting.talk.reason().how == ending::stuck);
+}
+
+TEST_CASE("a save that fails half way is taken back, and is a failure still")
+{
+    by_hand<save_to_eeprom> it{save_to_eeprom{drive}};
+    it.hear_word(0x0670);
+    it.hear_word(0x4000);
+    it.hear(errc::timed_out);
+    REQUIRE(it.asks());
+    CHECK(same_bytes(it.talk.next()->frame().first(6), "07 06 21 38 40 00"_hex));
+    it.confirm();
+    CHECK(it.talk.reason().how == ending::silent);
+
+    by_hand<save_to_eeprom> slow{save_to_eeprom{drive, milliseconds(300)}};
+    slow.hear_word(0x0670);
+    slow.hear_word(0);
+    slow.confirm();
+    for (unsigned i = 0; i < 20 and not slow.talk.settled() and slow.asks(); ++i) {
+        bool const is_read = slow.talk.next()->frame()[1] == std::byte{3};
+        is_read ? slow.hear_word(1) : slow.confirm();
+    }
+    CHECK(slow.talk.reason().how == ending::silent);
+}
+
+TEST_CASE("pages of identification that do not fit are errors")
+{
+    constexpr std::uint8_t more = 0xFF;
+    auto const page = [](std::uint8_t follows, std::uint8_t next, std::uint8_t id,
+                         std::size_t size) {
+        fixed_buffer<253> pdu;
+        byte_writer out{pdu.storage()};
+        for (std::uint32_t const octet :
+             {0x2BU, 0x0EU, 0x01U, 0x01U, std::uint32_t{follows}, std::uint32_t{next}, 1U,
+              std::uint32_t{id}, static_cast<std::uint32_t>(size)}) {
+            out.u8(octet);
+        }
+        for (std::size_t i = 0; i < size; ++i) {
+            out.u8('x');
+        }
+        pdu.resize(out.size());
+        return pdu;
+    };
+    auto const hear = [](identify<device>& who, auto const& pdu) {
+        who.accept(result<response>{response{pdu}});
+    };
+    identify<device> whole{drive};
+    hear(whole, page(more, 1, 0, 6));
+    CHECK_FALSE(whole.settled());
+    CHECK(whole.next()->frame()[4] == std::byte{1});
+    hear(whole, page(0, 0, 0x42, 3)); // an object that nobody asked for
+    CHECK(whole.outcome()->vendor.size() == 6);
+    CHECK_FALSE(whole.next());
+
+    identify<device> circle{drive};
+    hear(circle, page(more, 1, 0, 6));
+    hear(circle, page(more, 1, 1, 6));
+    CHECK(circle.outcome() == errc::malformed);
+
+    identify<device> long_name{drive};
+    hear(long_name, page(0, 0, 0, 49));
+    CHECK(long_name.outcome() == errc::buffer_too_small);
+
+    identify<device> silent_drive{drive};
+    silent_drive.accept(errc::timed_out);
+    CHECK(silent_drive.outcome() == errc::timed_out);
+
+    identify<device> nonsense{drive};
+    nonsense.accept(result<response>{nothing});
+    CHECK_FALSE(nonsense.outcome());
+}
+
+TEST_CASE(
+    "a cycle ramps a motor down whose state it cannot read, and drops an order that takes too long")
+{
+    cyclic_control law;
+    law.note_status(0x0240); // known, remote
+    REQUIRE(law.run(1'500, false));
+    law.note_late();
+    CHECK(law.reason().how == ending::stuck);
+    CHECK_FALSE(law.is_ordered());
+    law.note_status(0x0267); // a state that there is not
+    CHECK(law.state() == cia402::state::unknown);
+    CHECK(law.next_command() == cia402::word_of(cia402::command::switch_on));
+    CHECK(law.status() == 0x0267);
+    CHECK_FALSE(law.run(1'500, false));
+    law.note_status(0x0240);
+    REQUIRE(law.run(1'500, false));
+    law.note_status(0x0220); // not ready to switch on: nothing to say
+    CHECK(law.next_command() == 0);
+}
+
+TEST_CASE("everything that is told has a name")
+{
+    auto const is_named = [](text name) { return name.size() > 0; };
+    for (unsigned i = 0; i <= static_cast<unsigned>(ending::misconfigured); ++i) {
+        CHECK(is_named(name_of(static_cast<ending>(i))));
+    }
+    CHECK(name_of(static_cast<ending>(99)) == text{"unknown"});
+    for (unsigned i = 0; i <= static_cast<unsigned>(cia402::state::fault); ++i) {
+        CHECK(is_named(cia402::name_of(static_cast<cia402::state>(i))));
+    }
+    for (unsigned i = 0; i <= static_cast<unsigned>(cia402::command::fault_reset); ++i) {
+        CHECK(is_named(cia402::name_of(static_cast<cia402::command>(i))));
+        CHECK(cia402::word_of(static_cast<cia402::command>(i)) <= 0x80);
+    }
+}

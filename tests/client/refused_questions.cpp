@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Questions that cannot be asked, and rounds that fail: the conversation is told, and nothing is kept.
+#include <rtuwire/client/bus.hpp>
+#include <rtuwire/client/client.hpp>
+#include <rtuwire/client/poller.hpp>
+
+#include "support/catch.hpp"
+#include "support/far_end.hpp"
+
+#include <rtuwire/altivar/atv12.hpp>
+#include <rtuwire/client/echo_probe.hpp>
+#include <rtuwire/core/hex.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+
+namespace {
+
+/// Asks with a frame that is none.
+struct bad_question {
+    errc told{errc::pending};
+
+    static std::optional<request> next() { return request{byte_view{}}; }
+    void accept(result<response> const& outcome) { told = outcome.error(); }
+    bool settled() const { return told != errc::pending; }
+};
+
+using plan = read_plan<atv12::device, atv12::eta, atv12::acc>;
+
+} // namespace
+
+TEST_CASE("a frame that is none is refused, by a client and by a bus")
+{
+    client link{test::line};
+    instant now{};
+    link.advance(now);
+    now = now + milliseconds(10);
+    link.advance(now);
+    bad_question talk;
+    link.converse(talk, now);
+    CHECK(talk.told == errc::frame_too_short);
+    CHECK_FALSE(link.is_busy());
+    link.sent(now); // nothing was
+
+    bus<1> many{test::line};
+    many.advance(now);
+    now = now + milliseconds(10);
+    many.advance(now);
+    bad_question other;
+    many.converse(0, other, now);
+    CHECK(other.told == errc::frame_too_short);
+}
+
+TEST_CASE("a round that fails leaves the last whole snapshot")
+{
+    poller<plan> panel{*station<atv12::device>::checked(1)};
+    panel.accept(errc::timed_out);
+    CHECK(panel.outcome() == errc::timed_out);
+    CHECK_FALSE(panel.next());
+    panel.begin();
+    constexpr std::array<std::byte, 6> two_words{std::byte{3}, std::byte{4}};
+    panel.accept(result<response>{response{two_words}});
+    CHECK(panel.outcome() == errc::wrong_length);
+    panel.begin();
+    panel.accept(result<response>{response{byte_view{two_words}.first(3)}});
+    CHECK_FALSE(panel.outcome());
+    CHECK(panel.latest().get<atv12::acc>().count() == 0);
+}
+
+TEST_CASE("a probe of a line tells what it found")
+{
+    echo_probe probe{*unit_id::checked(1)};
+    CHECK_FALSE(probe.settled());
+    CHECK(probe.outcome() == errc::pending);
+    probe.accept(errc::echoed);
+    CHECK(probe.settled());
+    CHECK(probe.outcome() == true);
+}
+
+TEST_CASE("a station outside its device's range is refused when running too")
+{
+    CHECK(station<atv12::device>::checked(0) == errc::invalid_unit);
+    CHECK(station<atv12::device>::checked(248) == errc::invalid_unit);
+    CHECK(station<atv12::device>::checked(247));
+}
