@@ -315,3 +315,20 @@ TEST_CASE("everybody stops at one word")
     auto quick = stop_everyone<atv320::device>(cia402::command::quick_stop);
     CHECK(quick.next()->frame()[5] == std::byte{2});
 }
+
+TEST_CASE("an order that a drive does not follow is dropped in time")
+{
+    by_hand<atv12::device> it{
+        cyclic{station<atv12::device>{unit_id{3}}, {.climb_limit = milliseconds(350)}}};
+    REQUIRE(it.asks("03 03 0C 81 00 01 D6 90"_hex));
+    CHECK_FALSE(it.loop.poll_deadline());
+    it.say("03 03 02 02 50 C0 D8"_hex);
+    REQUIRE(it.asks("03 03 1B D1 00 01 D3 35"_hex));
+    it.say("03 03 02 00 00 C1 84"_hex);
+    REQUIRE(it.checks_scanner());
+    REQUIRE(it.loop.run(1'500_rpm, heading::reverse));
+    it.now = it.now + milliseconds(400);
+    it.loop.advance(it.now);
+    CHECK_FALSE(it.loop.control().is_ordered());
+    CHECK(it.loop.control().reason().how == ending::stuck);
+}

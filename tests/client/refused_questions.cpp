@@ -84,3 +84,46 @@ TEST_CASE("a station outside its device's range is refused when running too")
     CHECK(station<atv12::device>::checked(248) == errc::invalid_unit);
     CHECK(station<atv12::device>::checked(247));
 }
+
+TEST_CASE("giving up where nothing is asked changes nothing, and twice is once")
+{
+    test::far_end unit;
+    unit.link.cancel(unit.now);
+    CHECK_FALSE(unit.link.poll_outcome());
+    unit.ask(test::read_eta);
+    unit.link.cancel(unit.now);
+    unit.link.cancel(unit.now);
+    CHECK(unit.fault() == errc::cancelled);
+
+    // Before it was sent nothing is owed: the unit is asked at once.
+    test::far_end other;
+    static_cast<void>(other.link.start(request{test::read_eta}, other.now));
+    other.link.cancel(other.now);
+    CHECK(other.fault() == errc::cancelled);
+    CHECK(other.ask(test::read_eta));
+}
+
+TEST_CASE("two units that owe an answer hold everybody back")
+{
+    test::far_end unit{{.response_timeout = milliseconds(50), .retries = 0}};
+    constexpr auto other = "02 03 0C 81 00 01 D7 41"_hex;
+    constexpr auto third = "03 03 0C 81 00 01 D6 90"_hex;
+    unit.ask(test::read_eta);
+    unit.run(milliseconds(70));
+    CHECK(unit.fault() == errc::timed_out);
+    REQUIRE(unit.ask(other));
+    unit.run(milliseconds(70));
+    CHECK(unit.fault() == errc::timed_out);
+    CHECK_FALSE(unit.ask(third));
+}
+
+TEST_CASE("statistics start again")
+{
+    line_statistics counts;
+    counts.note(line_event::jam, 1);
+    counts.note_latency(milliseconds(1), 1);
+    counts.note_exception(errc::illegal_function, 1);
+    counts.reset();
+    CHECK(counts.line()[line_event::jam] == 0);
+    CHECK(counts.line().worst_latency == duration{});
+}

@@ -162,7 +162,6 @@ public:
 
     /// The memory of the frame, for an answer written in its place.
     [[nodiscard]] constexpr byte_span storage() noexcept { return octets_; }
-    [[nodiscard]] constexpr byte_view storage() const noexcept { return octets_; }
 
     [[nodiscard]] constexpr line_timing const& line() const noexcept { return line_; }
 

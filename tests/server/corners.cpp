@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A server whose bank fails, whose line is noisy at the last moment, and that nobody understands.
+#include <rtuwire/server/server.hpp>
+
+#include "support/catch.hpp"
+
+#include <rtuwire/core/hex.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr line_timing line{19'200, character_format::even_8_1};
+constexpr unit_id one{1};
+constexpr auto noise = "00"_hex;
+constexpr auto loop = "08 00 00 A5 37"_hex;
+constexpr auto short_one = "08 00"_hex;
+constexpr auto read_1 = "01 03 00 01 00 01 D5 CA"_hex;
+
+/// Says more than it was asked for.
+struct talkative_bank {
+    static errc check_read(std::uint16_t, std::size_t) { return errc::none; }
+    static errc check_write(std::uint16_t, register_view) { return errc::illegal_data_value; }
+    static errc read(std::uint16_t, std::size_t, byte_writer& out)
+    {
+        for (unsigned i = 0; i < 200; ++i) {
+            out.u16(1);
+        }
+        return errc::none;
+    }
+    static errc write(std::uint16_t, register_view) { return errc::none; }
+};
+
+template <typename Bank, std::size_t Size>
+std::uint32_t exception_to(std::array<std::byte, Size> const& pdu)
+{
+    Bank bank;
+    static constexpr device_object objects[] = {{vendor_name, "vendor"}};
+    static constexpr server_profile profile{.identity = objects};
+    std::array<std::byte, max_pdu_size> place{};
+    auto const answer = respond(pdu, bank, profile, place);
+    return answer.size() == 2 and to_u8(answer[0]) >= 0x80 ? to_u8(answer[1]) : 0U;
+}
+
+struct unit_1 {
+    server node{one, line};
+    word_bank<4> bank{};
+    instant now{};
+
+    unit_1()
+    {
+        node.advance(now);
+        pass(milliseconds(10));
+    }
+    void pass(duration length)
+    {
+        now = now + length;
+        node.advance(now);
+        node.serve(bank, now);
+    }
+};
+
+} // namespace
+
+TEST_CASE("a bank that fails is exception 04, one that refuses is its word")
+{
+    CHECK(exception_to<talkative_bank>("03 00 00 00 01"_hex) == 4);
+    CHECK(exception_to<talkative_bank>("06 00 00 00 01"_hex) == 3);
+    CHECK(exception_to<word_bank<4>>("2B 0D 00 00"_hex) == 1);
+    CHECK(exception_to<word_bank<4>>("2B 0E 09 00"_hex) == 3);
+    CHECK(exception_to<word_bank<4>>("2B 0E 01"_hex) == 3);
+}
+
+TEST_CASE("noise between an answer's readiness and its start delays it")
+{
+    unit_1 unit;
+    unit.node.receive(read_1, unit.now);
+    unit.pass({});
+    unit.pass(line.t3_5()); // ready
+    CHECK(unit.node.poll_deadline());
+    unit.node.receive(noise, unit.now);
+    CHECK(unit.node.poll_transmit().empty());
+    unit.pass(line.t3_5());
+    CHECK(unit.node.poll_transmit().size() == 7);
+}
+
+TEST_CASE(
+    "a damaged octet while it answers is noise, and one before the line was silent is nothing")
+{
+    unit_1 unit;
+    unit.node.receive(read_1, unit.now);
+    unit.pass({});
+    unit.node.receive_overrun(unit.now);
+    unit.pass(line.t3_5());
+    CHECK(unit.node.poll_transmit().size() == 7);
+
+    server fresh{one, line};
+    instant now{};
+    fresh.advance(now);
+    fresh.receive_error(now);
+    now = now + milliseconds(10);
+    fresh.advance(now);
+    fresh.receive(read_1, now);
+    CHECK(fresh.is_asked());
+}
+
+TEST_CASE("a counting server loops back too")
+{
+    serial_diagnostics counts;
+    std::array<std::byte, 8> out{};
+    auto const size = counts.answer(loop, out);
+    REQUIRE(size);
+    CHECK(same_bytes(byte_view{out}.first(*size), loop));
+    CHECK(counts.answer(short_one, out) == errc::illegal_data_value);
+}
