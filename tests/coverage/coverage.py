@@ -98,25 +98,36 @@ def source(header, line):
     return (HEADERS / header).read_text(encoding="utf-8").splitlines()[line - 1].strip()
 
 
+def is_formal(text):
+    """Nothing to run: a brace, a comment; the default that no switch here has, because the compilers hold
+    each to naming every value; a comparison that the compiler wrote."""
+    return text in ("{", "}", "};", "} else {") or text.startswith(("//", "switch (")) or \
+        text.endswith("= default;")
+
+
 def accepted():
-    rows = [row.split("|") for row in ACCEPTED.read_text(encoding="utf-8").splitlines()
+    rows = [row.split(" | ") for row in ACCEPTED.read_text(encoding="utf-8").splitlines()
             if row and not row.startswith("#")]
-    return {(header.strip(), text.strip()) for header, text, _ in rows}
+    return {(row[0], " | ".join(row[1:-1])) for row in rows}
 
 
 def main(options):
     lines, branches = {}, {}
     for path in programs():
         gather(exported(path), lines, branches)
-    missed = sorted(key for key, count in lines.items() if count == 0)
-    ways = [(key, way) for key, counts in sorted(branches.items()) if any(counts)
+    branches = {key: counts for key, counts in branches.items()
+                if any(counts) and not is_formal(source(*key[:2]))}
+    missed = sorted(key for key, count in lines.items()
+                    if count == 0 and not is_formal(source(*key)))
+    ways = [(key, way) for key, counts in sorted(branches.items())
             for way, count in zip(("true", "false"), counts) if count == 0]
-    all_ways = 2 * sum(any(counts) for counts in branches.values())
+    all_ways = 2 * len(branches)
     known = accepted()
+    run_never = len(missed)
     new = 0
     for header, line in missed:
         text = source(header, line)
-        if (header, text) not in known and text not in ("}", "{") and not text.startswith("//"):
+        if (header, text) not in known:
             new += 1
             print(f"line   {header}:{line}: {text}")
     for (header, line, _), way in ways:
@@ -124,7 +135,11 @@ def main(options):
         if (header, text) not in known:
             new += 1
             print(f"branch {header}:{line} never {way}: {text}")
-    print(f"lines {100 * (1 - len(missed) / len(lines)):.2f} % of {len(lines)}, "
+    compiled = {(header, text) for header, text in known}
+    missed = [key for key in missed if (key[0], source(*key)) not in compiled]
+    print(f"beside what accepted.txt explains: {len(missed)} lines, "
+          f"{sum((key[0], source(*key[:2])) not in compiled for key, _ in ways)} branches")
+    print(f"lines {100 * (1 - run_never / len(lines)):.2f} % of {len(lines)}, "
           f"branches {100 * (1 - len(ways) / all_ways):.2f} % of {all_ways}")
     return 1 if new and "--list" not in options else 0
 
