@@ -1,0 +1,128 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Changes an operator or a constant in the codec, the framer, the client or the server, and looks whether
+the tests see it.
+
+    python3 tests/mutation/mutate.py [--sample N] [--seed S] [--jobs J]
+
+Each change is tried in a copy of the headers: first by compiling the tests of its room, whose proofs run
+in the compiler; what that lets through is linked and run. Survivors are printed. Without --sample all
+changes are tried, which takes hours.
+"""
+import argparse
+import concurrent.futures
+import pathlib
+import random
+import re
+import shutil
+import subprocess
+import tempfile
+
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+HEADERS = PROJECT / "include" / "rtuwire"
+# Whose tests are asked, in this order.
+TARGETS = {
+    "core/crc16.hpp": ["core", "wire"],
+    "core/bytes.hpp": ["core", "wire"],
+    "wire/adu.hpp": ["wire", "client"],
+    "wire/answer.hpp": ["wire", "client"],
+    "wire/frame_length.hpp": ["wire", "rtu"],
+    "wire/pdu/device_identification.hpp": ["wire", "server"],
+    "wire/pdu/diagnostics.hpp": ["wire", "server"],
+    "wire/pdu/exception.hpp": ["wire", "server"],
+    "wire/pdu/read_holding_registers.hpp": ["wire", "server"],
+    "wire/pdu/read_write_multiple_registers.hpp": ["wire", "server"],
+    "wire/pdu/write_multiple_registers.hpp": ["wire", "server"],
+    "wire/pdu/write_single_register.hpp": ["wire", "server"],
+    "rtu/framer.hpp": ["rtu", "client", "server"],
+    "rtu/line.hpp": ["rtu", "client"],
+    "client/attempts.hpp": ["client"],
+    "client/client.hpp": ["client", "scenario"],
+    "client/echo.hpp": ["client"],
+    "client/quarantine.hpp": ["client", "scenario"],
+    "server/identification.hpp": ["server", "wire"],
+    "server/request.hpp": ["server", "scenario"],
+    "server/respond.hpp": ["server", "scenario"],
+    "server/serial_diagnostics.hpp": ["server"],
+    "server/server.hpp": ["server", "scenario"],
+}
+CHANGES = [(r" == ", " != "), (r" != ", " == "), (r" < ", " <= "), (r" <= ", " < "), (r" > ", " >= "),
+           (r" >= ", " > "), (r" \+ ", " - "), (r" - ", " + "), (r" and ", " or "), (r" or ", " and "),
+           (r"\bnot ", ""), (r"\btrue\b", "false"), (r"\bfalse\b", "true"),
+           (r"\b(\d+)U?\b", lambda match: str(int(match.group(1)) + 1) + match.group(0)[len(match.group(1)):]),
+           (r"\+\+", "--")]
+COMPILE = ["g++", "-std=c++20", "-w"]
+
+
+def changes_of(header):
+    """Each place in the code, with what it becomes."""
+    found = []
+    for number, line in enumerate((HEADERS / header).read_text(encoding="utf-8").splitlines()):
+        code = line.split("//")[0]
+        if not code.strip() or code.lstrip().startswith(("#", "static_assert", "template", "namespace")):
+            continue
+        for pattern, becomes in CHANGES:
+            for match in re.finditer(pattern, code):
+                new = becomes(match) if callable(becomes) else becomes
+                found.append((header, number, code[:match.start()] + new + code[match.end():]))
+    return found
+
+
+def runs(command, limit):
+    try:
+        return subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                              timeout=limit, check=False).returncode == 0
+    except subprocess.TimeoutExpired:
+        return False
+
+
+def sources(header):
+    """The header's own tests first: they see most."""
+    stem = pathlib.Path(header).stem
+    found = [path for room in TARGETS[header]
+             for path in sorted((PROJECT / "tests" / room).rglob("*.cpp"))
+             if path.name != "random_drives.cpp"]
+    return sorted(found, key=lambda path: path.stem != stem)
+
+
+def survives(change):
+    header, number, line = change
+    with tempfile.TemporaryDirectory() as folder:
+        copy = pathlib.Path(folder, "include")
+        shutil.copytree(PROJECT / "include", copy)
+        place = copy / "rtuwire" / header
+        lines = place.read_text(encoding="utf-8").splitlines()
+        lines[number] = line
+        place.write_text("\n".join(lines) + "\n", encoding="utf-8")
+        flags = [f"-I{copy}", f"-I{PROJECT / 'tests'}"]
+        files = sources(header)
+        if not all(runs([*COMPILE, *flags, "-fsyntax-only", path], 120) for path in files):
+            return None
+        for path in files:
+            program = pathlib.Path(folder, "test")
+            if not runs([*COMPILE, *flags, "-DRTUWIRE_NO_STATIC_TESTS", "-o", program, path,
+                         "-lCatch2WithMain"], 180) or not runs([program], 30):
+                return None
+    return change
+
+
+def main():
+    options = argparse.ArgumentParser()
+    options.add_argument("--sample", type=int)
+    options.add_argument("--seed", type=int, default=1)
+    options.add_argument("--jobs", type=int, default=2)
+    chosen = options.parse_args()
+    changes = [change for header in TARGETS for change in changes_of(header)]
+    tried = changes
+    if chosen.sample:
+        tried = random.Random(chosen.seed).sample(changes, chosen.sample)
+    with concurrent.futures.ThreadPoolExecutor(chosen.jobs) as pool:
+        left = [change for change in pool.map(survives, tried) if change]
+    for header, number, line in left:
+        print(f"survives: {header}:{number + 1}: {line.strip()}")
+    print(f"{len(tried) - len(left)} of {len(tried)} changes killed "
+          f"({100 * (len(tried) - len(left)) / len(tried):.1f} %), {len(changes)} possible")
+
+
+if __name__ == "__main__":
+    main()
