@@ -50,7 +50,9 @@ template <typename Talk> struct by_hand {
     void hear(errc error)
     {
         REQUIRE(asks());
-        talk.accept(error);
+        if (error != errc::none) {
+            talk.accept(error);
+        }
     }
     void hear_word(std::uint16_t word)
     {
