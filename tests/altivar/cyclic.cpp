@@ -163,7 +163,39 @@ template <typename Device> void never_resumes()
     CHECK(it.now_in() == state::switch_on_disabled);
 }
 
+/// A controller dies while its motor runs, and another takes its place at once.
+template <typename Device> void comes_back()
+{
+    INFO(std::string(Device::name.begin(), Device::name.end()));
+    running<Device> it;
+    it.pass(milliseconds(500));
+    REQUIRE(it.order());
+    it.pass(milliseconds(5'000));
+    REQUIRE(it.far().motor().frequency() == 50'000);
+
+    it.loop = cyclic<Device>{*station<Device>::checked(3)};
+    it.link().cancel(it.now());
+    static_cast<void>(it.link().poll_outcome());
+    it.pass(milliseconds(1'000));
+    CHECK_FALSE(it.loop.control().is_ordered());
+    CHECK(it.far().motor().frequency() < 50'000);
+    it.pass(milliseconds(8'000));
+    CHECK(it.far().motor().is_at_rest());
+    CHECK(it.now_in() != state::operation_enabled);
+    it.pass(milliseconds(20'000));
+    CHECK(it.far().motor().is_at_rest());
+}
+
 } // namespace
+
+TEST_CASE("a controller that comes back brings a running motor down, and never starts it by itself")
+{
+    comes_back<atv12::device>();
+    comes_back<atv28::device>();
+    comes_back<atv310::device>();
+    comes_back<atv310::device_2026>();
+    comes_back<atv320::device>();
+}
 
 TEST_CASE("the application example by function 23, frame by frame")
 {

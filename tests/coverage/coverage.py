@@ -123,23 +123,13 @@ def main(options):
             for way, count in zip(("true", "false"), counts) if count == 0]
     all_ways = 2 * len(branches)
     known = accepted()
-    run_never = len(missed)
-    new = 0
-    for header, line in missed:
-        text = source(header, line)
-        if (header, text) not in known:
-            new += 1
-            print(f"line   {header}:{line}: {text}")
-    for (header, line, _), way in ways:
-        text = source(header, line)
-        if (header, text) not in known:
-            new += 1
-            print(f"branch {header}:{line} never {way}: {text}")
-    compiled = {(header, text) for header, text in known}
-    missed = [key for key in missed if (key[0], source(*key)) not in compiled]
-    print(f"beside what accepted.txt explains: {len(missed)} lines, "
-          f"{sum((key[0], source(*key[:2])) not in compiled for key, _ in ways)} branches")
-    print(f"lines {100 * (1 - run_never / len(lines)):.2f} % of {len(lines)}, "
+    notes = [(key, "line   {}:{}: {}") for key in missed]
+    notes += [(key[:2], f"branch {{}}:{{}} never {way}: {{}}") for key, way in ways]
+    new = [(key, form) for key, form in notes if (key[0], source(*key)) not in known]
+    for key, form in new:
+        print(form.format(*key, source(*key)))
+    print(f"{len(new)} places that accepted.txt does not explain")
+    print(f"lines {100 * (1 - len(missed) / len(lines)):.2f} % of {len(lines)}, "
           f"branches {100 * (1 - len(ways) / all_ways):.2f} % of {all_ways}")
     return 1 if new and "--list" not in options else 0
 

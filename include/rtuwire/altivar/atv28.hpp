@@ -250,6 +250,7 @@ struct device {
                                            .shows_eeprom_access = false,
                                            .halt = 0,
                                            .dc_injection = 0xA00A,
+                                           .direct_control = 0x8000,
                                            .eeprom_time = milliseconds(2'100),
                                            .rfrd = 605};
     /// What tells who it is, without function 43.

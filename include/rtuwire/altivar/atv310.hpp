@@ -223,31 +223,14 @@ struct device {
               nm2, nm3, nm4, nc1, nc2, nc3, nc4>;
 };
 
-/// An ATV310 as its manual of 2026 has it. Function 23 still moves 4 words each way.
-struct device_2026 {
+/// An ATV310 as its manual of 2026 has it: twice as many scanner words. Function 23 still moves 4 each way.
+struct device_2026 : device {
     static constexpr text name{"atv310_2026"};
-    static constexpr function_set functions{
-        function_code::read_holding_registers, function_code::write_single_register,
-        function_code::write_multiple_registers, function_code::read_write_multiple_registers,
-        function_code::encapsulated_interface};
-    static constexpr device_limits limits{63, 61, 4, 4};
-    static constexpr unit_range units{1, 247};
-    static constexpr std::array<address_range, 0> readable{}; ///< nothing is known beyond the table
-    static constexpr character_format formats[]{
-        character_format::odd_8_1, character_format::even_8_1, character_format::none_8_1,
-        character_format::none_8_2};
-    static constexpr std::uint32_t rates[]{4'800, 9'600, 19'200, 38'400};
-    static constexpr silence_reaction silence{milliseconds(10'000), milliseconds(30'000)};
-    static constexpr auto const& speed_reference = lfrd;
-    static constexpr auto const& frequency_reference = lfr;
-    static constexpr drive_profile profile{.cmd = cmd.address,
-                                           .eta = eta.address,
-                                           .lft = lft.address,
-                                           .cmi = cmi.address,
-                                           .eti = eti.address,
-                                           .rfr = rfr.address,
-                                           .chart = {.enables_from_ready = true},
-                                           .scanner_words = 8};
+    static constexpr drive_profile profile = [] {
+        drive_profile same = device::profile;
+        same.scanner_words = 8;
+        return same;
+    }();
     using registers =
         table<ncv, vcal, inv, sfr, tfr, hsp, lsp, eta, rfr, frh, lcr, eti, uln, thd, opr, rthi, pth,
               hmis, vdp, add, tbr, tfo, tto, sll, lft, cic, dp0, dp1, dp2, dp3, dp4, chcf, fr1, cd1,

@@ -152,8 +152,7 @@ private:
     static constexpr scanner<Device> outputs{altivar::scanner_output_words,
                                              altivar::scanner_output_addresses};
 
-    static constexpr std::uint16_t direct_control = 0x8000; ///< CMD, ATV28
-    static constexpr std::uint16_t release_link = 0x0100;   ///< CMD, with the bit above
+    static constexpr std::uint16_t release_link = 0x0100; ///< CMD, with the bit above
     static constexpr std::uint16_t ramp_stop = 0x1000;
     static constexpr std::uint16_t dc_stop = 0x2000;
     static constexpr std::uint16_t fast_stop = 0x4000;
@@ -264,8 +263,7 @@ private:
 
     static constexpr bool is_direct(std::uint16_t word) noexcept
     {
-        // The drive with a word for DC injection is the one with direct control words.
-        return profile.dc_injection != 0 and (word & direct_control) != 0;
+        return (word & profile.direct_control) != 0;
     }
 
     constexpr void obey_directly(std::uint16_t word) noexcept
