@@ -47,6 +47,9 @@
 #include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/crc16.hpp>
+#include <rtuwire/core/crc16_algebra.hpp>
+#include <rtuwire/core/crc16_carryless.hpp>
+#include <rtuwire/core/crc16_tables.hpp>
 #include <rtuwire/core/fixed_buffer.hpp>
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/core/result.hpp>

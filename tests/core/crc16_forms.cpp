@@ -1,28 +1,95 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// The three forms of the CRC agree when they run, too.
+// All forms of the CRC are one function, in the compiler and when they run.
 #include <rtuwire/core/crc16.hpp>
 
 #include <array>
 
-#include "support/catch.hpp"
+#include "support/proof.hpp"
 #include "support/random.hpp"
 
 using namespace rtuwire;
 
-TEST_CASE("the forms agree on random frames of every length")
+namespace {
+
+template <crc_form... Others> constexpr bool agree(byte_view octets)
+{
+    std::uint16_t const bitwise = crc16<crc_form::bitwise>(octets);
+    return ((crc16<Others>(octets) == bitwise) and ...);
+}
+
+constexpr bool all_agree(byte_view octets)
+{
+    using enum crc_form;
+    return agree<nibble_table, byte_table, slicing_by_4, slicing_by_8, slicing_by_16, octet_algebra,
+                 word_algebra, host, carryless>(octets);
+}
+
+constexpr bool agree_up_to(std::size_t most)
 {
     test::random random{11};
-    std::array<std::byte, 256> octets{};
-    for (std::size_t size = 0; size <= octets.size(); ++size) {
-        random.fill(octets);
-        std::uint16_t bitwise = 0xFFFF, nibbles = 0xFFFF;
-        for (std::size_t i = 0; i < size; ++i) {
-            bitwise = crc16_step<crc_form::bitwise>(bitwise, octets[i]);
-            nibbles = crc16_step<crc_form::nibble_table>(nibbles, octets[i]);
+    std::array<std::byte, 600> octets{};
+    for (std::size_t size = 0; size <= most; ++size) {
+        random.fill(byte_span{octets}.first(size));
+        if (not all_agree(byte_view{octets}.first(size))) {
+            return false;
         }
-        std::uint16_t const bytes = crc16(byte_view{octets}.first(size));
-        REQUIRE(bitwise == bytes);
-        REQUIRE(nibbles == bytes);
     }
+    return true;
+}
+constexpr bool agree_on_short_frames() { return agree_up_to(72); }
+PROOF("the forms agree on frames of every length up to 72", agree_on_short_frames)
+
+/// How often the next octet leads a growing CRC elsewhere than the bits do.
+template <crc_form Form>
+std::uint32_t differences(running_crc16<crc_form::bitwise> const& bits,
+                          running_crc16<Form> const& other)
+{
+    std::uint32_t count = 0;
+    for (std::uint32_t octet = 0; octet <= 0xFF; ++octet) {
+        auto after = bits;
+        auto after_other = other;
+        after.add(to_byte(octet));
+        after_other.add(to_byte(octet));
+        count += after.value() != after_other.value() ? 1U : 0U;
+    }
+    return count;
+}
+
+template <crc_form Form> std::uint32_t differences_in_every_state()
+{
+    std::uint32_t count = 0;
+    for (std::uint32_t two = 0; two <= 0xFFFF; ++two) { // two octets lead to every state
+        running_crc16<crc_form::bitwise> bits;
+        running_crc16<Form> other;
+        for (std::uint32_t const octet : {two & 0xFFU, two >> 8U}) {
+            bits.add(to_byte(octet));
+            other.add(to_byte(octet));
+        }
+        count += differences(bits, other);
+    }
+    return count;
+}
+
+} // namespace
+
+TEST_CASE("the forms agree on random octets of every length up to 600") { CHECK(agree_up_to(600)); }
+
+TEST_CASE("the forms agree on octets at any address")
+{
+    test::random random{12};
+    std::array<std::byte, 96> octets{};
+    random.fill(octets);
+    for (std::size_t at = 0; at < 16; ++at) {
+        for (std::size_t size = 0; size < 80; ++size) {
+            REQUIRE(all_agree(byte_view{octets}.subspan(at, size)));
+        }
+    }
+}
+
+TEST_CASE("a growing CRC takes every octet in every state as the bits do")
+{
+    CHECK(differences_in_every_state<crc_form::nibble_table>() == 0);
+    CHECK(differences_in_every_state<crc_form::byte_table>() == 0);
+    CHECK(differences_in_every_state<crc_form::octet_algebra>() == 0);
 }

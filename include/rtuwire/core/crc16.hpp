@@ -2,72 +2,62 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // CRC-16/MODBUS (Modbus over Serial Line V1.02, 6.2.2): start FFFF, reflected polynomial A001, no
-// final XOR; the low octet travels first. One function in several table sizes, all equal.
+// final XOR; the low octet travels first. One function in several forms, all equal.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/crc16_algebra.hpp>
+#include <rtuwire/core/crc16_carryless.hpp>
+#include <rtuwire/core/crc16_tables.hpp>
 
 namespace rtuwire {
 
-/// How the CRC is computed: the table it needs is nothing, 32 octets or 512 octets.
-enum class crc_form : std::uint8_t { bitwise, nibble_table, byte_table };
+/// How the CRC is computed, and what tables that needs.
+enum class crc_form : std::uint8_t {
+    bitwise,       ///< nothing
+    nibble_table,  ///< 32 octets
+    byte_table,    ///< 512 octets
+    slicing_by_4,  ///< 2 KiB
+    slicing_by_8,  ///< 4 KiB
+    slicing_by_16, ///< 8 KiB
+    octet_algebra, ///< nothing; an octet at a time, for processors without a cache
+    word_algebra,  ///< nothing; 64 octets at a time, for 64-bit processors
+    host,          ///< 8 KiB for frames up to 16 octets, `word_algebra` for longer ones
+    carryless,     ///< the same with the processor's carry-less multiplication, where it has one
+};
 
-/// What is used where nobody chooses: the small table on 32-bit and smaller processors, the fast one
-/// on hosts.
-inline constexpr crc_form default_crc_form =
-    sizeof(void*) >= 8 ? crc_form::byte_table : crc_form::nibble_table;
-
-namespace crc16_tables {
-
-constexpr std::uint16_t shifted(std::uint32_t state, unsigned bits) noexcept
-{
-    for (unsigned i = 0; i < bits; ++i) {
-        state = (state >> 1U) ^ ((state & 1U) != 0 ? 0xA001U : 0U);
-    }
-    return static_cast<std::uint16_t>(state);
-}
-
-template <std::size_t Entries, unsigned Bits>
-constexpr std::array<std::uint16_t, Entries> make() noexcept
-{
-    std::array<std::uint16_t, Entries> table{};
-    for (std::size_t i = 0; i < Entries; ++i) {
-        table[i] = shifted(static_cast<std::uint32_t>(i), Bits);
-    }
-    return table;
-}
-
-inline constexpr auto nibble = make<16, 4>();
-inline constexpr auto byte = make<256, 8>();
-
-} // namespace crc16_tables
-
-/// The CRC state after one more octet.
-template <crc_form Form = default_crc_form>
-[[nodiscard]] constexpr std::uint16_t crc16_step(std::uint16_t state, std::byte octet) noexcept
-{
-    std::uint32_t mixed = std::uint32_t{state} ^ to_u8(octet);
-    if constexpr (Form == crc_form::bitwise) {
-        return crc16_tables::shifted(mixed, 8);
-    } else if constexpr (Form == crc_form::nibble_table) {
-        mixed = (mixed >> 4U) ^ crc16_tables::nibble[mixed & 0xFU];
-        mixed = (mixed >> 4U) ^ crc16_tables::nibble[mixed & 0xFU];
-        return static_cast<std::uint16_t>(mixed);
-    } else {
-        return static_cast<std::uint16_t>((mixed >> 8U) ^ crc16_tables::byte[mixed & 0xFFU]);
-    }
-}
+/// What is used where nobody chooses. `-DRTUWIRE_CRC_FORM=byte_table` chooses, in all of a program.
+#ifdef RTUWIRE_CRC_FORM
+inline constexpr crc_form default_crc_form = crc_form::RTUWIRE_CRC_FORM;
+#else
+inline constexpr crc_form default_crc_form = sizeof(void*) < 8 ? crc_form::octet_algebra
+                                             : crc16_carryless::is_available ? crc_form::carryless
+                                                                             : crc_form::host;
+#endif
 
 /// A CRC that grows an octet at a time, so that a receiver has it when the last octet arrives. Over a
 /// whole frame, its two CRC octets included, the value is zero exactly when the CRC is right.
+/// Forms that take several octets at a time take single ones by the octet table, or by algebra where
+/// they have none.
 template <crc_form Form = default_crc_form> class running_crc16 {
 public:
     /// Takes the next octet.
-    constexpr void add(std::byte octet) noexcept { state_ = crc16_step<Form>(state_, octet); }
+    constexpr void add(std::byte octet) noexcept
+    {
+        std::uint32_t mixed = std::uint32_t{state_} ^ to_u8(octet);
+        if constexpr (Form == crc_form::bitwise) {
+            state_ = crc16_tables::shifted(mixed, 8);
+        } else if constexpr (Form == crc_form::nibble_table) {
+            mixed = (mixed >> 4U) ^ crc16_tables::nibble[mixed & 0xFU];
+            mixed = (mixed >> 4U) ^ crc16_tables::nibble[mixed & 0xFU];
+            state_ = static_cast<std::uint16_t>(mixed);
+        } else {
+            state_ = static_cast<std::uint16_t>((mixed >> 8U) ^ crc16_tables::byte[mixed & 0xFFU]);
+        }
+    }
 
     /// The CRC of everything taken so far; FFFF before the first octet.
     [[nodiscard]] constexpr std::uint16_t value() const noexcept { return state_; }
@@ -76,15 +66,57 @@ private:
     std::uint16_t state_{0xFFFF};
 };
 
-/// The CRC of a sequence of octets.
-template <crc_form Form = default_crc_form>
-[[nodiscard]] constexpr std::uint16_t crc16(byte_view bytes) noexcept
+template <> class running_crc16<crc_form::octet_algebra> : public crc16_algebra::running {};
+template <> class running_crc16<crc_form::word_algebra> : public crc16_algebra::running {};
+
+namespace crc16_forms {
+
+template <crc_form Form> [[nodiscard]] constexpr std::uint16_t by_octets(byte_view bytes) noexcept
 {
     running_crc16<Form> crc;
     for (std::byte const octet : bytes) {
         crc.add(octet);
     }
     return crc.value();
+}
+
+/// Frames up to 16 octets by tables, longer ones by algebra.
+template <crc_form Form> [[nodiscard]] constexpr std::uint16_t by_size(byte_view bytes) noexcept
+{
+    constexpr std::size_t few = 16;
+    if (bytes.size() < 2) {
+        return by_octets<crc_form::byte_table>(bytes);
+    }
+    if (bytes.size() <= few) {
+        return crc16_tables::of_few<few>(bytes);
+    }
+    if constexpr (Form == crc_form::carryless) {
+        return crc16_carryless::of_words(bytes);
+    } else {
+        return crc16_algebra::of_words(bytes);
+    }
+}
+
+} // namespace crc16_forms
+
+/// The CRC of a sequence of octets.
+template <crc_form Form = default_crc_form>
+[[nodiscard]] constexpr std::uint16_t crc16(byte_view bytes) noexcept
+{
+    if constexpr (Form == crc_form::slicing_by_4) {
+        return crc16_tables::sliced<4>(bytes);
+    } else if constexpr (Form == crc_form::slicing_by_8) {
+        return crc16_tables::sliced<8>(bytes);
+    } else if constexpr (Form == crc_form::slicing_by_16) {
+        return crc16_tables::sliced<16>(bytes);
+    } else if constexpr (Form == crc_form::word_algebra) {
+        return bytes.size() < 8 ? crc16_forms::by_octets<Form>(bytes)
+                                : crc16_algebra::of_words(bytes);
+    } else if constexpr (Form == crc_form::host or Form == crc_form::carryless) {
+        return crc16_forms::by_size<Form>(bytes);
+    } else {
+        return crc16_forms::by_octets<Form>(bytes);
+    }
 }
 
 } // namespace rtuwire

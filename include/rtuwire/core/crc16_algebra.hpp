@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// CRC-16/MODBUS without a table. Its polynomial is (x + 1) T with T = x^15 + x + 1. Modulo T a high power
+// is the sum of two low ones, x^16 = x^2 + x, and squaring keeps that so: x^(64 k) is two shifts for each
+// k that is a power of 2. Modulo x + 1 the message is its parity. Of the two remainders modulo T that
+// fit 16 bits, r and r + T, the CRC is the one with the parity of the message. All words are reflected:
+// bit 0 is the highest power.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include <rtuwire/core/bytes.hpp>
+
+namespace rtuwire::crc16_algebra {
+
+/// Whether a word has an odd number of bits set: 1 or 0.
+[[nodiscard]] constexpr std::uint32_t parity_of(std::uint32_t word) noexcept
+{
+    word ^= word >> 16U;
+    word ^= word >> 8U;
+    word ^= word >> 4U;
+    return (0x6996U >> (word & 0xFU)) & 1U;
+}
+
+/// Of a remainder modulo T, the one whose parity the message has; `octets` is a word with that parity.
+[[nodiscard]] constexpr std::uint16_t with_parity(std::uint32_t remainder,
+                                                  std::uint32_t octets) noexcept
+{
+    constexpr std::uint32_t t = 0xC001;
+    return static_cast<std::uint16_t>(remainder ^ (t & (0U - parity_of(remainder ^ octets))));
+}
+
+/// A 16-bit word times x^16, modulo T.
+[[nodiscard]] constexpr std::uint32_t times_x16(std::uint32_t word) noexcept
+{
+    std::uint32_t const above = (word << 14U ^ word << 15U) & 0xFFFFU;
+    return word >> 1U ^ word >> 2U ^ above >> 1U ^ above >> 2U;
+}
+
+/// The CRC of a message that was folded into one word.
+[[nodiscard]] constexpr std::uint16_t finish(std::uint64_t word, std::uint64_t parity) noexcept
+{
+    auto const high = static_cast<std::uint32_t>(word);
+    std::uint32_t const above = high << 28U ^ high << 30U;
+    std::uint32_t const rest = static_cast<std::uint32_t>(word >> 32U) ^ high >> 2U ^ high >> 4U ^
+                               above >> 2U ^ above >> 4U;
+    std::uint32_t const remainder = times_x16(rest >> 16U ^ times_x16(rest & 0xFFFFU));
+    return with_parity(remainder, static_cast<std::uint32_t>(parity >> 32U ^ parity));
+}
+
+/// Eight octets, the first in the lowest bits.
+[[nodiscard]] constexpr std::uint64_t word_at(std::byte const* at) noexcept
+{
+    return std::uint64_t{to_u8(at[0])} | std::uint64_t{to_u8(at[1])} << 8U |
+           std::uint64_t{to_u8(at[2])} << 16U | std::uint64_t{to_u8(at[3])} << 24U |
+           std::uint64_t{to_u8(at[4])} << 32U | std::uint64_t{to_u8(at[5])} << 40U |
+           std::uint64_t{to_u8(at[6])} << 48U | std::uint64_t{to_u8(at[7])} << 56U;
+}
+
+/// Several words side by side, the first of the message first.
+template <std::size_t Count> using lanes = std::array<std::uint64_t, Count>;
+
+/// x^(64 Count) as two shifts: what stays in a word, and what goes over into the one before.
+template <std::size_t Count> struct power {
+    static constexpr int near = static_cast<int>(4 * Count);
+    static constexpr int far = static_cast<int>(8 * Count);
+
+    [[nodiscard]] static constexpr std::uint64_t staying(std::uint64_t word) noexcept
+    {
+        return word >> near ^ (far < 64 ? word >> (far % 64) : 0U);
+    }
+    [[nodiscard]] static constexpr std::uint64_t leaving(std::uint64_t word) noexcept
+    {
+        return word << (64 - near) ^ word << (64 - far);
+    }
+};
+
+/// Lanes times x^(64 Count), and the words that follow in the message.
+template <std::size_t Count, std::size_t... I>
+[[nodiscard]] constexpr lanes<Count> fold(lanes<Count> left, lanes<Count> const& next,
+                                          std::index_sequence<I...>) noexcept
+{
+    left[Count - 1] ^= power<Count>::leaving(left[0]);
+    return {(next[I] ^ power<Count>::staying(left[I]) ^
+             (I + 1 < Count ? power<Count>::leaving(left[(I + 1) % Count]) : 0U))...};
+}
+template <std::size_t Count>
+[[nodiscard]] constexpr lanes<Count> fold(lanes<Count> const& left,
+                                          lanes<Count> const& next) noexcept
+{
+    return fold<Count>(left, next, std::make_index_sequence<Count>{});
+}
+
+/// The first half folded onto the second.
+template <std::size_t Half, std::size_t... I>
+[[nodiscard]] constexpr lanes<Half> halved(lanes<2 * Half> const& whole,
+                                           std::index_sequence<I...>) noexcept
+{
+    return fold<Half>(lanes<Half>{whole[I]...}, lanes<Half>{whole[Half + I]...});
+}
+template <std::size_t Half>
+[[nodiscard]] constexpr lanes<Half> halved(lanes<2 * Half> const& whole) noexcept
+{
+    return halved<Half>(whole, std::make_index_sequence<Half>{});
+}
+
+/// The same words with zeros before them, which change no remainder.
+template <std::size_t Count, std::size_t... I>
+[[nodiscard]] constexpr lanes<2 * Count> doubled(lanes<Count> const& words,
+                                                 std::index_sequence<I...>) noexcept
+{
+    return {(I < Count ? 0U : words[I % Count])...};
+}
+template <std::size_t Count>
+[[nodiscard]] constexpr lanes<2 * Count> doubled(lanes<Count> const& words) noexcept
+{
+    return doubled<Count>(words, std::make_index_sequence<2 * Count>{});
+}
+
+/// The words of a message, from its front.
+class words {
+public:
+    /// Of at least 8 octets. The odd ones at the front are `head()`, the rest comes in whole words.
+    constexpr explicit words(byte_view octets) noexcept
+        : at_{octets.data()}, count_{octets.size() / 8}
+    {
+        // The CRC starts from FFFF: that is, with its first two octets inverted.
+        if (std::size_t const odd = octets.size() % 8; odd != 0) {
+            std::size_t const shift = 8 * (8 - odd);
+            head_ = (word_at(at_) ^ 0xFFFFU) << shift;
+            start_ = odd == 1 ? 0xFFU : 0U;
+            at_ += odd;
+            parity_ = head_;
+        }
+    }
+
+    [[nodiscard]] constexpr std::uint64_t head() const noexcept { return head_; }
+    [[nodiscard]] constexpr std::size_t count() const noexcept { return count_; }
+    [[nodiscard]] constexpr std::uint64_t parity() const noexcept { return parity_; }
+
+    template <std::size_t Count> [[nodiscard]] constexpr lanes<Count> take() noexcept
+    {
+        return take<Count>(std::make_index_sequence<Count>{});
+    }
+
+private:
+    template <std::size_t Count, std::size_t... I>
+    constexpr lanes<Count> take(std::index_sequence<I...>) noexcept
+    {
+        lanes<Count> next{word_at(at_ + 8 * I)...};
+        next[0] ^= start_;
+        start_ = 0;
+        at_ += 8 * Count;
+        ((parity_ ^= next[I]), ...);
+        return next;
+    }
+
+    std::byte const* at_;
+    std::size_t count_;
+    std::uint64_t head_{0};
+    std::uint64_t start_{0xFFFF};
+    std::uint64_t parity_{0};
+};
+
+/// The CRC of at least 8 octets, in up to eight lanes.
+[[nodiscard]] constexpr std::uint16_t of_words(byte_view octets) noexcept
+{
+    words message{octets};
+    lanes<1> one{message.head()};
+    if ((message.count() & 1U) != 0) {
+        one = fold(one, message.take<1>());
+    }
+    if (message.count() < 2) {
+        return finish(one[0], message.parity());
+    }
+    lanes<2> two = doubled(one);
+    if ((message.count() & 2U) != 0) {
+        two = fold(two, message.take<2>());
+    }
+    if (message.count() < 4) {
+        return finish(halved<1>(two)[0], message.parity());
+    }
+    lanes<4> four = doubled(two);
+    if ((message.count() & 4U) != 0) {
+        four = fold(four, message.take<4>());
+    }
+    if (std::size_t blocks = message.count() / 8; blocks > 0) {
+        lanes<8> eight = fold(doubled(four), message.take<8>());
+        while (--blocks > 0) {
+            eight = fold(eight, message.take<8>());
+        }
+        four = halved<4>(eight);
+    }
+    return finish(halved<1>(halved<2>(four))[0], message.parity());
+}
+
+/// A CRC that grows an octet at a time: 74 octets of code on a Cortex-M, and no table.
+class running {
+public:
+    constexpr void add(std::byte octet) noexcept
+    {
+        std::uint32_t const low = (remainder_ ^ to_u8(octet)) & 0xFFU;
+        remainder_ = remainder_ >> 8U ^ low << 6U ^ low << 7U;
+        octets_ ^= to_u8(octet);
+    }
+    [[nodiscard]] constexpr std::uint16_t value() const noexcept
+    {
+        return with_parity(remainder_, octets_);
+    }
+
+private:
+    std::uint32_t remainder_{0xFFFF}; ///< modulo T
+    std::uint32_t octets_{0};         ///< all octets added up
+};
+
+} // namespace rtuwire::crc16_algebra
