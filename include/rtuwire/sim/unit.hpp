@@ -30,6 +30,7 @@ public:
     {}
 
     constexpr void receive(byte_view octets, instant now) noexcept { node_.receive(octets, now); }
+    constexpr void receive_error(instant now) noexcept { node_.receive_error(now); }
     constexpr void sent(instant now) noexcept { node_.sent(now); }
 
     /// Lets time pass for the drive and its server, and serves a request that is there.

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A controller: brings a drive up, polls it and prints a line each second, and brings it down again.
+// Which drive is chosen when compiling: -DRTUWIRE_DRIVE=atv320.
+#include "board.hpp"
+
+#include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/start.hpp>
+#include <rtuwire/altivar/stop.hpp>
+#include <rtuwire/client/client.hpp>
+#include <rtuwire/client/poller.hpp>
+
+#ifndef RTUWIRE_DRIVE
+#define RTUWIRE_DRIVE atv320
+#endif
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+namespace model = rtuwire::altivar::RTUWIRE_DRIVE;
+
+namespace {
+
+using monitor = read_plan<model::device, model::eta, model::rfr, model::lcr, model::uln>;
+
+constexpr station<model::device> drive{unit_id{1}};
+constexpr client_options patient{.response_timeout = milliseconds(500)};
+
+/// The client and its line. An emulated UART delivers in lumps, as a host's does; on a real board the
+/// times of line_timing{19'200, character_format::even_8_1} are the right ones.
+struct controller {
+    client link{line_timing::host(19'200, character_format::even_8_1, milliseconds(20)), patient};
+    board::transmitter out{};
+
+    template <conversation Talk> void pass(Talk& talk)
+    {
+        board::serve_line(link, out);
+        link.converse(talk, board::now());
+        board::sleep();
+    }
+    template <conversation Talk> void run(Talk& talk)
+    {
+        while (not talk.settled()) {
+            pass(talk);
+        }
+    }
+};
+
+bool report(text what, reason const& how)
+{
+    board::print(what);
+    board::print(name_of(how.how));
+    board::print("\n");
+    return how.how == ending::succeeded;
+}
+
+void print_values(monitor::snapshot const& seen)
+{
+    board::print("output frequency ");
+    board::print(seen.get<model::rfr>().count());
+    board::print(" dHz, current ");
+    board::print(seen.get<model::lcr>().count());
+    board::print(" dA, mains ");
+    board::print(seen.get<model::uln>().count());
+    board::print(" dV\n");
+}
+
+/// One round of the plan each second; false when one failed.
+bool watch(controller& it, unsigned seconds)
+{
+    poller<monitor> panel{drive};
+    for (unsigned second = 0; second < seconds; ++second) {
+        instant const due = board::now() + milliseconds(1'000);
+        panel.begin();
+        it.run(panel);
+        if (not panel.outcome()) {
+            board::print("no values\n");
+            return false;
+        }
+        print_values(panel.latest());
+        while (not reached(board::now(), due)) {
+            board::serve_line(it.link, it.out);
+            board::sleep();
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+int main()
+{
+    controller it;
+    board::print("ready on ");
+    for (char const* c = board::name; *c != '\0'; ++c) {
+        char const letter[] = {*c, '\0'};
+        board::print(text{letter});
+    }
+    board::print("\n");
+    start up{drive, 30_Hz};
+    it.run(up);
+    bool const is_up = report("start: ", up.reason());
+    bool const is_seen = is_up and watch(it, 4);
+    stop down{drive};
+    it.run(down);
+    bool const is_down = report("stop: ", down.reason());
+    return is_up and is_seen and is_down ? 0 : 1;
+}

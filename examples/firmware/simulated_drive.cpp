@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A simulated ATV320 on a board, as unit 1: something to try a controller against.
+#include "board.hpp"
+
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/sim/unit.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr unit_id address{1};
+// An emulated UART delivers in lumps, as a host's does; a real board takes line_timing{...}.
+constexpr auto timing = line_timing::host(19'200, character_format::even_8_1);
+
+} // namespace
+
+int main()
+{
+    sim::unit<altivar::atv320::device> drive{address, timing, board::now()};
+    board::transmitter out;
+    board::print("ready\n");
+    for (;;) {
+        board::serve_line(drive, out);
+        board::sleep();
+    }
+}

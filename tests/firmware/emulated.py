@@ -1,0 +1,136 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Builds a firmware example, runs it on an emulated board, and lets somebody talk to it.
+
+    python3 emulated.py BOARD controller SIMULATE DRIVE    it runs a simulated drive
+    python3 emulated.py BOARD server                       mbpoll and pymodbus ask it
+    python3 emulated.py BOARD simulated_drive              the same, and pymodbus runs it
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import threading
+
+HERE = pathlib.Path(__file__).resolve().parent
+FIRMWARE = HERE.parents[1] / "examples" / "firmware"
+sys.path.insert(0, str(HERE.parent / "interop"))
+
+from simulator import Checks, Simulator  # noqa: E402
+
+MACHINES = {"mps2_an385": "mps2-an385", "lm3s6965evb": "lm3s6965evb"}
+
+
+def build(place, board, program, *flags):
+    elf = pathlib.Path(place) / f"{program}.elf"
+    subprocess.run(["sh", FIRMWARE / "build.sh", board, program, elf, *flags], check=True)
+    return elf
+
+
+class Emulator:
+    """A board whose line is `line` ("pty" makes one) and whose console is read here."""
+
+    def __init__(self, board, elf, line):
+        self.process = subprocess.Popen(
+            ["qemu-system-arm", "-M", MACHINES[board], "-kernel", elf, "-display", "none",
+             "-monitor", "none", "-serial", line, "-serial", "stdio",
+             "-semihosting-config", "enable=on,target=native"],
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        # A program that hangs ends the test, not the machine.
+        self.limit = threading.Timer(40, self.process.kill)
+        self.limit.start()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.limit.cancel()
+        self.process.kill()
+        self.process.wait()
+
+    def wait_for(self, pattern):
+        """The first line that the pattern is found in."""
+        for line in self.process.stdout:
+            print("|", line, end="")
+            if found := re.search(pattern, line):
+                return found
+        raise RuntimeError(f"the emulator ended without {pattern!r}")
+
+
+def run_controller(place, board, simulate, drive):
+    elf = build(place, board, "controller", f"-DRTUWIRE_DRIVE={drive}")
+    check = Checks()
+    with Simulator(simulate, f"{drive}:1") as line, Emulator(board, elf, line) as firmware:
+        firmware.wait_for("^ready")
+        check(firmware.wait_for("^start: (.*)")[1] == "done", "it starts the drive")
+        seconds = 0
+        while not (line := firmware.wait_for("^(output frequency (\\d+)|stop: (.*)|no values)"))[3]:
+            seconds += 1
+            frequency = int(line[2] or -1)
+        check(seconds == 4, "a line for each of four seconds", seconds)
+        check(frequency == 300, "the motor turns at 30 Hz", frequency)
+        check(line[3] == "done", "it stops the drive", line[3])
+        check(firmware.process.wait(10) == 0, "it ends well")
+    return check.failures
+
+
+def mbpoll(device, *words):
+    return subprocess.run(
+        ["mbpoll", "-m", "rtu", "-b", "19200", "-P", "even", "-0", "-1", "-o", "1", "-a", "1",
+         *words[:-1], device, *words[-1:]], text=True, stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT, timeout=20, check=False).stdout
+
+
+def ask_server(device, check):
+    from pymodbus.client import ModbusSerialClient
+    text = mbpoll(device, "-r", "10", "475")
+    check("Written 1 references" in text, "mbpoll writes the setpoint")
+    text = mbpoll(device, "-r", "10", "-c", "3", "-q")
+    words = re.findall(r"\[(\d+)\]: \t(\d+)", text)
+    check(words[:2] == [("10", "475"), ("11", "475")], "mbpoll reads the pump", words)
+    with ModbusSerialClient(device, baudrate=19200, timeout=2) as client:
+        check(client.read_holding_registers(12, 1, slave=1).registers == [65531], "-5 degrees")
+        check(client.write_register(10, 601, slave=1).exception_code == 3, "601 is above its limit")
+        check(client.write_register(11, 1, slave=1).exception_code == 2, "a reading is not written")
+        done = client.write_registers(10, [300], slave=1)
+        check(not done.isError() and client.read_holding_registers(10, 2, slave=1).registers
+              == [300, 300], "pymodbus writes and reads")
+
+
+def run_drive(device, check):
+    from pymodbus.client import ModbusSerialClient
+    with ModbusSerialClient(device, baudrate=19200, timeout=2) as client:
+        def status():
+            return client.read_holding_registers(3201, 1, slave=1).registers[0] & 0x6F
+        check.soon(lambda: status() & 0x4F == 0x40, "the drive is switch on disabled")
+        client.write_register(8502, 300, slave=1)
+        for command, state in ((6, 0x21), (7, 0x23), (15, 0x27)):
+            client.write_register(8501, command, slave=1)
+            check.soon(lambda: status() == state, f"command {command}")
+        check.soon(lambda: client.read_holding_registers(3202, 1, slave=1).registers == [300],
+                   "30 Hz", 8)
+    words = re.findall(r"\[(\d+)\]: \t(\d+)", mbpoll(device, "-r", "3201", "-c", "2", "-q"))
+    check(words[1:] == [("3202", "300")], "mbpoll reads 30 Hz", words)
+
+
+def run_unit(place, board, program):
+    check = Checks()
+    with Emulator(board, build(place, board, program), "pty") as firmware:
+        device = firmware.wait_for("redirected to (\\S+)")[1]
+        firmware.wait_for("^ready")
+        {"server": ask_server, "simulated_drive": run_drive}[program](device, check)
+    return check.failures
+
+
+def main(board, program, *rest):
+    with tempfile.TemporaryDirectory() as place:
+        if program == "controller":
+            failures = run_controller(place, board, *rest)
+        else:
+            failures = run_unit(place, board, program)
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
