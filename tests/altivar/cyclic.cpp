@@ -307,6 +307,29 @@ TEST_CASE("nothing is written through a scanner that holds other words")
     CHECK(it.far().word("PISP") == 0);
 }
 
+TEST_CASE("a scanner that reads or writes another word first is found out too")
+{
+    for (std::uint16_t const slot : {std::uint16_t{12'701}, std::uint16_t{12'721}}) {
+        running<atv320::device> it;
+        REQUIRE(it.far().check_write(slot, register_block{9'001}) == errc::none);
+        it.far().write(slot, register_block{9'001});
+        it.pass(milliseconds(2'000));
+        CHECK(it.loop.control().reason().how == ending::misconfigured);
+    }
+}
+
+TEST_CASE("a cycle has a deadline between its exchanges only")
+{
+    by_hand<atv320::device> it{cyclic<atv320::device>{station<atv320::device>{unit_id{3}}}};
+    CHECK_FALSE(it.loop.poll_deadline());
+    it.loop.advance(it.now);
+    CHECK_FALSE(it.loop.poll_deadline()); // it is due now
+    REQUIRE(it.loop.next());
+    it.loop.accept(errc::timed_out);
+    REQUIRE(it.loop.poll_deadline());
+    CHECK(it.now - *it.loop.poll_deadline() != duration{});
+}
+
 TEST_CASE("a drive says who it is")
 {
     test::party_line<client, atv320::device> line{client{test::party_timing, patient}};

@@ -155,6 +155,50 @@ TEST_CASE("at their limits all end, and none leaves a command behind")
     CHECK(starting.talk.reason().how == ending::stuck);
 }
 
+TEST_CASE("a state that nobody knows is looked at again")
+{
+    constexpr std::uint16_t unknown = 0x0667, gone = 0x0231, enabled = 0x0637, on = 0x0633;
+    by_hand<stop> stopping{stop{drive}};
+    stopping.hear_word(unknown);
+    CHECK_FALSE(stopping.talk.settled());
+    stopping.hear_word(on);
+    CHECK(stopping.talk.next()->frame()[5] == std::byte{6}); // "shutdown"
+    stopping.confirm();
+    stopping.hear_word(gone);
+    CHECK(stopping.talk.succeeded());
+
+    by_hand<stop> halting{stop{drive, stop_by::halt}};
+    halting.hear_word(on);
+    CHECK(halting.talk.succeeded());
+
+    by_hand<reset_fault> resetting{reset_fault{drive}};
+    resetting.hear_word(unknown);
+    CHECK_FALSE(resetting.talk.settled());
+    resetting.hear_word(gone);
+    CHECK(resetting.talk.succeeded());
+
+    by_hand<start> starting{start{drive, 50_Hz}};
+    starting.hear_word(unknown);
+    CHECK_FALSE(starting.talk.settled());
+    starting.hear_word(enabled);
+    CHECK(starting.talk.next()->frame()[1] == std::byte{6}); // the reference first
+}
+
+TEST_CASE("a conversation that is late has no deadline, and is not late twice")
+{
+    by_hand<reset_fault> it{reset_fault{drive, milliseconds(120)}};
+    CHECK_FALSE(it.talk.next());
+    it.hear_word(0x063F);
+    CHECK(it.talk.poll_deadline());
+    it.now = it.now + milliseconds(500);
+    it.talk.advance(it.now); // one question more is granted: for the fault
+    CHECK_FALSE(it.talk.settled());
+    CHECK_FALSE(it.talk.poll_deadline());
+    it.talk.advance(it.now);
+    it.hear_word(9);
+    CHECK(it.talk.reason().fault == 9);
+}
+
 TEST_CASE("a save that fails half way is taken back, and is a failure still")
 {
     by_hand<save_to_eeprom> it{save_to_eeprom{drive}};

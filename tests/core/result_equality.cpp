@@ -28,6 +28,7 @@ TEST_CASE("a result equals its like, its value or its error, and nothing else")
     CHECK(busy.value_or(7) == 7);
     result<void> const done{}, failed{errc::busy};
     CHECK_FALSE((done == errc::busy));
+    CHECK_FALSE((done == errc::none));
     CHECK((failed == errc::busy));
     CHECK_FALSE((failed == errc::timed_out));
 }

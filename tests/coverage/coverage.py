@@ -18,6 +18,7 @@ PROJECT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = PROJECT / "build" / "coverage"
 HEADERS = PROJECT / "include" / "rtuwire"
 ACCEPTED = pathlib.Path(__file__).with_name("accepted.txt")
+IN_COMPILER = ("runs only in the compiler", "within `if constexpr`", "needs -mpclmul")
 LONG = {"simulation_transactions": ["20000"], "simulation_undetected": ["50000"]}
 
 
@@ -108,7 +109,7 @@ def is_formal(text):
 def accepted():
     rows = [row.split(" | ") for row in ACCEPTED.read_text(encoding="utf-8").splitlines()
             if row and not row.startswith("#")]
-    return {(row[0], " | ".join(row[1:-1])) for row in rows}
+    return {(row[0], " | ".join(row[1:-1])): row[-1] for row in rows}
 
 
 def main(options):
@@ -117,20 +118,25 @@ def main(options):
         gather(exported(path), lines, branches)
     branches = {key: counts for key, counts in branches.items()
                 if any(counts) and not is_formal(source(*key[:2]))}
+    known = accepted()
+    # A line that has no code in a program cannot run there.
+    in_compiler = {key for key, count in lines.items() if count == 0 and
+                   known.get((key[0], source(*key)), "").startswith(IN_COMPILER)}
     missed = sorted(key for key, count in lines.items()
-                    if count == 0 and not is_formal(source(*key)))
+                    if count == 0 and not is_formal(source(*key)) and key not in in_compiler)
     ways = [(key, way) for key, counts in sorted(branches.items())
             for way, count in zip(("true", "false"), counts) if count == 0]
     all_ways = 2 * len(branches)
-    known = accepted()
     notes = [(key, "line   {}:{}: {}") for key in missed]
     notes += [(key[:2], f"branch {{}}:{{}} never {way}: {{}}") for key, way in ways]
     new = [(key, form) for key, form in notes if (key[0], source(*key)) not in known]
     for key, form in new:
         print(form.format(*key, source(*key)))
     print(f"{len(new)} places that accepted.txt does not explain")
-    print(f"lines {100 * (1 - len(missed) / len(lines)):.2f} % of {len(lines)}, "
-          f"branches {100 * (1 - len(ways) / all_ways):.2f} % of {all_ways}")
+    at_run_time = len(lines) - len(in_compiler)
+    print(f"{len(in_compiler)} lines run only in the compiler, or are counted wrongly by it (listed)")
+    print(f"lines {100 * (1 - len(missed) / at_run_time):.2f} % of {at_run_time}, "
+          f"{len(missed)} not run (listed); branches {100 * (1 - len(ways) / all_ways):.2f} % of {all_ways}")
     return 1 if new and "--list" not in options else 0
 
 

@@ -173,6 +173,13 @@ constexpr bool power_up()
     receiver.receive(request, now + line.characters(8));
     return deaf and receiver.poll_frame().has_value();
 }
+constexpr bool octets_before_the_clock()
+{
+    framer receiver{direction::request, line};
+    return receiver.receive(request, start) == 8 and not receiver.poll_frame() and
+           not receiver.is_quiet() and receiver.receive({}, start) == 0;
+}
+PROOF("octets before time is known are ignored too", octets_before_the_clock)
 PROOF("at power-up everything is ignored until the line was silent", power_up)
 
 constexpr bool a_lump_after_silence()

@@ -16,6 +16,12 @@ constexpr unit_id one{1};
 constexpr auto noise = "00"_hex;
 constexpr auto loop = "08 00 00 A5 37"_hex;
 constexpr auto short_one = "08 00"_hex;
+constexpr auto listen_only = "08 00 04 00 00"_hex;
+constexpr auto odd_restart = "08 00 01 12 34"_hex;
+constexpr auto restart = "08 00 01 00 00"_hex;
+constexpr auto refusal_of_1 = "01 83 02 C0 F1"_hex;
+constexpr auto refusal_of_2 = "02 83 02 30 F1"_hex;
+constexpr auto write_5 = "06 00 01 00 05"_hex;
 constexpr auto read_1 = "01 03 00 01 00 01 D5 CA"_hex;
 
 /// Says more than it was asked for.
@@ -113,4 +119,55 @@ TEST_CASE("a counting server loops back too")
     REQUIRE(size);
     CHECK(same_bytes(byte_view{out}.first(*size), loop));
     CHECK(counts.answer(short_one, out) == errc::illegal_data_value);
+}
+
+TEST_CASE("a unit that is told to be silent hears no restart that is not one")
+{
+    serial_diagnostics counts;
+    std::array<std::byte, 8> out{};
+    REQUIRE(counts.answer(listen_only, out).value_or(1) == 0);
+    REQUIRE(counts.is_listen_only());
+    static_cast<void>(counts.answer(odd_restart, out));
+    static_cast<void>(counts.answer(short_one, out));
+    static_cast<void>(counts.answer(loop, out));
+    CHECK(counts.is_listen_only());
+    static_cast<void>(counts.answer(restart, out));
+    CHECK_FALSE(counts.is_listen_only());
+}
+
+TEST_CASE("an answer in this unit's name, or to nobody's question, is not obeyed")
+{
+    for (auto const& foreign : {refusal_of_1, refusal_of_2}) {
+        unit_1 unit;
+        unit.node.receive(foreign, unit.now);
+        unit.pass(line.t3_5());
+        CHECK_FALSE(unit.node.is_asked());
+        unit.pass(line.t3_5());
+        unit.node.receive(read_1, unit.now);
+        CHECK(unit.node.is_asked());
+    }
+}
+
+TEST_CASE("a profile that names functions nobody answers supports none of them")
+{
+    constexpr server_profile odd{.functions = function_set{static_cast<function_code>(7)}};
+    CHECK_FALSE(odd.supports(static_cast<function_code>(7)));
+    CHECK_FALSE(odd.supports(function_code::write_single_register));
+    word_bank<4> bank;
+    CHECK(obey_broadcast(write_5, bank, odd) == errc::illegal_function);
+    CHECK(bank.get(1) == 0);
+}
+
+TEST_CASE("identification has room for its head, or is a failure")
+{
+    static constexpr device_object objects[] = {{vendor_name, "vendor"}, {0x80, "private"}};
+    std::array<std::byte, max_pdu_size> place{};
+    read_device_identification const stream{identification_access::basic, 0x80};
+    auto const whole = write_identification(place, objects, stream);
+    REQUIRE(whole); // 80 is not of the basic stream, which starts anew
+    CHECK(to_u8(place[7]) == vendor_name);
+    CHECK(write_identification(byte_span{place}.first(6), objects, stream) ==
+          errc::server_device_failure);
+    CHECK(write_identification(byte_span{place}.first(8), objects, stream) ==
+          errc::server_device_failure);
 }

@@ -143,6 +143,61 @@ TEST_CASE("an ATV28 in fault does not obey a direct command, nor one without its
     CHECK(it.drive.word("RFRD") == 0);
 }
 
+TEST_CASE("a drive in fault obeys no direct word, and trips once")
+{
+    sim::chart chart{atv28::device::profile.chart};
+    chart.power_up();
+    chart.enable_directly();
+    CHECK(chart.state() == state::not_ready_to_switch_on);
+    chart.initialised();
+    chart.trip();
+    CHECK(chart.state() == state::fault_reaction_active);
+    chart.trip();
+    chart.enable_directly();
+    CHECK(chart.state() == state::fault_reaction_active);
+    chart.at_rest();
+    chart.trip();
+    CHECK(chart.state() == state::fault);
+}
+
+TEST_CASE("the place of no register takes nothing and gives 0")
+{
+    using registers = sim::image<atv28::device>;
+    registers image;
+    image.put_word(registers::nowhere, 5);
+    CHECK(image.get(registers::nowhere) == 0);
+    CHECK(registers::at_address(0x1'0000) == registers::nowhere);
+    CHECK(registers::at_address(0xFFFF) == registers::nowhere);
+    std::size_t const reference = registers::at("LFR");
+    image.put_word(reference, 0xFFFF);
+    CHECK(image.get_signed(reference) == -1);
+}
+
+TEST_CASE("settings that a drive never has give no division by zero")
+{
+    sim::image<atv320::device> image;
+    sim::parameters<atv320::device> const set{image};
+    image.put(sim::image<atv320::device>::at("FRS"), 0);
+    CHECK(set.motor().rated_frequency == 50'000);
+    image.put(sim::image<atv320::device>::at("NSP"), 30'000);
+    CHECK(set.to_rpm(50'000) == 3'000);
+    sim::image<atv28::device> old;
+    old.put(sim::image<atv28::device>::at("SDS"), 0);
+    CHECK(sim::parameters<atv28::device>{old}.to_millihertz(1'500) == 0);
+}
+
+TEST_CASE("bits beyond the end of a waveform are idle, and cannot be changed")
+{
+    sim::waveform wave;
+    wave.flip(sim::waveform::capacity);
+    wave.lay(sim::waveform::capacity - 8, 0, 16);
+    CHECK(wave.size() == 0);
+    CHECK(wave.bits_from(sim::waveform::capacity) == 0xFFFF);
+    wave.flip(sim::waveform::capacity - 1);
+    CHECK(wave.bits_from(sim::waveform::capacity - 1) == 0xFFFE);
+    CHECK(wave.size() == sim::waveform::capacity);
+}
+
 TEST_CASE("a scanner drops what its target would refuse")
 {
     workbench<atv320::device> it;

@@ -31,6 +31,7 @@ STATIC_CHECK(verdict(read, "03 02 12 34"_hex) == errc::none);
 STATIC_CHECK(verdict(read, "03 02 12 34"_hex, 3) == errc::wrong_unit);
 STATIC_CHECK(verdict(read, "03 04 12 34 56 78"_hex) == errc::wrong_length);
 STATIC_CHECK(verdict(read, "03 02 12"_hex) == errc::wrong_length);
+STATIC_CHECK(verdict(read, "03 04 12 34"_hex) == errc::wrong_length);
 STATIC_CHECK(verdict(read, "03"_hex) == errc::wrong_length);
 STATIC_CHECK(verdict(read, "04 02 12 34"_hex) == errc::wrong_function);
 STATIC_CHECK(verdict(read, "83 02"_hex) == errc::illegal_data_address);

@@ -174,9 +174,10 @@ private:
         std::uint8_t function{0};
         bool is_open{false};
 
+        /// Of at least two octets.
         [[nodiscard]] constexpr bool answers(byte_view so_far) const noexcept
         {
-            return is_open and so_far.size() >= 2 and to_u8(so_far[0]) == unit and
+            return is_open and to_u8(so_far[0]) == unit and
                    (to_u8(so_far[1]) & ~exception_bit) == function;
         }
     };

@@ -122,6 +122,15 @@ constexpr bool is_written_well_formed_only()
            test::is_refused(none, errc::malformed) and
            test::survives(page, [&](auto const& r) { return same_bytes(r.list, list); });
 }
+constexpr bool says_that_more_follows()
+{
+    constexpr auto list = "00 01 41"_hex;
+    device_identification const page{identification_access::basic, 1, true, 1, 1, list};
+    device_identification::object const of_another_page{7, list};
+    return test::survives(page, [](auto const& r) { return r.more_follows; }) and
+           not page.after(of_another_page);
+}
+PROOF("a page says that more follows", says_that_more_follows)
 PROOF("a page is written only when its objects come out even", is_written_well_formed_only)
 
 } // namespace

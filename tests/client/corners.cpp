@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A client, its bus and its conversations at the edges of their counts.
+#include <rtuwire/client/bus.hpp>
+#include <rtuwire/client/client.hpp>
+
+#include "support/catch.hpp"
+#include "support/far_end.hpp"
+
+#include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/client/access.hpp>
+#include <rtuwire/client/echo_probe.hpp>
+#include <rtuwire/client/quarantine.hpp>
+#include <rtuwire/client/statistics.hpp>
+#include <rtuwire/core/hex.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+
+namespace {
+
+constexpr client_options once{.response_timeout = milliseconds(50), .retries = 0};
+constexpr auto refusal = "01 83 02 C0 F1"_hex;
+constexpr unit_id one{1};
+constexpr station<atv28::device> drive{unit_id{1}};
+
+/// A bus with one talk, played by hand: each question is answered with `answer`, if there is one.
+template <typename Talk> struct one_slot {
+    bus<1> link;
+    Talk talk;
+    instant now{};
+
+    one_slot(Talk const& asked, bus_options const& options)
+        : link{test::line, once, options}, talk{asked}
+    {
+        link.advance(now);
+        now = now + milliseconds(10);
+    }
+    void transact(byte_view answer)
+    {
+        while (true) {
+            link.advance(now);
+            link.converse(0, talk, now);
+            if (not link.poll_transmit().empty()) {
+                break;
+            }
+            REQUIRE(link.poll_deadline());
+            now = *link.poll_deadline();
+        }
+        now = now + milliseconds(5);
+        link.sent(now);
+        now = now + milliseconds(2);
+        link.receive(answer, now);
+        now = now + (answer.empty() ? milliseconds(200) : milliseconds(5));
+        link.advance(now);
+        link.converse(0, talk, now);
+    }
+};
+
+/// Asks the same for ever.
+struct endless {
+    single_question<read_holding_registers> question{one, read_holding_registers{3201, 1}};
+    std::optional<request> next() const { return question.next(); }
+    static void accept(result<response> const&) {}
+    static constexpr bool settled() { return false; }
+};
+
+} // namespace
+
+TEST_CASE("a question that is given up between two attempts leaves its unit in quarantine")
+{
+    test::far_end unit{{.response_timeout = milliseconds(50), .retries = 1}};
+    REQUIRE(unit.ask(test::read_eta));
+    unit.link.advance(unit.now = unit.now + milliseconds(60) + test::line.characters(8));
+    REQUIRE(unit.transmissions == 1);
+    unit.link.cancel(unit.now);
+    CHECK(unit.fault() == errc::cancelled);
+    CHECK_FALSE(unit.ask(test::read_next));
+    unit.run(milliseconds(150));
+    CHECK(unit.transmissions == 1);
+    unit.run(milliseconds(100));
+    CHECK(unit.transmissions == 2);
+}
+
+TEST_CASE("a refusal is no silence, and 300 silences are no fewer than 255")
+{
+    one_slot<endless> it{{}, {.silent_share = 100}};
+    for (unsigned i = 0; i < 300; ++i) {
+        it.transact({});
+    }
+    CHECK(it.link.is_silent(0));
+    it.transact(refusal);
+    CHECK_FALSE(it.link.is_silent(0));
+}
+
+TEST_CASE("a silent unit is asked at least every ten minutes")
+{
+    client_options const slow{.response_timeout = milliseconds(60'000), .retries = 0};
+    bus<1> link{test::line, slow, {.silent_share = 1}};
+    endless talk;
+    instant now{};
+    instant asked{};
+    unsigned questions = 0;
+    link.advance(now);
+    for (unsigned i = 0; i < 200 and questions < 4; ++i) {
+        now = link.poll_deadline() and not reached(now, *link.poll_deadline())
+                  ? *link.poll_deadline()
+                  : now + milliseconds(10);
+        link.advance(now);
+        link.converse(0, talk, now);
+        if (not link.poll_transmit().empty()) {
+            ++questions;
+            CHECK(now - asked < milliseconds(700'000));
+            asked = now;
+            now = now + milliseconds(5);
+            link.sent(now);
+        }
+    }
+    CHECK(questions == 4);
+}
+
+TEST_CASE("a line whose unit refuses the probe has no echo, one without a unit is unknown")
+{
+    echo_probe refused{one};
+    CHECK(refused.outcome() == errc::pending);
+    refused.accept(errc::illegal_data_address);
+    CHECK((refused.outcome() == result<bool>{false}));
+    echo_probe silent{one};
+    silent.accept(errc::timed_out);
+    CHECK(silent.outcome() == errc::timed_out);
+}
+
+TEST_CASE("a unit that owes two answers is waited for alone")
+{
+    quarantine owed;
+    instant const now{};
+    owed.begin(3, now + milliseconds(10));
+    owed.begin(3, now + milliseconds(20));
+    CHECK(owed.covers(3));
+    CHECK_FALSE(owed.covers(4));
+    owed.begin(4, now + milliseconds(30));
+    CHECK(owed.covers(5));
+}
+
+TEST_CASE("units beyond the table are counted for the line alone")
+{
+    unit_statistics<1> counts;
+    counts.note(line_event::request, 1);
+    for (std::uint8_t const unit : {std::uint8_t{1}, std::uint8_t{2}}) {
+        counts.note(line_event::reply, unit);
+        counts.note_exception(errc::illegal_data_value, unit);
+        counts.note_latency(milliseconds(unit), unit);
+    }
+    CHECK(counts.line()[line_event::reply] == 2);
+    CHECK(counts.line().worst_latency == milliseconds(2));
+    REQUIRE(counts.unit(1) != nullptr);
+    CHECK(counts.unit(1)->worst_latency == milliseconds(1));
+    CHECK(counts.unit(2) == nullptr);
+}
+
+TEST_CASE("a conversation that is settled asks nothing, and says why")
+{
+    auto both = write_all<atv28::cmd, atv28::lfr>(drive, atv28::command_word{0}, 40_Hz);
+    REQUIRE(both.next());
+    both.accept(errc::timed_out);
+    CHECK_FALSE(both.next());
+    auto current = read<atv28::lcr>(drive);
+    REQUIRE(current.next());
+    current.accept(errc::illegal_data_address);
+    CHECK_FALSE(current.next());
+    CHECK(current.outcome() == errc::illegal_data_address);
+}
