@@ -15,7 +15,7 @@ packages_of() {
         arm) echo gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib ;;
         emulator) echo qemu-system-arm ;;
         clang) echo clang libclang-rt-dev ;;
-        bench) echo libbenchmark-dev ;;
+        bench) echo pkg-config libbenchmark-dev libmodbus-dev valgrind ;;
         style) echo clang-format clang-tidy ;;
         *)
             echo "packages.sh: no group '$1'; the groups are examples build tests interop arm emulator clang bench style" >&2
@@ -27,7 +27,7 @@ packages_of() {
 # A tool counts however it came here; a library only counts as the package the build will look for.
 present() {
     case $1 in
-        cmake | make | c++ | g++ | clang | mbpoll | socat | tshark | pkg-config | qemu-system-arm | clang-format | clang-tidy)
+        cmake | make | c++ | g++ | clang | mbpoll | socat | tshark | pkg-config | qemu-system-arm | valgrind | clang-format | clang-tidy)
             command -v "$1" >/dev/null ;;
         ninja-build) command -v ninja >/dev/null ;;
         # Only the distribution's interpreter sees the distribution's modules.

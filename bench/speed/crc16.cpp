@@ -1,9 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// The CRC's forms by size. Only their ratios in one run mean anything.
+// The CRC's forms by size, against two tables. Latency: each call waits for the one before, as a
+// receiver's does. Throughput: calls that do not.
 #include <array>
+#include <string>
 
 #include <benchmark/benchmark.h>
+
+#include "two_tables.hpp"
 
 #include <rtuwire/core/crc16.hpp>
 
@@ -11,20 +15,70 @@ using namespace rtuwire;
 
 namespace {
 
-template <crc_form Form> void crc(benchmark::State& state)
+using crc_function = std::uint16_t (*)(byte_view);
+
+template <crc_form Form> [[gnu::noinline]] std::uint16_t crc_by(byte_view octets)
 {
-    std::array<std::byte, 253> octets{};
+    return crc16<Form>(octets);
+}
+
+std::array<std::byte, 4'096 + 8> octets{};
+
+void latency(benchmark::State& state, crc_function crc)
+{
     auto const size = static_cast<std::size_t>(state.range(0));
+    std::uint32_t last = 0;
+    std::uint32_t none = 0;
+    benchmark::DoNotOptimize(none);
     for (auto _ : state) {
-        // Each call depends on the one before, as a receiver's does.
-        octets[0] = to_byte(crc16<Form>(byte_view{octets}.first(size)));
-        benchmark::DoNotOptimize(octets);
+        last = crc(byte_view{octets}.subspan(last & none, size));
+    }
+    benchmark::DoNotOptimize(last);
+}
+
+void throughput(benchmark::State& state, crc_function crc)
+{
+    auto const size = static_cast<std::size_t>(state.range(0));
+    std::size_t start = 0;
+    for (auto _ : state) {
+        start = (start + 1) % 8;
+        benchmark::DoNotOptimize(crc(byte_view{octets}.subspan(start, size)));
     }
     state.SetBytesProcessed(state.iterations() * state.range(0));
 }
 
-BENCHMARK(crc<crc_form::bitwise>)->Arg(8)->Arg(253);
-BENCHMARK(crc<crc_form::nibble_table>)->Arg(8)->Arg(253);
-BENCHMARK(crc<crc_form::byte_table>)->Arg(8)->Arg(253);
+constexpr struct {
+    char const* name;
+    crc_function crc;
+} forms[] = {
+    {"two tables", bench::crc_by_two_tables},
+    {"bitwise", crc_by<crc_form::bitwise>},
+    {"nibble table", crc_by<crc_form::nibble_table>},
+    {"byte table", crc_by<crc_form::byte_table>},
+    {"slicing by 4", crc_by<crc_form::slicing_by_4>},
+    {"slicing by 8", crc_by<crc_form::slicing_by_8>},
+    {"slicing by 16", crc_by<crc_form::slicing_by_16>},
+    {"octet algebra", crc_by<crc_form::octet_algebra>},
+    {"word algebra", crc_by<crc_form::word_algebra>},
+    {"host (default)", crc_by<crc_form::host>},
+};
+
+int add_all()
+{
+    for (std::size_t i = 0; i < octets.size(); ++i) {
+        octets[i] = to_byte(static_cast<std::uint32_t>(i * 37));
+    }
+    for (auto const& form : forms) {
+        for (int const size : {6, 8, 16, 64, 133, 253, 4'096}) {
+            std::string const of = std::string{"/"} + form.name;
+            benchmark::RegisterBenchmark(("crc latency" + of).c_str(), latency, form.crc)
+                ->Arg(size);
+            benchmark::RegisterBenchmark(("crc throughput" + of).c_str(), throughput, form.crc)
+                ->Arg(size);
+        }
+    }
+    return 0;
+}
+int const added = add_all();
 
 } // namespace

@@ -58,6 +58,7 @@
 #include <rtuwire/core/units.hpp>
 #include <rtuwire/rtu/framer.hpp>
 #include <rtuwire/rtu/line.hpp>
+#include <rtuwire/server/answer_frame.hpp>
 #include <rtuwire/server/bank.hpp>
 #include <rtuwire/server/blocking.hpp>
 #include <rtuwire/server/identification.hpp>

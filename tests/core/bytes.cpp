@@ -16,52 +16,6 @@ using namespace rtuwire;
 
 namespace {
 
-constexpr bool reads_in_order()
-{
-    constexpr auto octets = "01 02 03 04 05"_hex;
-    byte_reader in{octets};
-    bool const right = in.u8() == 1 and in.u16() == 0x0203 and in.rest().size() == 2;
-    return right and same_bytes(in.take(2), "04 05"_hex) and in.ok() and in.rest().empty();
-}
-PROOF("a reader takes big-endian fields from the front", reads_in_order)
-
-constexpr bool stays_failed()
-{
-    constexpr auto octets = "01 02 03"_hex;
-    byte_reader in{octets};
-    bool const none = in.take(4).empty() and not in.ok();
-    return none and in.u8() == 0 and in.u16() == 0 and not in.ok();
-}
-PROOF("a reader past its end yields zeros and never recovers", stays_failed)
-
-constexpr bool reads_no_half_word()
-{
-    test::exact_octets const octets{"01 02 03"_hex};
-    byte_reader in{octets.view()};
-    bool const first = in.u16() == 0x0102 and in.ok();
-    bool const half = in.u16() == 0 and not in.ok() and in.rest().empty();
-    return first and half and in.u8() == 0 and in.take(0).empty() and not in.ok();
-}
-PROOF("a word of which only half is there is not read, nor is that half afterwards",
-      reads_no_half_word)
-
-constexpr bool takes_what_is_there()
-{
-    test::exact_octets const octets{"01 02"_hex};
-    for (std::size_t count = 0; count <= 4; ++count) {
-        byte_reader in{octets.view()};
-        bool const is_there = count <= 2;
-        if (in.take(count).size() != (is_there ? count : 0) or in.ok() != is_there or
-            in.rest().size() != (is_there ? 2 - count : 0)) {
-            return false;
-        }
-    }
-    byte_reader in{octets.view()};
-    in.u8();
-    return in.take(static_cast<std::size_t>(-1)).empty() and not in.ok();
-}
-PROOF("a reader gives all the octets asked for or none", takes_what_is_there)
-
 constexpr bool writes_no_half_word()
 {
     test::exact_octets place{1, std::byte{0xA5}};

@@ -33,7 +33,7 @@ constexpr bool is_told(direction way, byte_view frame)
     for (std::size_t i = 0; i < frame.size(); ++i) {
         longer.span()[i] = frame[i];
     }
-    length_so_far const whole{frame.size(), true};
+    length_so_far const whole{static_cast<std::uint16_t>(frame.size()), true};
     return look_at == frame.size() and frame_length(way, frame) == whole and
            frame_length(way, longer.view()) == whole;
 }

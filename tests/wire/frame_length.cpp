@@ -116,7 +116,8 @@ constexpr bool ends_no_frame_beyond_256()
             head.span()[1] = to_byte(rule.code);
             head.span()[rule.at] = to_byte(count);
             std::size_t const size = rule.base + count;
-            length_so_far const expected = size > 256 ? silence : length_so_far{size, true};
+            length_so_far const expected =
+                size > 256 ? silence : length_so_far{static_cast<std::uint16_t>(size), true};
             if (frame_length(rule.way, head.view()) != expected) {
                 return false;
             }

@@ -55,50 +55,6 @@ using byte_span = std::span<std::byte>;
     return true;
 }
 
-/// Reads big-endian fields from the front of a view. Reading past the end yields zeros and makes
-/// `ok()` false for good, so a sequence of reads needs one check at its end.
-class byte_reader {
-public:
-    explicit constexpr byte_reader(byte_view source) noexcept : rest_{source} {}
-
-    /// The next octet.
-    constexpr std::uint8_t u8() noexcept
-    {
-        byte_view const taken = take(1);
-        return taken.empty() ? std::uint8_t{} : to_u8(taken[0]);
-    }
-
-    /// The next two octets as a big-endian word.
-    constexpr std::uint16_t u16() noexcept
-    {
-        byte_view const taken = take(2);
-        return taken.empty() ? std::uint16_t{} : u16_at(taken, 0);
-    }
-
-    /// The next `count` octets, viewed in place; empty when fewer are left.
-    constexpr byte_view take(std::size_t count) noexcept
-    {
-        if (count > rest_.size()) {
-            ok_ = false;
-            rest_ = {};
-            return {};
-        }
-        byte_view const taken = rest_.first(count);
-        rest_ = rest_.subspan(count);
-        return taken;
-    }
-
-    /// What has not been read yet.
-    [[nodiscard]] constexpr byte_view rest() const noexcept { return rest_; }
-
-    /// Whether every read so far was inside the view.
-    [[nodiscard]] constexpr bool ok() const noexcept { return ok_; }
-
-private:
-    byte_view rest_;
-    bool ok_{true};
-};
-
 /// Writes big-endian fields to the front of a span. A field that does not fit is not written, nor is
 /// any after it, and `ok()` turns false for good.
 class byte_writer {
@@ -132,6 +88,16 @@ public:
         for (std::byte const octet : source) {
             target_[size_++] = octet;
         }
+    }
+
+    /// Appends `count` octets that the caller writes, at once; empty, and not ok, when they do not fit.
+    constexpr byte_span take(std::size_t count) noexcept
+    {
+        if (not room_for(count)) {
+            return {};
+        }
+        size_ += count;
+        return target_.subspan(size_ - count, count);
     }
 
     /// What has been written, at the start of the target.

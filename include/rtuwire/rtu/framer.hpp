@@ -230,7 +230,7 @@ private:
             finish();
         }
         // Past an end whose CRC is wrong only silence tells where the next frame starts.
-        look_at_ = is_end ? std::uint16_t{0} : static_cast<std::uint16_t>(known.size);
+        look_at_ = is_end ? std::uint16_t{0} : known.size;
     }
 
     constexpr void finish() noexcept
@@ -277,7 +277,7 @@ private:
     bool polled_{true};
     bool busy_{true};
     bool started_{false};
-    std::array<std::byte, max_adu_size> octets_{};
+    std::array<std::byte, max_adu_size> octets_; ///< the first `size_` are written
 };
 
 } // namespace rtuwire

@@ -83,8 +83,11 @@ public:
 
     constexpr errc read(std::uint16_t start, std::size_t count, byte_writer& out) noexcept
     {
-        for (std::size_t i = 0; i < count; ++i) {
-            out.u16(words_[offset(start) + i]);
+        byte_span const place = out.take(2 * count);
+        std::uint16_t const* word = &words_[offset(start)];
+        for (std::size_t at = 0; at + 1 < place.size(); at += 2, ++word) {
+            place[at] = to_byte(std::uint32_t{*word} >> 8U);
+            place[at + 1] = to_byte(*word);
         }
         return errc::none;
     }

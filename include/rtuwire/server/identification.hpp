@@ -36,23 +36,28 @@ using device_objects = std::span<device_object const>;
 /// The category that holds all of a device's objects, with single access: 81, 82 or 83.
 [[nodiscard]] constexpr std::uint8_t conformity_of(device_objects objects) noexcept
 {
-    std::uint8_t category = 1;
-    for (device_object const& each : objects) {
-        while (each.id > last_object_of(category)) {
-            ++category;
-        }
+    std::uint8_t const last = objects.empty() ? std::uint8_t{0} : objects.back().id;
+    std::uint8_t category = 0x81;
+    while (last > last_object_of(category & 0x0FU)) {
+        ++category;
     }
-    return static_cast<std::uint8_t>(category | 0x80U);
+    return category;
 }
 
-/// Writes one object; `out` turns not-ok when it does not fit.
-constexpr void write_object(byte_writer& out, device_object const& object) noexcept
+/// Writes one object; how many octets that takes, or 0 where they do not fit.
+constexpr std::size_t write_object(byte_span out, device_object const& object) noexcept
 {
-    out.u8(object.id);
-    out.u8(static_cast<std::uint32_t>(object.value.size()));
-    for (char const c : object.value) {
-        out.u8(static_cast<unsigned char>(c));
+    constexpr std::size_t head = 2;
+    std::size_t const size = head + object.value.size();
+    if (size > out.size()) {
+        return 0;
     }
+    out[0] = to_byte(object.id);
+    out[1] = to_byte(static_cast<std::uint32_t>(object.value.size()));
+    for (std::size_t i = head; i < size; ++i) {
+        out[i] = static_cast<std::byte>(object.value[i - head]);
+    }
+    return size;
 }
 
 /// The index of an object, or the number of objects where there is no such one.
@@ -87,23 +92,21 @@ write_identification(byte_span out, device_objects objects,
     if (out.size() < device_identification::head_size) {
         return errc::server_device_failure;
     }
-    byte_writer head{out};
-    head.u8(to_u8(function_code::encapsulated_interface));
-    head.u8(identification_mei_type);
-    head.u8(static_cast<std::uint32_t>(asked.access));
-    head.u8(conformity_of(objects));
+    out[0] = to_byte(to_u8(function_code::encapsulated_interface));
+    out[1] = to_byte(identification_mei_type);
+    out[2] = static_cast<std::byte>(asked.access);
+    out[3] = to_byte(conformity_of(objects));
     std::size_t size = device_identification::head_size;
     std::uint32_t count = 0;
     out[more_at] = out[next_at] = std::byte{0};
     for (; index < objects.size() and objects[index].id <= last; ++index) {
-        byte_writer body{out.subspan(size)};
-        write_object(body, objects[index]);
-        if (not body.ok()) {
+        std::size_t const written = write_object(out.subspan(size), objects[index]);
+        if (written == 0) {
             out[more_at] = std::byte{0xFF};
             out[next_at] = to_byte(objects[index].id);
             break;
         }
-        size += body.size();
+        size += written;
         ++count;
         if (is_single) {
             break;

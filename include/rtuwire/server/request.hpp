@@ -11,10 +11,7 @@
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/limits.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
-#include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/register_view.hpp>
 
 namespace rtuwire {
 
@@ -37,58 +34,72 @@ struct server_profile {
 /// The registers that a request reads and writes, of functions 03, 06, 16 and 23. A half that the
 /// function does not have has quantity 0.
 struct register_access {
-    std::uint16_t read_start{0};
+    register_view values{}; ///< a view of the request's octets
     std::uint16_t read_count{0};
     std::uint16_t write_start{0};
-    register_view values{}; ///< a view of the request's octets
+    std::uint16_t read_start; ///< undefined where nothing is read
 
-    /// Whether both quantities are within a device's limits.
-    [[nodiscard]] constexpr bool is_within(std::uint16_t most_read,
-                                           std::uint16_t most_written) const noexcept
+    /// Takes the half that is read: start and quantity.
+    constexpr bool take_read(byte_view half, std::size_t limit) noexcept
     {
-        return read_count <= most_read and values.size() <= most_written;
+        read_start = u16_at(half, 0);
+        read_count = u16_at(half, 2);
+        return is_quantity(read_count, limit);
+    }
+
+    /// Takes one value and where it belongs.
+    constexpr bool take_value(byte_view fields) noexcept
+    {
+        write_start = u16_at(fields, 0);
+        values = register_view{fields.subspan(2)};
+        return true;
+    }
+
+    /// Takes the half that is written: start, quantity, byte count, values to the end.
+    constexpr bool take_written(byte_view half, std::size_t limit) noexcept
+    {
+        constexpr std::size_t head = 5;
+        if (half.size() < head) {
+            return false;
+        }
+        std::size_t const octets = half.size() - head;
+        write_start = u16_at(half, 0);
+        values = register_view{half.subspan(head)};
+        return octets == to_u8(half[4]) and octets == 2U * u16_at(half, 2) and
+               is_quantity(octets / 2, limit);
     }
 };
 
-/// Decodes functions 03, 06, 16 and 23. Errors: `illegal_data_value` when quantity, byte count and
-/// size do not agree or a limit of the device is exceeded.
-[[nodiscard]] constexpr result<register_access> decode_access(byte_view pdu,
-                                                              device_limits const& limits) noexcept
+/// Decodes a request of functions 03, 06, 16 and 23 into `access`. `illegal_data_value` when quantity,
+/// byte count and size do not agree or a limit of the device is exceeded, `illegal_function` for any other
+/// function; `access` is then undefined.
+[[nodiscard]] constexpr errc decode_access(byte_view pdu, device_limits const& limits,
+                                           register_access& access) noexcept
 {
-    register_access access;
+    constexpr std::size_t fixed_size = 5;
+    bool const has_fields = pdu.size() >= fixed_size;
+    bool const is_fixed = pdu.size() == fixed_size;
+    byte_view const fields = pdu.subspan(1);
     bool is_legal = false;
     switch (static_cast<function_code>(to_u8(pdu[0]))) {
     case function_code::read_holding_registers:
-        if (auto const asked = read_holding_registers::decode(pdu)) {
-            access = {.read_start = asked->start, .read_count = asked->count};
-            is_legal = access.is_within(limits.read, 0);
-        }
+        is_legal = is_fixed and access.take_read(fields, limits.read);
         break;
     case function_code::write_single_register:
-        if (write_single_register::decode(pdu)) {
-            access = {.write_start = u16_at(pdu, 1), .values = register_view{pdu.subspan(3)}};
-            is_legal = true;
-        }
+        is_legal = is_fixed and access.take_value(fields);
         break;
     case function_code::write_multiple_registers:
-        if (auto const asked = write_multiple_registers::decode(pdu)) {
-            access = {.write_start = asked->start, .values = asked->values};
-            is_legal = access.is_within(0, limits.write);
-        }
+        is_legal = access.take_written(fields, limits.write);
         break;
     case function_code::read_write_multiple_registers:
-        if (auto const asked = read_write_multiple_registers::decode(pdu)) {
-            access = {asked->read_start, asked->read_count, asked->write_start, asked->values};
-            is_legal = access.is_within(limits.exchange_read, limits.exchange_write);
-        }
+        is_legal = has_fields and access.take_read(fields, limits.exchange_read) and
+                   access.take_written(fields.subspan(4), limits.exchange_write);
         break;
     case function_code::diagnostics:
-    case function_code::encapsulated_interface: break;
+    case function_code::encapsulated_interface:
+    default: return errc::illegal_function;
     }
-    if (not is_legal) {
-        return errc::illegal_data_value;
-    }
-    return access;
+    return is_legal ? errc::none : errc::illegal_data_value;
 }
 
 } // namespace rtuwire

@@ -13,7 +13,6 @@
 #include <rtuwire/server/request.hpp>
 #include <rtuwire/server/serial_diagnostics.hpp>
 #include <rtuwire/wire/pdu/diagnostics.hpp>
-#include <rtuwire/wire/pdu/exception.hpp>
 
 namespace rtuwire {
 
@@ -50,15 +49,15 @@ template <register_bank Bank>
                                                           byte_span out) noexcept
 {
     constexpr std::size_t echo_size = 5;
-    auto const asked = decode_access(request_pdu, profile.limits);
-    if (not asked) {
-        return asked.error();
+    register_access asked;
+    if (errc const wrong = decode_access(request_pdu, profile.limits, asked); wrong != errc::none) {
+        return wrong;
     }
-    bool const only_writes = asked->read_count == 0;
+    bool const only_writes = asked.read_count == 0;
     // An answer in the request's own place: what it repeats is already there.
     byte_writer writer{out};
     writer.bytes(request_pdu.first(only_writes ? echo_size : 1));
-    errc const wrong = access_registers(*asked, bank, writer);
+    errc const wrong = access_registers(asked, bank, writer);
     if (wrong != errc::none) {
         return wrong;
     }
@@ -70,6 +69,9 @@ template <register_bank Bank>
 answer_identification(byte_view request_pdu, server_profile const& profile, byte_span out) noexcept
 {
     auto const asked = read_device_identification::decode(request_pdu);
+    if (profile.identity.empty()) {
+        return errc::illegal_function;
+    }
     if (asked) {
         return write_identification(out, profile.identity, *asked);
     }
@@ -84,17 +86,14 @@ answer_request(byte_view request_pdu, Bank& bank, server_profile const& profile,
                Diagnostics& line) noexcept
 {
     auto const function = static_cast<function_code>(to_u8(request_pdu[0]));
-    if (not profile.supports(function)) {
+    if (not profile.functions.contains(function)) {
         return errc::illegal_function;
     }
-    switch (function) {
-    case function_code::diagnostics: return line.answer(request_pdu, out);
-    case function_code::encapsulated_interface:
+    if (function == function_code::diagnostics) {
+        return line.answer(request_pdu, out);
+    }
+    if (function == function_code::encapsulated_interface) {
         return answer_identification(request_pdu, profile, out);
-    case function_code::read_holding_registers:
-    case function_code::write_single_register:
-    case function_code::write_multiple_registers:
-    case function_code::read_write_multiple_registers: break;
     }
     return answer_access(request_pdu, bank, profile, out);
 }
@@ -121,9 +120,9 @@ template <register_bank Bank, typename Diagnostics>
     }
     errc const code =
         is_exception(answered.error()) ? answered.error() : errc::server_device_failure;
-    byte_writer writer{out};
-    exception_response{function, static_cast<std::uint8_t>(code)}.write(writer);
-    return writer.written();
+    out[0] = to_byte(to_u8(function) | exception_bit);
+    out[1] = static_cast<std::byte>(code);
+    return out.first(2);
 }
 
 /// The same with function 08 as a loop-back.
@@ -135,20 +134,12 @@ template <register_bank Bank>
     return respond(request_pdu, bank, profile, out, line);
 }
 
-/// Does what a broadcast asks; only functions 06 and 16 have an effect. Nobody is told of the error that
-/// it returns.
-template <register_bank Bank>
-constexpr errc obey_broadcast(byte_view request_pdu, Bank& bank,
-                              server_profile const& profile) noexcept
+/// Whether a request has an effect when it is sent to everyone: functions 06 and 16. Its answer is not
+/// sent then.
+[[nodiscard]] constexpr bool may_be_broadcast(byte_view request_pdu) noexcept
 {
-    bool const is_write = is_pdu_of(request_pdu, function_code::write_single_register) or
-                          is_pdu_of(request_pdu, function_code::write_multiple_registers);
-    if (not is_write or not profile.supports(static_cast<function_code>(to_u8(request_pdu[0])))) {
-        return errc::illegal_function;
-    }
-    auto const asked = decode_access(request_pdu, profile.limits);
-    byte_writer nowhere{byte_span{}};
-    return asked ? access_registers(*asked, bank, nowhere) : asked.error();
+    return is_pdu_of(request_pdu, function_code::write_single_register) or
+           is_pdu_of(request_pdu, function_code::write_multiple_registers);
 }
 
 } // namespace rtuwire

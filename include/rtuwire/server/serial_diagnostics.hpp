@@ -15,8 +15,27 @@
 
 namespace rtuwire {
 
+/// What a server notes that counts nothing.
+struct no_counts {
+    static constexpr void note_message() noexcept {}
+    static constexpr void note_error() noexcept {}
+    static constexpr void note_overrun() noexcept {}
+    static constexpr void note_request() noexcept {}
+    static constexpr void note_silence() noexcept {}
+    static constexpr void note_exception(errc) noexcept {}
+    [[nodiscard]] static constexpr bool is_listen_only() noexcept { return false; }
+};
+
+/// A server without function 08.
+struct no_diagnostics : no_counts {
+    [[nodiscard]] static constexpr result<std::size_t> answer(byte_view, byte_span) noexcept
+    {
+        return errc::illegal_function;
+    }
+};
+
 /// A server that counts nothing: sub-function 0.
-struct loop_back {
+struct loop_back : no_counts {
     [[nodiscard]] static constexpr result<std::size_t> answer(byte_view request_pdu,
                                                               byte_span out) noexcept
     {
@@ -30,14 +49,6 @@ struct loop_back {
         writer.bytes(request_pdu);
         return writer.size();
     }
-
-    static constexpr void note_message() noexcept {}
-    static constexpr void note_error() noexcept {}
-    static constexpr void note_overrun() noexcept {}
-    static constexpr void note_request() noexcept {}
-    static constexpr void note_silence() noexcept {}
-    static constexpr void note_exception(errc) noexcept {}
-    [[nodiscard]] static constexpr bool is_listen_only() noexcept { return false; }
 };
 
 /// A server that counts what it sees, each modulo 65 536, and can be told to listen only.

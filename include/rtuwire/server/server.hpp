@@ -105,18 +105,22 @@ public:
         diagnostics_.note_request();
         byte_span const place = framer_.storage().subspan(1);
         byte_view const asked = byte_view{place}.first(asked_size_);
-        if (to_u8(framer_.storage()[0]) == 0) {
-            obey(asked, bank);
+        bool const is_broadcast = to_u8(framer_.storage()[0]) == 0;
+        bool const is_deaf = is_broadcast
+                                 ? diagnostics_.is_listen_only() or not may_be_broadcast(asked)
+                                 : diagnostics_.is_listen_only() and
+                                       not is_pdu_of(asked, function_code::diagnostics);
+        byte_view const answer =
+            is_deaf ? byte_span{} : respond(asked, bank, *profile_, place, diagnostics_);
+        count(answer);
+        if (is_broadcast or answer.empty()) {
+            diagnostics_.note_silence();
+            phase_ = phase::listening;
             return;
         }
-        bool const is_deaf =
-            diagnostics_.is_listen_only() and not is_pdu_of(asked, function_code::diagnostics);
-        std::size_t const size =
-            is_deaf ? 0 : respond(asked, bank, *profile_, place, diagnostics_).size();
-        seal(size);
-        phase_ = size > 0 ? phase::answering : phase::listening;
+        answer_size_ = static_cast<std::uint16_t>(seal(framer_.storage(), answer.size()).size());
+        phase_ = phase::answering;
         too_late_ = now + answer_limit;
-        count(place.first(size));
         advance(now);
     }
 
@@ -177,24 +181,9 @@ private:
         }
     }
 
-    template <register_bank Bank> constexpr void obey(byte_view asked, Bank& bank) noexcept
-    {
-        phase_ = phase::listening;
-        diagnostics_.note_silence();
-        if (diagnostics_.is_listen_only()) {
-            return;
-        }
-        errc const wrong = obey_broadcast(asked, bank, *profile_);
-        if (wrong != errc::none) {
-            diagnostics_.note_exception(wrong);
-        }
-    }
-
     constexpr void count(byte_view answer) noexcept
     {
-        if (answer.empty()) {
-            diagnostics_.note_silence();
-        } else if ((to_u8(answer[0]) & exception_bit) != 0) {
+        if (not answer.empty() and (to_u8(answer[0]) & exception_bit) != 0) {
             diagnostics_.note_exception(exception_error(to_u8(answer[1])));
         }
     }
@@ -211,17 +200,6 @@ private:
     {
         framer_.resynchronise();
         phase_ = phase::listening;
-    }
-
-    /// Makes a frame of the PDU that was written behind the unit's octet.
-    constexpr void seal(std::size_t pdu_size) noexcept
-    {
-        std::size_t const end = 1 + pdu_size;
-        std::uint16_t const crc = crc16(framer_.storage().first(end));
-        byte_writer tail{framer_.storage().subspan(end)};
-        tail.u8(crc);
-        tail.u8(std::uint32_t{crc} >> 8U);
-        answer_size_ = static_cast<std::uint16_t>(end + 2);
     }
 
     [[no_unique_address]] Diagnostics diagnostics_{};

@@ -64,6 +64,17 @@ struct adu {
     }
 };
 
+/// Makes a frame of a unit's octet and a PDU that are there already: appends the CRC. `place` has room
+/// for it.
+constexpr byte_span seal(byte_span place, std::size_t pdu_size) noexcept
+{
+    std::size_t const end = 1 + pdu_size;
+    std::uint16_t const crc = crc16(place.first(end));
+    place[end] = to_byte(crc);
+    place[end + 1] = to_byte(std::uint32_t{crc} >> 8U);
+    return place.first(end + 2);
+}
+
 /// Writes unit, PDU and CRC into `out`, without checking that the unit may be asked this. Returns the
 /// part of `out` written. Errors: what the PDU finds wrong with itself, or `buffer_too_small`; `out`
 /// is then untouched.
@@ -81,10 +92,7 @@ template <pdu P>
     byte_writer writer{out.first(size)};
     writer.u8(unit);
     value.write(writer);
-    std::uint16_t const crc = crc16(writer.written());
-    writer.u8(crc);
-    writer.u8(std::uint32_t{crc} >> 8U);
-    return writer.written();
+    return seal(out, size - adu_overhead);
 }
 
 /// Writes the frame of a request or response of one unit into `out`; returns the part written.

@@ -18,61 +18,88 @@ namespace rtuwire {
 enum class direction : std::uint8_t { request, response };
 
 /// How the size of an ADU follows from its octets.
-struct length_rule {
-    /// How the rule counts.
-    enum class kind : std::uint8_t {
-        none,        ///< only silence ends it
-        fixed,       ///< `base` octets
-        byte_count,  ///< `base` octets and as many as the octet at `offset` says
-        word_count,  ///< the same with the big-endian word at `offset`
-        subfunction, ///< function 08: `base` octets, but silence for sub-function 0
-        mei,         ///< function 43: known for type 14 only
-    };
-
-    kind counts{kind::none};
-    std::uint8_t base{0};
-    std::uint8_t offset{0};
+enum class length_rule : std::uint8_t {
+    none = 0x00,        ///< only silence ends it
+    fixed = 0x20,       ///< as many octets as its size says
+    byte_count = 0x40,  ///< its size, and as many as its last octet before the CRC says
+    word_count = 0x60,  ///< the same with the last two octets, big-endian
+    subfunction = 0x80, ///< function 08: its size, but silence for sub-function 0
+    mei = 0xA0,         ///< function 43: known for type 14 only
 };
 
 /// What the octets so far say: the frame is `size` octets long, or more can be said when `size` are
 /// there, or (`size` 0) nothing but silence ends it.
 struct length_so_far {
-    std::size_t size{0};
+    std::uint16_t size{0};
     bool is_final{false};
 
     friend constexpr bool operator==(length_so_far, length_so_far) noexcept = default;
 };
 
-/// The rule of one function in one direction; `wire_code` is the octet behind the unit address.
-[[nodiscard]] constexpr length_rule length_rule_of(direction way, std::uint8_t wire_code) noexcept
+/// Rules with their sizes, CRC included, for function codes up to 24: one octet each.
+namespace length_rules {
+
+[[nodiscard]] constexpr std::uint8_t rule(length_rule counts, unsigned size) noexcept
 {
-    using enum length_rule::kind;
+    return static_cast<std::uint8_t>(static_cast<unsigned>(counts) | size);
+}
+
+using enum length_rule;
+
+inline constexpr std::uint8_t requests[] = {
+    rule(none, 0),        rule(fixed, 8),      rule(fixed, 8),  rule(fixed, 8),       // 0..3
+    rule(fixed, 8),       rule(fixed, 8),      rule(fixed, 8),  rule(fixed, 4),       // 4..7
+    rule(subfunction, 8), rule(none, 0),       rule(none, 0),   rule(fixed, 4),       // 8..11
+    rule(fixed, 4),       rule(none, 0),       rule(none, 0),   rule(byte_count, 9),  // 12..15
+    rule(byte_count, 9),  rule(fixed, 4),      rule(none, 0),   rule(none, 0),        // 16..19
+    rule(byte_count, 5),  rule(byte_count, 5), rule(fixed, 10), rule(byte_count, 13), // 20..23
+    rule(fixed, 6),
+};
+inline constexpr std::uint8_t responses[] = {
+    rule(none, 0),        rule(byte_count, 5), rule(byte_count, 5), rule(byte_count, 5), // 0..3
+    rule(byte_count, 5),  rule(fixed, 8),      rule(fixed, 8),      rule(fixed, 5),      // 4..7
+    rule(subfunction, 8), rule(none, 0),       rule(none, 0),       rule(fixed, 8),      // 8..11
+    rule(byte_count, 5),  rule(none, 0),       rule(none, 0),       rule(fixed, 8),      // 12..15
+    rule(fixed, 8),       rule(byte_count, 5), rule(none, 0),       rule(none, 0),       // 16..19
+    rule(byte_count, 5),  rule(byte_count, 5), rule(fixed, 10),     rule(byte_count, 5), // 20..23
+    rule(word_count, 6),
+};
+
+/// The rule of one function in one direction; `wire_code` is the octet behind the unit address.
+[[nodiscard]] constexpr std::uint8_t of(direction way, std::uint8_t wire_code) noexcept
+{
+    if (wire_code == to_u8(function_code::encapsulated_interface)) {
+        return rule(mei, 0);
+    }
     bool const asks = way == direction::request;
-    if ((wire_code & exception_bit) != 0) {
-        return asks ? length_rule{} : length_rule{fixed, exception_adu_size};
+    if (wire_code >= sizeof(requests)) {
+        bool const is_exception = (wire_code & exception_bit) != 0;
+        return is_exception and not asks ? rule(fixed, exception_adu_size) : rule(none, 0);
     }
-    switch (wire_code) {
-    case 1:
-    case 2:
-    case 3:
-    case 4: return asks ? length_rule{fixed, 8} : length_rule{byte_count, 5, 2};
-    case 5:
-    case 6: return {fixed, 8};
-    case 7: return asks ? length_rule{fixed, 4} : length_rule{fixed, 5};
-    case 8: return {subfunction, 8};
-    case 11: return asks ? length_rule{fixed, 4} : length_rule{fixed, 8};
-    case 12:
-    case 17: return asks ? length_rule{fixed, 4} : length_rule{byte_count, 5, 2};
-    case 15:
-    case 16: return asks ? length_rule{byte_count, 9, 6} : length_rule{fixed, 8};
-    case 20:
-    case 21: return {byte_count, 5, 2};
-    case 22: return {fixed, 10};
-    case 23: return asks ? length_rule{byte_count, 13, 10} : length_rule{byte_count, 5, 2};
-    case 24: return asks ? length_rule{fixed, 6} : length_rule{word_count, 6, 2};
-    case 43: return {mei};
-    default: return {};
+    return asks ? requests[wire_code] : responses[wire_code];
+}
+
+} // namespace length_rules
+
+/// A size above 256 is never told: such a frame ends by silence and is refused.
+[[nodiscard]] constexpr length_so_far size_told(std::size_t size, bool is_final) noexcept
+{
+    if (size > max_adu_size) {
+        return {};
     }
+    return {static_cast<std::uint16_t>(size), is_final};
+}
+
+/// More is known when so many octets are there.
+[[nodiscard]] constexpr length_so_far look_again_at(std::size_t size) noexcept
+{
+    return size_told(size, false);
+}
+
+/// The frame ends there.
+[[nodiscard]] constexpr length_so_far ends_at(std::size_t size) noexcept
+{
+    return size_told(size, true);
 }
 
 /// The rule of function 43: a request is fixed, a response is walked object by object (AP 6.21).
@@ -81,63 +108,57 @@ struct length_so_far {
     constexpr std::size_t mei_at = 2;
     constexpr std::size_t count_at = 7;
     if (adu.size() <= mei_at) {
-        return {mei_at + 1, false};
+        return look_again_at(mei_at + 1);
     }
     if (to_u8(adu[mei_at]) != 0x0E) {
         return {};
     }
     if (way == direction::request) {
-        return {7, true};
+        return ends_at(7);
     }
     if (adu.size() <= count_at) {
-        return {count_at + 1, false};
+        return look_again_at(count_at + 1);
     }
     std::size_t end = count_at + 1;
     for (std::size_t left = to_u8(adu[count_at]); left > 0; --left) {
         if (adu.size() < end + 2) {
-            return {end + 2, false};
+            return look_again_at(end + 2);
         }
         end += 2U + to_u8(adu[end + 1]);
     }
-    return {end + 2, true};
+    return ends_at(end + 2);
 }
 
-/// What the first octets of an ADU say about its size. A size above 256 is never final: such a frame
-/// ends by silence and is refused.
+/// What the first octets of an ADU say about its size.
 [[nodiscard]] constexpr length_so_far frame_length(direction way, byte_view adu) noexcept
 {
     if (adu.size() < 2) {
-        return {2, false};
+        return look_again_at(2);
     }
-    length_rule const rule = length_rule_of(way, to_u8(adu[1]));
-    std::size_t const at = rule.offset;
-    length_so_far known{rule.base, true};
-    switch (rule.counts) {
-    case length_rule::kind::none: return {};
-    case length_rule::kind::fixed: break;
-    case length_rule::kind::byte_count:
-        if (adu.size() <= at) {
-            return {at + 1, false};
-        }
-        known.size += to_u8(adu[at]);
-        break;
-    case length_rule::kind::word_count:
-        if (adu.size() <= at + 1) {
-            return {at + 2, false};
-        }
-        known.size += u16_at(adu, at);
-        break;
-    case length_rule::kind::subfunction:
+    constexpr std::uint8_t size_bits = 0x1F;
+    std::uint8_t const rule = length_rules::of(way, to_u8(adu[1]));
+    std::size_t const size = rule & size_bits;
+    std::size_t const counted = size - 2; // what stands before the CRC
+    switch (static_cast<length_rule>(rule & ~size_bits)) {
+    case length_rule::none: return {};
+    case length_rule::fixed: break;
+    case length_rule::byte_count:
+        return adu.size() < counted ? look_again_at(counted)
+                                    : ends_at(size + to_u8(adu[counted - 1]));
+    case length_rule::word_count:
+        return adu.size() < counted ? look_again_at(counted)
+                                    : ends_at(size + u16_at(adu, counted - 2));
+    case length_rule::subfunction:
         if (adu.size() < 4) {
-            return {4, false};
+            return look_again_at(4);
         }
         if (u16_at(adu, 2) == 0) {
             return {};
         }
         break;
-    case length_rule::kind::mei: known = identification_length(way, adu); break;
+    case length_rule::mei: return identification_length(way, adu);
     }
-    return known.size > max_adu_size ? length_so_far{} : known;
+    return ends_at(size);
 }
 
 } // namespace rtuwire

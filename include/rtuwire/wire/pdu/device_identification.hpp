@@ -103,23 +103,16 @@ struct device_identification {
         if (pdu.size() < head_size) {
             return errc::wrong_length;
         }
-        byte_reader in{pdu.subspan(1)};
-        if (in.u8() != identification_mei_type) {
-            return errc::malformed;
-        }
-        auto const access = static_cast<identification_access>(in.u8());
-        std::uint8_t const conformity = in.u8();
-        std::uint8_t const more = in.u8();
-        std::uint8_t const next = in.u8();
-        std::uint8_t const count = in.u8();
-        device_identification const read{access, conformity, more == 0xFF, next, count, in.rest()};
-        if (more != 0x00 and more != 0xFF) {
-            return errc::malformed;
-        }
-        if (not read.is_well_formed()) {
-            return errc::malformed;
-        }
-        return read;
+        std::uint8_t const more = to_u8(pdu[4]);
+        device_identification const read{static_cast<identification_access>(to_u8(pdu[2])),
+                                         to_u8(pdu[3]),
+                                         more == 0xFF,
+                                         to_u8(pdu[5]),
+                                         to_u8(pdu[6]),
+                                         pdu.subspan(head_size)};
+        bool const is_legal = to_u8(pdu[1]) == identification_mei_type and
+                              (more == 0x00 or more == 0xFF) and read.is_well_formed();
+        return is_legal ? result<device_identification>{read} : errc::malformed;
     }
 
 private:

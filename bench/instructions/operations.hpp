@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What a stack does all day, one function each, so that their instructions can be counted one by one. No
+// compiler sees through them: they are not inlined, and their octets are variables.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/core/hex.hpp>
+#include <rtuwire/server/answer_frame.hpp>
+#include <rtuwire/wire/answer.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+
+namespace operations {
+
+using namespace rtuwire;
+
+inline constexpr unit_id address{1};
+inline constexpr server_profile profile{};
+
+inline constexpr auto read_4 = "01 03 00 01 00 04 15 C9"_hex;
+inline constexpr auto write_4 = "01 10 00 01 00 04 08 00 01 00 02 00 03 00 04 D3 7A"_hex;
+inline constexpr auto exchange_4 =
+    "01 17 00 01 00 04 00 01 00 04 08 00 01 00 02 00 03 00 04 2B 29"_hex;
+
+struct memory {
+    std::array<std::byte, max_adu_size> frame{};
+    std::array<std::byte, 13> answer_4{};
+    std::array<std::byte, 131> answer_63{};
+    word_bank<16> bank{};
+    no_diagnostics line{};
+    std::uint32_t sum{0};
+    std::uint32_t quantity{4};
+};
+inline memory all;
+
+/// An answer of function 03 with as many registers as fit.
+template <std::size_t Size> void fill(std::array<std::byte, Size>& answer)
+{
+    answer[0] = std::byte{1};
+    answer[1] = std::byte{3};
+    answer[2] = static_cast<std::byte>(Size - 5);
+    static_cast<void>(seal(answer, Size - adu_overhead));
+}
+
+inline void prepare()
+{
+    fill(all.answer_4);
+    fill(all.answer_63);
+}
+
+/// Nothing: what a call costs.
+[[gnu::noinline]] inline void nothing() { asm volatile("" ::: "memory"); }
+
+[[gnu::noinline]] inline void encode_read()
+{
+    auto const quantity = static_cast<std::uint16_t>(all.quantity);
+    auto const frame = encode_into(all.frame, address, read_holding_registers{3201, quantity});
+    all.sum = all.sum + (frame ? 1U : 0U);
+}
+
+/// A request known when compiling is an array.
+[[gnu::noinline]] inline byte_view encode_known()
+{
+    static constexpr auto frame = *encode(address, read_holding_registers{3201, 4});
+    return frame;
+}
+
+template <std::size_t Size> void decode(std::array<std::byte, Size> const& octets)
+{
+    auto const answer = decode_adu(octets);
+    if (not answer) {
+        return;
+    }
+    auto const read = read_holding_registers_response::decode(answer->pdu);
+    if (not read) {
+        return;
+    }
+    std::uint32_t sum = 0;
+    for (std::size_t i = 0; i < read->registers.size(); ++i) {
+        sum += read->registers[i];
+    }
+    all.sum = all.sum + sum;
+}
+[[gnu::noinline]] inline void decode_4() { decode(all.answer_4); }
+[[gnu::noinline]] inline void decode_63() { decode(all.answer_63); }
+
+/// Puts a request where a receiver would have left it.
+template <std::size_t Size> void receive(std::array<std::byte, Size> const& request)
+{
+    for (std::size_t i = 0; i < Size; ++i) {
+        all.frame[i] = request[i];
+    }
+    asm volatile("" ::: "memory");
+}
+template <std::size_t Size> void serve(std::array<std::byte, Size> const& request)
+{
+    receive(request);
+    byte_view const answer = answer_frame(all.frame, Size, address, all.bank, profile, all.line);
+    all.sum = all.sum + answer.size();
+}
+[[gnu::noinline]] inline void receive_read_4() { receive(read_4); }
+[[gnu::noinline]] inline void receive_write_4() { receive(write_4); }
+[[gnu::noinline]] inline void receive_exchange_4() { receive(exchange_4); }
+[[gnu::noinline]] inline void serve_read_4() { serve(read_4); }
+[[gnu::noinline]] inline void serve_write_4() { serve(write_4); }
+[[gnu::noinline]] inline void serve_exchange_4() { serve(exchange_4); }
+
+[[gnu::noinline]] inline void crc_of_253()
+{
+    all.sum = all.sum + crc16(byte_view{all.frame}.first(253));
+}
+
+/// Whether each does what its name says: a count of refusals would be a low one.
+inline bool are_right()
+{
+    prepare();
+    all.sum = 0;
+    encode_read();
+    serve_read_4();
+    serve_write_4();
+    serve_exchange_4();
+    bool const is_served = all.sum == 1 + 13 + 8 + 13 and all.bank.get(4) == 4;
+    fill(all.answer_4);
+    all.answer_4[4] = std::byte{7};
+    static_cast<void>(seal(all.answer_4, 10));
+    all.sum = 0;
+    decode_4();
+    decode_63();
+    return is_served and all.sum == 7 and same_bytes(encode_known().first(3), "01 03 0C"_hex);
+}
+
+struct operation {
+    char const* name;
+    void (*run)();
+    void (*less)(); ///< what is measured with it and does not count
+};
+
+inline constexpr operation list[] = {
+    {"encode_read", encode_read, nothing},
+    {"encode_known", [] { static_cast<void>(encode_known()); }, nothing},
+    {"decode_4", decode_4, nothing},
+    {"decode_63", decode_63, nothing},
+    {"serve_read_4", serve_read_4, receive_read_4},
+    {"serve_write_4", serve_write_4, receive_write_4},
+    {"serve_exchange_4", serve_exchange_4, receive_exchange_4},
+    {"crc_of_253", crc_of_253, nothing},
+};
+
+} // namespace operations

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// As little of a board as an image needs to be a whole program: a UART, a clock, a console. What it
+// costs is in empty.cpp too, and so in no difference.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <rtuwire/core/time.hpp>
+
+namespace board {
+
+inline std::uint32_t volatile& at(std::uintptr_t address)
+{
+    return *reinterpret_cast<std::uint32_t volatile*>(address);
+}
+inline bool has_octet() { return (at(0x4000'4004) & 2U) != 0; }
+inline std::byte octet() { return static_cast<std::byte>(at(0x4000'4000)); }
+inline void put(std::byte octet)
+{
+    while ((at(0x4000'4004) & 1U) != 0) {
+    }
+    at(0x4000'4000) = static_cast<std::uint32_t>(octet);
+}
+inline void put(std::span<std::byte const> octets)
+{
+    for (std::byte const each : octets) {
+        put(each);
+    }
+}
+inline rtuwire::instant now() { return rtuwire::instant{at(0x4000'0008)}; }
+
+/// Hands to a client or a server what the line did, and to the line what it says.
+template <typename Engine> void pass(Engine& engine)
+{
+    rtuwire::instant const now = board::now();
+    if (has_octet()) {
+        std::byte const octet = board::octet();
+        engine.receive({&octet, 1}, now);
+    }
+    engine.advance(now);
+    if (auto const frame = engine.poll_transmit(); not frame.empty()) {
+        put(frame);
+        engine.sent(board::now());
+    }
+}
+
+} // namespace board

@@ -1,0 +1,10 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The client that counts for its line.
+#include "client.hpp"
+
+int main()
+{
+    rtuwire::basic_client<rtuwire::line_statistics> link{timing};
+    ask_on(link);
+}

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The CRC alone.
+#include "board.hpp"
+
+#include <array>
+
+#include <rtuwire/core/crc16.hpp>
+
+int main()
+{
+    std::array<std::byte, 8> frame;
+    for (;;) {
+        for (std::byte& each : frame) {
+            each = board::octet();
+        }
+        board::put(static_cast<std::byte>(rtuwire::crc16<rtuwire::crc_form::octet_algebra>(frame) &
+                                          0xFFU));
+    }
+}

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The board alone: what every image has besides rtuwire.
+#include "board.hpp"
+
+namespace {
+
+struct nothing {
+    static void receive(std::span<std::byte const> octets, rtuwire::instant) { board::put(octets); }
+    static void advance(rtuwire::instant) {}
+    static void sent(rtuwire::instant) {}
+    static std::span<std::byte const> poll_transmit() { return {}; }
+};
+
+} // namespace
+
+int main()
+{
+    nothing none;
+    for (;;) {
+        board::pass(none);
+    }
+}

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Functions 03, 06, 16, 23 and 43/14 on frames that the firmware cuts by silence.
+#include "board.hpp"
+
+#include <array>
+
+#include <rtuwire/server/answer_frame.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr device_object objects[] = {{vendor_name, "A"}, {product_code, "B"}, {2, "1"}};
+constexpr server_profile profile{.identity = objects};
+constexpr unit_id address{1};
+constexpr duration silence = microseconds(2'000);
+word_bank<16> bank;
+
+} // namespace
+
+int main()
+{
+    std::array<std::byte, max_adu_size> frame;
+    std::size_t size = 0;
+    instant last{};
+    no_diagnostics none;
+    for (;;) {
+        if (board::has_octet()) {
+            std::byte const octet = board::octet();
+            last = board::now();
+            if (size < frame.size()) {
+                frame[size++] = octet;
+            }
+        }
+        if (size != 0 and reached(board::now(), last + silence)) {
+            board::put(answer_frame(frame, size, address, bank, profile, none));
+            size = 0;
+        }
+    }
+}

@@ -1,0 +1,123 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Flash, RAM and stack of small images for Cortex-M0+ and M3, each against an empty firmware.
+
+    python3 bench/size/sizes.py            a table; fails where a figure grew by over 2 % since baseline.json
+    python3 bench/size/sizes.py --update   writes baseline.json anew
+
+Stack is the deepest chain of calls that starts in the library or in the loop's pass over the line.
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+IMAGES = HERE / "images"
+INCLUDE = HERE.parent.parent / "include"
+BASELINE = HERE / "baseline.json"
+FLAGS = ["-std=c++20", "-Os", "-mthumb", "-fno-exceptions", "-fno-rtti", "-ffunction-sections",
+         "-fdata-sections", "-fno-threadsafe-statics", "-fno-use-cxa-atexit", f"-I{INCLUDE}"]
+LINK = ["-nostartfiles", "--specs=nano.specs", "--specs=nosys.specs", "-Wl,--gc-sections",
+        "-T", IMAGES / "image.ld"]
+CPUS = ("cortex-m0plus", "cortex-m3")
+NAMES = ("server_frames", "server", "client_frames", "client", "client_counting", "typed_read",
+         "monitor", "crc_bitwise", "crc_nibble_table", "crc_byte_table", "crc_octet_algebra")
+# Flash on a Cortex-M0+: what this library wants to need at most.
+BARS = {"server_frames": 1000, "client_frames": 1250, "client_counting": 2600}
+ALLOWED_GROWTH = 0.02
+
+
+def build(place, cpu, name):
+    elf = place / f"{name}.elf"
+    subprocess.check_call(["arm-none-eabi-g++", *FLAGS, f"-mcpu={cpu}", "-fcallgraph-info=su", "-c",
+                           "-o", place / f"{name}.o", IMAGES / f"{name}.cpp"], cwd=place)
+    subprocess.check_call(["arm-none-eabi-g++", *FLAGS, f"-mcpu={cpu}", *LINK, "-o", elf,
+                           IMAGES / "start.cpp", place / f"{name}.o"], cwd=place)
+    return elf
+
+
+def sections_of(elf):
+    text, data, bss = subprocess.check_output(["arm-none-eabi-size", elf], text=True).split()[6:9]
+    return int(text), int(data), int(bss)
+
+
+def stack_of(graph):
+    """The deepest chain in a call graph as GCC writes it."""
+    own, calls = {}, {}
+    for title, label in re.findall(r'node: \{ title: "([^"]*)" label: "([^"]*)"', graph):
+        found = re.search(r"(\d+) bytes", label)
+        own[title] = int(found[1]) if found else 0
+    for caller, callee in re.findall(r'sourcename: "([^"]*)" targetname: "([^"]*)"', graph):
+        calls.setdefault(caller, set()).add(callee)
+
+    def deepest(title, seen=()):
+        if title in seen:
+            raise SystemExit(f"sizes.py: {title} calls itself")
+        below = [deepest(callee, (*seen, title)) for callee in calls.get(title, ())]
+        return own.get(title, 0) + max(below, default=0)
+
+    return max((deepest(title) for title in own if "7rtuwire" in title or "5board4pass" in title),
+               default=0)
+
+
+def measure(cpu):
+    with tempfile.TemporaryDirectory() as folder:
+        place = pathlib.Path(folder)
+        empty, _, _ = sections_of(build(place, cpu, "empty"))
+        rows = {}
+        for name in NAMES:
+            text, data, bss = sections_of(build(place, cpu, name))
+            graph = (place / f"{name}.ci").read_text(encoding="utf-8")
+            rows[name] = {"flash": text + data - empty, "data": data, "bss": bss,
+                          "stack": stack_of(graph)}
+        return rows
+
+
+def engines():
+    with tempfile.TemporaryDirectory() as folder:
+        made = pathlib.Path(folder, "engines.o")
+        subprocess.check_call(["arm-none-eabi-g++", *FLAGS, "-mcpu=cortex-m0plus", "-c", "-o", made,
+                               IMAGES / "engines.cpp"])
+        listing = subprocess.check_output(["arm-none-eabi-nm", "-S", made], text=True)
+    return {name: int(size, 16)
+            for size, name in re.findall(r"\S+ (\S+) . size_of_(\S+)", listing)}
+
+
+def show(cpu, rows):
+    print(f"{cpu:22} flash  .data   .bss  stack   octets")
+    for name, row in rows.items():
+        bar = BARS.get(name) if cpu == "cortex-m0plus" else None
+        verdict = "" if bar is None else f"   bar {bar}: {'met' if row['flash'] <= bar else 'MISSED'}"
+        print(f"  {name:20}{row['flash']:6}{row['data']:7}{row['bss']:7}{row['stack']:7}{verdict}")
+
+
+def growths(before, now, path=()):
+    """Each figure that grew by more than is allowed."""
+    for key, value in now.items():
+        old = before.get(key)
+        if isinstance(value, dict):
+            yield from growths(old or {}, value, (*path, key))
+        elif old is not None and value > old * (1 + ALLOWED_GROWTH):
+            yield f"{' '.join((*path, key))}: {old} -> {value}"
+
+
+def main(options):
+    found = {cpu: measure(cpu) for cpu in CPUS}
+    found["RAM"] = engines()
+    for cpu in CPUS:
+        show(cpu, found[cpu])
+    print("RAM of one, of which its frame is 256:", found["RAM"])
+    if "--update" in options:
+        BASELINE.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
+        return 0
+    grown = list(growths(json.loads(BASELINE.read_text(encoding="utf-8")), found))
+    for line in grown:
+        print("GREW", line)
+    return 1 if grown else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The form that multiplies, compiled for a processor that can, against two tables.
+#include <array>
+
+#include <benchmark/benchmark.h>
+
+#include "two_tables.hpp"
+
+#include <rtuwire/core/crc16.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+std::array<std::byte, 4'096> octets{};
+
+[[gnu::noinline]] std::uint16_t crc_by_multiplication(byte_view view)
+{
+    return crc16<crc_form::carryless>(view);
+}
+
+void latency(benchmark::State& state, std::uint16_t (*crc)(byte_view))
+{
+    auto const size = static_cast<std::size_t>(state.range(0));
+    std::uint32_t last = 0;
+    std::uint32_t none = 0;
+    benchmark::DoNotOptimize(none);
+    for (auto _ : state) {
+        last = crc(byte_view{octets}.subspan(last & none, size));
+    }
+    benchmark::DoNotOptimize(last);
+}
+
+BENCHMARK_CAPTURE(latency, two tables, bench::crc_by_two_tables)
+    ->Name("carryless latency/two tables")
+    ->Arg(8)
+    ->Arg(16)
+    ->Arg(64)
+    ->Arg(253)
+    ->Arg(4'096);
+BENCHMARK_CAPTURE(latency, carryless, crc_by_multiplication)
+    ->Name("carryless latency/carry-less")
+    ->Arg(8)
+    ->Arg(16)
+    ->Arg(64)
+    ->Arg(253)
+    ->Arg(4'096);
+
+} // namespace

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Whole transactions of four registers in one process: ours from client to server and back, with framers
+// and times; libmodbus the same over a pair of sockets.
+#include <array>
+
+#include <benchmark/benchmark.h>
+#include <modbus.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <rtuwire/client/client.hpp>
+#include <rtuwire/server/server.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr line_timing timing{19'200, character_format::even_8_1};
+constexpr unit_id one{1};
+
+/// Both ends of a line in virtual time.
+struct both_ends {
+    client link{timing};
+    server node{one, timing};
+    word_bank<16> bank{};
+    instant now{};
+
+    both_ends()
+    {
+        link.advance(now);
+        node.advance(now);
+    }
+    void pass(duration length)
+    {
+        now = now + length;
+        link.advance(now);
+        node.advance(now);
+    }
+    std::uint32_t ask(byte_view question)
+    {
+        static_cast<void>(link.start(request{question}, now));
+        pass(timing.t3_5());
+        byte_view const asked = link.poll_transmit();
+        link.sent(now);
+        node.receive(asked, now);
+        node.serve(bank, now);
+        pass(timing.t3_5());
+        byte_view const answer = node.poll_transmit();
+        link.receive(answer, now);
+        node.sent(now);
+        auto const outcome = link.poll_outcome();
+        auto const read = (*outcome)->to<read_holding_registers>();
+        return read ? read->registers[3] : 0U;
+    }
+};
+
+void ours(benchmark::State& state)
+{
+    both_ends line;
+    static_cast<void>(line.bank.set(4, 7));
+    std::array<std::byte, 8> place{};
+    std::uint32_t sum = 0;
+    for (auto _ : state) {
+        auto const question = encode_into(place, one, read_holding_registers{1, 4});
+        sum += line.ask(*question);
+    }
+    if (sum != 7 * static_cast<std::uint32_t>(state.iterations())) {
+        state.SkipWithError("a transaction failed");
+    }
+}
+BENCHMARK(ours)->Name("transactions/rtuwire in memory");
+
+/// Two of libmodbus's contexts on a pair of sockets.
+struct two_contexts {
+    std::array<int, 2> sockets{};
+    modbus_t* master;
+    modbus_t* slave;
+    modbus_mapping_t* registers;
+
+    two_contexts()
+        : master{modbus_new_rtu("/dev/null", 115'200, 'E', 8, 1)},
+          slave{modbus_new_rtu("/dev/null", 115'200, 'E', 8, 1)}, registers{modbus_mapping_new(
+                                                                      0, 0, 16, 0)}
+    {
+        ::socketpair(AF_UNIX, SOCK_STREAM, 0, sockets.data());
+        modbus_set_socket(master, sockets[0]);
+        modbus_set_socket(slave, sockets[1]);
+        modbus_set_slave(master, 1);
+        modbus_set_slave(slave, 1);
+        registers->tab_registers[4] = 7;
+    }
+    two_contexts(two_contexts const&) = delete;
+    two_contexts& operator=(two_contexts const&) = delete;
+    ~two_contexts()
+    {
+        modbus_mapping_free(registers);
+        modbus_free(master);
+        modbus_free(slave);
+        ::close(sockets[0]);
+        ::close(sockets[1]);
+    }
+    std::uint32_t ask()
+    {
+        std::array<std::uint8_t, 6> question{1, 3, 0, 1, 0, 4};
+        std::array<std::uint8_t, MODBUS_RTU_MAX_ADU_LENGTH> asked{};
+        std::array<std::uint8_t, MODBUS_RTU_MAX_ADU_LENGTH> answer{};
+        modbus_send_raw_request(master, question.data(), static_cast<int>(question.size()));
+        int const size = modbus_receive(slave, asked.data());
+        modbus_reply(slave, asked.data(), size, registers);
+        int const got = modbus_receive_confirmation(master, answer.data());
+        return got == 13 ? answer[10] : 0U;
+    }
+};
+
+void theirs(benchmark::State& state)
+{
+    two_contexts line;
+    std::uint32_t sum = 0;
+    for (auto _ : state) {
+        sum += line.ask();
+    }
+    if (sum != 7 * static_cast<std::uint32_t>(state.iterations())) {
+        state.SkipWithError("a transaction failed");
+    }
+}
+BENCHMARK(theirs)->Name("transactions/libmodbus over sockets");
+
+} // namespace
