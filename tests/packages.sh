@@ -16,9 +16,10 @@ packages_of() {
         emulator) echo qemu-system-arm ;;
         clang) echo clang libclang-rt-dev ;;
         bench) echo pkg-config libbenchmark-dev libmodbus-dev valgrind ;;
+        portability) echo g++-s390x-linux-gnu g++-arm-linux-gnueabihf qemu-user-static clang-19 libc++-19-dev libc++abi-19-dev ;;
         style) echo clang-format clang-tidy ;;
         *)
-            echo "packages.sh: no group '$1'; the groups are examples build tests interop arm emulator clang bench style" >&2
+            echo "packages.sh: no group '$1'; the groups are examples build tests interop arm emulator clang bench portability style" >&2
             return 1
             ;;
     esac

@@ -1,27 +1,61 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""What headers cost to compile: user time of each file against the first of its group.
+"""What headers cost to compile: user time of each file against the first of its group, and how many
+templates Clang instantiates for it.
 
     python3 bench/compile/compile.py [--rounds N]
 
 The files take turns, and the best round of each counts.
 """
 import argparse
+import json
 import pathlib
 import resource
 import shutil
 import subprocess
+import tempfile
 
 HERE = pathlib.Path(__file__).parent
 INCLUDE = HERE.parent.parent / "include"
-GROUPS = [[("client", None), ("fifty_registers", 3.0)]]
+GROUPS = [
+    [("client", None), ("fifty_registers", 3.0)],
+    [("standard", None), ("client_header", 1.3), ("server_header", 1.3), ("umbrella", None)]
+    + [(drive, None) for drive in ("atv12", "atv28", "atv310", "atv320")],
+]
+STANDARD = "array span cstdint optional".split()
+# Sources that are nothing but an include.
+INCLUDES = {"client_header": "client/client.hpp", "server_header": "server/server.hpp",
+            "umbrella": "rtuwire.hpp"}
+
+
+def text_of(name):
+    """A file of this folder, the standard headers that the library uses anyway, or one of its own."""
+    path = HERE / f"{name}.cpp"
+    if path.exists():
+        return path.read_text(encoding="utf-8")
+    if name == "standard":
+        return "".join(f"#include <{header}>\n" for header in STANDARD)
+    return f"#include <rtuwire/{INCLUDES.get(name, f'altivar/{name}.hpp')}>\n"
 
 
 def user_time(compiler, source):
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    subprocess.check_call([compiler, "-std=c++20", "-Os", f"-I{INCLUDE}", "-c", "-o", "/dev/null",
-                           HERE / f"{source}.cpp"])
+    subprocess.run([compiler, "-std=c++20", "-Os", f"-I{INCLUDE}", "-c", "-o", "/dev/null",
+                    "-x", "c++", "-"], input=text_of(source), text=True, check=True)
     return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+
+def instantiations(source):
+    """How many templates Clang instantiates, by its own trace; none where it is missing."""
+    if not shutil.which("clang++"):
+        return None
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run(["clang++", "-std=c++20", f"-I{INCLUDE}", "-c", "-o",
+                        f"{folder}/made.o", "-ftime-trace", "-ftime-trace-granularity=0",
+                        "-x", "c++", "-"], input=text_of(source), text=True, check=True)
+        trace = pathlib.Path(folder, "made.json").read_text(encoding="utf-8")
+    return sum(event["name"].startswith("Instantiate")
+               for event in json.loads(trace)["traceEvents"] if event.get("ph") == "X")
 
 
 def best_times(compiler, names, rounds):
@@ -45,6 +79,8 @@ def main():
                 ratio = best[name] / base
                 verdict = "" if bar is None else f"  bar {bar} {'met' if ratio <= bar else 'MISSED'}"
                 print(f"{compiler:8} {name:18} {best[name]:6.2f} s {ratio:6.2f} times{verdict}")
+    for name in (name for group in GROUPS for name, _ in group):
+        print(f"{name:18} {instantiations(name)} instantiations")
 
 
 if __name__ == "__main__":

@@ -25,8 +25,8 @@ enum class crc_form : std::uint8_t {
     slicing_by_16, ///< 8 KiB
     octet_algebra, ///< nothing; an octet at a time, for processors without a cache
     word_algebra,  ///< nothing; 64 octets at a time, for 64-bit processors
-    host,          ///< 8 KiB for frames up to 16 octets, `word_algebra` for longer ones
-    carryless,     ///< the same with the processor's carry-less multiplication, where it has one
+    host,          ///< 4 KiB for frames up to 8 octets, `word_algebra` for longer ones
+    carryless,     ///< the same and 8 KiB, and carry-less multiplication where the processor has it
 };
 
 /// What is used where nobody chooses. `-DRTUWIRE_CRC_FORM=byte_table` chooses, in all of a program.
@@ -55,7 +55,7 @@ public:
             mixed = (mixed >> 4U) ^ crc16_tables::nibble[mixed & 0xFU];
             state_ = static_cast<std::uint16_t>(mixed);
         } else {
-            state_ = static_cast<std::uint16_t>((mixed >> 8U) ^ crc16_tables::byte[mixed & 0xFFU]);
+            state_ = static_cast<std::uint16_t>((mixed >> 8U) ^ crc16_tables::byte(mixed));
         }
     }
 
@@ -80,10 +80,10 @@ template <crc_form Form> [[nodiscard]] constexpr std::uint16_t by_octets(byte_vi
     return crc.value();
 }
 
-/// Frames up to 16 octets by tables, longer ones by algebra.
+/// Frames up to 8 octets by tables, longer ones by algebra; by multiplication from 128 on.
 template <crc_form Form> [[nodiscard]] constexpr std::uint16_t by_size(byte_view bytes) noexcept
 {
-    constexpr std::size_t few = 16;
+    constexpr std::size_t few = 8;
     if (bytes.size() < 2) {
         return by_octets<crc_form::byte_table>(bytes);
     }
@@ -91,10 +91,11 @@ template <crc_form Form> [[nodiscard]] constexpr std::uint16_t by_size(byte_view
         return crc16_tables::of_few<few>(bytes);
     }
     if constexpr (Form == crc_form::carryless) {
-        return crc16_carryless::of_words(bytes);
-    } else {
-        return crc16_algebra::of_words(bytes);
+        if (bytes.size() >= 128) {
+            return crc16_carryless::of_words(bytes);
+        }
     }
+    return crc16_algebra::of_words(bytes);
 }
 
 } // namespace crc16_forms

@@ -4,7 +4,6 @@
 // CRC-16/MODBUS from tables: what follows when 4 or 8 bits at some distance from the end are shifted out.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -21,42 +20,55 @@ namespace rtuwire::crc16_tables {
     return static_cast<std::uint16_t>(state);
 }
 
-template <std::size_t Entries, unsigned Bits>
-[[nodiscard]] constexpr std::array<std::uint16_t, Entries> make() noexcept
-{
-    std::array<std::uint16_t, Entries> table{};
-    for (std::size_t i = 0; i < Entries; ++i) {
-        table[i] = shifted(static_cast<std::uint32_t>(i), Bits);
-    }
-    return table;
-}
+inline constexpr std::uint16_t nibble[16] = {
+    shifted(0, 4),  shifted(1, 4),  shifted(2, 4),  shifted(3, 4), shifted(4, 4),  shifted(5, 4),
+    shifted(6, 4),  shifted(7, 4),  shifted(8, 4),  shifted(9, 4), shifted(10, 4), shifted(11, 4),
+    shifted(12, 4), shifted(13, 4), shifted(14, 4), shifted(15, 4)};
 
-inline constexpr auto nibble = make<16, 4>();
-inline constexpr auto byte = make<256, 8>();
+/// What an octet with `k` octets behind it adds to the CRC; 512 octets for each distance. Plain arrays,
+/// and the sum of two entries where that is possible: every file that uses them has them made anew.
+template <std::size_t Count> struct distances {
+    std::uint16_t at[Count][256]{};
 
-using octet_table = std::array<std::uint16_t, 256>;
-
-template <std::size_t Count>
-[[nodiscard]] constexpr std::array<octet_table, Count> make_distances() noexcept
-{
-    std::array<octet_table, Count> tables{};
-    tables[0] = byte;
-    for (std::size_t k = 1; k < Count; ++k) {
-        for (std::size_t i = 0; i < byte.size(); ++i) {
-            std::uint32_t const nearer = tables[k - 1][i];
-            tables[k][i] = static_cast<std::uint16_t>((nearer >> 8U) ^ byte[nearer & 0xFFU]);
+    constexpr distances() noexcept
+    {
+        for (unsigned bit = 1; bit < 256; bit *= 2) {
+            at[0][bit] = shifted(bit, 8);
+        }
+        add_up(at[0]);
+        for (std::size_t k = 1; k < Count; ++k) {
+            for (unsigned bit = 1; bit < 256; bit *= 2) {
+                std::uint16_t const nearer = at[k - 1][bit];
+                at[k][bit] = static_cast<std::uint16_t>((nearer >> 8U) ^ at[0][nearer & 0xFFU]);
+            }
+            add_up(at[k]);
         }
     }
-    return tables;
-}
 
-/// `at_distance<N>[k][octet]`: what an octet with `k` octets behind it adds to the CRC; N of 512 octets.
-template <std::size_t Count> inline constexpr auto at_distance = make_distances<Count>();
+private:
+    /// From the entries of single bits, all.
+    static constexpr void add_up(std::uint16_t (&table)[256]) noexcept
+    {
+        for (unsigned bit = 2; bit < 256; bit *= 2) {
+            for (unsigned i = 1; i < bit; ++i) {
+                table[bit + i] = static_cast<std::uint16_t>(table[bit] ^ table[i]);
+            }
+        }
+    }
+};
+
+template <std::size_t Count> inline constexpr distances<Count> at_distance{};
+
+/// The table of a single octet.
+[[nodiscard]] constexpr std::uint16_t byte(std::uint32_t octet) noexcept
+{
+    return at_distance<1>.at[0][octet & 0xFFU];
+}
 
 /// The CRC of at least 2 and at most `Count` octets: look-ups that do not wait for each other.
 template <std::size_t Count> [[nodiscard]] constexpr std::uint16_t of_few(byte_view octets) noexcept
 {
-    auto const* table = &at_distance<Count>[octets.size() - 1];
+    auto const* table = &at_distance<Count>.at[octets.size() - 1];
     std::uint32_t crc = (*table)[to_u8(octets[0]) ^ 0xFFU];
     crc ^= (*--table)[to_u8(octets[1]) ^ 0xFFU];
     for (std::size_t i = 2; i < octets.size(); ++i) {
@@ -65,22 +77,10 @@ template <std::size_t Count> [[nodiscard]] constexpr std::uint16_t of_few(byte_v
     return static_cast<std::uint16_t>(crc);
 }
 
-/// What 16 octets in two words, the first octet lowest, leave of a CRC that starts from 0.
-[[nodiscard]] constexpr std::uint16_t of_block(std::uint64_t first, std::uint64_t second) noexcept
-{
-    auto const& tables = at_distance<16>;
-    std::uint32_t crc = 0;
-    for (std::size_t i = 0; i < 8; ++i) {
-        crc ^= std::uint32_t{tables[15 - i][first >> 8 * i & 0xFFU]} ^
-               tables[7 - i][second >> 8 * i & 0xFFU];
-    }
-    return static_cast<std::uint16_t>(crc);
-}
-
 /// The CRC by slices of `Count` octets.
 template <std::size_t Count> [[nodiscard]] constexpr std::uint16_t sliced(byte_view octets) noexcept
 {
-    auto const& tables = at_distance<Count>;
+    auto const& tables = at_distance<Count>.at;
     std::uint32_t crc = 0xFFFF;
     for (; octets.size() >= Count; octets = octets.subspan(Count)) {
         std::uint32_t next = tables[Count - 1][to_u8(octets[0]) ^ (crc & 0xFFU)] ^
@@ -91,7 +91,7 @@ template <std::size_t Count> [[nodiscard]] constexpr std::uint16_t sliced(byte_v
         crc = next;
     }
     for (std::byte const octet : octets) {
-        crc = (crc >> 8U) ^ byte[(crc ^ to_u8(octet)) & 0xFFU];
+        crc = (crc >> 8U) ^ byte(crc ^ to_u8(octet));
     }
     return static_cast<std::uint16_t>(crc);
 }
