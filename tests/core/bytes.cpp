@@ -29,6 +29,18 @@ constexpr bool writes_no_half_word()
 PROOF("a word of which only half fits is not written, nor is anything afterwards",
       writes_no_half_word)
 
+constexpr bool gives_whole_parts()
+{
+    test::exact_octets place{5};
+    byte_writer out{place.span()};
+    out.u8(1);
+    byte_span const part = out.take(3);
+    bool const fits = part.size() == 3 and part.data() == place.view().data() + 1 and out.ok();
+    bool const refused = out.take(2).empty() and not out.ok() and out.take(0).empty();
+    return fits and refused and out.size() == 4;
+}
+PROOF("a writer gives a part that fits whole, or none and nothing afterwards", gives_whole_parts)
+
 constexpr bool fills_to_the_last_octet()
 {
     test::exact_octets place{3};

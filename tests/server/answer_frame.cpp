@@ -71,6 +71,20 @@ constexpr bool obeys_everyone_in_silence()
 }
 PROOF("a broadcast is obeyed and not answered", obeys_everyone_in_silence)
 
+constexpr bool listens_only()
+{
+    small unit;
+    serial_diagnostics counts;
+    auto const ask = [&](auto const& frame) {
+        for (std::size_t i = 0; i < frame.size(); ++i) {
+            unit.place[i] = frame[i];
+        }
+        return answer_frame(unit.place, frame.size(), one, unit.bank, profile, counts);
+    };
+    return ask("01 08 00 04 00 00 A1 CA"_hex).empty() and counts.is_listen_only();
+}
+PROOF("what wants no answer gets none", listens_only)
+
 } // namespace
 
 TEST_CASE("whatever it is asked, its answer is a frame of its unit, or nothing")

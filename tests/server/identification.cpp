@@ -60,6 +60,7 @@ constexpr bool unknown_start()
 PROOF("a stream starts where it is asked to, or at the first object", unknown_start)
 
 constexpr device_object categories[] = {{0, "v"}, {1, "p"}, {2, "r"}, {4, "name"}, {0x80, "x"}};
+STATIC_CHECK(conformity_of({}) == 0x81);
 STATIC_CHECK(conformity_of(drive) == 0x81);
 STATIC_CHECK(conformity_of(device_objects{categories}.first(4)) == 0x82);
 STATIC_CHECK(conformity_of(categories) == 0x83);

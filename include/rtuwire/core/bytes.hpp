@@ -59,13 +59,15 @@ using byte_span = std::span<std::byte>;
 /// any after it, and `ok()` turns false for good.
 class byte_writer {
 public:
-    explicit constexpr byte_writer(byte_span target) noexcept : target_{target} {}
+    explicit constexpr byte_writer(byte_span target) noexcept
+        : begin_{target.data()}, next_{begin_}, end_{begin_ + target.size()}
+    {}
 
     /// Appends the low eight bits.
     constexpr void u8(std::uint32_t value) noexcept
     {
         if (room_for(1)) {
-            target_[size_++] = to_byte(value);
+            *next_++ = to_byte(value);
         }
     }
 
@@ -73,20 +75,18 @@ public:
     constexpr void u16(std::uint32_t value) noexcept
     {
         if (room_for(2)) {
-            target_[size_] = to_byte(value >> 8U);
-            target_[size_ + 1] = to_byte(value);
-            size_ += 2;
+            *next_++ = to_byte(value >> 8U);
+            *next_++ = to_byte(value);
         }
     }
 
     /// Appends octets; all of them or none.
     constexpr void bytes(byte_view source) noexcept
     {
-        if (not room_for(source.size())) {
-            return;
-        }
-        for (std::byte const octet : source) {
-            target_[size_++] = octet;
+        if (room_for(source.size())) {
+            for (std::byte const octet : source) {
+                *next_++ = octet;
+            }
         }
     }
 
@@ -96,28 +96,37 @@ public:
         if (not room_for(count)) {
             return {};
         }
-        size_ += count;
-        return target_.subspan(size_ - count, count);
+        next_ += count;
+        return {next_ - count, count};
     }
 
     /// What has been written, at the start of the target.
-    [[nodiscard]] constexpr byte_span written() const noexcept { return target_.first(size_); }
+    [[nodiscard]] constexpr byte_span written() const noexcept { return {begin_, size()}; }
 
     /// How many octets have been written.
-    [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
+    [[nodiscard]] constexpr std::size_t size() const noexcept
+    {
+        return static_cast<std::size_t>(next_ - begin_);
+    }
 
     /// Whether every field so far fitted.
     [[nodiscard]] constexpr bool ok() const noexcept { return ok_; }
 
 private:
+    /// What does not fit ends the room for everything after it.
     constexpr bool room_for(std::size_t count) noexcept
     {
-        ok_ = ok_ and count <= target_.size() - size_;
-        return ok_;
+        bool const fits = count <= static_cast<std::size_t>(end_ - next_);
+        if (not fits) {
+            end_ = next_;
+            ok_ = false;
+        }
+        return fits;
     }
 
-    byte_span target_;
-    std::size_t size_{0};
+    std::byte* begin_;
+    std::byte* next_;
+    std::byte* end_;
     bool ok_{true};
 };
 

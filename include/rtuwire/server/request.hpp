@@ -21,14 +21,6 @@ struct server_profile {
     function_set functions{all_functions};
     device_limits limits{};
     device_objects identity{}; ///< without objects, function 43 is not supported
-
-    /// Whether the function is one that this server answers.
-    [[nodiscard]] constexpr bool supports(function_code function) const noexcept
-    {
-        bool const can_identify =
-            function != function_code::encapsulated_interface or not identity.empty();
-        return functions.contains(function) and all_functions.contains(function) and can_identify;
-    }
 };
 
 /// The registers that a request reads and writes, of functions 03, 06, 16 and 23. A half that the
@@ -48,11 +40,10 @@ struct register_access {
     }
 
     /// Takes one value and where it belongs.
-    constexpr bool take_value(byte_view fields) noexcept
+    constexpr void take_value(byte_view fields) noexcept
     {
         write_start = u16_at(fields, 0);
         values = register_view{fields.subspan(2)};
-        return true;
     }
 
     /// Takes the half that is written: start, quantity, byte count, values to the end.
@@ -86,7 +77,10 @@ struct register_access {
         is_legal = is_fixed and access.take_read(fields, limits.read);
         break;
     case function_code::write_single_register:
-        is_legal = is_fixed and access.take_value(fields);
+        if (is_fixed) {
+            access.take_value(fields);
+        }
+        is_legal = is_fixed;
         break;
     case function_code::write_multiple_registers:
         is_legal = access.take_written(fields, limits.write);
