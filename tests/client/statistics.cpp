@@ -85,6 +85,21 @@ constexpr bool stops_at_the_end()
 }
 PROOF("a counter stays at its highest value", stops_at_the_end)
 
+constexpr auto is_busy = "01 83 06 C1 32"_hex;
+
+constexpr bool counts_repetitions()
+{
+    counting_end unit{{.response_timeout = milliseconds(50), .retries = 2}};
+    unit.ask(read_eta);
+    unit.say(is_busy);
+    unit.run(milliseconds(60));  // a pause, and once more
+    unit.run(milliseconds(100)); // silence, and once more
+    return unit.transmissions == 3 and of_unit(unit, line_event::request) == 1 and
+           of_unit(unit, line_event::repetition) == 2;
+}
+PROOF("a question that leaves again after a pause and after silence is one question",
+      counts_repetitions)
+
 // Nothing is counted: nothing is held.
 static_assert(sizeof(basic_client<line_statistics>) >= sizeof(client) + sizeof(line_statistics));
 static_assert(sizeof(client) + sizeof(line_statistics) + 8 >=

@@ -96,6 +96,16 @@ constexpr bool counts()
 }
 PROOF("messages, errors, exceptions, requests and silences are counted", counts)
 
+constexpr auto question = "03 00 00 00 01"_hex;
+
+constexpr bool counts_questions_to_everyone()
+{
+    counted<> unit;
+    bool const is_silent = unit.ask(question, 0).empty();
+    return is_silent and unit.word(0x0D) == 1 and unit.word(0x0F) == 1;
+}
+PROOF("a question to everyone is an exception that nobody hears", counts_questions_to_everyone)
+
 constexpr bool clears()
 {
     counted<> unit;

@@ -106,12 +106,15 @@ public:
         byte_span const place = framer_.storage().subspan(1);
         byte_view const asked = byte_view{place}.first(asked_size_);
         bool const is_broadcast = to_u8(framer_.storage()[0]) == 0;
-        bool const is_deaf = is_broadcast
-                                 ? diagnostics_.is_listen_only() or not may_be_broadcast(asked)
-                                 : diagnostics_.is_listen_only() and
-                                       not is_pdu_of(asked, function_code::diagnostics);
-        byte_view const answer =
-            is_deaf ? byte_span{} : respond(asked, bank, *profile_, place, diagnostics_);
+        bool const is_meant = not is_broadcast or may_be_broadcast(asked);
+        bool const is_deaf = diagnostics_.is_listen_only() and
+                             (is_broadcast or not is_pdu_of(asked, function_code::diagnostics));
+        byte_view answer{};
+        if (is_meant and not is_deaf) {
+            answer = respond(asked, bank, *profile_, place, diagnostics_);
+        } else if (not is_deaf) {
+            diagnostics_.note_exception(errc::illegal_function);
+        }
         count(answer);
         if (is_broadcast or answer.empty()) {
             diagnostics_.note_silence();
