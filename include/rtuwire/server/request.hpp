@@ -29,7 +29,7 @@ struct register_access {
     register_view values{}; ///< a view of the request's octets
     std::uint16_t read_count{0};
     std::uint16_t write_start{0};
-    std::uint16_t read_start; ///< undefined where nothing is read
+    std::uint16_t read_start; ///< set by `decode_access`
 
     /// Takes the half that is read: start and quantity.
     constexpr bool take_read(byte_view half, std::size_t limit) noexcept
@@ -42,6 +42,7 @@ struct register_access {
     /// Takes one value and where it belongs.
     constexpr void take_value(byte_view fields) noexcept
     {
+        read_start = 0;
         write_start = u16_at(fields, 0);
         values = register_view{fields.subspan(2)};
     }
@@ -83,6 +84,7 @@ struct register_access {
         is_legal = is_fixed;
         break;
     case function_code::write_multiple_registers:
+        access.read_start = 0;
         is_legal = access.take_written(fields, limits.write);
         break;
     case function_code::read_write_multiple_registers:
