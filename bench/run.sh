@@ -4,7 +4,7 @@
 # Installs what is missing, builds the benchmarks and runs them, interleaved and repeated: a table of
 # medians and ratios, build/bench/speed.svg and build/bench/speed.json.
 #
-#   sh bench/run.sh [repetitions]
+#   sh bench/run.sh [repetitions, at least 2]
 set -eu
 cd "$(dirname "$0")/.."
 repetitions=${1:-9}
