@@ -34,8 +34,11 @@ POLL_PATH = re.compile(r"(^|:)_ZNK?7rtuwire|5board4pass")
 
 def build(place, cpu, name):
     elf = place / f"{name}.elf"
-    subprocess.check_call(["arm-none-eabi-g++", *FLAGS, f"-mcpu={cpu}", "-fcallgraph-info=su", "-c",
-                           "-o", place / f"{name}.o", IMAGES / f"{name}.cpp"], cwd=place)
+    source, _, form = name.partition("_") if name.startswith("crc_") else (name, "", "")
+    chosen = [f"-DRTUWIRE_CRC_FORM={form}"] if form else []
+    subprocess.check_call(["arm-none-eabi-g++", *FLAGS, *chosen, f"-mcpu={cpu}",
+                           "-fcallgraph-info=su", "-c", "-o", place / f"{name}.o",
+                           IMAGES / f"{source}.cpp"], cwd=place)
     subprocess.check_call(["arm-none-eabi-g++", *FLAGS, f"-mcpu={cpu}", *LINK, "-o", elf,
                            IMAGES / "start.cpp", place / f"{name}.o"], cwd=place)
     return elf

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// The CRC's forms by size, against two tables. Latency: each call waits for the one before, as a
-// receiver's does. Throughput: calls that do not.
+// The CRC's forms by size, against two tables. Throughput: calls that do not wait for each
+// other.
 #include <array>
 #include <string>
 
@@ -22,27 +22,13 @@ template <crc_form Form> [[gnu::noinline]] std::uint16_t crc_by(byte_view octets
     return crc16<Form>(octets);
 }
 
-std::array<std::byte, 4'096 + 8> octets{};
-
-void latency(benchmark::State& state, crc_function crc)
-{
-    auto const size = static_cast<std::size_t>(state.range(0));
-    std::uint32_t last = 0;
-    std::uint32_t none = 0;
-    benchmark::DoNotOptimize(none);
-    for (auto _ : state) {
-        last = crc(byte_view{octets}.subspan(last & none, size));
-    }
-    benchmark::DoNotOptimize(last);
-}
-
 void throughput(benchmark::State& state, crc_function crc)
 {
     auto const size = static_cast<std::size_t>(state.range(0));
     std::size_t start = 0;
     for (auto _ : state) {
         start = (start + 1) % 8;
-        benchmark::DoNotOptimize(crc(byte_view{octets}.subspan(start, size)));
+        benchmark::DoNotOptimize(crc(byte_view{bench::octets}.subspan(start, size)));
     }
     state.SetBytesProcessed(state.iterations() * state.range(0));
 }
@@ -65,13 +51,13 @@ constexpr struct {
 
 int add_all()
 {
-    for (std::size_t i = 0; i < octets.size(); ++i) {
-        octets[i] = to_byte(static_cast<std::uint32_t>(i * 37));
+    for (std::size_t i = 0; i < bench::octets.size(); ++i) {
+        bench::octets[i] = to_byte(static_cast<std::uint32_t>(i * 37));
     }
     for (auto const& form : forms) {
         for (int const size : {6, 8, 16, 64, 133, 253, 4'096}) {
             std::string const of = std::string{"/"} + form.name;
-            benchmark::RegisterBenchmark(("crc latency" + of).c_str(), latency, form.crc)
+            benchmark::RegisterBenchmark(("crc latency" + of).c_str(), bench::latency, form.crc)
                 ->Arg(size);
             benchmark::RegisterBenchmark(("crc throughput" + of).c_str(), throughput, form.crc)
                 ->Arg(size);

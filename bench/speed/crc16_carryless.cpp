@@ -13,23 +13,11 @@ using namespace rtuwire;
 
 namespace {
 
-std::array<std::byte, 4'096> octets{};
+using bench::latency;
 
 [[gnu::noinline]] std::uint16_t crc_by_multiplication(byte_view view)
 {
     return crc16<crc_form::carryless>(view);
-}
-
-void latency(benchmark::State& state, std::uint16_t (*crc)(byte_view))
-{
-    auto const size = static_cast<std::size_t>(state.range(0));
-    std::uint32_t last = 0;
-    std::uint32_t none = 0;
-    benchmark::DoNotOptimize(none);
-    for (auto _ : state) {
-        last = crc(byte_view{octets}.subspan(last & none, size));
-    }
-    benchmark::DoNotOptimize(last);
 }
 
 BENCHMARK_CAPTURE(latency, two tables, bench::crc_by_two_tables)

@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// The baseline: the CRC as most stacks have it, an octet at a time from one table for each half.
+// The baseline: the CRC as most stacks have it, an octet at a time from one table for each half. And how a
+// form is held against it.
 #pragma once
 
 #include <array>
 #include <cstdint>
+
+#include <benchmark/benchmark.h>
 
 #include <rtuwire/core/crc16_tables.hpp>
 
@@ -38,6 +41,22 @@ inline constexpr two_tables halves = make_two_tables();
         high = halves.high[index];
     }
     return static_cast<std::uint16_t>(low | high << 8U);
+}
+
+/// What the forms are run over.
+inline std::array<std::byte, 4'096 + 8> octets{};
+
+/// Each call waits for the one before, as a receiver's does.
+inline void latency(benchmark::State& state, std::uint16_t (*crc)(rtuwire::byte_view))
+{
+    auto const size = static_cast<std::size_t>(state.range(0));
+    std::uint32_t last = 0;
+    std::uint32_t none = 0;
+    benchmark::DoNotOptimize(none);
+    for (auto _ : state) {
+        last = crc(rtuwire::byte_view{octets}.subspan(last & none, size));
+    }
+    benchmark::DoNotOptimize(last);
 }
 
 } // namespace bench

@@ -35,13 +35,16 @@ inline rtuwire::instant now()
 /// Octets from the receiver's interrupt to the loop: one side writes, the other reads.
 class inbox {
 public:
-    void put(std::byte octet)
+    /// False, and the octet is lost, where the loop came too late.
+    bool put(std::byte octet)
     {
-        std::uint32_t const next = (in_ + 1) % octets_.size();
-        if (next != out_) {
-            octets_[in_] = octet;
-            in_ = next;
+        std::uint32_t const next = (in_ + 1) % size;
+        if (next == out_) {
+            return false;
         }
+        octets_[in_] = octet;
+        in_ = next;
+        return true;
     }
     /// What has arrived, as far as there is room.
     rtuwire::byte_view take(rtuwire::byte_span place)
@@ -49,13 +52,16 @@ public:
         std::size_t count = 0;
         while (count < place.size() and out_ != in_) {
             place[count++] = octets_[out_];
-            out_ = (out_ + 1) % octets_.size();
+            out_ = (out_ + 1) % size;
         }
         return place.first(count);
     }
 
 private:
-    std::array<std::byte, 320> octets_{};
+    static constexpr std::uint32_t size = 320;
+
+    // Volatile like the indices, so that no octet is written after the index that gives it away.
+    std::byte volatile octets_[size]{};
     std::uint32_t volatile in_{0};
     std::uint32_t volatile out_{0};
 };
@@ -71,7 +77,9 @@ inline void receive()
         line_is_damaged = true;
     }
     while (line_uart::has_octet()) {
-        line_inbox.put(line_uart::octet());
+        if (not line_inbox.put(line_uart::octet())) {
+            line_is_damaged = true;
+        }
     }
 }
 
@@ -112,11 +120,12 @@ template <typename Engine> void serve_line(Engine& engine, transmitter& out)
 {
     std::array<std::byte, 64> place;
     rtuwire::instant const now = board::now();
-    engine.receive(line_inbox.take(place), now);
+    // Before the octets: what arrived damaged must not end as a frame first.
     if (line_is_damaged) {
         line_is_damaged = false;
         engine.receive_error(now);
     }
+    engine.receive(line_inbox.take(place), now);
     engine.advance(now);
     if (rtuwire::byte_view const frame = engine.poll_transmit(); not frame.empty()) {
         out.send(frame);

@@ -198,7 +198,7 @@ private:
     return finish(halved<1>(halved<2>(four))[0], message.parity());
 }
 
-/// A CRC that grows an octet at a time: 74 octets of code on a Cortex-M, and no table.
+/// A CRC that grows an octet at a time.
 class running {
 public:
     constexpr void add(std::byte octet) noexcept

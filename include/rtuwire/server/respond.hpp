@@ -68,10 +68,10 @@ template <register_bank Bank>
 [[nodiscard]] constexpr result<std::size_t>
 answer_identification(byte_view request_pdu, server_profile const& profile, byte_span out) noexcept
 {
-    auto const asked = read_device_identification::decode(request_pdu);
     if (profile.identity.empty()) {
         return errc::illegal_function;
     }
+    auto const asked = read_device_identification::decode(request_pdu);
     if (asked) {
         return write_identification(out, profile.identity, *asked);
     }
