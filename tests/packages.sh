@@ -15,11 +15,12 @@ packages_of() {
         arm) echo gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib ;;
         emulator) echo qemu-system-arm ;;
         clang) echo clang libclang-rt-dev ;;
+        afl) echo afl++ ;;
         bench) echo pkg-config libbenchmark-dev libmodbus-dev valgrind ;;
         portability) echo g++-s390x-linux-gnu g++-arm-linux-gnueabihf qemu-user-static clang-19 libc++-19-dev libc++abi-19-dev ;;
         style) echo clang-format clang-tidy ;;
         *)
-            echo "packages.sh: no group '$1'; the groups are examples build tests interop arm emulator clang bench portability style" >&2
+            echo "packages.sh: no group '$1'; the groups are examples build tests interop arm emulator clang afl bench portability style" >&2
             return 1
             ;;
     esac

@@ -79,6 +79,15 @@ template <typename Talk> reason silent(Talk talk)
     return it.talk.reason();
 }
 
+/// Wishes the same again and again.
+struct tireless : script {
+    wish::kind what;
+
+    constexpr explicit tireless(wish::kind wanted) noexcept : script{device::profile}, what{wanted}
+    {}
+    constexpr wish step(event const&) const noexcept { return {what, 0, 0, look_period}; }
+};
+
 template <typename Talk> reason refused(Talk talk)
 {
     by_hand<Talk> it{talk};
@@ -153,6 +162,28 @@ TEST_CASE("at their limits all end, and none leaves a command behind")
         starting.hear_word(ready);
     }
     CHECK(starting.talk.reason().how == ending::stuck);
+
+    by_hand<scanned> hasty{scanned{drive, milliseconds(0)}};
+    CHECK_FALSE(hasty.asks());
+    CHECK(hasty.talk.reason().how == ending::silent);
+    CHECK(hasty.talk.reason().error == errc::timed_out);
+}
+
+TEST_CASE("a script that wishes on after its limit gets one question, and no pause")
+{
+    by_hand<drive_talk<tireless>> reading{
+        {unit_id{7}, tireless{wish::kind::read}, milliseconds(100)}};
+    reading.hear_word(0); // in time
+    reading.now = reading.now + milliseconds(200);
+    reading.hear_word(0); // the one that is granted
+    CHECK(reading.talk.settled());
+    CHECK(reading.talk.reason().how == ending::stuck);
+
+    by_hand<drive_talk<tireless>> pausing{
+        {unit_id{7}, tireless{wish::kind::pause}, milliseconds(100)}};
+    CHECK_FALSE(pausing.asks());
+    CHECK(pausing.talk.settled());
+    CHECK(pausing.talk.reason().how == ending::stuck);
 }
 
 TEST_CASE("a state that nobody knows is looked at again")
@@ -286,6 +317,10 @@ TEST_CASE(
     REQUIRE(law.run(1'500, false));
     law.note_status(0x0220); // not ready to switch on: nothing to say
     CHECK(law.next_command() == 0);
+    REQUIRE(law.run(1'500, true)); // not even which way round
+    CHECK(law.next_command() == 0);
+    law.note_status(0x0240);
+    CHECK(law.next_command() == 0x0806);
 }
 
 TEST_CASE("everything that is told has a name")

@@ -65,6 +65,15 @@ constexpr bool refuses_another_size()
 }
 PROOF("an answer of another size is no value", refuses_another_size)
 
+constexpr bool asks_only_what_fits()
+{
+    framed_question<10> const question{unit_id{2},
+                                       write_multiple_registers{1, register_view{"00 01"_hex}}};
+    return question.settled() and not question.next() and
+           question.outcome() == errc::buffer_too_small;
+}
+PROOF("a question that does not fit its frame is not asked", asks_only_what_fits)
+
 using monitor = read_plan<atv12::device, atv12::rfr, atv12::lcr, atv12::acc>;
 STATIC_CHECK(monitor::request_count == 2);
 STATIC_CHECK(same_bytes(monitor::frames(2)[1], "02 03 23 29 00 01 5E 75"_hex));

@@ -48,4 +48,22 @@ constexpr bool ends_at_a_refusal()
 }
 PROOF("a refusal ends the plan and is told", ends_at_a_refusal)
 
+/// A plan with a request that writes nothing.
+struct hollow_plan {
+    using device = atv12::device;
+    static constexpr std::size_t register_count = 1;
+    [[maybe_unused]] static constexpr std::size_t request_count = 1;
+    static constexpr std::array<address_block, 1> requests() { return {address_block{9'001, 0}}; }
+    static constexpr std::span<std::uint16_t const> words(std::size_t) { return {}; }
+};
+
+constexpr bool ends_where_nothing_can_be_written()
+{
+    plan_writer<hollow_plan> const talk{drive, {}};
+    return talk.settled() and not talk.next() and talk.outcome() == errc::invalid_quantity and
+           talk.written() == 0;
+}
+PROOF("a plan that makes no frame ends with the error, and asks nothing",
+      ends_where_nothing_can_be_written)
+
 } // namespace

@@ -60,8 +60,8 @@ public:
             return write_slot();
         case event::kind::written: ++at_; return write_slot();
         case event::kind::failed: return end(what.error);
-        case event::kind::pause_over:
-        case event::kind::late: break;
+        case event::kind::late:
+        case event::kind::pause_over: break;
         }
         return end(ending::silent, errc::timed_out);
     }

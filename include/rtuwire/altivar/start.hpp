@@ -36,9 +36,9 @@ public:
         case event::kind::failed:
             return withdraw(is_exception(what.error) ? ending::refused : ending::silent,
                             what.error);
-        case event::kind::late: return withdraw(ending::stuck);
+        case event::kind::late: break;
         }
-        return end(ending::stuck);
+        return withdraw(ending::stuck);
     }
 
 private:

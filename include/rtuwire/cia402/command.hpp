@@ -30,13 +30,13 @@ inline constexpr std::uint16_t fault_reset_bit = 0x0080;
 [[nodiscard]] constexpr std::uint16_t word_of(command what) noexcept
 {
     switch (what) {
-    case command::none:
-    case command::disable_voltage: return 0x0000;
     case command::shutdown: return 0x0006;
     case command::switch_on: return 0x0007;
     case command::enable_operation: return 0x000F;
     case command::quick_stop: return 0x0002;
     case command::fault_reset: return fault_reset_bit;
+    case command::none:
+    case command::disable_voltage: break;
     }
     return 0x0000;
 }
