@@ -29,6 +29,7 @@ struct memory {
     std::array<std::byte, max_adu_size> frame{};
     std::array<std::byte, 13> answer_4{};
     std::array<std::byte, 131> answer_63{};
+    std::array<std::uint16_t, 125> values{};
     word_bank<16> bank{};
     no_diagnostics line{};
     std::uint32_t sum{0};
@@ -78,11 +79,7 @@ template <std::size_t Size> void decode(std::array<std::byte, Size> const& octet
     if (not read) {
         return;
     }
-    std::uint32_t sum = 0;
-    for (std::size_t i = 0; i < read->registers.size(); ++i) {
-        sum += read->registers[i];
-    }
-    all.sum = all.sum + sum;
+    all.sum = all.sum + read->registers.copy_to(all.values);
 }
 [[gnu::noinline]] inline void decode_4() { decode(all.answer_4); }
 [[gnu::noinline]] inline void decode_63() { decode(all.answer_63); }
@@ -128,8 +125,10 @@ inline bool are_right()
     static_cast<void>(seal(all.answer_4, 10));
     all.sum = 0;
     decode_4();
+    bool const is_read = all.sum == 4 and all.values[0] == 7;
     decode_63();
-    return is_served and all.sum == 7 and same_bytes(encode_known().first(3), "01 03 0C"_hex);
+    return is_served and is_read and all.sum == 4 + 63 and all.values[62] == 0 and
+           same_bytes(encode_known().first(3), "01 03 0C"_hex);
 }
 
 struct operation {

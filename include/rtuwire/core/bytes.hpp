@@ -38,7 +38,25 @@ using byte_span = std::span<std::byte>;
 /// The big-endian word at an offset. The caller has checked that `offset + 2 <= bytes.size()`.
 [[nodiscard]] constexpr std::uint16_t u16_at(byte_view bytes, std::size_t offset) noexcept
 {
-    return to_u16(bytes[offset], bytes[offset + 1]);
+    // From one pointer: compilers then take both octets from memory at once.
+    std::byte const* const at = bytes.data() + offset;
+    return to_u16(at[0], at[1]);
+}
+
+/// Writes a word as two octets, most significant first.
+constexpr void put_u16(std::byte* at, std::uint16_t value) noexcept
+{
+    at[0] = to_byte(std::uint32_t{value} >> 8U);
+    at[1] = to_byte(value);
+}
+
+/// Eight octets, the first in the lowest bits.
+[[nodiscard]] constexpr std::uint64_t word_at(std::byte const* at) noexcept
+{
+    return std::uint64_t{to_u8(at[0])} | std::uint64_t{to_u8(at[1])} << 8U |
+           std::uint64_t{to_u8(at[2])} << 16U | std::uint64_t{to_u8(at[3])} << 24U |
+           std::uint64_t{to_u8(at[4])} << 32U | std::uint64_t{to_u8(at[5])} << 40U |
+           std::uint64_t{to_u8(at[6])} << 48U | std::uint64_t{to_u8(at[7])} << 56U;
 }
 
 /// Whether two views hold the same octets.

@@ -25,7 +25,7 @@ enum class crc_form : std::uint8_t {
     slicing_by_16, ///< 8 KiB
     octet_algebra, ///< nothing; an octet at a time, for processors without a cache
     word_algebra,  ///< nothing; 64 octets at a time, for 64-bit processors
-    host,          ///< 4 KiB for frames up to 8 octets, `word_algebra` for longer ones
+    host,          ///< 4 KiB for single words of 8 octets, `word_algebra` for what is longer
     carryless,     ///< the same and 8 KiB, and carry-less multiplication where the processor has it
 };
 
@@ -80,22 +80,28 @@ template <crc_form Form> [[nodiscard]] constexpr std::uint16_t by_octets(byte_vi
     return crc.value();
 }
 
-/// Frames up to 8 octets by tables, longer ones by algebra; by multiplication from 128 on.
-template <crc_form Form> [[nodiscard]] constexpr std::uint16_t by_size(byte_view bytes) noexcept
+/// More than 8 octets: by algebra, with tables for the last word; by multiplication from 128 on. Not
+/// inlined, so that `by_size` is where the size is known.
+template <crc_form Form>
+[[nodiscard, gnu::noinline]] constexpr std::uint16_t of_many(byte_view bytes) noexcept
 {
-    constexpr std::size_t few = 8;
-    if (bytes.size() < 2) {
-        return by_octets<crc_form::byte_table>(bytes);
-    }
-    if (bytes.size() <= few) {
-        return crc16_tables::of_few<few>(bytes);
+    if (bytes.size() <= 16) {
+        return crc16_algebra::of_two_words<crc16_tables::of_word>(bytes);
     }
     if constexpr (Form == crc_form::carryless) {
         if (bytes.size() >= 128) {
             return crc16_carryless::of_words(bytes);
         }
     }
-    return crc16_algebra::of_words(bytes);
+    return crc16_algebra::of_words<crc16_tables::of_word>(bytes);
+}
+
+template <crc_form Form> [[nodiscard]] constexpr std::uint16_t by_size(byte_view bytes) noexcept
+{
+    if (bytes.size() < 2) {
+        return by_octets<crc_form::byte_table>(bytes);
+    }
+    return bytes.size() <= 8 ? crc16_tables::of_few(bytes) : of_many<Form>(bytes);
 }
 
 } // namespace crc16_forms

@@ -20,10 +20,14 @@ namespace rtuwire::crc16_algebra {
 /// Whether a word has an odd number of bits set: 1 or 0.
 [[nodiscard]] constexpr std::uint32_t parity_of(std::uint32_t word) noexcept
 {
+#ifdef __x86_64__
+    return static_cast<std::uint32_t>(__builtin_parity(word)); // a flag of this processor
+#else
     word ^= word >> 16U;
     word ^= word >> 8U;
     word ^= word >> 4U;
     return (0x6996U >> (word & 0xFU)) & 1U;
+#endif
 }
 
 /// Of a remainder modulo T, the one whose parity the message has; `octets` is a word with that parity.
@@ -41,24 +45,21 @@ namespace rtuwire::crc16_algebra {
     return word >> 1U ^ word >> 2U ^ above >> 1U ^ above >> 2U;
 }
 
-/// The CRC of a message that was folded into one word.
-[[nodiscard]] constexpr std::uint16_t finish(std::uint64_t word, std::uint64_t parity) noexcept
+/// What a message that was folded into one word leaves modulo T.
+[[nodiscard]] constexpr std::uint32_t remainder_of(std::uint64_t word) noexcept
 {
     auto const high = static_cast<std::uint32_t>(word);
     std::uint32_t const above = high << 28U ^ high << 30U;
     std::uint32_t const rest = static_cast<std::uint32_t>(word >> 32U) ^ high >> 2U ^ high >> 4U ^
                                above >> 2U ^ above >> 4U;
-    std::uint32_t const remainder = times_x16(rest >> 16U ^ times_x16(rest & 0xFFFFU));
-    return with_parity(remainder, static_cast<std::uint32_t>(parity >> 32U ^ parity));
+    return times_x16(rest >> 16U ^ times_x16(rest & 0xFFFFU));
 }
 
-/// Eight octets, the first in the lowest bits.
-[[nodiscard]] constexpr std::uint64_t word_at(std::byte const* at) noexcept
+/// The CRC of a message that was folded into one word; `Remainder` is its remainder modulo T.
+template <auto Remainder>
+[[nodiscard]] constexpr std::uint16_t finish(std::uint64_t word, std::uint64_t parity) noexcept
 {
-    return std::uint64_t{to_u8(at[0])} | std::uint64_t{to_u8(at[1])} << 8U |
-           std::uint64_t{to_u8(at[2])} << 16U | std::uint64_t{to_u8(at[3])} << 24U |
-           std::uint64_t{to_u8(at[4])} << 32U | std::uint64_t{to_u8(at[5])} << 40U |
-           std::uint64_t{to_u8(at[6])} << 48U | std::uint64_t{to_u8(at[7])} << 56U;
+    return with_parity(Remainder(word), static_cast<std::uint32_t>(parity >> 32U ^ parity));
 }
 
 /// Several words side by side, the first of the message first.
@@ -166,7 +167,18 @@ private:
     std::uint64_t parity_{0};
 };
 
+/// The CRC of 9 to 16 octets: two words, the odd octets in the first.
+template <auto Remainder>
+[[nodiscard]] constexpr std::uint16_t of_two_words(byte_view octets) noexcept
+{
+    std::size_t const odd = octets.size() - 8;
+    std::uint64_t const first = (word_at(octets.data()) ^ 0xFFFFU) << 8 * (8 - odd);
+    std::uint64_t const second = word_at(octets.data() + odd) ^ (odd == 1 ? 0xFFU : 0U);
+    return finish<Remainder>(fold(lanes<1>{first}, lanes<1>{second})[0], first ^ second);
+}
+
 /// The CRC of at least 8 octets, in up to eight lanes.
+template <auto Remainder = remainder_of>
 [[nodiscard]] constexpr std::uint16_t of_words(byte_view octets) noexcept
 {
     words message{octets};
@@ -175,14 +187,14 @@ private:
         one = fold(one, message.take<1>());
     }
     if (message.count() < 2) {
-        return finish(one[0], message.parity());
+        return finish<Remainder>(one[0], message.parity());
     }
     lanes<2> two = doubled(one);
     if ((message.count() & 2U) != 0) {
         two = fold(two, message.take<2>());
     }
     if (message.count() < 4) {
-        return finish(halved<1>(two)[0], message.parity());
+        return finish<Remainder>(halved<1>(two)[0], message.parity());
     }
     lanes<4> four = doubled(two);
     if ((message.count() & 4U) != 0) {
@@ -195,7 +207,7 @@ private:
         }
         four = halved<4>(eight);
     }
-    return finish(halved<1>(halved<2>(four))[0], message.parity());
+    return finish<Remainder>(halved<1>(halved<2>(four))[0], message.parity());
 }
 
 /// A CRC that grows an octet at a time.

@@ -107,14 +107,14 @@ inline block head_of(byte_view octets) noexcept
 {
     constexpr std::uint64_t start = 0xFFFF;
     std::size_t const odd = octets.size() % 16;
-    std::uint64_t const front = crc16_algebra::word_at(octets.data()) ^ start;
+    std::uint64_t const front = word_at(octets.data()) ^ start;
     if (odd == 0) {
         return block_of(0, 0);
     }
     if (odd <= 8) {
         return block_of(0, front << 8 * (8 - odd));
     }
-    std::uint64_t const second = crc16_algebra::word_at(octets.data() + odd - 8);
+    std::uint64_t const second = word_at(octets.data() + odd - 8);
     return block_of(front << 8 * (16 - odd), odd == 9 ? second ^ (start >> 8U) : second);
 }
 

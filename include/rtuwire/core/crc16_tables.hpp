@@ -65,10 +65,22 @@ template <std::size_t Count> inline constexpr distances<Count> at_distance{};
     return at_distance<1>.at[0][octet & 0xFFU];
 }
 
-/// The CRC of at least 2 and at most `Count` octets: look-ups that do not wait for each other.
-template <std::size_t Count> [[nodiscard]] constexpr std::uint16_t of_few(byte_view octets) noexcept
+/// What eight octets, the first in the lowest bits, leave of a CRC that starts from 0.
+[[nodiscard]] constexpr std::uint16_t of_word(std::uint64_t octets) noexcept
 {
-    auto const* table = &at_distance<Count>.at[octets.size() - 1];
+    auto const& tables = at_distance<8>.at;
+    return static_cast<std::uint16_t>(
+        tables[7][octets & 0xFFU] ^ tables[6][octets >> 8U & 0xFFU] ^
+        tables[5][octets >> 16U & 0xFFU] ^ tables[4][octets >> 24U & 0xFFU] ^
+        tables[3][octets >> 32U & 0xFFU] ^ tables[2][octets >> 40U & 0xFFU] ^
+        tables[1][octets >> 48U & 0xFFU] ^ tables[0][octets >> 56U]);
+}
+
+/// The CRC of 2 to 8 octets: look-ups that do not wait for each other. Octet by octet, because a frame
+/// that was just written so cannot be loaded in words without waiting.
+[[nodiscard]] constexpr std::uint16_t of_few(byte_view octets) noexcept
+{
+    auto const* table = &at_distance<8>.at[octets.size() - 1];
     std::uint32_t crc = (*table)[to_u8(octets[0]) ^ 0xFFU];
     crc ^= (*--table)[to_u8(octets[1]) ^ 0xFFU];
     for (std::size_t i = 2; i < octets.size(); ++i) {

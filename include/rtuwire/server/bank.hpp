@@ -85,9 +85,8 @@ public:
     {
         byte_span const place = out.take(2 * count);
         std::uint16_t const* word = &words_[offset(start)];
-        for (std::size_t at = 0; at + 1 < place.size(); at += 2, ++word) {
-            place[at] = to_byte(std::uint32_t{*word} >> 8U);
-            place[at + 1] = to_byte(*word);
+        for (std::size_t at = 0; at + 1 < place.size(); at += 2) {
+            put_u16(place.data() + at, *word++);
         }
         return errc::none;
     }

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Registers in wire order, one by one and all at once.
+#include <rtuwire/wire/register_view.hpp>
+
+#include <array>
+
+#include "support/exact.hpp"
+#include "support/proof.hpp"
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr std::uint16_t untouched = 0xA5A5;
+
+/// Registers of which both octets differ, and every one from its neighbours.
+constexpr std::uint16_t word_of(std::size_t index)
+{
+    return static_cast<std::uint16_t>(0x8000U + 0x0101U * index + 1U);
+}
+
+constexpr bool copies(std::size_t count)
+{
+    test::exact_octets octets{2 * count, std::byte{0}};
+    for (std::size_t i = 0; i < count; ++i) {
+        octets.span()[2 * i] = to_byte(std::uint32_t{word_of(i)} >> 8U);
+        octets.span()[2 * i + 1] = to_byte(word_of(i));
+    }
+    register_view const view{octets.view()};
+    std::array<std::uint16_t, 130> words;
+    words.fill(untouched);
+    bool good = view.copy_to(std::span{words}.first(count)) == count;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        good = good and words[i] == (i < count ? word_of(i) : untouched);
+        good = good and (i >= count or view[i] == word_of(i));
+    }
+    return good;
+}
+
+constexpr bool copies_any_count()
+{
+    for (std::size_t count = 0; count <= 20; ++count) {
+        if (not copies(count)) {
+            return false;
+        }
+    }
+    return copies(63) and copies(125);
+}
+PROOF("all registers are copied, and no word beyond them", copies_any_count)
+
+constexpr bool copies_all_or_nothing()
+{
+    constexpr std::array<std::byte, 10> octets{};
+    std::array<std::uint16_t, 4> words;
+    words.fill(untouched);
+    std::size_t const copied = register_view{octets}.copy_to(words);
+    return copied == 0 and words[0] == untouched and words[3] == untouched;
+}
+PROOF("registers for which there is no room are not copied in part", copies_all_or_nothing)
+
+constexpr bool drops_half_a_register()
+{
+    constexpr std::array<std::byte, 3> octets{std::byte{1}, std::byte{2}, std::byte{3}};
+    register_view const view{octets};
+    return view.size() == 1 and view[0] == 0x0102 and not view.empty();
+}
+PROOF("an odd last octet is not part of any register", drops_half_a_register)
+
+} // namespace
