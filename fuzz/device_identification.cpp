@@ -43,11 +43,14 @@ void pages_are_whole(fuzz::input in)
     std::size_t seen = 0;
     for (unsigned page = 0; count > 0 and page < 8; ++page) {
         std::array<std::byte, max_pdu_size> place{};
-        auto const size = write_identification(place, all, {identification_access::extended, next});
-        if (not size) {
+        read_device_identification const asked{identification_access::extended, next};
+        byte_writer request{place};
+        asked.write(request);
+        pdu_place pdu{place, request.size()};
+        if (write_identification(pdu, all, asked) != errc::none) {
             return;
         }
-        auto const read = device_identification::decode(byte_view{place}.first(*size));
+        auto const read = device_identification::decode(pdu.view());
         require(read.has_value());
         for (auto at = read->first(); at; at = read->after(*at)) {
             ++seen;

@@ -17,7 +17,7 @@ packages_of() {
         clang) echo clang libclang-rt-dev ;;
         afl) echo afl++ ;;
         bench) echo pkg-config libbenchmark-dev libmodbus-dev valgrind ;;
-        portability) echo g++-s390x-linux-gnu g++-arm-linux-gnueabihf qemu-user-static clang-19 libc++-19-dev libc++abi-19-dev ;;
+        portability) echo g++-s390x-linux-gnu g++-arm-linux-gnueabihf g++-aarch64-linux-gnu qemu-user-static clang-19 libc++-19-dev libc++abi-19-dev ;;
         style) echo clang-format clang-tidy ;;
         *)
             echo "packages.sh: no group '$1'; the groups are examples build tests interop arm emulator clang afl bench portability style" >&2

@@ -23,7 +23,7 @@ FLAGS = ["-std=c++20", "-Os", "-mthumb", "-fno-exceptions", "-fno-rtti", "-ffunc
 LINK = ["-nostartfiles", "--specs=nano.specs", "--specs=nosys.specs", "-Wl,--gc-sections",
         "-T", IMAGES / "image.ld"]
 CPUS = ("cortex-m0plus", "cortex-m3")
-NAMES = ("server_frames", "server", "client_frames", "client", "client_counting", "typed_read",
+NAMES = ("server_frames", "server", "client_frames", "client_encoding", "client", "client_counting", "typed_read",
          "monitor", "crc_bitwise", "crc_nibble_table", "crc_byte_table", "crc_octet_algebra")
 # Flash on a Cortex-M0+: what this library wants to need at most.
 BARS = {"server_frames": 1000, "client_frames": 1250, "client_counting": 2600}

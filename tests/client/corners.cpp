@@ -82,6 +82,27 @@ TEST_CASE("a question that is given up between two attempts leaves its unit in q
     CHECK(unit.transmissions == 2);
 }
 
+TEST_CASE("a question that nobody sends stalls, after the time that it and an answer may take")
+{
+    test::far_end unit{{.response_timeout = milliseconds(50)}};
+    REQUIRE(unit.link.start(request{test::read_eta}, unit.now));
+    unit.pass(microseconds(49'999) + test::line.characters(8));
+    CHECK(unit.fault() == errc::busy);
+    unit.pass(microseconds(1));
+    CHECK(unit.fault() == errc::transmit_stalled);
+}
+
+TEST_CASE("noise is skipped before an answer, and not within it")
+{
+    test::far_end unit{{.skip_noise = 9}};
+    REQUIRE(unit.ask(test::read_eta));
+    unit.say("00"_hex);
+    for (std::byte const octet : test::answer_1234) {
+        unit.say({&octet, 1});
+    }
+    CHECK(unit.has(0x1234));
+}
+
 TEST_CASE("a refusal is no silence, and 300 silences are no fewer than 255")
 {
     one_slot<endless> it{{}, {.silent_share = 100}};

@@ -49,13 +49,14 @@ struct pdu {
 };
 
 /// The exception that the server answers with; 0 for a normal answer.
-unsigned verdict(pdu const& asked)
+unsigned verdict(pdu& asked)
 {
     every_register bank;
-    std::array<std::byte, max_pdu_size> place; // NOLINT: written before it is read
-    auto const answer = respond(byte_view{asked.octets}.first(asked.size), bank, profile, place);
-    bool const is_exception = (to_u8(answer[0]) & 0x80U) != 0;
-    return is_exception ? to_u8(answer[1]) : 0U;
+    no_diagnostics none;
+    pdu_place place{asked.octets, asked.size};
+    respond_in_place(place, bank, profile, none);
+    bool const is_exception = (to_u8(asked.octets[0]) & 0x80U) != 0;
+    return is_exception ? to_u8(asked.octets[1]) : 0U;
 }
 
 bool is_read_right(std::uint64_t header)

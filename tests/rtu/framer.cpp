@@ -192,6 +192,37 @@ constexpr bool a_lump_after_silence()
 }
 PROOF("a lump that comes after silence starts a new frame", a_lump_after_silence)
 
+/// A lump of two octets `length` after the last octet of an unfinished frame.
+constexpr bool starts_anew_after(duration length)
+{
+    listener ear{direction::request};
+    ear.hear(byte_view{request}.first(6));
+    ear.now = ear.now + length;
+    ear.receiver.receive(byte_view{request}.last(2), ear.now);
+    return not ear.has(request);
+}
+constexpr bool the_edge_of_silence()
+{
+    return starts_anew_after(microseconds(2'006 + 2 * 573)) and
+           not starts_anew_after(microseconds(2'006 + 2 * 573 - 1));
+}
+PROOF("a lump starts a new frame when its own time and t3.5 have passed", the_edge_of_silence)
+
+constexpr bool claims()
+{
+    listener ear{direction::response};
+    bool const nobody = not ear.receiver.claimed_unit();
+    ear.hear("02 03 00"_hex);
+    ear.pause(milliseconds(10));
+    bool const too_short = ear.fault() == errc::frame_too_short and not ear.receiver.claimed_unit();
+    ear.hear("02 03 00 00"_hex);
+    bool const starts = not ear.receiver.is_at_start();
+    ear.pause(milliseconds(10));
+    return nobody and too_short and starts and ear.fault() == errc::crc_mismatch and
+           ear.receiver.claimed_unit() == 2 and ear.receiver.is_at_start();
+}
+PROOF("what has a frame's size claims to be a unit's", claims)
+
 constexpr bool host_gaps()
 {
     auto const host = line_timing::host(19'200, character_format::even_8_1);

@@ -19,15 +19,21 @@ constexpr device_object drive[] = {{vendor_name, "Schneider Electric"},
 
 struct answer {
     std::array<std::byte, max_pdu_size> place{};
-    result<std::size_t> size{errc::busy};
+    errc wrong{errc::busy};
+    std::size_t size{0};
 
-    constexpr byte_view octets() const { return byte_view{place}.first(*size); }
+    constexpr byte_view octets() const { return byte_view{place}.first(size); }
 };
 
 constexpr answer ask(device_objects objects, identification_access access, std::uint8_t object = 0)
 {
     answer given;
-    given.size = write_identification(given.place, objects, {access, object});
+    read_device_identification const asked{access, object};
+    byte_writer request{given.place};
+    asked.write(request);
+    pdu_place pdu{given.place, request.size()};
+    given.wrong = write_identification(pdu, objects, asked);
+    given.size = given.wrong == errc::none ? pdu.size : 0;
     return given;
 }
 
@@ -46,7 +52,7 @@ constexpr bool single_objects()
     auto const one = ask(drive, identification_access::single, major_minor_revision);
     auto const none = ask(drive, identification_access::single, 7);
     return same_bytes(one.octets(), "2B 0E 04 81 00 00 01 02 04 30 32 30 31"_hex) and
-           none.size == errc::illegal_data_address;
+           none.wrong == errc::illegal_data_address;
 }
 PROOF("a single object is given alone, an unknown one is exception 02", single_objects)
 
@@ -102,11 +108,20 @@ constexpr bool pages()
 }
 PROOF("objects that do not fit follow on the next page", pages)
 
-constexpr bool too_large()
+/// The longest text of an object, and one that is longer.
+constexpr char longest[245]{'0'};
+constexpr char too_long[246]{'0'};
+constexpr device_object largest[] = {{0, longest}, {1, "p"}};
+constexpr device_object too_large[] = {{0, too_long}};
+
+constexpr bool fills_a_page()
 {
-    std::array<std::byte, 40> place{};
-    return write_identification(place, many, {}) == errc::server_device_failure;
+    auto const given = ask(largest, identification_access::basic);
+    return given.size == max_pdu_size and to_u8(given.place[4]) == 0xFF and
+           to_u8(given.place[5]) == 1 and to_u8(given.place[6]) == 1 and
+           to_u8(given.place[8]) == 244;
 }
-PROOF("an object that fits no page is exception 04", too_large)
+PROOF("an object of 244 characters fills a page", fills_a_page)
+STATIC_CHECK(ask(too_large, identification_access::basic).wrong == errc::server_device_failure);
 
 } // namespace

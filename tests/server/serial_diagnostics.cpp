@@ -172,10 +172,13 @@ constexpr bool counts_kinds_of_refusal()
     unit.note_exception(errc::negative_acknowledge);
     unit.note_exception(errc::server_device_busy);
     unit.note_exception(errc::server_device_busy);
-    std::array<std::byte, 8> out{};
-    bool ok = unit.answer(naks, out).has_value() and u16_at(out, 3) == 1;
-    ok = ok and unit.answer(busies, out).has_value() and u16_at(out, 3) == 2;
-    return ok and unit.answer(exceptions, out).has_value() and u16_at(out, 3) == 3;
+    auto const counted = [&unit](byte_view request, std::uint16_t count) {
+        std::array<std::byte, max_pdu_size> octets{};
+        byte_writer{octets}.bytes(request);
+        pdu_place pdu{octets, request.size()};
+        return unit.answer(pdu) == errc::none and u16_at(pdu.view(), 3) == count;
+    };
+    return counted(naks, 1) and counted(busies, 2) and counted(exceptions, 3);
 }
 PROOF("NAK and busy are counted for themselves", counts_kinds_of_refusal)
 

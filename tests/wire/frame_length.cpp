@@ -60,6 +60,16 @@ STATIC_CHECK(is_told(answers, "02 0F 00 13 00 0A 00 00"_hex));
 STATIC_CHECK(is_told(answers, "02 16 00 04 00 F2 00 25 00 00"_hex));
 STATIC_CHECK(is_told(answers, "02 08 00 0B 00 2A 00 00"_hex));
 
+// Where more can be said, and no later.
+constexpr length_so_far more_at(std::uint16_t size) { return {size, false}; }
+STATIC_CHECK(frame_length(asks, "02"_hex) == more_at(2));
+STATIC_CHECK(frame_length(asks, "02 08 00"_hex) == more_at(4));
+STATIC_CHECK(frame_length(asks, "02 10 00"_hex) == more_at(7));
+STATIC_CHECK(frame_length(answers, "02 18"_hex) == more_at(4));
+STATIC_CHECK(frame_length(answers, "02 2B"_hex) == more_at(3));
+STATIC_CHECK(frame_length(answers, "02 2B 0E"_hex) == more_at(8));
+STATIC_CHECK(frame_length(answers, "02 2B 0E 01 01 00 00 01"_hex) == more_at(10));
+
 // Only silence ends these.
 constexpr length_so_far silence{};
 STATIC_CHECK(frame_length(asks, "02 08 00 00"_hex) == silence);

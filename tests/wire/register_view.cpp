@@ -59,6 +59,16 @@ constexpr bool copies_all_or_nothing()
 }
 PROOF("registers for which there is no room are not copied in part", copies_all_or_nothing)
 
+constexpr bool holds_registers_in_wire_order()
+{
+    register_block block{0x0102, 0x0304, 0x0506};
+    bool const reads = block[0] == 0x0102 and block[1] == 0x0304 and block[2] == 0x0506;
+    block.set(1, 0xFEDC);
+    return reads and block[0] == 0x0102 and block[1] == 0xFEDC and block[2] == 0x0506 and
+           block.view().bytes()[2] == std::byte{0xFE} and block.size() == 3;
+}
+PROOF("a block holds its registers in wire order", holds_registers_in_wire_order)
+
 constexpr bool drops_half_a_register()
 {
     constexpr std::array<std::byte, 3> octets{std::byte{1}, std::byte{2}, std::byte{3}};

@@ -22,9 +22,8 @@ template <typename Client>
 
 template <typename Client> void ask_on(Client& link)
 {
-    std::array<std::byte, 32> asked;
-    for (unsigned number = 0;; number = (number + 1) % 5) {
-        auto const outcome = outcome_of(link, question(asked, number));
+    for (unsigned number = 0;; number = next(number)) {
+        auto const outcome = outcome_of(link, known::questions[number]);
         if (outcome) {
             board::put(static_cast<std::byte>(value_in(outcome->pdu(), number)));
         }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Functions 03, 06, 16, 23 and 43/14, asked by firmware that cuts the answers by silence.
+// Functions 03, 06, 16, 23 and 43/14, asked with constant frames by firmware that cuts the answers by silence.
 #include "questions.hpp"
 
 using namespace rtuwire;
@@ -28,10 +28,9 @@ namespace {
 
 int main()
 {
-    std::array<std::byte, 32> asked;
     std::array<std::byte, max_adu_size> heard;
-    for (unsigned number = 0;; number = (number + 1) % 5) {
-        byte_view const frame = question(asked, number);
+    for (unsigned number = 0;; number = next(number)) {
+        byte_view const frame = known::questions[number];
         board::put(frame);
         auto const answer = decode_adu(listen(heard));
         if (answer and check_answer(frame, *answer) == errc::none) {

@@ -17,6 +17,29 @@
 inline constexpr rtuwire::unit_id address{1};
 inline constexpr rtuwire::register_block<4> words{1, 2, 3, 4};
 
+/// The five as constants.
+namespace known {
+using namespace rtuwire;
+inline constexpr auto read = constant_frame([] {
+    return encode(address, read_holding_registers{3201, 4});
+});
+inline constexpr auto write = constant_frame([] {
+    return encode(address, write_single_register{8501, 6});
+});
+inline constexpr auto write_4 = constant_frame([] {
+    return encode(address, write_multiple_registers{8501, words});
+});
+inline constexpr auto exchange = constant_frame([] {
+    return encode(address, read_write_multiple_registers{3201, 4, 8501, words});
+});
+inline constexpr auto identify =
+    constant_frame([] { return encode(address, read_device_identification{}); });
+inline constexpr byte_view questions[] = {read, write, write_4, exchange, identify};
+} // namespace known
+
+/// The number of the question that comes after another one.
+constexpr unsigned next(unsigned number) { return number < 4 ? number + 1 : 0; }
+
 /// Writes one of the five into a place of 32 octets.
 [[gnu::noinline]] inline rtuwire::byte_view question(rtuwire::byte_span place, unsigned number)
 {

@@ -93,8 +93,8 @@ public:
     constexpr void u16(std::uint32_t value) noexcept
     {
         if (room_for(2)) {
-            *next_++ = to_byte(value >> 8U);
-            *next_++ = to_byte(value);
+            put_u16(next_, static_cast<std::uint16_t>(value));
+            next_ += 2;
         }
     }
 

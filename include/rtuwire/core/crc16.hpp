@@ -33,9 +33,9 @@ enum class crc_form : std::uint8_t {
 #ifdef RTUWIRE_CRC_FORM
 inline constexpr crc_form default_crc_form = crc_form::RTUWIRE_CRC_FORM;
 #else
-inline constexpr crc_form default_crc_form = sizeof(void*) < 8 ? crc_form::octet_algebra
-                                             : crc16_carryless::is_available ? crc_form::carryless
-                                                                             : crc_form::host;
+inline constexpr crc_form default_crc_form = crc16_carryless::is_available ? crc_form::carryless
+                                             : sizeof(void*) < 8           ? crc_form::octet_algebra
+                                                                           : crc_form::host;
 #endif
 
 /// A CRC that grows an octet at a time, so that a receiver has it when the last octet arrives. Over a

@@ -20,14 +20,10 @@ namespace rtuwire::crc16_algebra {
 /// Whether a word has an odd number of bits set: 1 or 0.
 [[nodiscard]] constexpr std::uint32_t parity_of(std::uint32_t word) noexcept
 {
-#ifdef __x86_64__
-    return static_cast<std::uint32_t>(__builtin_parity(word)); // a flag of this processor
-#else
     word ^= word >> 16U;
     word ^= word >> 8U;
     word ^= word >> 4U;
     return (0x6996U >> (word & 0xFU)) & 1U;
-#endif
 }
 
 /// Of a remainder modulo T, the one whose parity the message has; `octets` is a word with that parity.

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// CRC-16/MODBUS by carry-less multiplication, where the target has it: PCLMULQDQ (-mpclmul) or PMULL
-// (-march=armv8-a+crypto). 16 octets are one factor, a power of x modulo the polynomial is the other;
-// the last 16 octets are left to tables.
+// CRC-16/MODBUS by carry-less multiplication, where the target has it: PCLMULQDQ (-mpclmul), PMULL
+// (-march=armv8-a+crypto) or VMULL.P64 (-mfpu=crypto-neon-fp-armv8). 16 octets are one factor, a power
+// of x modulo the polynomial is the other; the last 16 octets are left to tables.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,10 @@
 
 #if defined(__PCLMUL__)
 #include <wmmintrin.h>
-#elif defined(__aarch64__) && defined(__ARM_FEATURE_AES)
+#define RTUWIRE_CARRYLESS_X86
+#elif defined(__ARM_NEON) && (defined(__ARM_FEATURE_AES) || defined(__ARM_FEATURE_CRYPTO))
 #include <arm_neon.h>
+#define RTUWIRE_CARRYLESS_ARM // PMULL, or VMULL.P64 on a 32-bit Arm
 #endif
 
 namespace rtuwire::crc16_carryless {
@@ -28,7 +30,7 @@ namespace rtuwire::crc16_carryless {
     return std::uint64_t{crc16_tables::shifted(0x8000, n)} << 48U;
 }
 
-#if defined(__PCLMUL__)
+#ifdef RTUWIRE_CARRYLESS_X86
 inline constexpr bool is_available = true;
 
 /// 16 octets of the message, the first in the low word.
@@ -57,7 +59,7 @@ inline block product(block octets, block factors) noexcept
     return sum(_mm_clmulepi64_si128(octets, factors, 0x00),
                _mm_clmulepi64_si128(octets, factors, 0x11));
 }
-#elif defined(__aarch64__) && defined(__ARM_FEATURE_AES)
+#elif defined(RTUWIRE_CARRYLESS_ARM)
 inline constexpr bool is_available = true;
 
 using block = uint64x2_t;
@@ -85,7 +87,7 @@ inline block product(block octets, block factors) noexcept
 inline constexpr bool is_available = false;
 #endif
 
-#if defined(__PCLMUL__) || (defined(__aarch64__) && defined(__ARM_FEATURE_AES))
+#if defined(RTUWIRE_CARRYLESS_X86) || defined(RTUWIRE_CARRYLESS_ARM)
 
 /// Octets moved `Bits` further from the end of the message. A product of reflected words has one
 /// power of x too many.
@@ -177,7 +179,7 @@ inline four_blocks front_of(byte_view octets, std::byte const* at) noexcept
 /// The CRC of at least 16 octets; by algebra in the compiler, and where the target cannot multiply so.
 [[nodiscard]] constexpr std::uint16_t of_words(byte_view octets) noexcept
 {
-#if defined(__PCLMUL__) || (defined(__aarch64__) && defined(__ARM_FEATURE_AES))
+#if defined(RTUWIRE_CARRYLESS_X86) || defined(RTUWIRE_CARRYLESS_ARM)
     if (not std::is_constant_evaluated()) {
         return multiply(octets);
     }
@@ -186,3 +188,6 @@ inline four_blocks front_of(byte_view octets, std::byte const* at) noexcept
 }
 
 } // namespace rtuwire::crc16_carryless
+
+#undef RTUWIRE_CARRYLESS_X86
+#undef RTUWIRE_CARRYLESS_ARM

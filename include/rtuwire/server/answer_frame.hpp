@@ -20,16 +20,17 @@ template <register_bank Bank, typename Diagnostics>
                                                Bank& bank, server_profile const& profile,
                                                Diagnostics& line) noexcept
 {
-    auto const asked = decode_adu(place.first(size));
-    if (not asked or (asked->unit != unit.octet() and asked->unit != 0)) {
+    bool const is_broadcast = to_u8(place[0]) == 0;
+    bool const is_meant = is_broadcast or to_u8(place[0]) == unit.octet();
+    if (not is_meant or check_frame(place.first(size)) != errc::none) {
         return {};
     }
-    bool const is_broadcast = asked->unit == 0;
-    if (is_broadcast and not may_be_broadcast(asked->pdu)) {
+    pdu_place pdu{place.subspan(1).first<max_pdu_size>(), size - adu_overhead};
+    if (is_broadcast and not may_be_broadcast(pdu.view())) {
         return {};
     }
-    byte_view const answer = respond(asked->pdu, bank, profile, place.subspan(1), line);
-    return is_broadcast or answer.empty() ? byte_span{} : seal(place, answer.size());
+    respond_in_place(pdu, bank, profile, line);
+    return is_broadcast or pdu.size == 0 ? byte_span{} : seal(place, pdu.size);
 }
 
 } // namespace rtuwire

@@ -10,6 +10,7 @@
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/text.hpp>
+#include <rtuwire/server/pdu_place.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/pdu/device_identification.hpp>
 
@@ -44,22 +45,6 @@ using device_objects = std::span<device_object const>;
     return category;
 }
 
-/// Writes one object; how many octets that takes, or 0 where they do not fit.
-constexpr std::size_t write_object(byte_span out, device_object const& object) noexcept
-{
-    constexpr std::size_t head = 2;
-    std::size_t const size = head + object.value.size();
-    if (size > out.size()) {
-        return 0;
-    }
-    out[0] = to_byte(object.id);
-    out[1] = to_byte(static_cast<std::uint32_t>(object.value.size()));
-    for (std::size_t i = head; i < size; ++i) {
-        out[i] = static_cast<std::byte>(object.value[i - head]);
-    }
-    return size;
-}
-
 /// The index of an object, or the number of objects where there is no such one.
 [[nodiscard]] constexpr std::size_t index_of(device_objects objects, std::uint8_t id) noexcept
 {
@@ -70,12 +55,11 @@ constexpr std::size_t write_object(byte_span out, device_object const& object) n
     return index;
 }
 
-/// Writes the answer to a request into `out` (at most 253 octets) and returns how many. Errors, as
-/// exceptions: `illegal_data_address` for a single object that does not exist; a stream that asks for
-/// an unknown object starts at the first. `server_device_failure` when an object fits no page.
-[[nodiscard]] constexpr result<std::size_t>
-write_identification(byte_span out, device_objects objects,
-                     read_device_identification const& asked) noexcept
+/// Answers the request `asked` with as many objects as fit. Errors, as exceptions:
+/// `illegal_data_address` for a single object that does not exist; a stream that asks for an unknown
+/// object starts at the first. `server_device_failure` when an object fits no page.
+[[nodiscard]] constexpr errc write_identification(pdu_place& pdu, device_objects objects,
+                                                  read_device_identification const& asked) noexcept
 {
     constexpr std::size_t more_at = 4;
     constexpr std::size_t next_at = 5;
@@ -89,34 +73,32 @@ write_identification(byte_span out, device_objects objects,
         }
         index = 0;
     }
-    if (out.size() < device_identification::head_size) {
-        return errc::server_device_failure;
-    }
-    out[0] = to_byte(to_u8(function_code::encapsulated_interface));
-    out[1] = to_byte(identification_mei_type);
-    out[2] = static_cast<std::byte>(asked.access);
-    out[3] = to_byte(conformity_of(objects));
+    // Function, type and access are there already.
+    auto const octets = pdu.octets;
+    octets[3] = to_byte(conformity_of(objects));
+    octets[more_at] = octets[next_at] = std::byte{0};
     std::size_t size = device_identification::head_size;
     std::uint32_t count = 0;
-    out[more_at] = out[next_at] = std::byte{0};
     for (; index < objects.size() and objects[index].id <= last; ++index) {
-        std::size_t const written = write_object(out.subspan(size), objects[index]);
-        if (written == 0) {
-            out[more_at] = std::byte{0xFF};
-            out[next_at] = to_byte(objects[index].id);
+        device_object const& each = objects[index];
+        if (size + 2 + each.value.size() > max_pdu_size) {
+            octets[more_at] = std::byte{0xFF};
+            octets[next_at] = to_byte(each.id);
             break;
         }
-        size += written;
+        octets[size++] = to_byte(each.id);
+        octets[size++] = to_byte(static_cast<std::uint32_t>(each.value.size()));
+        for (std::size_t i = 0; i < each.value.size(); ++i) {
+            octets[size++] = static_cast<std::byte>(each.value[i]);
+        }
         ++count;
         if (is_single) {
             break;
         }
     }
-    if (count == 0) {
-        return errc::server_device_failure;
-    }
-    out[count_at] = to_byte(count);
-    return size;
+    octets[count_at] = to_byte(count);
+    pdu.size = size;
+    return count > 0 ? errc::none : errc::server_device_failure;
 }
 
 } // namespace rtuwire

@@ -10,6 +10,7 @@
 
 #include <rtuwire/server/bank.hpp>
 #include <rtuwire/server/identification.hpp>
+#include <rtuwire/server/pdu_place.hpp>
 #include <rtuwire/server/request.hpp>
 #include <rtuwire/server/serial_diagnostics.hpp>
 #include <rtuwire/wire/pdu/diagnostics.hpp>
@@ -17,117 +18,130 @@
 namespace rtuwire {
 
 /// Does what functions 03, 06, 16 and 23 ask: both halves are checked before the write is done, and
-/// the write is done before the read.
+/// the write is done before the read. What is read goes to `out`.
 template <register_bank Bank>
 [[nodiscard]] constexpr errc access_registers(register_access const& asked, Bank& bank,
                                               byte_writer& out) noexcept
 {
+    bool const reads = asked.read_count > 0;
+    bool const writes = not asked.values.empty();
     errc wrong = errc::none;
-    if (asked.read_count > 0) {
+    if (reads) {
         wrong = bank.check_read(asked.read_start, asked.read_count);
     }
-    if (wrong == errc::none and not asked.values.empty()) {
+    if (wrong == errc::none and writes) {
         wrong = bank.check_write(asked.write_start, asked.values);
     }
-    if (wrong == errc::none and not asked.values.empty()) {
+    if (wrong == errc::none and writes) {
         wrong = bank.write(asked.write_start, asked.values);
     }
-    if (wrong == errc::none and asked.read_count > 0) {
-        out.u8(2U * asked.read_count);
+    if (wrong == errc::none and reads) {
         wrong = bank.read(asked.read_start, asked.read_count, out);
-        if (wrong == errc::none and not out.ok()) {
-            wrong = errc::server_device_failure;
-        }
     }
     return wrong;
 }
 
-/// Answers a request of functions 03, 06, 16 and 23; the size of the answer, or the exception.
+/// Answers a request of functions 03, 06, 16 and 23.
 template <register_bank Bank>
-[[nodiscard]] constexpr result<std::size_t> answer_access(byte_view request_pdu, Bank& bank,
-                                                          server_profile const& profile,
-                                                          byte_span out) noexcept
+[[nodiscard]] constexpr errc answer_access(pdu_place& pdu, Bank& bank,
+                                           server_profile const& profile) noexcept
 {
     constexpr std::size_t echo_size = 5;
+    constexpr std::size_t head_size = 2;
     register_access asked;
-    if (errc const wrong = decode_access(request_pdu, profile.limits, asked); wrong != errc::none) {
+    if (errc const wrong = decode_access(pdu.view(), profile.limits, asked); wrong != errc::none) {
         return wrong;
     }
-    bool const only_writes = asked.read_count == 0;
-    // An answer in the request's own place: what it repeats is already there.
-    byte_writer writer{out};
-    writer.bytes(request_pdu.first(only_writes ? echo_size : 1));
-    errc const wrong = access_registers(asked, bank, writer);
-    if (wrong != errc::none) {
+    byte_writer out{pdu.octets.subspan(head_size)};
+    if (errc const wrong = access_registers(asked, bank, out); wrong != errc::none) {
         return wrong;
     }
-    return writer.size();
+    if (out.size() != 2U * asked.read_count) {
+        return errc::server_device_failure;
+    }
+    pdu.size = echo_size; // what a write repeats is there already
+    if (asked.read_count > 0) {
+        pdu.octets[1] = to_byte(2U * asked.read_count);
+        pdu.size = head_size + out.size();
+    }
+    return errc::none;
 }
 
 /// Answers function 43: only type 14, device identification.
-[[nodiscard]] constexpr result<std::size_t>
-answer_identification(byte_view request_pdu, server_profile const& profile, byte_span out) noexcept
+[[nodiscard]] constexpr errc answer_identification(pdu_place& pdu,
+                                                   server_profile const& profile) noexcept
 {
     if (profile.identity.empty()) {
         return errc::illegal_function;
     }
-    auto const asked = read_device_identification::decode(request_pdu);
-    if (asked) {
-        return write_identification(out, profile.identity, *asked);
+    auto const asked = read_device_identification::decode(pdu.view());
+    if (not asked) {
+        return asked.error() == errc::wrong_function ? errc::illegal_function
+                                                     : errc::illegal_data_value;
     }
-    return asked.error() == errc::wrong_function ? errc::illegal_function
-                                                 : errc::illegal_data_value;
+    return write_identification(pdu, profile.identity, *asked);
 }
 
-/// Answers any request; the size of the answer, or the exception.
+/// Answers any request; the error is the exception to answer with.
 template <register_bank Bank, typename Diagnostics>
-[[nodiscard]] constexpr result<std::size_t>
-answer_request(byte_view request_pdu, Bank& bank, server_profile const& profile, byte_span out,
-               Diagnostics& line) noexcept
+[[nodiscard]] constexpr errc answer_request(pdu_place& pdu, Bank& bank,
+                                            server_profile const& profile,
+                                            Diagnostics& line) noexcept
 {
-    auto const function = static_cast<function_code>(to_u8(request_pdu[0]));
+    auto const function = static_cast<function_code>(to_u8(pdu.octets[0]));
     if (not profile.functions.contains(function)) {
         return errc::illegal_function;
     }
     if (function == function_code::diagnostics) {
-        return line.answer(request_pdu, out);
+        return line.answer(pdu);
     }
     if (function == function_code::encapsulated_interface) {
-        return answer_identification(request_pdu, profile, out);
+        return answer_identification(pdu, profile);
     }
-    return answer_access(request_pdu, bank, profile, out);
+    return answer_access(pdu, bank, profile);
 }
 
-/// Answers a request PDU that was sent to one unit. Writes the answer, normal or exception, into `out`
-/// and returns its part written; empty, with nothing done, for a PDU without a function below 80, and
-/// where function 08 wants no answer. `out` holds at least 253 octets and may be the request's own
-/// place.
+/// Answers a request PDU that was sent to one unit, by an answer or an exception. None, with nothing
+/// done, to a PDU without a function below 80, and where function 08 wants none.
 template <register_bank Bank, typename Diagnostics>
-[[nodiscard]] constexpr byte_span respond(byte_view request_pdu, Bank& bank,
+constexpr void respond_in_place(pdu_place& pdu, Bank& bank, server_profile const& profile,
+                                Diagnostics& line) noexcept
+{
+    if (pdu.size == 0 or to_u8(pdu.octets[0]) >= exception_bit) {
+        pdu.size = 0;
+        return;
+    }
+    std::uint8_t const function = to_u8(pdu.octets[0]);
+    errc const wrong = answer_request(pdu, bank, profile, line);
+    if (wrong != errc::none) {
+        pdu.octets[0] = to_byte(function | exception_bit);
+        pdu.octets[1] =
+            static_cast<std::byte>(is_exception(wrong) ? wrong : errc::server_device_failure);
+        pdu.size = 2;
+    }
+}
+
+/// The same for a request anywhere. Writes the answer into `out`, of at least 253 octets, and returns
+/// its part written; empty as well where `out` is smaller or the PDU larger.
+template <register_bank Bank, typename Diagnostics>
+[[nodiscard]] constexpr byte_view respond(byte_view request_pdu, Bank& bank,
                                           server_profile const& profile, byte_span out,
                                           Diagnostics& line) noexcept
 {
-    if (request_pdu.empty() or out.size() < max_pdu_size) {
+    if (out.size() < max_pdu_size or request_pdu.size() > max_pdu_size) {
         return {};
     }
-    auto const function = static_cast<function_code>(to_u8(request_pdu[0]));
-    if (to_u8(function) >= exception_bit) {
-        return {};
+    for (std::size_t i = 0; i < request_pdu.size(); ++i) {
+        out[i] = request_pdu[i];
     }
-    auto const answered = answer_request(request_pdu, bank, profile, out.first(max_pdu_size), line);
-    if (answered) {
-        return out.first(*answered);
-    }
-    errc const code =
-        is_exception(answered.error()) ? answered.error() : errc::server_device_failure;
-    out[0] = to_byte(to_u8(function) | exception_bit);
-    out[1] = static_cast<std::byte>(code);
-    return out.first(2);
+    pdu_place pdu{out.template first<max_pdu_size>(), request_pdu.size()};
+    respond_in_place(pdu, bank, profile, line);
+    return pdu.view();
 }
 
 /// The same with function 08 as a loop-back.
 template <register_bank Bank>
-[[nodiscard]] constexpr byte_span respond(byte_view request_pdu, Bank& bank,
+[[nodiscard]] constexpr byte_view respond(byte_view request_pdu, Bank& bank,
                                           server_profile const& profile, byte_span out) noexcept
 {
     loop_back line;

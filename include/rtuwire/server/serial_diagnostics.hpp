@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include <rtuwire/core/bytes.hpp>
-#include <rtuwire/core/result.hpp>
+#include <rtuwire/server/pdu_place.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/pdu/diagnostics.hpp>
 
@@ -28,7 +28,7 @@ struct no_counts {
 
 /// A server without function 08.
 struct no_diagnostics : no_counts {
-    [[nodiscard]] static constexpr result<std::size_t> answer(byte_view, byte_span) noexcept
+    [[nodiscard]] static constexpr errc answer(pdu_place&) noexcept
     {
         return errc::illegal_function;
     }
@@ -36,35 +36,34 @@ struct no_diagnostics : no_counts {
 
 /// A server that counts nothing: sub-function 0.
 struct loop_back : no_counts {
-    [[nodiscard]] static constexpr result<std::size_t> answer(byte_view request_pdu,
-                                                              byte_span out) noexcept
+    [[nodiscard]] static constexpr errc answer(pdu_place& pdu) noexcept
     {
+        byte_view const request_pdu = pdu.view();
         if (request_pdu.size() >= 3 and u16_at(request_pdu, 1) != 0) {
             return errc::illegal_function;
         }
         if (not diagnostics::decode(request_pdu)) {
             return errc::illegal_data_value;
         }
-        byte_writer writer{out};
-        writer.bytes(request_pdu);
-        return writer.size();
+        return errc::none;
     }
 };
 
 /// A server that counts what it sees, each modulo 65 536, and can be told to listen only.
 class serial_diagnostics {
 public:
-    /// Answers function 08; size 0 is no answer. Exceptions: 01 for a reserved sub-function, 03 for
+    /// Answers function 08, or not. Exceptions: 01 for a reserved sub-function, 03 for
     /// data that it does not allow.
-    [[nodiscard]] constexpr result<std::size_t> answer(byte_view request_pdu,
-                                                       byte_span out) noexcept
+    [[nodiscard]] constexpr errc answer(pdu_place& pdu) noexcept
     {
+        byte_view const request_pdu = pdu.view();
         auto const asked = diagnostics::decode(request_pdu);
         if (is_listen_only_) {
             if (asked and asked->what == subfunction::restart_communications and is_legal(*asked)) {
                 *this = {};
             }
-            return 0;
+            pdu.size = 0;
+            return errc::none;
         }
         if (request_pdu.size() >= 3 and not is_known(u16_at(request_pdu, 1))) {
             return errc::illegal_function;
@@ -72,15 +71,13 @@ public:
         if (not asked or not is_legal(*asked)) {
             return errc::illegal_data_value;
         }
-        byte_writer writer{out};
-        writer.bytes(request_pdu);
         if (std::uint16_t const* const count = count_of(asked->what); count != nullptr) {
             constexpr std::size_t data_at = 3;
-            byte_writer value{out.subspan(data_at)};
-            value.u16(*count);
+            put_u16(pdu.octets.data() + data_at, *count);
         }
         act(asked->what);
-        return is_listen_only_ ? 0 : writer.size();
+        pdu.size = is_listen_only_ ? 0 : pdu.size;
+        return errc::none;
     }
 
     /// A frame with a good CRC passed, whoever it was for.

@@ -103,25 +103,27 @@ public:
             return;
         }
         diagnostics_.note_request();
-        byte_span const place = framer_.storage().subspan(1);
-        byte_view const asked = byte_view{place}.first(asked_size_);
+        pdu_place pdu{framer_.storage().subspan(1).first<max_pdu_size>(), asked_size_};
         bool const is_broadcast = to_u8(framer_.storage()[0]) == 0;
-        bool const is_meant = not is_broadcast or may_be_broadcast(asked);
-        bool const is_deaf = diagnostics_.is_listen_only() and
-                             (is_broadcast or not is_pdu_of(asked, function_code::diagnostics));
-        byte_view answer{};
+        bool const is_meant = not is_broadcast or may_be_broadcast(pdu.view());
+        bool const is_deaf =
+            diagnostics_.is_listen_only() and
+            (is_broadcast or not is_pdu_of(pdu.view(), function_code::diagnostics));
         if (is_meant and not is_deaf) {
-            answer = respond(asked, bank, *profile_, place, diagnostics_);
-        } else if (not is_deaf) {
+            respond_in_place(pdu, bank, *profile_, diagnostics_);
+            count(pdu.view());
+        } else {
+            pdu.size = 0;
+        }
+        if (not is_meant and not is_deaf) {
             diagnostics_.note_exception(errc::illegal_function);
         }
-        count(answer);
-        if (is_broadcast or answer.empty()) {
+        if (is_broadcast or pdu.size == 0) {
             diagnostics_.note_silence();
             phase_ = phase::listening;
             return;
         }
-        answer_size_ = static_cast<std::uint16_t>(seal(framer_.storage(), answer.size()).size());
+        answer_size_ = static_cast<std::uint16_t>(seal(framer_.storage(), pdu.size).size());
         phase_ = phase::answering;
         too_late_ = now + answer_limit;
         advance(now);

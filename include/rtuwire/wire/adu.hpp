@@ -5,6 +5,7 @@
 // a value, and takes a received frame apart after its size and CRC have been checked.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -127,8 +128,22 @@ template <typename To, pdu P>
     return frame;
 }
 
-/// Takes a received frame apart. Errors: `frame_too_short`, `frame_too_long`, `crc_mismatch`.
-[[nodiscard]] constexpr result<adu> decode_adu(byte_view frame) noexcept
+/// A frame that is known when compiling, as an array of exactly its size. `Make` is a lambda that
+/// encodes it: `constant_frame([] { return encode(one, write_multiple_registers{8501, words}); })`. One
+/// that cannot be encoded does not compile.
+template <typename Make> [[nodiscard]] consteval auto constant_frame(Make) noexcept
+{
+    constexpr auto made = Make{}();
+    static_assert(made.has_value(), "this frame cannot be encoded");
+    std::array<std::byte, made->size()> frame{};
+    for (std::size_t i = 0; i < frame.size(); ++i) {
+        frame[i] = made->view()[i];
+    }
+    return frame;
+}
+
+/// Whether a received frame is whole: `frame_too_short`, `frame_too_long`, `crc_mismatch` or none.
+[[nodiscard]] constexpr errc check_frame(byte_view frame) noexcept
 {
     if (frame.size() < min_adu_size) {
         return errc::frame_too_short;
@@ -136,8 +151,14 @@ template <typename To, pdu P>
     if (frame.size() > max_adu_size) {
         return errc::frame_too_long;
     }
-    if (crc16(frame) != 0) {
-        return errc::crc_mismatch;
+    return crc16(frame) == 0 ? errc::none : errc::crc_mismatch;
+}
+
+/// Takes a received frame apart. Errors: those of `check_frame`.
+[[nodiscard]] constexpr result<adu> decode_adu(byte_view frame) noexcept
+{
+    if (errc const wrong = check_frame(frame); wrong != errc::none) {
+        return wrong;
     }
     return adu{to_u8(frame[0]), frame.subspan(1, frame.size() - adu_overhead)};
 }

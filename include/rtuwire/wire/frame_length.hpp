@@ -39,7 +39,7 @@ struct length_so_far {
 /// Rules with their sizes, CRC included, for function codes up to 24: one octet each.
 namespace length_rules {
 
-[[nodiscard]] constexpr std::uint8_t rule(length_rule counts, unsigned size) noexcept
+[[nodiscard]] constexpr std::uint8_t rule(length_rule counts, unsigned size = 0) noexcept
 {
     return static_cast<std::uint8_t>(static_cast<unsigned>(counts) | size);
 }
@@ -47,20 +47,20 @@ namespace length_rules {
 using enum length_rule;
 
 inline constexpr std::uint8_t requests[] = {
-    rule(none, 0),        rule(fixed, 8),      rule(fixed, 8),  rule(fixed, 8),       // 0..3
+    rule(none),           rule(fixed, 8),      rule(fixed, 8),  rule(fixed, 8),       // 0..3
     rule(fixed, 8),       rule(fixed, 8),      rule(fixed, 8),  rule(fixed, 4),       // 4..7
-    rule(subfunction, 8), rule(none, 0),       rule(none, 0),   rule(fixed, 4),       // 8..11
-    rule(fixed, 4),       rule(none, 0),       rule(none, 0),   rule(byte_count, 9),  // 12..15
-    rule(byte_count, 9),  rule(fixed, 4),      rule(none, 0),   rule(none, 0),        // 16..19
+    rule(subfunction, 8), rule(none),          rule(none),      rule(fixed, 4),       // 8..11
+    rule(fixed, 4),       rule(none),          rule(none),      rule(byte_count, 9),  // 12..15
+    rule(byte_count, 9),  rule(fixed, 4),      rule(none),      rule(none),           // 16..19
     rule(byte_count, 5),  rule(byte_count, 5), rule(fixed, 10), rule(byte_count, 13), // 20..23
     rule(fixed, 6),
 };
 inline constexpr std::uint8_t responses[] = {
-    rule(none, 0),        rule(byte_count, 5), rule(byte_count, 5), rule(byte_count, 5), // 0..3
+    rule(none),           rule(byte_count, 5), rule(byte_count, 5), rule(byte_count, 5), // 0..3
     rule(byte_count, 5),  rule(fixed, 8),      rule(fixed, 8),      rule(fixed, 5),      // 4..7
-    rule(subfunction, 8), rule(none, 0),       rule(none, 0),       rule(fixed, 8),      // 8..11
-    rule(byte_count, 5),  rule(none, 0),       rule(none, 0),       rule(fixed, 8),      // 12..15
-    rule(fixed, 8),       rule(byte_count, 5), rule(none, 0),       rule(none, 0),       // 16..19
+    rule(subfunction, 8), rule(none),          rule(none),          rule(fixed, 8),      // 8..11
+    rule(byte_count, 5),  rule(none),          rule(none),          rule(fixed, 8),      // 12..15
+    rule(fixed, 8),       rule(byte_count, 5), rule(none),          rule(none),          // 16..19
     rule(byte_count, 5),  rule(byte_count, 5), rule(fixed, 10),     rule(byte_count, 5), // 20..23
     rule(word_count, 6),
 };
@@ -69,12 +69,12 @@ inline constexpr std::uint8_t responses[] = {
 [[nodiscard]] constexpr std::uint8_t of(direction way, std::uint8_t wire_code) noexcept
 {
     if (wire_code == to_u8(function_code::encapsulated_interface)) {
-        return rule(mei, 0);
+        return rule(mei);
     }
     bool const asks = way == direction::request;
     if (wire_code >= sizeof(requests)) {
         bool const is_exception = (wire_code & exception_bit) != 0;
-        return is_exception and not asks ? rule(fixed, exception_adu_size) : rule(none, 0);
+        return is_exception and not asks ? rule(fixed, exception_adu_size) : rule(none);
     }
     return asks ? requests[wire_code] : responses[wire_code];
 }
