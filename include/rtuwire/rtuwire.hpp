@@ -62,6 +62,7 @@
 #include <rtuwire/server/bank.hpp>
 #include <rtuwire/server/blocking.hpp>
 #include <rtuwire/server/identification.hpp>
+#include <rtuwire/server/pdu_place.hpp>
 #include <rtuwire/server/request.hpp>
 #include <rtuwire/server/respond.hpp>
 #include <rtuwire/server/serial_diagnostics.hpp>

@@ -57,6 +57,15 @@ constexpr bool not_for_stale_words()
 }
 PROOF("words that may be out of date are not said again", not_for_stale_words)
 
+constexpr bool asks_once()
+{
+    far_end unit{{.response_timeout = milliseconds(50), .retries = 2}};
+    static_cast<void>(unit.link.start(request{read_eta, repetition::never}, unit.now));
+    unit.run(milliseconds(500));
+    return unit.transmissions == 1 and unit.fault() == errc::timed_out;
+}
+PROOF("a question that may not be repeated is not, after silence either", asks_once)
+
 constexpr bool pauses_are_bounded()
 {
     far_end unit;

@@ -21,6 +21,9 @@ namespace {
 
 constexpr client_options once{.response_timeout = milliseconds(50), .retries = 0};
 constexpr auto refusal = "01 83 02 C0 F1"_hex;
+constexpr auto damaged_of_1 = "01 03 02 12 34 B5 32"_hex;
+constexpr auto damaged_of_2 = "02 03 02 12 34 F1 32"_hex;
+constexpr auto too_long_of_1 = "01 03 04 12 34 56 78 81 07"_hex;
 constexpr unit_id one{1};
 constexpr station<atv28::device> drive{unit_id{1}};
 
@@ -65,7 +68,43 @@ struct endless {
     static constexpr bool settled() { return false; }
 };
 
+/// The same with a question that is made when it can leave.
+struct prompt : endless {
+    static constexpr unit_id unit() { return one; }
+};
+
+/// Whether a question of this conversation was taken.
+template <typename Talk> bool is_taken(test::far_end& unit, Talk& talk)
+{
+    unit.link.converse(talk, unit.now);
+    return unit.link.is_busy();
+}
+
 } // namespace
+
+TEST_CASE("a prompt question is made when the line is silent and its unit owes no answer")
+{
+    test::far_end unit{once};
+    prompt talk;
+    unit.link.receive("00"_hex, unit.now);
+    CHECK_FALSE(is_taken(unit, talk));
+    unit.pass(test::line.t3_5());
+    REQUIRE(is_taken(unit, talk));
+    REQUIRE(unit.transmit());
+    unit.pass(milliseconds(100)); // no answer: a late one is waited for
+    REQUIRE(unit.fault() == errc::timed_out);
+    CHECK_FALSE(is_taken(unit, talk));
+    unit.pass(milliseconds(250));
+    CHECK(is_taken(unit, talk));
+}
+
+TEST_CASE("any other question is taken at once, and waits itself")
+{
+    test::far_end unit{once};
+    endless talk;
+    unit.link.receive("00"_hex, unit.now);
+    CHECK(is_taken(unit, talk));
+}
 
 TEST_CASE("a question that is given up between two attempts leaves its unit in quarantine")
 {
@@ -90,6 +129,50 @@ TEST_CASE("a question that nobody sends stalls, after the time that it and an an
     CHECK(unit.fault() == errc::busy);
     unit.pass(microseconds(1));
     CHECK(unit.fault() == errc::transmit_stalled);
+}
+
+TEST_CASE("a question has 4 to 256 octets")
+{
+    test::far_end unit;
+    std::array<std::byte, 257> const octets{};
+    byte_view const all = octets;
+    CHECK(unit.link.start(request{all.first(3)}, unit.now) == errc::frame_too_short);
+    CHECK(unit.link.start(request{all}, unit.now) == errc::frame_too_long);
+    CHECK_FALSE(unit.link.is_busy());
+    CHECK(unit.link.start(request{all.first(256)}, unit.now));
+    unit.link.cancel(unit.now);
+    CHECK(unit.fault() == errc::cancelled);
+    CHECK(unit.link.start(request{all.first(4)}, unit.now));
+}
+
+TEST_CASE("a transmission that stalled may still be answered late")
+{
+    test::far_end unit{{.response_timeout = milliseconds(50)}};
+    REQUIRE(unit.link.start(request{test::read_eta}, unit.now));
+    REQUIRE_FALSE(unit.link.poll_transmit().empty());
+    unit.pass(milliseconds(100));
+    REQUIRE(unit.fault() == errc::transmit_stalled);
+    REQUIRE(unit.link.start(request{test::read_eta}, unit.now));
+    unit.pass(milliseconds(150));
+    CHECK(unit.link.poll_transmit().empty());
+    unit.pass(milliseconds(60));
+    CHECK_FALSE(unit.link.poll_transmit().empty());
+}
+
+TEST_CASE("only a damaged answer of the unit itself is worth an early repetition")
+{
+    for (byte_view const heard : {byte_view{damaged_of_2}, byte_view{too_long_of_1}}) {
+        test::far_end unit{{.response_timeout = milliseconds(500), .retries = 1}};
+        REQUIRE(unit.ask(test::read_eta));
+        unit.say(heard);
+        unit.run(milliseconds(100));
+        CHECK(unit.transmissions == 1);
+    }
+    test::far_end unit{{.response_timeout = milliseconds(500), .retries = 1}};
+    REQUIRE(unit.ask(test::read_eta));
+    unit.say(damaged_of_1);
+    unit.run(milliseconds(100));
+    CHECK(unit.transmissions == 2);
 }
 
 TEST_CASE("noise is skipped before an answer, and not within it")

@@ -44,6 +44,19 @@ constexpr bool in_any_chunks()
 }
 PROOF("it may come in parts, and before the transmission is reported to be over", in_any_chunks)
 
+constexpr bool one_wrong_octet()
+{
+    far_end unit{echoing};
+    unit.ask(read_eta);
+    for (std::size_t i = 0; i < read_eta.size(); ++i) {
+        std::byte const octet = i == 3 ? ~read_eta[i] : read_eta[i];
+        unit.say({&octet, 1});
+    }
+    unit.run(milliseconds(200));
+    return unit.fault() == errc::collision;
+}
+PROOF("one wrong octet is a collision, also where octets come one by one", one_wrong_octet)
+
 constexpr bool no_success_by_echo()
 {
     far_end unit{echoing};

@@ -61,6 +61,16 @@ constexpr bool counts_good_and_bad()
 }
 PROOF("good, bad, late and missing answers are counted, each as what it was", counts_good_and_bad)
 
+constexpr bool counts_noise_of_no_unit()
+{
+    counting_end unit{impatient};
+    unit.say("01"_hex); // the line is not silent from here on
+    unit.say("01 01"_hex);
+    auto const& line = unit.link.statistics().line();
+    return line[line_event::noise] == 3 and line[line_event::late] == 0;
+}
+PROOF("what looks like a unit's and is owed by none is noise", counts_noise_of_no_unit)
+
 constexpr bool has_room_for_two()
 {
     unit_statistics<2> counts;

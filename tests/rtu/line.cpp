@@ -30,6 +30,13 @@ STATIC_CHECK(lasts(9'600, n1, 1'042, 1'563, 3'646));
 STATIC_CHECK(lasts(19'200, n1, 521, 782, 1'823));
 STATIC_CHECK(lasts(38'400, n1, 261, 750, 1'750));
 
+// The silences are fixed above 19 200 bit/s, not only from the next usual rate on.
+STATIC_CHECK(line_timing{19'201, e}.t3_5() == microseconds(1'750));
+STATIC_CHECK(line_timing{20'000, e}.t3_5() == microseconds(1'750));
+// Rounded up by what is needed: nothing, or for the least remainder one.
+STATIC_CHECK(line_timing{10'000, n1}.characters(1) == microseconds(1'000));
+STATIC_CHECK(line_timing{41'841, n1}.characters(1) == microseconds(240));
+
 STATIC_CHECK(bits_per_character(character_format::odd_8_1) == 11);
 STATIC_CHECK(bits_per_character(character_format::none_8_2) == 11);
 STATIC_CHECK(bits_per_character(n1) == 10);

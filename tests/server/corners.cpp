@@ -17,6 +17,7 @@ constexpr auto noise = "00"_hex;
 constexpr auto loop = "08 00 00 A5 37"_hex;
 constexpr auto short_one = "08 00"_hex;
 constexpr auto basic_from_80 = "2B 0E 01 80"_hex;
+constexpr auto reserved_5 = "08 00 05"_hex;
 constexpr auto listen_only = "08 00 04 00 00"_hex;
 constexpr auto odd_restart = "08 00 01 12 34"_hex;
 constexpr auto restart = "08 00 01 00 00"_hex;
@@ -145,6 +146,8 @@ TEST_CASE("a counting server loops back too")
     REQUIRE(counts.answer(looped.pdu) == errc::none);
     CHECK(same_bytes(looped.pdu.view(), loop));
     CHECK(counts.answer(short_loop.pdu) == errc::illegal_data_value);
+    in_place reserved{reserved_5};
+    CHECK(counts.answer(reserved.pdu) == errc::illegal_function);
 }
 
 TEST_CASE("a unit that is told to be silent hears no restart that is not one")
@@ -169,12 +172,31 @@ TEST_CASE("an answer in this unit's name, or to nobody's question, is not obeyed
     for (auto const& foreign : {refusal_of_1, refusal_of_2}) {
         unit_1 unit;
         unit.node.receive(foreign, unit.now);
-        unit.pass(line.t3_5());
+        unit.now = unit.now + line.t3_5();
+        unit.node.advance(unit.now);
         CHECK_FALSE(unit.node.is_asked());
         unit.pass(line.t3_5());
         unit.node.receive(read_1, unit.now);
         CHECK(unit.node.is_asked());
     }
+}
+
+TEST_CASE("an answer that does not get onto the line within 100 ms is dropped")
+{
+    unit_1 unit;
+    unit.node.receive(read_1, unit.now);
+    unit.node.serve(unit.bank, unit.now);
+    instant const asked = unit.now;
+    for (unsigned i = 0; i < 99; ++i) { // a line that never falls silent
+        unit.now = unit.now + milliseconds(1);
+        unit.node.receive(noise, unit.now);
+        unit.node.advance(unit.now);
+    }
+    CHECK(unit.node.poll_deadline() == deadline{asked + milliseconds(100)});
+    unit.now = asked + milliseconds(100);
+    unit.node.advance(unit.now);
+    unit.pass(milliseconds(5));
+    CHECK(unit.node.poll_transmit().empty());
 }
 
 TEST_CASE("a profile that names a function nobody answers gets it refused, and no other obeyed")

@@ -84,6 +84,28 @@ STATIC_CHECK(answers(drive, "17 00 69 00 01 00 69 00 05 0A 00 01 00 02 00 03 00 
                      "97 03"_hex));
 STATIC_CHECK(answers(drive, "17 00 69 00 01 00 69 00 01 02"_hex, "97 03"_hex));
 
+/// Whether every beginning of a request is refused with exception 03, and writes nothing.
+template <std::size_t Size>
+constexpr bool is_refused_when_cut(std::array<std::byte, Size> const& request)
+{
+    for (std::size_t size = 1; size < Size; ++size) {
+        auto bank = fresh();
+        std::array<std::byte, max_pdu_size> place{};
+        byte_view const answer = respond(byte_view{request}.first(size), bank, drive, place);
+        bool const is_refusal = answer.size() == 2 and
+                                answer[0] == (request[0] | std::byte{0x80}) and
+                                answer[1] == std::byte{3};
+        if (not is_refusal or bank.get(105) != 0x5555) {
+            return false;
+        }
+    }
+    return true;
+}
+STATIC_CHECK(is_refused_when_cut("03 00 69 00 01"_hex));
+STATIC_CHECK(is_refused_when_cut("06 00 69 12 34"_hex));
+STATIC_CHECK(is_refused_when_cut("10 00 69 00 01 02 12 34"_hex));
+STATIC_CHECK(is_refused_when_cut("17 00 69 00 01 00 69 00 01 02 12 34"_hex));
+
 // A device with fewer functions and limits.
 STATIC_CHECK(answers(atv28_like, "03 00 64 00 07"_hex,
                      "03 0E 00 00 00 00 00 00 00 00 00 00 55 55 00 00"_hex));
@@ -94,14 +116,27 @@ STATIC_CHECK(answers(server_profile{}, "2B 0E 01 00"_hex, "AB 01"_hex));
 
 // Diagnostics: only the loop-back.
 STATIC_CHECK(answers(drive, "08 00 01 00 00"_hex, "88 01"_hex));
+STATIC_CHECK(answers(drive, "08 00 01"_hex, "88 01"_hex));
 STATIC_CHECK(answers(drive, "08 00 00 A5"_hex, "88 03"_hex));
 STATIC_CHECK(answers(drive, "08"_hex, "88 03"_hex));
+
+constexpr bool answers_up_to_253_octets()
+{
+    auto bank = fresh();
+    std::array<std::byte, max_pdu_size + 1> request{std::byte{8}};
+    std::array<std::byte, max_pdu_size> place{};
+    byte_view const largest = byte_view{request}.first(max_pdu_size);
+    return same_bytes(respond(largest, bank, drive, place), largest) and
+           respond(request, bank, drive, place).empty();
+}
+PROOF("the largest PDU is answered, a larger one is none", answers_up_to_253_octets)
 
 constexpr bool never_answers()
 {
     auto bank = fresh();
     std::array<std::byte, max_pdu_size> place{};
     return respond("83 02"_hex, bank, drive, place).empty() and
+           respond("80"_hex, bank, drive, place).empty() and
            respond(byte_view{}, bank, drive, place).empty() and
            respond("03 00 69 00 02"_hex, bank, drive, byte_span{place}.first(8)).empty();
 }
