@@ -50,4 +50,13 @@ STATIC_CHECK(flags<lamp>{0x8000}.has(lamp::green) and not flags<lamp>{0x8000}.ha
 STATIC_CHECK(flags<lamp>{}.with(lamp::green).bits == 0x8000);
 STATIC_CHECK(flags<lamp>{0x8001}.without(lamp::green).bits == 1);
 
+constexpr bool tells_its_share(std::uint16_t numerator)
+{
+    bound const part = share_of("INV", numerator, 4);
+    return part.code() == text{"INV"} and part.numerator() == numerator and
+           part.denominator() == 4 and part.with(10) == 10 * numerator / 4;
+}
+constexpr bool tells_shares() { return tells_its_share(2) and tells_its_share(3); }
+PROOF("a limit that is a share of another register says which", tells_shares)
+
 } // namespace

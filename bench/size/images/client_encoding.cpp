@@ -1,41 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Functions 03, 06, 16, 23 and 43/14, encoded when they are asked, by firmware that cuts the answers by silence.
-#include "questions.hpp"
-
-using namespace rtuwire;
-
-namespace {
-
-/// Octets until the line is silent, or the answer is late.
-[[gnu::noinline]] byte_view listen(byte_span place)
-{
-    std::size_t size = 0;
-    instant end = board::now() + milliseconds(1'000);
-    while (not reached(board::now(), end)) {
-        if (board::has_octet()) {
-            std::byte const octet = board::octet();
-            end = board::now() + microseconds(2'000);
-            if (size < place.size()) {
-                place[size++] = octet;
-            }
-        }
-    }
-    return place.first(size);
-}
-
-} // namespace
+// The same, encoded when they are asked.
+#include "client_frames.hpp"
 
 int main()
 {
     std::array<std::byte, 32> asked;
-    std::array<std::byte, max_adu_size> heard;
-    for (unsigned number = 0;; number = next(number)) {
-        byte_view const frame = question(asked, number);
-        board::put(frame);
-        auto const answer = decode_adu(listen(heard));
-        if (answer and check_answer(frame, *answer) == errc::none) {
-            board::put(static_cast<std::byte>(value_in(answer->pdu, number)));
-        }
-    }
+    ask_on([&asked](unsigned number) { return question(asked, number); });
 }

@@ -94,7 +94,7 @@ public:
             take_frame(now);
         }
         get_ready(now);
-        if (has_deadline() and reached(now, deadline_)) {
+        if (reached(now, deadline_)) {
             time_is_over(now);
             get_ready(now);
         }

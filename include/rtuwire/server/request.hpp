@@ -91,9 +91,9 @@ struct register_access {
         is_legal = has_fields and access.take_read(fields, limits.exchange_read) and
                    access.take_written(fields.subspan(4), limits.exchange_write);
         break;
+    default:
     case function_code::diagnostics:
-    case function_code::encapsulated_interface:
-    default: return errc::illegal_function;
+    case function_code::encapsulated_interface: return errc::illegal_function;
     }
     return is_legal ? errc::none : errc::illegal_data_value;
 }

@@ -114,9 +114,9 @@ public:
             count(pdu.view());
         } else {
             pdu.size = 0;
-        }
-        if (not is_meant and not is_deaf) {
-            diagnostics_.note_exception(errc::illegal_function);
+            if (not is_deaf) {
+                diagnostics_.note_exception(errc::illegal_function);
+            }
         }
         if (is_broadcast or pdu.size == 0) {
             diagnostics_.note_silence();
