@@ -41,6 +41,13 @@ constexpr bool agree_up_to(std::size_t most)
 constexpr bool agree_on_short_frames() { return agree_up_to(72); }
 PROOF("the forms agree on frames of every length up to 72", agree_on_short_frames)
 
+#ifndef RTUWIRE_CRC_FORM
+// Where nobody chooses: carry-less multiplication if there is any, then by the size of a pointer.
+STATIC_CHECK(default_crc_form == (crc16_carryless::is_available ? crc_form::carryless
+                                  : sizeof(void*) == 8          ? crc_form::host
+                                                                : crc_form::octet_algebra));
+#endif
+
 /// How often the next octet leads a growing CRC elsewhere than the bits do.
 template <crc_form Form>
 std::uint32_t differences(running_crc16<crc_form::bitwise> const& bits,

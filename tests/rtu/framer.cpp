@@ -211,7 +211,7 @@ PROOF("a lump starts a new frame when its own time and t3.5 have passed", the_ed
 constexpr bool claims()
 {
     listener ear{direction::response};
-    bool const nobody = not ear.receiver.claimed_unit();
+    bool const nobody = not ear.receiver.claimed_unit() and not ear.receiver.is_overheard();
     ear.hear("02 03 00"_hex);
     ear.pause(milliseconds(10));
     bool const too_short = ear.fault() == errc::frame_too_short and not ear.receiver.claimed_unit();
