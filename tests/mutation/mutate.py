@@ -124,9 +124,10 @@ def survives(change, common, order):
         lines[number] = line
         place.write_text("\n".join(lines) + "\n", encoding="utf-8")
         flags = [*common, f"-I{copy}"]
-        for path in list(order[header]):
+        for path in order[header]:
             if not passes(path, flags, folder):
-                order[header].sort(key=lambda each: each != path)
+                # A new list: another thread may be going through the old one.
+                order[header] = sorted(order[header], key=lambda each: each != path)
                 return False
     return True
 

@@ -94,6 +94,14 @@ STATIC_CHECK(refusal(raw_pdu{static_cast<function_code>(0x80), {}}) == errc::inv
 STATIC_CHECK(encode(destination{broadcast}, write_single_register{8501, 0}) ==
              "00 06 21 35 00 00 92 29"_hex);
 
+// A constant frame is as large as it has octets, not as the largest of its function.
+constexpr register_block<2> ramps{20, 30};
+constexpr auto write_ramps = constant_frame([] {
+    return encode(unit_id{2}, write_multiple_registers{9001, ramps});
+});
+static_assert(write_ramps.size() == 13);
+STATIC_CHECK(write_ramps == "02 10 23 29 00 02 04 00 14 00 1E 73 A4"_hex);
+
 constexpr bool refuses_every_wrong_octet()
 {
     constexpr auto frame = "02 83 02 30 F1"_hex;

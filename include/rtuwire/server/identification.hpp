@@ -55,7 +55,7 @@ using device_objects = std::span<device_object const>;
     return index;
 }
 
-/// Answers the request `asked` with as many objects as fit. Errors, as exceptions:
+/// Answers the request `asked`, which lies in `pdu`, with as many objects as fit. Errors, as exceptions:
 /// `illegal_data_address` for a single object that does not exist; a stream that asks for an unknown
 /// object starts at the first. `server_device_failure` when an object fits no page.
 [[nodiscard]] constexpr errc write_identification(pdu_place& pdu, device_objects objects,
