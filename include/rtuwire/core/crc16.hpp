@@ -25,8 +25,8 @@ enum class crc_form : std::uint8_t {
     slicing_by_16, ///< 8 KiB
     octet_algebra, ///< nothing; an octet at a time, for processors without a cache
     word_algebra,  ///< nothing; 64 octets at a time, for 64-bit processors
-    host, ///< 4 KiB for up to 8 octets and for the last word of more, which `word_algebra` folds
-    carryless, ///< the same and 8 KiB, and carry-less multiplication where the processor has it
+    host,          ///< 4 KiB for up to 8 octets, and for the last word that `word_algebra` leaves
+    carryless,     ///< the same and 8 KiB, and carry-less multiplication where the processor has it
 };
 
 /// What is used where nobody chooses. `-DRTUWIRE_CRC_FORM=byte_table` chooses, in all of a program.
