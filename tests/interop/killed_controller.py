@@ -14,7 +14,7 @@ import time
 
 from pymodbus.client import ModbusSerialClient
 
-from simulator import Checks, Registers, Simulator
+from simulator import Checks, Registers, Simulator, asked
 
 UNIT = 3
 TTO = 10  # in 0.1 s
@@ -30,7 +30,8 @@ def open_line(device):
 
 def words_of(device, *addresses):
     line = open_line(device)
-    words = [line.read_holding_registers(each, 1, slave=UNIT).registers[0] for each in addresses]
+    words = [asked(lambda each=each: line.read_holding_registers(each, 1, slave=UNIT)).registers[0]
+             for each in addresses]
     line.close()
     return words
 
@@ -62,7 +63,7 @@ def main(simulate, program, drive, *moments):
         with Simulator(simulate, f"{drive}:{UNIT}") as device:
             line = open_line(device)
             if at.tto:
-                line.write_register(at.tto, TTO, slave=UNIT)
+                asked(lambda: line.write_register(at.tto, TTO, slave=UNIT))
             line.close()
             controller = demo(program, device, drive, "--allow-run")
             check(kill_at(controller, moment), f"killed at {moment}")

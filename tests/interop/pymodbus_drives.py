@@ -8,7 +8,7 @@ import sys
 
 from pymodbus.client import ModbusSerialClient
 
-from simulator import Checks, Registers, Simulator
+from simulator import Checks, Registers, Simulator, asked
 
 UNIT = 7
 SHUTDOWN, SWITCH_ON, ENABLE, DISABLE_VOLTAGE, RESET = 0x0006, 0x0007, 0x000F, 0x0000, 0x0080
@@ -21,13 +21,13 @@ class Drive:
         self.line, self.at = line, registers
 
     def read(self, address, count=1):
-        answer = self.line.read_holding_registers(address, count, slave=UNIT)
+        answer = asked(lambda: self.line.read_holding_registers(address, count, slave=UNIT))
         if answer.isError():
             raise RuntimeError(f"no word at {address}: {answer}")
         return answer.registers if count > 1 else answer.registers[0]
 
     def write(self, address, word):
-        return not self.line.write_register(address, word, slave=UNIT).isError()
+        return not asked(lambda: self.line.write_register(address, word, slave=UNIT)).isError()
 
     def state(self):
         word = self.read(self.at.eta)

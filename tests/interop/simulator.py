@@ -49,6 +49,22 @@ class Simulator:
         self.process.stdin.flush()
 
 
+def asked(question, times=3):
+    """What a unit answers to a question of pymodbus. On a machine that is busy an octet may be late
+    enough to end a frame, so what got no answer is asked again, as any master would; what a unit
+    refuses is not."""
+    from pymodbus.exceptions import ModbusIOException
+    for _ in range(times):
+        try:
+            answer = question()
+        except ModbusIOException as error:
+            answer = error
+        if not isinstance(answer, ModbusIOException):
+            return answer
+        print("     asked again:", answer)
+    raise RuntimeError(f"no answer: {answer}")
+
+
 class Checks:
     """Prints each check, and remembers the failures."""
 
