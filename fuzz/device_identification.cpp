@@ -28,17 +28,26 @@ constexpr text texts[] = {"", "A", "Schneider Electric",
                           "dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd"
                           "ddddd"};
 
-/// Up to four objects, their numbers rising.
+/// Up to four objects, their numbers rising from the vendor's name on.
 void pages_are_whole(fuzz::input in)
 {
-    std::array<device_object, 4> objects{};
+    std::array<std::byte, 1024> octets{};
+    byte_writer out{octets};
     std::size_t count = 0;
-    unsigned id = in.u8() % 3U;
-    for (; count < objects.size() and not in.is_empty() and id < 256; ++count) {
-        objects[count] = {static_cast<std::uint8_t>(id), texts[in.u8() % std::size(texts)]};
+    for (unsigned id = 0; count < 4 and not in.is_empty() and id < 256; ++count) {
+        text const value = texts[in.u8() % std::size(texts)];
+        out.u8(id);
+        out.u8(static_cast<std::uint32_t>(value.size()));
+        for (char const letter : value) {
+            out.u8(static_cast<std::uint8_t>(letter));
+        }
         id += 1U + in.u8() % 90U;
     }
-    device_objects const all{objects.data(), count};
+    auto const made = device_objects::from(out.written());
+    if (not made) {
+        return;
+    }
+    device_objects const all = *made;
     std::uint8_t next = 0;
     std::size_t seen = 0;
     for (unsigned page = 0; count > 0 and page < 8; ++page) {
@@ -47,9 +56,7 @@ void pages_are_whole(fuzz::input in)
         byte_writer request{place};
         asked.write(request);
         pdu_place pdu{place, request.size()};
-        if (write_identification(pdu, all, asked) != errc::none) {
-            return;
-        }
+        require(write_identification(pdu, all) == errc::none);
         auto const read = device_identification::decode(pdu.view());
         require(read.has_value());
         for (auto at = read->first(); at; at = read->after(*at)) {
@@ -62,6 +69,21 @@ void pages_are_whole(fuzz::input in)
         next = read->next_object;
     }
     require(seen <= 2 * count);
+}
+
+/// Octets that pass for objects are served.
+void any_octets_are_checked(fuzz::input in)
+{
+    auto const objects = device_objects::from(in.some(400));
+    if (not objects) {
+        return;
+    }
+    std::array<std::byte, max_pdu_size> place{};
+    byte_writer request{place};
+    read_device_identification{identification_access::extended, 0}.write(request);
+    pdu_place pdu{place, request.size()};
+    require(write_identification(pdu, *objects) == errc::none);
+    require(device_identification::decode(pdu.view()).has_value());
 }
 
 void any_pages_end(fuzz::input in)
@@ -84,5 +106,6 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
 {
     pages_are_whole({data, size});
     any_pages_end({data, size});
+    any_octets_are_checked({data, size});
     return 0;
 }

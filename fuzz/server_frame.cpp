@@ -11,6 +11,9 @@ using fuzz::require;
 
 namespace {
 
+constexpr device_object objects[] = {{0, "vendor"}, {1, "code"}, {2, "0100"}};
+constexpr server_profile wide{.identity = identity_of<objects>};
+
 struct shadowed_bank {
     word_bank<32> words{100};
     unsigned writes{0};
@@ -38,8 +41,6 @@ struct shadowed_bank {
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
-    static constexpr device_object objects[] = {{0, "vendor"}, {1, "code"}, {2, "0100"}};
-    static constexpr server_profile wide{.identity = objects};
     static constexpr server_profile narrow{.limits = {7, 7, 0, 0}};
     shadowed_bank bank;
     serial_diagnostics line;

@@ -10,10 +10,15 @@
 
 using namespace rtuwire;
 
+namespace {
+
+constexpr device_object objects[] = {{0, "vendor"}, {1, "code"}, {2, "0100"}};
+constexpr server_profile profile{.identity = identity_of<objects>};
+
+} // namespace
+
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
-    static constexpr device_object objects[] = {{0, "vendor"}, {1, "code"}, {2, "0100"}};
-    static constexpr server_profile profile{.identity = objects};
     server node{unit_id{1}, line_timing{19'200, character_format::even_8_1}, profile};
     word_bank<16> bank;
     instant now{0xFFFF'0000U};

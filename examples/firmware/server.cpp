@@ -17,7 +17,7 @@ constexpr reg<celsius> bearing{.code = "TMP", .address = 12, .mode = access::rea
 
 constexpr device_object objects[] = {
     {vendor_name, "rtuwire"}, {product_code, "pump"}, {major_minor_revision, "1.0"}};
-constexpr server_profile profile{.identity = objects};
+constexpr server_profile profile{.identity = identity_of<objects>};
 constexpr unit_id address{1};
 
 } // namespace

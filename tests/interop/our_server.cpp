@@ -22,7 +22,7 @@ constexpr device_object objects[] = {{vendor_name, "rtuwire"},
                                      {5, "0123456789012345678901234567890123456789"
                                          "0123456789012345678901234567890123456789"
                                          "0123456789012345678901234567890123456789"}};
-constexpr server_profile profile{.limits = {63, 61, 20, 20}, .identity = objects};
+constexpr server_profile profile{.limits = {63, 61, 20, 20}, .identity = identity_of<objects>};
 
 } // namespace
 

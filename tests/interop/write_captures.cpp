@@ -25,7 +25,7 @@ struct transaction {
 constexpr device_object objects[] = {{vendor_name, "Schneider Electric"},
                                      {product_code, "ATV310H037N4"},
                                      {major_minor_revision, "0201"}};
-constexpr server_profile profile{.identity = objects};
+constexpr server_profile profile{.identity = identity_of<objects>};
 
 template <typename Request> transaction ask(Request const& question)
 {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr line_timing line{19'200, character_format::even_8_1};
 constexpr device_object objects[] = {{vendor_name, "vendor"}, {1, "code"}, {2, "0100"}};
-constexpr server_profile profile{.identity = objects};
+constexpr server_profile profile{.identity = identity_of<objects>};
 
 /// Every address there is, and how often one was written.
 struct watched_bank {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr line_timing line{19'200, character_format::even_8_1};
 constexpr device_object objects[] = {{0, "Schneider Electric"}, {1, "ATV310H037N"}, {2, "0201"}};
-constexpr server_profile profile{.identity = objects};
+constexpr server_profile profile{.identity = identity_of<objects>};
 
 /// A client and unit 2 on one perfect line in virtual time.
 struct line_of_two {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr unit_id one{1};
 constexpr device_object objects[] = {{vendor_name, "rtuwire"}};
-constexpr server_profile profile{.identity = objects};
+constexpr server_profile profile{.identity = identity_of<objects>};
 
 /// A server of three registers, 5555 in each, and what it answered last.
 struct small {

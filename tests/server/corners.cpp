@@ -27,6 +27,9 @@ constexpr auto status_of_7 = "07"_hex;
 constexpr auto refusal_of_7 = "87 01"_hex;
 constexpr auto refusal_of_6 = "86 01"_hex;
 constexpr auto write_5 = "06 00 01 00 05"_hex;
+constexpr device_object vendor[] = {{vendor_name, "vendor"}};
+constexpr device_object vendor_and_more[] = {{vendor_name, "vendor"}, {0x80, "private"}};
+constexpr server_profile profile{.identity = identity_of<vendor>};
 constexpr auto read_1 = "01 03 00 01 00 01 D5 CA"_hex;
 
 /// Says more than it was asked for.
@@ -68,8 +71,6 @@ template <typename Bank, std::size_t Size>
 std::uint32_t exception_to(std::array<std::byte, Size> const& pdu)
 {
     Bank bank;
-    static constexpr device_object objects[] = {{vendor_name, "vendor"}};
-    static constexpr server_profile profile{.identity = objects};
     std::array<std::byte, max_pdu_size> place{};
     auto const answer = respond(pdu, bank, profile, place);
     return answer.size() == 2 and to_u8(answer[0]) >= 0x80 ? to_u8(answer[1]) : 0U;
@@ -211,9 +212,7 @@ TEST_CASE("a profile that names a function nobody answers gets it refused, and n
 
 TEST_CASE("a stream that starts at an object of another category starts anew")
 {
-    static constexpr device_object objects[] = {{vendor_name, "vendor"}, {0x80, "private"}};
     in_place heard{basic_from_80};
-    REQUIRE(write_identification(heard.pdu, objects, {identification_access::basic, 0x80}) ==
-            errc::none);
+    REQUIRE(write_identification(heard.pdu, identity_of<vendor_and_more>) == errc::none);
     CHECK(to_u8(heard.octets[7]) == vendor_name);
 }

@@ -25,21 +25,22 @@ struct answer {
     constexpr byte_view octets() const { return byte_view{place}.first(size); }
 };
 
-constexpr answer ask(device_objects objects, identification_access access, std::uint8_t object = 0)
+constexpr answer ask(device_objects const& objects, identification_access access,
+                     std::uint8_t object = 0)
 {
     answer given;
     read_device_identification const asked{access, object};
     byte_writer request{given.place};
     asked.write(request);
     pdu_place pdu{given.place, request.size()};
-    given.wrong = write_identification(pdu, objects, asked);
+    given.wrong = write_identification(pdu, objects);
     given.size = given.wrong == errc::none ? pdu.size : 0;
     return given;
 }
 
 constexpr bool manual_example()
 {
-    auto const given = ask(drive, identification_access::basic);
+    auto const given = ask(identity_of<drive>, identification_access::basic);
     constexpr auto head = "2B 0E 01 81 00 00 03 00 12 53 63 68 6E 65"_hex;
     auto const page = device_identification::decode(given.octets());
     return given.size == std::size_t{47} and same_bytes(given.octets().first(head.size()), head) and
@@ -49,8 +50,8 @@ PROOF("three objects of a drive are one page", manual_example)
 
 constexpr bool single_objects()
 {
-    auto const one = ask(drive, identification_access::single, major_minor_revision);
-    auto const none = ask(drive, identification_access::single, 7);
+    auto const one = ask(identity_of<drive>, identification_access::single, major_minor_revision);
+    auto const none = ask(identity_of<drive>, identification_access::single, 7);
     return same_bytes(one.octets(), "2B 0E 04 81 00 00 01 02 04 30 32 30 31"_hex) and
            none.wrong == errc::illegal_data_address;
 }
@@ -58,22 +59,43 @@ PROOF("a single object is given alone, an unknown one is exception 02", single_o
 
 constexpr bool unknown_start()
 {
-    auto const whole = ask(drive, identification_access::basic, 0);
-    auto const other = ask(drive, identification_access::basic, 9);
-    auto const later = ask(drive, identification_access::basic, 2);
+    auto const whole = ask(identity_of<drive>, identification_access::basic, 0);
+    auto const other = ask(identity_of<drive>, identification_access::basic, 9);
+    auto const later = ask(identity_of<drive>, identification_access::basic, 2);
     return same_bytes(whole.octets(), other.octets()) and later.size == std::size_t{13};
 }
 PROOF("a stream starts where it is asked to, or at the first object", unknown_start)
 
 constexpr device_object categories[] = {{0, "v"}, {1, "p"}, {2, "r"}, {4, "name"}, {0x80, "x"}};
-STATIC_CHECK(conformity_of({}) == 0x81);
-STATIC_CHECK(conformity_of(drive) == 0x81);
-STATIC_CHECK(conformity_of(device_objects{categories}.first(4)) == 0x82);
-STATIC_CHECK(conformity_of(categories) == 0x83);
+STATIC_CHECK(device_objects{}.conformity() == 0x81);
+STATIC_CHECK(identity_of<drive>.conformity() == 0x81);
+STATIC_CHECK(identity_of<categories>.conformity() == 0x83);
+STATIC_CHECK(conformity_of(0x03) == 0x82);
+STATIC_CHECK(conformity_of(0x7F) == 0x82);
+STATIC_CHECK(conformity_of(0x80) == 0x83);
+
+/// Objects as they leave.
+constexpr auto written = "00 02 76 65 01 00 02 01 72"_hex;
+STATIC_CHECK(device_objects::from(written).has_value());
+STATIC_CHECK(device_objects::from(byte_view{written}.first(4)).has_value());
+STATIC_CHECK(device_objects::from({}) == errc::malformed);
+STATIC_CHECK(device_objects::from(byte_view{written}.first(5)) == errc::malformed);
+STATIC_CHECK(device_objects::from(byte_view{written}.first(8)) == errc::malformed);
+STATIC_CHECK(device_objects::from(byte_view{written}.subspan(4)) == errc::malformed);
+STATIC_CHECK(device_objects::from("00 00 02 00 02 00"_hex) == errc::malformed);
+STATIC_CHECK(device_objects::from("00 00 02 00 01 00"_hex) == errc::malformed);
+
+constexpr bool known_at_run_time()
+{
+    auto const objects = device_objects::from(written);
+    auto const given = ask(*objects, identification_access::basic);
+    return same_bytes(given.octets(), "2B 0E 01 81 00 00 03 00 02 76 65 01 00 02 01 72"_hex);
+}
+PROOF("objects that are known only at run time leave as they stand", known_at_run_time)
 
 constexpr std::uint8_t count_in(identification_access access)
 {
-    auto const given = ask(categories, access);
+    auto const given = ask(identity_of<categories>, access);
     return to_u8(given.place[6]);
 }
 STATIC_CHECK(count_in(identification_access::basic) == 3);
@@ -89,7 +111,7 @@ constexpr bool pages()
     unsigned seen = 0;
     std::uint8_t next = 0;
     for (unsigned round = 0; round < 5; ++round) {
-        auto const given = ask(many, identification_access::regular, next);
+        auto const given = ask(identity_of<many>, identification_access::regular, next);
         auto const page = device_identification::decode(given.octets());
         if (not page or given.octets().size() > max_pdu_size) {
             return false;
@@ -108,20 +130,27 @@ constexpr bool pages()
 }
 PROOF("objects that do not fit follow on the next page", pages)
 
-/// The longest text of an object, and one that is longer.
-constexpr char longest[245]{'0'};
-constexpr char too_long[246]{'0'};
+/// The longest text of an object.
+constexpr char longest[device_objects::max_text_size + 1]{'0'};
 constexpr device_object largest[] = {{0, longest}, {1, "p"}};
-constexpr device_object too_large[] = {{0, too_long}};
+
+constexpr bool refuses_what_no_page_holds()
+{
+    std::array<std::byte, 300> octets{};
+    octets[1] = to_byte(device_objects::max_text_size);
+    bool const fits = device_objects::from(byte_view{octets}.first(2 + 244)).has_value();
+    octets[1] = to_byte(device_objects::max_text_size + 1);
+    return fits and device_objects::from(byte_view{octets}.first(2 + 245)) == errc::malformed;
+}
+PROOF("a text longer than a page is refused before it is served", refuses_what_no_page_holds)
 
 constexpr bool fills_a_page()
 {
-    auto const given = ask(largest, identification_access::basic);
+    auto const given = ask(identity_of<largest>, identification_access::basic);
     return given.size == max_pdu_size and to_u8(given.place[4]) == 0xFF and
            to_u8(given.place[5]) == 1 and to_u8(given.place[6]) == 1 and
            to_u8(given.place[8]) == 244;
 }
 PROOF("an object of 244 characters fills a page", fills_a_page)
-STATIC_CHECK(ask(too_large, identification_access::basic).wrong == errc::server_device_failure);
 
 } // namespace

@@ -16,7 +16,7 @@ namespace {
 constexpr device_object objects[] = {{vendor_name, "Schneider Electric"},
                                      {product_code, "ATV310H037N4"},
                                      {major_minor_revision, "0201"}};
-constexpr server_profile drive{.limits = {63, 61, 4, 4}, .identity = objects};
+constexpr server_profile drive{.limits = {63, 61, 4, 4}, .identity = identity_of<objects>};
 constexpr server_profile atv28_like{.functions =
                                         function_set{function_code::read_holding_registers,
                                                      function_code::write_single_register,

@@ -6,7 +6,7 @@
 namespace {
 
 constexpr rtuwire::device_object objects[] = {{0, "vendor"}, {1, "code"}, {2, "0100"}};
-constexpr rtuwire::server_profile profile{.identity = objects};
+constexpr rtuwire::server_profile profile{.identity = rtuwire::identity_of<objects>};
 
 template <typename Request>
 std::size_t ask(rtuwire::client& link, Request const& question, rtuwire::instant now)

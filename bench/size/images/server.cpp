@@ -10,7 +10,7 @@ using namespace rtuwire;
 namespace {
 
 constexpr device_object objects[] = {{vendor_name, "A"}, {product_code, "B"}, {2, "1"}};
-constexpr server_profile profile{.identity = objects};
+constexpr server_profile profile{.identity = identity_of<objects>};
 constexpr unit_id address{1};
 word_bank<16> bank;
 

@@ -12,10 +12,17 @@ using namespace rtuwire;
 namespace {
 
 constexpr device_object objects[] = {{vendor_name, "A"}, {product_code, "B"}, {2, "1"}};
-constexpr server_profile profile{.identity = objects};
+constexpr server_profile profile{.identity = identity_of<objects>};
 constexpr unit_id address{1};
 constexpr duration silence = microseconds(2'000);
 word_bank<16> bank;
+
+/// Writes the answer to a frame in its place.
+[[gnu::noinline]] byte_view answer(byte_span place, std::size_t size)
+{
+    no_diagnostics none;
+    return answer_frame(place, size, address, bank, profile, none);
+}
 
 } // namespace
 
@@ -24,7 +31,6 @@ int main()
     std::array<std::byte, max_adu_size> frame;
     std::size_t size = 0;
     instant last{};
-    no_diagnostics none;
     for (;;) {
         if (board::has_octet()) {
             std::byte const octet = board::octet();
@@ -34,7 +40,7 @@ int main()
             }
         }
         if (size != 0 and reached(board::now(), last + silence)) {
-            board::put(answer_frame(frame, size, address, bank, profile, none));
+            board::put(answer(frame, size));
             size = 0;
         }
     }

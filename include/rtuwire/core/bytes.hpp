@@ -108,14 +108,14 @@ public:
         }
     }
 
-    /// Appends `count` octets that the caller writes, at once; empty, and not ok, when they do not fit.
-    constexpr byte_span take(std::size_t count) noexcept
+    /// Appends `count` octets that the caller writes, at once; null, and not ok, when they do not fit.
+    [[nodiscard]] constexpr std::byte* take(std::size_t count) noexcept
     {
         if (not room_for(count)) {
-            return {};
+            return nullptr;
         }
         next_ += count;
-        return {next_ - count, count};
+        return next_ - count;
     }
 
     /// What has been written, at the start of the target.

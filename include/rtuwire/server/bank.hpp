@@ -83,10 +83,14 @@ public:
 
     constexpr errc read(std::uint16_t start, std::size_t count, byte_writer& out) noexcept
     {
-        byte_span const place = out.take(2 * count);
-        std::uint16_t const* word = &words_[offset(start)];
-        for (std::size_t at = 0; at + 1 < place.size(); at += 2) {
-            put_u16(place.data() + at, *word++);
+        std::byte* at = out.take(2 * count);
+        if (at == nullptr) {
+            return errc::server_device_failure;
+        }
+        std::uint16_t const* word = words_.data() + offset(start);
+        for (; count > 0; --count) {
+            put_u16(at, *word++);
+            at += 2;
         }
         return errc::none;
     }
@@ -107,7 +111,8 @@ private:
 
     constexpr bool holds(std::uint16_t start, std::size_t count) const noexcept
     {
-        return start >= first_ and offset(start) <= Count and count <= Count - offset(start);
+        // Before the first, the offset is more than any count.
+        return offset(start) <= Count and count <= Count - offset(start);
     }
 
     std::uint16_t first_{0};

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// A server's answer to function 43 type 14 (AP 6.21): its objects, cut into pages that fit a PDU.
+// A server's answer to function 43 type 14 (AP 6.21): its objects, cut into pages that fit a PDU. They
+// are kept as they leave: number, length and characters of each, one behind the other.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/text.hpp>
@@ -22,83 +23,152 @@ struct device_object {
     text value;
 };
 
-/// A device's objects, their numbers rising; owned by somebody else.
-using device_objects = std::span<device_object const>;
-
 /// The largest object number of an access category: 02, 7F or FF.
-[[nodiscard]] constexpr std::uint8_t last_object_of(std::uint8_t category) noexcept
+[[nodiscard]] constexpr std::uint8_t last_object_of(identification_access access) noexcept
 {
-    if (category == 1) {
+    if (access == identification_access::basic) {
         return major_minor_revision;
     }
-    return category == 2 ? 0x7F : 0xFF;
+    return access == identification_access::regular ? 0x7F : 0xFF;
 }
 
-/// The category that holds all of a device's objects, with single access: 81, 82 or 83.
-[[nodiscard]] constexpr std::uint8_t conformity_of(device_objects objects) noexcept
+/// The category that an object with the largest number is of, with single access: 81, 82 or 83.
+[[nodiscard]] constexpr std::uint8_t conformity_of(std::uint8_t last_object) noexcept
 {
-    std::uint8_t const last = objects.empty() ? std::uint8_t{0} : objects.back().id;
-    std::uint8_t category = 0x81;
-    while (last > last_object_of(category & 0x0FU)) {
-        ++category;
+    if (last_object > last_object_of(identification_access::regular)) {
+        return 0x83;
     }
-    return category;
+    return last_object > last_object_of(identification_access::basic) ? 0x82 : 0x81;
 }
 
-/// The index of an object, or the number of objects where there is no such one.
-[[nodiscard]] constexpr std::size_t index_of(device_objects objects, std::uint8_t id) noexcept
-{
-    std::size_t index = 0;
-    while (index < objects.size() and objects[index].id != id) {
-        ++index;
+/// A device's objects, in octets that somebody else owns; or none.
+class device_objects {
+public:
+    static constexpr std::size_t head_size = 2;       ///< number and length
+    static constexpr std::size_t max_text_size = 244; ///< of an object that fills a page
+
+    constexpr device_objects() noexcept = default;
+
+    /// Objects as they stand in an answer, for what is known only at run time. `malformed` unless the
+    /// first is the vendor's name, their numbers rise and each text has at most 244 characters.
+    [[nodiscard]] static constexpr result<device_objects> from(byte_view octets) noexcept
+    {
+        int last = -1;
+        for (byte_view rest = octets; not rest.empty();) {
+            if (rest.size() < head_size or to_u8(rest[1]) > max_text_size or
+                rest.size() - head_size < to_u8(rest[1]) or to_u8(rest[0]) <= last) {
+                return errc::malformed;
+            }
+            last = to_u8(rest[0]);
+            rest = rest.subspan(head_size + to_u8(rest[1]));
+        }
+        if (octets.empty() or to_u8(octets[0]) != vendor_name) {
+            return errc::malformed;
+        }
+        device_objects made;
+        made.octets_ = octets;
+        made.conformity_ = conformity_of(static_cast<std::uint8_t>(last));
+        return made;
     }
-    return index;
+
+    [[nodiscard]] constexpr bool empty() const noexcept { return octets_.empty(); }
+    [[nodiscard]] constexpr byte_view octets() const noexcept { return octets_; }
+
+    /// The category that holds all objects, with single access: 81, 82 or 83.
+    [[nodiscard]] constexpr std::uint8_t conformity() const noexcept { return conformity_; }
+
+private:
+    byte_view octets_{};
+    std::uint8_t conformity_{0x81};
+};
+
+/// The octets of objects known when compiling.
+template <auto const& Objects> [[nodiscard]] consteval auto octets_of() noexcept
+{
+    constexpr std::size_t size = [] {
+        std::size_t sum = 0;
+        for (device_object const& each : Objects) {
+            sum += device_objects::head_size + each.value.size();
+        }
+        return sum;
+    }();
+    std::array<std::byte, size> octets{};
+    byte_writer out{octets};
+    for (device_object const& each : Objects) {
+        out.u8(each.id);
+        out.u8(static_cast<std::uint32_t>(each.value.size()));
+        for (char const letter : each.value) {
+            out.u8(static_cast<std::uint8_t>(letter));
+        }
+    }
+    return octets;
 }
 
-/// Answers the request `asked`, which lies in `pdu`, with as many objects as fit. Errors, as exceptions:
-/// `illegal_data_address` for a single object that does not exist; a stream that asks for an unknown
-/// object starts at the first. `server_device_failure` when an object fits no page.
-[[nodiscard]] constexpr errc write_identification(pdu_place& pdu, device_objects objects,
-                                                  read_device_identification const& asked) noexcept
+/// The place of these octets.
+template <auto const& Objects> inline constexpr auto object_octets = octets_of<Objects>();
+
+/// The identity that objects known when compiling make: an array, or a std::array, of `device_object` at
+/// namespace or class scope (Clang 14 fails on one within a function). Objects that `device_objects::from` refuses do not compile.
+template <auto const& Objects>
+inline constexpr device_objects identity_of = [] {
+    constexpr auto made = device_objects::from(object_octets<Objects>);
+    static_assert(made.has_value(), "the vendor's name first, numbers that rise, texts that fit");
+    return *made;
+}();
+
+/// Answers the request of function 43 that lies in `pdu`, with as many objects as fit; there is at least
+/// one. Errors, as exceptions: `illegal_function` for another type than 14, `illegal_data_value` for
+/// another size or access, `illegal_data_address` for a single object that does not exist; a stream that
+/// asks for an unknown object starts at the first.
+[[nodiscard]] constexpr errc write_identification(pdu_place& pdu,
+                                                  device_objects const& objects) noexcept
 {
-    constexpr std::size_t more_at = 4;
-    constexpr std::size_t next_at = 5;
-    constexpr std::size_t count_at = 6;
-    bool const is_single = asked.access == identification_access::single;
-    std::uint8_t const last = last_object_of(static_cast<std::uint8_t>(asked.access));
-    std::size_t index = index_of(objects, asked.object);
-    if (index == objects.size() or objects[index].id > last) {
+    constexpr std::size_t request_size = read_device_identification::max_size;
+    auto const octets = pdu.octets;
+    if (pdu.size >= 2 and to_u8(octets[1]) != identification_mei_type) {
+        return errc::illegal_function;
+    }
+    if (pdu.size != request_size or not is_quantity(to_u8(octets[2]), 4)) {
+        return errc::illegal_data_value;
+    }
+    auto const access = static_cast<identification_access>(to_u8(octets[2]));
+    bool const is_single = access == identification_access::single;
+    std::uint8_t last = last_object_of(access);
+    std::byte const* const begin = objects.octets().data();
+    std::byte const* const end = begin + objects.octets().size();
+    std::byte const* at = begin;
+    while (at != end and at[0] != octets[3]) {
+        at += device_objects::head_size + to_u8(at[1]);
+    }
+    if (at == end or to_u8(at[0]) > last) {
         if (is_single) {
             return errc::illegal_data_address;
         }
-        index = 0;
+        at = begin;
+    }
+    if (is_single) {
+        last = to_u8(at[0]);
     }
     // Function, type and access are there already.
-    auto const octets = pdu.octets;
-    octets[3] = to_byte(conformity_of(objects));
-    octets[more_at] = octets[next_at] = std::byte{0};
+    octets[3] = to_byte(objects.conformity());
+    octets[4] = octets[5] = std::byte{0};
     std::size_t size = device_identification::head_size;
     std::uint32_t count = 0;
-    for (; index < objects.size() and objects[index].id <= last; ++index) {
-        device_object const& each = objects[index];
-        if (size + 2 + each.value.size() > max_pdu_size) {
-            octets[more_at] = std::byte{0xFF};
-            octets[next_at] = to_byte(each.id);
+    while (at != end and to_u8(at[0]) <= last) {
+        std::byte const* const after = at + device_objects::head_size + to_u8(at[1]);
+        if (size + static_cast<std::size_t>(after - at) > max_pdu_size) {
+            octets[4] = std::byte{0xFF};
+            octets[5] = at[0];
             break;
         }
-        octets[size++] = to_byte(each.id);
-        octets[size++] = to_byte(static_cast<std::uint32_t>(each.value.size()));
-        for (std::size_t i = 0; i < each.value.size(); ++i) {
-            octets[size++] = static_cast<std::byte>(each.value[i]);
+        while (at != after) {
+            octets[size++] = *at++;
         }
         ++count;
-        if (is_single) {
-            break;
-        }
     }
-    octets[count_at] = to_byte(count);
+    octets[6] = to_byte(count);
     pdu.size = size;
-    return count > 0 ? errc::none : errc::server_device_failure;
+    return errc::none;
 }
 
 } // namespace rtuwire

@@ -31,20 +31,28 @@ struct register_access {
     std::uint16_t write_start{0};
     std::uint16_t read_start; ///< set by `decode_access`
 
+    static constexpr std::size_t read_half_size = 4;
+
     /// Takes the half that is read: start and quantity.
     constexpr bool take_read(byte_view half, std::size_t limit) noexcept
     {
+        if (half.size() < read_half_size) {
+            return false;
+        }
         read_start = u16_at(half, 0);
         read_count = u16_at(half, 2);
         return is_quantity(read_count, limit);
     }
 
     /// Takes one value and where it belongs.
-    constexpr void take_value(byte_view fields) noexcept
+    constexpr bool take_value(byte_view fields) noexcept
     {
-        read_start = 0;
+        if (fields.size() != 4) {
+            return false;
+        }
         write_start = u16_at(fields, 0);
         values = register_view{fields.subspan(2)};
+        return true;
     }
 
     /// Takes the half that is written: start, quantity, byte count, values to the end.
@@ -65,36 +73,27 @@ struct register_access {
 /// Decodes a request of functions 03, 06, 16 and 23 into `access`. `illegal_data_value` when quantity,
 /// byte count and size do not agree or a limit of the device is exceeded, `illegal_function` for any other
 /// function; `access` is then undefined.
-[[nodiscard]] constexpr errc decode_access(byte_view pdu, device_limits const& limits,
-                                           register_access& access) noexcept
+[[nodiscard, gnu::always_inline]] inline constexpr errc
+decode_access(byte_view pdu, device_limits const& limits, register_access& access) noexcept
 {
-    constexpr std::size_t fixed_size = 5;
-    bool const has_fields = pdu.size() >= fixed_size;
-    bool const is_fixed = pdu.size() == fixed_size;
-    byte_view const fields = pdu.subspan(1);
-    bool is_legal = false;
-    switch (static_cast<function_code>(to_u8(pdu[0]))) {
-    case function_code::read_holding_registers:
-        is_legal = is_fixed and access.take_read(fields, limits.read);
-        break;
-    case function_code::write_single_register:
-        if (is_fixed) {
-            access.take_value(fields);
-        }
-        is_legal = is_fixed;
-        break;
-    case function_code::write_multiple_registers:
-        access.read_start = 0;
-        is_legal = access.take_written(fields, limits.write);
-        break;
-    case function_code::read_write_multiple_registers:
-        is_legal = has_fields and access.take_read(fields, limits.exchange_read) and
-                   access.take_written(fields.subspan(4), limits.exchange_write);
-        break;
-    default:
-    case function_code::diagnostics:
-    case function_code::encapsulated_interface: return errc::illegal_function;
+    auto const function = static_cast<function_code>(to_u8(pdu[0]));
+    bool const is_read = function == function_code::read_holding_registers;
+    byte_view fields = pdu.subspan(1);
+    std::size_t write_limit = limits.write;
+    access.read_start = 0;
+    if (function == function_code::write_single_register) {
+        return access.take_value(fields) ? errc::none : errc::illegal_data_value;
     }
+    if (is_read or function == function_code::read_write_multiple_registers) {
+        if (not access.take_read(fields, is_read ? limits.read : limits.exchange_read)) {
+            return errc::illegal_data_value;
+        }
+        fields = fields.subspan(register_access::read_half_size);
+        write_limit = limits.exchange_write;
+    } else if (function != function_code::write_multiple_registers) {
+        return errc::illegal_function;
+    }
+    bool const is_legal = is_read ? fields.empty() : access.take_written(fields, write_limit);
     return is_legal ? errc::none : errc::illegal_data_value;
 }
 

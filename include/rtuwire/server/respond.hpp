@@ -67,21 +67,6 @@ template <register_bank Bank>
     return errc::none;
 }
 
-/// Answers function 43: only type 14, device identification.
-[[nodiscard]] constexpr errc answer_identification(pdu_place& pdu,
-                                                   server_profile const& profile) noexcept
-{
-    if (profile.identity.empty()) {
-        return errc::illegal_function;
-    }
-    auto const asked = read_device_identification::decode(pdu.view());
-    if (not asked) {
-        return asked.error() == errc::wrong_function ? errc::illegal_function
-                                                     : errc::illegal_data_value;
-    }
-    return write_identification(pdu, profile.identity, *asked);
-}
-
 /// Answers any request; the error is the exception to answer with.
 template <register_bank Bank, typename Diagnostics>
 [[nodiscard]] constexpr errc answer_request(pdu_place& pdu, Bank& bank,
@@ -96,7 +81,8 @@ template <register_bank Bank, typename Diagnostics>
         return line.answer(pdu);
     }
     if (function == function_code::encapsulated_interface) {
-        return answer_identification(pdu, profile);
+        return profile.identity.empty() ? errc::illegal_function
+                                        : write_identification(pdu, profile.identity);
     }
     return answer_access(pdu, bank, profile);
 }

@@ -17,7 +17,7 @@ template <device_type Device> struct line_profile {
         {{vendor_name, "rtuwire"}, {product_code, Device::name}, {major_minor_revision, "0201"}}};
     static constexpr server_profile value{
         Device::functions, Device::limits,
-        Device::functions.contains(function_code::encapsulated_interface) ? device_objects{objects}
+        Device::functions.contains(function_code::encapsulated_interface) ? identity_of<objects>
                                                                           : device_objects{}};
 };
 
