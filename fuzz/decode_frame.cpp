@@ -37,7 +37,7 @@ void decode_all(byte_view frame)
 {
     for (direction const way : {direction::request, direction::response}) {
         auto const known = frame_length(way, frame);
-        require(known.size <= max_adu_size or not known.is_final);
+        require(known.size() <= max_adu_size or not known.is_final());
     }
     auto const heard = decode_adu(frame);
     if (not heard) {

@@ -211,15 +211,15 @@ PROOF("a lump starts a new frame when its own time and t3.5 have passed", the_ed
 constexpr bool claims()
 {
     listener ear{direction::response};
-    bool const nobody = not ear.receiver.claimed_unit() and not ear.receiver.is_overheard();
+    bool const nobody = not ear.receiver.claims(0) and not ear.receiver.is_overheard();
     ear.hear("02 03 00"_hex);
     ear.pause(milliseconds(10));
-    bool const too_short = ear.fault() == errc::frame_too_short and not ear.receiver.claimed_unit();
+    bool const too_short = ear.fault() == errc::frame_too_short and not ear.receiver.claims(2);
     ear.hear("02 03 00 00"_hex);
     bool const starts = not ear.receiver.is_at_start();
     ear.pause(milliseconds(10));
     return nobody and too_short and starts and ear.fault() == errc::crc_mismatch and
-           ear.receiver.claimed_unit() == 2 and ear.receiver.is_at_start();
+           ear.receiver.claims(2) and ear.receiver.is_at_start();
 }
 PROOF("what has a frame's size claims to be a unit's", claims)
 

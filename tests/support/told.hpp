@@ -19,21 +19,21 @@ constexpr bool is_told(direction way, byte_view frame)
     for (std::size_t size = 0; size <= frame.size(); ++size) {
         exact_octets const prefix{frame.first(size)};
         length_so_far const known = frame_length(way, prefix.view());
-        if (known.is_final and known.size != frame.size()) {
+        if (known.is_final() and known.size() != frame.size()) {
             return false;
         }
-        if (not known.is_final and known.size <= size) {
+        if (not known.is_final() and known.size() <= size) {
             return false;
         }
         if (size == look_at) {
-            look_at = known.size;
+            look_at = known.size();
         }
     }
     exact_octets longer{frame.size() + 1, std::byte{0xFF}};
     for (std::size_t i = 0; i < frame.size(); ++i) {
         longer.span()[i] = frame[i];
     }
-    length_so_far const whole{static_cast<std::uint16_t>(frame.size()), true};
+    length_so_far const whole{frame.size(), true};
     return look_at == frame.size() and frame_length(way, frame) == whole and
            frame_length(way, longer.view()) == whole;
 }
@@ -45,8 +45,8 @@ constexpr bool is_ended_by_silence(direction way, byte_view frame, std::size_t d
     for (std::size_t size = 0; size <= frame.size(); ++size) {
         exact_octets const prefix{frame.first(size)};
         length_so_far const known = frame_length(way, prefix.view());
-        if (known.is_final or (known.size == 0) != (size >= decided_at) or
-            (known.size != 0 and known.size <= size)) {
+        if (known.is_final() or (known.size() == 0) != (size >= decided_at) or
+            (known.size() != 0 and known.size() <= size)) {
             return false;
         }
     }

@@ -7,25 +7,19 @@
 
 #include <rtuwire/client/client.hpp>
 
-template <typename Client>
-[[gnu::noinline]] rtuwire::result<rtuwire::response> outcome_of(Client& link,
-                                                                rtuwire::byte_view frame)
+/// Asks question after question.
+template <typename Client> [[noreturn]] void ask_on(Client& link)
 {
-    static_cast<void>(link.start(rtuwire::request{frame}, board::now()));
-    while (true) {
+    for (unsigned number = 0;;) {
         board::pass(link);
         if (auto const outcome = link.poll_outcome()) {
-            return *outcome;
+            if (*outcome) {
+                board::put(static_cast<std::byte>(value_in((*outcome)->pdu(), number)));
+            }
+            number = next(number);
         }
-    }
-}
-
-template <typename Client> void ask_on(Client& link)
-{
-    for (unsigned number = 0;; number = next(number)) {
-        auto const outcome = outcome_of(link, known::questions[number]);
-        if (outcome) {
-            board::put(static_cast<std::byte>(value_in(outcome->pdu(), number)));
+        if (not link.is_busy()) {
+            static_cast<void>(link.start(rtuwire::request{known::questions[number]}, board::now()));
         }
     }
 }

@@ -22,17 +22,24 @@
     return place.first(size);
 }
 
+/// The PDU that answers a question; empty when none does.
+[[gnu::noinline]] inline rtuwire::byte_view answer_to(rtuwire::byte_view question,
+                                                      rtuwire::byte_span place)
+{
+    using namespace rtuwire;
+    board::put(question);
+    auto const answer = decode_adu(listen(place));
+    return answer and check_answer(question, *answer) == errc::none ? answer->pdu : byte_view{};
+}
+
 /// Asks question after question; `question_of` gives the frame of a number.
 template <typename QuestionOf> [[noreturn]] void ask_on(QuestionOf question_of)
 {
-    using namespace rtuwire;
-    std::array<std::byte, max_adu_size> heard;
+    std::array<std::byte, rtuwire::max_adu_size> heard;
     for (unsigned number = 0;; number = next(number)) {
-        byte_view const frame = question_of(number);
-        board::put(frame);
-        auto const answer = decode_adu(listen(heard));
-        if (answer and check_answer(frame, *answer) == errc::none) {
-            board::put(static_cast<std::byte>(value_in(answer->pdu, number)));
+        auto const pdu = answer_to(question_of(number), heard);
+        if (not pdu.empty()) {
+            board::put(static_cast<std::byte>(value_in(pdu, number)));
         }
     }
 }

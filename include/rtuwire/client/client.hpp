@@ -40,21 +40,27 @@ template <typename Statistics> class basic_client {
 public:
     explicit constexpr basic_client(line_timing const& timing,
                                     client_options const& options = {}) noexcept
-        : framer_{direction::response, timing}, options_{options}
+        : options_{options}, framer_{direction::response, timing}
     {}
 
     /// Takes octets that had arrived by `now`, in any chunking. Outside of waiting for an answer they
     /// are noise: dropped, but the line was not silent.
     constexpr void receive(byte_view octets, instant now) noexcept
     {
-        octets = take_echo(octets, now);
-        while (not octets.empty() and phase_ == phase::awaiting) {
-            octets = skip_noise(octets, now);
-            octets = octets.subspan(framer_.receive(octets, now));
+        if (octets.empty()) {
+            return;
+        }
+        std::uint8_t const owing = framer_.is_quiet() ? quarantine_.unit() : std::uint8_t{0};
+        if (framer_.hear(octets.size(), now) and phase_ == phase::awaiting) {
             take_frame(now);
         }
-        if (not octets.empty()) {
-            note_noise(octets, now);
+        std::size_t taken = 0;
+        while (taken < octets.size() and take(octets[taken], now)) {
+            ++taken;
+        }
+        if (taken < octets.size()) {
+            note_noise(statistics_, octets.subspan(taken), taken == 0 ? owing : std::uint8_t{0});
+            be_disturbed(now);
         }
     }
 
@@ -64,7 +70,8 @@ public:
         if (phase_ == phase::awaiting) {
             framer_.receive_error(now);
         } else {
-            note_noise({}, now);
+            framer_.note_activity(now);
+            be_disturbed(now);
         }
     }
 
@@ -79,10 +86,7 @@ public:
         bool const is_broadcast = unit() == 0;
         phase_ = is_broadcast ? phase::turnaround : phase::awaiting;
         skip_left_ = options_.skip_noise;
-        sent_at_ = now;
-        deadline_ = now + (is_broadcast ? options_.turnaround
-                                        : attempts_.response_timeout() +
-                                              framer_.line().characters(answer_size(question_)));
+        deadline_ = now + (is_broadcast ? options_.turnaround : answer_time());
     }
 
     /// Lets time pass.
@@ -135,8 +139,7 @@ public:
         if (phase_ == phase::idle or phase_ == phase::settled) {
             return;
         }
-        bool const was_sent = phase_ == phase::transmitting or phase_ == phase::awaiting;
-        settle(errc::cancelled, now, was_sent or attempts_.has_failed());
+        settle(errc::cancelled, now);
     }
 
     /// The octets to send now, each request and repetition once; empty when there is nothing. They are
@@ -149,7 +152,7 @@ public:
         statistics_.note(attempts_.is_first() ? line_event::request : line_event::repetition,
                          unit());
         phase_ = phase::transmitting;
-        echo_.expect(options_.has_echo ? question_ : byte_view{});
+        echo_.expect(options_.has_echo ? question_.size() : 0);
         return question_;
     }
 
@@ -168,8 +171,10 @@ public:
             return std::nullopt;
         }
         phase_ = phase::idle;
-        return trouble_ != errc::none ? result<response>{trouble_}
-                                      : result<response>{response{answer_}};
+        if (trouble_ != errc::none) {
+            return trouble_;
+        }
+        return response{unit() == 0 ? byte_view{} : framer_.frame().pdu};
     }
 
     /// What was counted.
@@ -240,43 +245,37 @@ private:
             now + attempts_.response_timeout() + framer_.line().characters(question_.size());
     }
 
-    /// What is left of octets without the echo of what was sent.
-    constexpr byte_view take_echo(byte_view octets, instant now) noexcept
+    /// Takes an octet of an echo, of an answer or before it; false where none is expected.
+    constexpr bool take(std::byte octet, instant now) noexcept
     {
-        std::size_t const count = echo_.take(octets);
-        if (count > 0) {
-            framer_.note_activity(now);
+        if (echo_.take(octet, question_)) {
             if (echo_.is_wrong()) {
                 trouble_ = errc::collision;
                 statistics_.note(line_event::collision, unit());
             }
+            return true;
         }
-        return octets.subspan(count);
-    }
-
-    /// Leaves out what comes before a unit's first octet, as far as that is wanted.
-    constexpr byte_view skip_noise(byte_view octets, instant now) noexcept
-    {
-        while (skip_left_ > 0 and not octets.empty() and framer_.is_at_start() and
-               to_u8(octets[0]) != unit()) {
-            octets = octets.subspan(1);
+        if (phase_ != phase::awaiting) {
+            return false;
+        }
+        // What comes before a unit's first octet is left out, as far as that is wanted.
+        if (skip_left_ > 0 and framer_.is_at_start() and to_u8(octet) != unit()) {
             --skip_left_;
-            framer_.note_activity(now);
             statistics_.note(line_event::noise, unit());
+        } else if (framer_.take(octet)) {
+            take_frame(now);
         }
-        return octets;
+        return true;
     }
 
-    constexpr void note_noise(byte_view octets, instant now) noexcept
+    /// The line was not silent when a request was to leave.
+    constexpr void be_disturbed(instant now) noexcept
     {
-        std::uint8_t const owing = framer_.is_quiet() ? quarantine_.unit() : std::uint8_t{0};
-        rtuwire::note_noise(statistics_, octets, owing);
-        framer_.note_activity(now);
         if (phase_ != phase::ready) {
             return;
         }
         if (may_be_stale_) {
-            settle(errc::bus_jam, now, attempts_.has_failed());
+            settle(errc::bus_jam, now);
         } else {
             phase_ = phase::waiting;
         }
@@ -284,44 +283,36 @@ private:
 
     constexpr void take_frame(instant now) noexcept
     {
-        auto const frame = framer_.poll_frame();
-        if (not frame or trouble_ == errc::collision) {
+        if (not framer_.poll_end() or trouble_ == errc::collision) {
             return;
         }
-        errc const wrong = *frame ? check_answer(question_, **frame) : frame->error();
+        errc wrong = framer_.verdict();
         if (wrong == errc::none) {
-            answer_ = (*frame)->pdu;
+            wrong = check_answer(question_, framer_.frame());
         }
-        note_frame(statistics_, wrong, unit(), now - sent_at_);
+        line_event const event = event_of(wrong);
+        note_frame(statistics_, event, wrong, unit(), now - (deadline_ - answer_time()));
         if (attempts_.may_pause(wrong)) {
             deadline_ = now + attempts_.take_pause();
             phase_ = phase::pausing;
-        } else if (wrong == errc::none or is_refusal(wrong)) {
-            settle(wrong, now, attempts_.has_failed());
-        } else if (wrong != errc::wrong_unit) {
-            take_trouble(wrong, now);
-        }
-    }
-
-    /// A damaged answer of our unit is worth an early repetition. Anything else may be noise before the
-    /// answer or an answer to an older question, so the timer runs on.
-    constexpr void take_trouble(errc wrong, instant now) noexcept
-    {
-        if (wrong == errc::frame_too_short) {
-            return;
-        }
-        trouble_ = wrong;
-        if (event_of(wrong) == line_event::crc and framer_.claimed_unit() == unit()) {
-            attempt_failed(now);
+        } else if (event == line_event::reply or event == line_event::exception) {
+            settle(wrong, now);
+        } else if (event != line_event::foreign and wrong != errc::frame_too_short) {
+            // A damaged answer of our unit is worth an early repetition. Anything else may be noise
+            // before the answer or an answer to an older question, so the timer runs on.
+            trouble_ = wrong;
+            if (event == line_event::crc and framer_.claims(unit())) {
+                attempt_failed(now);
+            }
         }
     }
 
     constexpr void time_is_over(instant now) noexcept
     {
         switch (phase_) {
-        case phase::waiting: settle(errc::bus_jam, now, attempts_.has_failed()); break;
-        case phase::ready: settle(errc::transmit_stalled, now, attempts_.has_failed()); break;
-        case phase::transmitting: settle(errc::transmit_stalled, now, true); break;
+        case phase::waiting: settle(errc::bus_jam, now); break;
+        case phase::ready: settle(errc::transmit_stalled, now); break;
+        case phase::transmitting: settle(errc::transmit_stalled, now); break;
         case phase::awaiting:
             if (trouble_ == errc::none) {
                 trouble_ = framer_.is_quiet() ? errc::timed_out : errc::bus_jam;
@@ -331,10 +322,7 @@ private:
             attempt_failed(now);
             break;
         case phase::pausing: wait_for_silence(now); break;
-        case phase::turnaround:
-            answer_ = {};
-            settle(trouble_, now, false);
-            break;
+        case phase::turnaround: settle(trouble_, now); break;
         case phase::idle:
         case phase::settled: break;
         }
@@ -343,7 +331,7 @@ private:
     constexpr void attempt_failed(instant now) noexcept
     {
         if (not attempts_.take_retry()) {
-            settle(trouble_, now, true);
+            settle(trouble_, now);
             return;
         }
         trouble_ = errc::none;
@@ -360,14 +348,22 @@ private:
 
     /// Ends the transaction. Where an answer may still be on its way, its unit is asked nothing new
     /// for a while.
-    constexpr void settle(errc error, instant now, bool answer_is_owed) noexcept
+    constexpr void settle(errc error, instant now) noexcept
     {
+        bool const is_answered = error == errc::none or is_refusal(error);
+        bool const was_sent = phase_ == phase::transmitting or phase_ == phase::awaiting;
+        if (attempts_.has_failed() or (was_sent and not is_answered)) {
+            quarantine_.begin(unit(), now + options_.late_answer);
+        }
         trouble_ = error;
         phase_ = phase::settled;
         echo_.forget();
-        if (answer_is_owed) {
-            quarantine_.begin(unit(), now + options_.late_answer);
-        }
+    }
+
+    /// From the end of the question to that of its answer, at most.
+    constexpr duration answer_time() const noexcept
+    {
+        return attempts_.response_timeout() + framer_.line().characters(answer_size(question_));
     }
 
     /// Who is asked.
@@ -378,20 +374,19 @@ private:
         return not attempts_.has_failed() and quarantine_.covers(unit());
     }
 
-    [[no_unique_address]] Statistics statistics_{};
-    framer framer_;
-    echo_check echo_{};
-    client_options options_;
-    attempts attempts_{};
-    byte_view question_{};
-    byte_view answer_{};
-    instant deadline_{};
-    quarantine quarantine_{};
-    instant sent_at_{};
-    std::uint8_t skip_left_{0};
+    // Small first, as in the framer.
     phase phase_{phase::idle};
     errc trouble_{errc::none};
+    std::uint8_t skip_left_{0};
     bool may_be_stale_{false}; ///< the question must leave at once or not at all
+    echo_check echo_{};
+    quarantine quarantine_{};
+    instant deadline_{};
+    byte_view question_{};
+    attempts attempts_{};
+    client_options options_;
+    framer framer_;
+    [[no_unique_address]] Statistics statistics_{};
 };
 
 /// A client that counts nothing.

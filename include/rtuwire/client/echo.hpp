@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include <rtuwire/core/bytes.hpp>
 
@@ -13,33 +14,33 @@ namespace rtuwire {
 /// Takes the octets of one transmission out of what is received.
 class echo_check {
 public:
-    /// What was sent; it outlives the check.
-    constexpr void expect(byte_view sent) noexcept
+    /// So many octets are sent.
+    constexpr void expect(std::size_t size) noexcept
     {
-        rest_ = sent;
+        left_ = static_cast<std::uint16_t>(size);
         is_wrong_ = false;
     }
 
     /// Takes nothing from here on.
-    constexpr void forget() noexcept { rest_ = {}; }
+    constexpr void forget() noexcept { left_ = 0; }
 
-    /// Compares; how many of the octets belong to the echo. Nothing more after one that differs.
-    constexpr std::size_t take(byte_view octets) noexcept
+    /// Whether an octet belongs to the echo; compares it with what was sent. None does after one that
+    /// differs.
+    constexpr bool take(std::byte octet, byte_view sent) noexcept
     {
-        std::size_t count = 0;
-        while (count < octets.size() and not rest_.empty()) {
-            is_wrong_ = octets[count] != rest_[0];
-            rest_ = is_wrong_ ? byte_view{} : rest_.subspan(1);
-            ++count;
+        if (left_ == 0) {
+            return false;
         }
-        return count;
+        is_wrong_ = octet != sent[sent.size() - left_];
+        left_ = is_wrong_ ? std::uint16_t{0} : static_cast<std::uint16_t>(left_ - 1);
+        return true;
     }
 
     /// Whether an octet came back as another one.
     [[nodiscard]] constexpr bool is_wrong() const noexcept { return is_wrong_; }
 
 private:
-    byte_view rest_{};
+    std::uint16_t left_{0};
     bool is_wrong_{false};
 };
 

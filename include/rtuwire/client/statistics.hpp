@@ -183,15 +183,16 @@ private:
 
 /// Notes a frame that came `latency` after the question to `unit`, by the error that was found in it.
 template <typename Statistics>
-constexpr void note_frame(Statistics& to, errc found, std::uint8_t unit, duration latency) noexcept
+constexpr void note_frame(Statistics& to, line_event what, errc found, std::uint8_t unit,
+                          duration latency) noexcept
 {
-    if (is_refusal(found)) {
+    if (what == line_event::exception) {
         to.note_exception(found, unit);
     }
-    if (found == errc::none or is_refusal(found)) {
+    if (what == line_event::reply or what == line_event::exception) {
         to.note_latency(latency, unit);
     }
-    to.note(event_of(found), unit);
+    to.note(what, unit);
 }
 
 /// Notes octets that belong to no answer: one event for a frame that starts where the answer of `owing`

@@ -109,7 +109,7 @@ public:
     }
 
     /// Appends `count` octets that the caller writes, at once; null, and not ok, when they do not fit.
-    [[nodiscard]] constexpr std::byte* take(std::size_t count) noexcept
+    [[nodiscard, gnu::always_inline]] constexpr std::byte* take(std::size_t count) noexcept
     {
         if (not room_for(count)) {
             return nullptr;

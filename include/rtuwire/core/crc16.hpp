@@ -25,7 +25,7 @@ enum class crc_form : std::uint8_t {
     slicing_by_16, ///< 8 KiB
     octet_algebra, ///< nothing; an octet at a time, for processors without a cache
     word_algebra,  ///< nothing; 64 octets at a time, for 64-bit processors
-    host,          ///< 4 KiB for up to 8 octets, and for the last word that `word_algebra` leaves
+    host,          ///< 4 KiB for up to 32 octets, and for the last word that `word_algebra` leaves
     carryless,     ///< the same and 8 KiB, and carry-less multiplication where the processor has it
 };
 
@@ -84,13 +84,13 @@ template <crc_form Form> [[nodiscard]] constexpr std::uint16_t by_octets(byte_vi
     return crc.value();
 }
 
-/// More than 8 octets: by algebra, with tables for the last word; by multiplication from 128 on. Not
-/// inlined, so that `by_size` is where the size is known.
+/// More than 8 octets: by tables up to 32; by algebra, with tables for the last word; by multiplication
+/// from 128 on. Not inlined, so that `by_size` is where the size is known.
 template <crc_form Form>
 [[nodiscard, gnu::noinline]] constexpr std::uint16_t of_many(byte_view bytes) noexcept
 {
-    if (bytes.size() <= 16) {
-        return crc16_algebra::of_two_words<crc16_tables::of_word>(bytes);
+    if (bytes.size() <= 32) {
+        return crc16_tables::of_some(bytes);
     }
     if constexpr (Form == crc_form::carryless) {
         if (bytes.size() >= 128) {
@@ -102,10 +102,8 @@ template <crc_form Form>
 
 template <crc_form Form> [[nodiscard]] constexpr std::uint16_t by_size(byte_view bytes) noexcept
 {
-    if (bytes.size() < 2) {
-        return by_octets<crc_form::byte_table>(bytes);
-    }
-    return bytes.size() <= 8 ? crc16_tables::of_few(bytes) : of_many<Form>(bytes);
+    return bytes.size() <= 8 ? crc16_tables::of_few(bytes.data(), bytes.size())
+                             : of_many<Form>(bytes);
 }
 
 } // namespace crc16_forms

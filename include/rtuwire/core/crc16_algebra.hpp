@@ -163,16 +163,6 @@ private:
     std::uint64_t parity_{0};
 };
 
-/// The CRC of 9 to 16 octets: two words, the odd octets in the first.
-template <auto Remainder>
-[[nodiscard]] constexpr std::uint16_t of_two_words(byte_view octets) noexcept
-{
-    std::size_t const odd = octets.size() - 8;
-    std::uint64_t const first = (word_at(octets.data()) ^ 0xFFFFU) << 8 * (8 - odd);
-    std::uint64_t const second = word_at(octets.data() + odd) ^ (odd == 1 ? 0xFFU : 0U);
-    return finish<Remainder>(fold(lanes<1>{first}, lanes<1>{second})[0], first ^ second);
-}
-
 /// The CRC of at least 8 octets, in up to eight lanes.
 template <auto Remainder = remainder_of>
 [[nodiscard]] constexpr std::uint16_t of_words(byte_view octets) noexcept
@@ -211,18 +201,19 @@ class running {
 public:
     constexpr void add(std::byte octet) noexcept
     {
-        std::uint32_t const low = (remainder_ ^ to_u8(octet)) & 0xFFU;
-        remainder_ = remainder_ >> 8U ^ low << 6U ^ low << 7U;
-        octets_ ^= to_u8(octet);
+        std::uint32_t const before = remainder_;
+        std::uint32_t const low = (before ^ to_u8(octet)) & 0xFFU;
+        remainder_ = static_cast<std::uint16_t>(before >> 8U ^ low << 6U ^ low << 7U);
+        octets_ ^= octet;
     }
     [[nodiscard]] constexpr std::uint16_t value() const noexcept
     {
-        return with_parity(remainder_, octets_);
+        return with_parity(remainder_, to_u8(octets_));
     }
 
 private:
-    std::uint32_t remainder_{0xFFFF}; ///< modulo T
-    std::uint32_t octets_{0};         ///< all octets added up
+    std::uint16_t remainder_{0xFFFF}; ///< modulo T
+    std::byte octets_{0};             ///< all octets added up
 };
 
 } // namespace rtuwire::crc16_algebra

@@ -76,17 +76,63 @@ template <std::size_t Count> inline constexpr distances<Count> at_distance{};
         tables[1][octets >> 48U & 0xFFU] ^ tables[0][octets >> 56U]);
 }
 
-/// The CRC of 2 to 8 octets: look-ups that do not wait for each other. Octet by octet, because a frame
+/// What the start value FFFF adds to the CRC of so many octets, 8 at most.
+inline constexpr std::uint16_t started[9] = {
+    0xFFFF,
+    static_cast<std::uint16_t>(at_distance<8>.at[0][0xFF] ^ 0x00FFU),
+    static_cast<std::uint16_t>(at_distance<8>.at[1][0xFF] ^ at_distance<8>.at[0][0xFF]),
+    static_cast<std::uint16_t>(at_distance<8>.at[2][0xFF] ^ at_distance<8>.at[1][0xFF]),
+    static_cast<std::uint16_t>(at_distance<8>.at[3][0xFF] ^ at_distance<8>.at[2][0xFF]),
+    static_cast<std::uint16_t>(at_distance<8>.at[4][0xFF] ^ at_distance<8>.at[3][0xFF]),
+    static_cast<std::uint16_t>(at_distance<8>.at[5][0xFF] ^ at_distance<8>.at[4][0xFF]),
+    static_cast<std::uint16_t>(at_distance<8>.at[6][0xFF] ^ at_distance<8>.at[5][0xFF]),
+    static_cast<std::uint16_t>(at_distance<8>.at[7][0xFF] ^ at_distance<8>.at[6][0xFF]),
+};
+
+/// The CRC of up to 8 octets: look-ups that do not wait for each other. Octet by octet, because a frame
 /// that was just written so cannot be loaded in words without waiting.
-[[nodiscard]] constexpr std::uint16_t of_few(byte_view octets) noexcept
+[[nodiscard]] constexpr std::uint16_t of_few(std::byte const* at, std::size_t size) noexcept
 {
-    auto const* table = &at_distance<8>.at[octets.size() - 1];
-    std::uint32_t crc = (*table)[to_u8(octets[0]) ^ 0xFFU];
-    crc ^= (*--table)[to_u8(octets[1]) ^ 0xFFU];
-    for (std::size_t i = 2; i < octets.size(); ++i) {
-        crc ^= (*--table)[to_u8(octets[i])];
+    auto const& tables = at_distance<8>.at;
+    std::byte const* const end = at + size;
+    auto const add = [&](std::uint16_t crc, std::ptrdiff_t k) {
+        return static_cast<std::uint16_t>(crc ^ tables[k - 1][to_u8(end[-k])]);
+    };
+    std::uint16_t crc = started[size];
+    switch (size) {
+    case 8: crc = add(crc, 8); [[fallthrough]];
+    case 7: crc = add(crc, 7); [[fallthrough]];
+    case 6: crc = add(crc, 6); [[fallthrough]];
+    case 5: crc = add(crc, 5); [[fallthrough]];
+    case 4: crc = add(crc, 4); [[fallthrough]];
+    case 3: crc = add(crc, 3); [[fallthrough]];
+    case 2: crc = add(crc, 2); [[fallthrough]];
+    case 1: crc = add(crc, 1); [[fallthrough]];
+    default: return crc;
     }
-    return static_cast<std::uint16_t>(crc);
+}
+
+/// The CRC after eight more octets.
+[[nodiscard]] constexpr std::uint16_t after_eight(std::uint32_t crc, std::byte const* at) noexcept
+{
+    auto const& tables = at_distance<8>.at;
+    return static_cast<std::uint16_t>(
+        tables[7][to_u8(at[0]) ^ (crc & 0xFFU)] ^ tables[6][to_u8(at[1]) ^ (crc >> 8U)] ^
+        tables[5][to_u8(at[2])] ^ tables[4][to_u8(at[3])] ^ tables[3][to_u8(at[4])] ^
+        tables[2][to_u8(at[5])] ^ tables[1][to_u8(at[6])] ^ tables[0][to_u8(at[7])]);
+}
+
+/// The CRC of some octets: up to 8 at the front, then eight at a time.
+[[nodiscard]] constexpr std::uint16_t of_some(byte_view octets) noexcept
+{
+    std::byte const* at = octets.data();
+    std::byte const* const end = at + octets.size();
+    std::size_t const odd = (octets.size() - 1) % 8 + 1;
+    std::uint16_t crc = of_few(at, odd);
+    for (at += odd; at != end; at += 8) {
+        crc = after_eight(crc, at);
+    }
+    return crc;
 }
 
 /// The CRC by slices of `Count` octets.

@@ -33,33 +33,54 @@ namespace rtuwire {
 /// Starts by ignoring everything until the line has been silent once.
 class framer {
 public:
-    constexpr framer(direction way, line_timing const& line) noexcept : line_{line}, way_{way} {}
+    constexpr framer(direction way, line_timing const& line) noexcept : way_{way}, line_{line} {}
 
     /// Takes octets that had arrived by `now`, in any chunking, up to the end of one frame; returns how
     /// many were taken. Octets after a frame that were not taken belong to the next call.
     constexpr std::size_t receive(byte_view octets, instant now) noexcept
     {
-        if (octets.empty()) {
+        if (octets.empty() or hear(octets.size(), now)) {
             return 0;
         }
-        // What nobody polled is dropped, so that taking octets always gets on.
-        polled_ = true;
-        // The first octet of a lump arrived earlier than the lump was handed over.
-        if (started_ and now - last_ >= line_.frame_end() + line_.characters(octets.size())) {
-            fall_silent();
-        }
-        if (state_ == state::done and not polled_) {
-            return 0;
-        }
-        note_activity(now);
         std::size_t taken = 0;
-        while (taken < octets.size()) {
-            take(octets[taken++]);
-            if (state_ == state::done) {
-                break;
-            }
+        while (taken < octets.size() and not take(octets[taken++])) {
         }
         return taken;
+    }
+
+    /// The first part of `receive`: so many octets, one at least, had arrived by `now`. Whether the silence
+    /// before them ended something, which is to be polled before the first is taken.
+    constexpr bool hear(std::size_t octets, instant now) noexcept
+    {
+        // What nobody polled is dropped, so that taking octets always gets on.
+        if (state_ == state::done) {
+            state_ = state::idle;
+        }
+        // The first octet of a lump arrived earlier than the lump was handed over.
+        if (activity_ != activity::unknown and
+            now - last_ >= line_.frame_end() + line_.characters(octets)) {
+            fall_silent();
+        }
+        note_activity(now);
+        return state_ == state::done;
+    }
+
+    /// The second part: takes one of them. Whether it was the last of a frame.
+    constexpr bool take(std::byte octet) noexcept
+    {
+        if (state_ == state::synchronising) {
+            return false;
+        }
+        if (state_ != state::receiving) {
+            begin();
+        }
+        if (size_ == max_adu_size) {
+            trouble_ = trouble_ == errc::none ? errc::frame_too_long : trouble_;
+            return false;
+        }
+        octets_[size_++] = octet;
+        crc_.add(octet);
+        return size_ == look_at_ and look();
     }
 
     /// Takes the receiver's word that an octet arrived damaged (parity, framing, overrun): the frame it
@@ -73,17 +94,17 @@ public:
         if (state_ != state::receiving) {
             begin();
         }
-        poisoned_ = true;
+        trouble_ = errc::uart_error;
     }
 
     /// Lets silence take effect. To be called before the clock has run 35 minutes past a deadline.
     constexpr void advance(instant now) noexcept
     {
-        if (not started_) {
+        if (activity_ == activity::unknown) {
             note_activity(now);
         }
-        if (busy_ and reached(now, last_ + line_.t3_5())) {
-            busy_ = false;
+        if (reached(now, last_ + line_.t3_5())) {
+            activity_ = activity::quiet;
         }
         if (waits_for_silence() and reached(now, last_ + line_.frame_end())) {
             fall_silent();
@@ -93,23 +114,52 @@ public:
     /// When `advance` has something to do.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
-        deadline const quiet = busy_ ? deadline{last_ + line_.t3_5()} : deadline{};
-        deadline const end = waits_for_silence() ? deadline{last_ + line_.frame_end()} : deadline{};
-        return started_ ? earlier(quiet, end) : std::nullopt;
+        // The silence that ends a frame is never shorter than the one before sending.
+        if (activity_ == activity::busy) {
+            return last_ + line_.t3_5();
+        }
+        return activity_ == activity::quiet and waits_for_silence()
+                   ? deadline{last_ + line_.frame_end()}
+                   : deadline{};
     }
 
     /// The frame that ended, once; or why what ended is none. The view is valid until octets are taken
     /// again. Errors: `frame_too_short`, `frame_too_long`, `crc_mismatch`, `uart_error`.
     [[nodiscard]] constexpr std::optional<result<adu>> poll_frame() noexcept
     {
-        if (state_ != state::done or polled_) {
+        if (not poll_end()) {
             return std::nullopt;
         }
-        polled_ = true;
-        if (errc const wrong = verdict(); wrong != errc::none) {
-            return wrong;
+        errc const wrong = verdict();
+        return wrong == errc::none ? result<adu>{frame()} : result<adu>{wrong};
+    }
+
+    /// The same in three parts, for who asks at each octet: whether something ended, once.
+    [[nodiscard]] constexpr bool poll_end() noexcept
+    {
+        bool const is_end = state_ == state::done;
+        if (is_end) {
+            state_ = state::idle;
         }
-        return adu{to_u8(octets_[0]), byte_view{octets_}.subspan(1, size_ - adu_overhead)};
+        return is_end;
+    }
+
+    /// Why what ended last is no frame; none where it is one.
+    [[nodiscard]] constexpr errc verdict() const noexcept
+    {
+        if (trouble_ != errc::none) {
+            return trouble_;
+        }
+        if (size_ < min_adu_size) {
+            return errc::frame_too_short;
+        }
+        return crc_.value() == 0 ? errc::none : errc::crc_mismatch;
+    }
+
+    /// The frame that ended last, where the verdict is none.
+    [[nodiscard]] constexpr adu frame() const noexcept
+    {
+        return {to_u8(octets_[0]), pdu_of({octets_.data(), size_})};
     }
 
     /// Drops what is being received and takes the next octet for the first of a frame: for a line whose
@@ -138,26 +188,19 @@ public:
     constexpr void note_activity(instant now) noexcept
     {
         last_ = now;
-        busy_ = true;
-        started_ = true;
+        activity_ = activity::busy;
     }
 
     /// Whether t3.5 of silence has passed, so that somebody may send.
-    [[nodiscard]] constexpr bool is_quiet() const noexcept { return started_ and not busy_; }
+    [[nodiscard]] constexpr bool is_quiet() const noexcept { return activity_ == activity::quiet; }
 
     /// Whether the next octet would be the first of a frame.
-    [[nodiscard]] constexpr bool is_at_start() const noexcept
-    {
-        return state_ == state::idle or state_ == state::done;
-    }
+    [[nodiscard]] constexpr bool is_at_start() const noexcept { return not waits_for_silence(); }
 
-    /// The first octet of what ended last, when it had a frame's size: who it claims to be for or from.
-    [[nodiscard]] constexpr std::optional<std::uint8_t> claimed_unit() const noexcept
+    /// Whether what ended last had a frame's size, and a unit's address at its start.
+    [[nodiscard]] constexpr bool claims(std::uint8_t unit) const noexcept
     {
-        if (size_ < min_adu_size) {
-            return std::nullopt;
-        }
-        return to_u8(octets_[0]);
+        return size_ >= min_adu_size and to_u8(octets_[0]) == unit;
     }
 
     /// The memory of the frame, for an answer written in its place.
@@ -166,7 +209,10 @@ public:
     [[nodiscard]] constexpr line_timing const& line() const noexcept { return line_; }
 
 private:
-    enum class state : std::uint8_t { synchronising, idle, receiving, done };
+    enum class state : std::uint8_t { synchronising, receiving, idle, done };
+
+    /// What the line did last; nothing is known of it before the clock was seen.
+    enum class activity : std::uint8_t { unknown, busy, quiet };
 
     /// A question between others whose answer may come.
     struct exchange_of_others {
@@ -182,10 +228,7 @@ private:
         }
     };
 
-    constexpr bool waits_for_silence() const noexcept
-    {
-        return state_ != state::idle and state_ != state::done;
-    }
+    constexpr bool waits_for_silence() const noexcept { return state_ <= state::receiving; }
 
     constexpr void begin() noexcept
     {
@@ -194,89 +237,49 @@ private:
         size_ = 0;
         look_at_ = 2;
         crc_ = {};
-        poisoned_ = false;
-        overlong_ = false;
+        trouble_ = errc::none;
     }
 
-    constexpr void take(std::byte octet) noexcept
+    /// Applies the length rule at the octet it asked for. Whether the frame ends here.
+    constexpr bool look() noexcept
     {
-        if (state_ == state::synchronising) {
-            return;
-        }
-        if (state_ != state::receiving) {
-            begin();
-        }
-        if (size_ == max_adu_size) {
-            overlong_ = true;
-            return;
-        }
-        octets_[size_++] = octet;
-        crc_.add(octet);
-        if (size_ == look_at_) {
-            look();
-        }
-    }
-
-    /// Applies the length rule at the octet it asked for.
-    constexpr void look() noexcept
-    {
-        byte_view const so_far = byte_view{octets_}.first(size_);
+        byte_view const so_far{octets_.data(), size_};
         bool const is_foreign = overheard_.answers(so_far);
         length_so_far const known = frame_length(is_foreign ? direction::response : way_, so_far);
-        bool const is_end = known.is_final and known.size == size_;
-        if (is_end and verdict() == errc::none) {
-            is_overheard_ = is_foreign;
-            overheard_.is_open = overheard_.is_open and not is_foreign;
-            finish();
+        if (not known.is_final() or known.size() != size_) {
+            look_at_ = static_cast<std::uint16_t>(known.size());
+            return false;
         }
         // Past an end whose CRC is wrong only silence tells where the next frame starts.
-        look_at_ = is_end ? std::uint16_t{0} : known.size;
-    }
-
-    constexpr void finish() noexcept
-    {
+        look_at_ = 0;
+        if (verdict() != errc::none) {
+            return false;
+        }
+        is_overheard_ = is_foreign;
+        overheard_.is_open = overheard_.is_open and not is_foreign;
         state_ = state::done;
-        polled_ = false;
-    }
-
-    constexpr errc verdict() const noexcept
-    {
-        if (poisoned_) {
-            return errc::uart_error;
-        }
-        if (overlong_) {
-            return errc::frame_too_long;
-        }
-        if (size_ < min_adu_size) {
-            return errc::frame_too_short;
-        }
-        return crc_.value() == 0 ? errc::none : errc::crc_mismatch;
+        return true;
     }
 
     constexpr void fall_silent() noexcept
     {
-        switch (state_) {
-        case state::synchronising: state_ = state::idle; break;
-        case state::receiving: finish(); break;
-        case state::idle:
-        case state::done: break;
+        if (waits_for_silence()) {
+            state_ = state_ == state::receiving ? state::done : state::idle;
         }
     }
 
-    line_timing line_;
-    instant last_{};
-    std::uint16_t size_{0};
-    std::uint16_t look_at_{0};
-    running_crc16<> crc_{};
+    // Small first and the frame last: small processors reach near members with short instructions.
+    state state_{state::synchronising};
+    activity activity_{activity::unknown};
+    errc trouble_{errc::none};
     direction way_;
     exchange_of_others overheard_{};
     bool is_overheard_{false};
-    state state_{state::synchronising};
-    bool poisoned_{false};
-    bool overlong_{false};
-    bool polled_{true};
-    bool busy_{true};
-    bool started_{false};
+    running_crc16<> crc_{};
+    std::uint16_t size_{0};
+    std::uint16_t look_at_{0};
+    instant last_{};
+    line_timing line_;
     std::array<std::byte, max_adu_size> octets_; ///< the first `size_` are written
 };
 

@@ -53,21 +53,18 @@ public:
     /// first is the vendor's name, their numbers rise and each text has at most 244 characters.
     [[nodiscard]] static constexpr result<device_objects> from(byte_view octets) noexcept
     {
-        int last = -1;
-        for (byte_view rest = octets; not rest.empty();) {
-            if (rest.size() < head_size or to_u8(rest[1]) > max_text_size or
-                rest.size() - head_size < to_u8(rest[1]) or to_u8(rest[0]) <= last) {
-                return errc::malformed;
-            }
-            last = to_u8(rest[0]);
-            rest = rest.subspan(head_size + to_u8(rest[1]));
-        }
-        if (octets.empty() or to_u8(octets[0]) != vendor_name) {
+        if (objects_in(octets) == 0 or to_u8(octets[0]) != vendor_name) {
             return errc::malformed;
         }
         device_objects made;
         made.octets_ = octets;
-        made.conformity_ = conformity_of(static_cast<std::uint8_t>(last));
+        for (byte_view rest = octets; not rest.empty();) {
+            if (to_u8(rest[1]) > max_text_size) {
+                return errc::malformed;
+            }
+            made.conformity_ = conformity_of(to_u8(rest[0]));
+            rest = rest.subspan(head_size + to_u8(rest[1]));
+        }
         return made;
     }
 

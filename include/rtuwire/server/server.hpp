@@ -30,7 +30,7 @@ public:
     /// Listens as `unit`; the profile, and the objects in it, outlive the server.
     constexpr basic_server(unit_id unit, line_timing const& timing,
                            server_profile const& profile) noexcept
-        : framer_{direction::request, timing}, profile_{&profile}, unit_{unit.octet()}
+        : unit_{unit.octet()}, profile_{&profile}, framer_{direction::request, timing}
     {}
 
     /// Listens as `unit` with every function and the specification's limits, without identification.
@@ -161,16 +161,15 @@ private:
 
     constexpr void take_frame() noexcept
     {
-        auto const frame = framer_.poll_frame();
-        if (not frame) {
+        if (not framer_.poll_end()) {
             return;
         }
-        if (not *frame) {
+        if (framer_.verdict() != errc::none) {
             diagnostics_.note_error();
             return;
         }
         diagnostics_.note_message();
-        adu const& heard = **frame;
+        adu const heard = framer_.frame();
         if (framer_.is_overheard()) {
             return;
         }
@@ -207,14 +206,15 @@ private:
         phase_ = phase::listening;
     }
 
-    [[no_unique_address]] Diagnostics diagnostics_{};
-    framer framer_;
-    server_profile const* profile_;
-    instant too_late_{};
-    std::uint16_t answer_size_{0};
-    std::uint8_t asked_size_{0};
-    std::uint8_t unit_;
+    // Small first, as in the framer.
     phase phase_{phase::listening};
+    std::uint8_t unit_;
+    std::uint8_t asked_size_{0};
+    std::uint16_t answer_size_{0};
+    instant too_late_{};
+    server_profile const* profile_;
+    framer framer_;
+    [[no_unique_address]] Diagnostics diagnostics_{};
 };
 
 /// A server that answers of function 08 the loop-back only.

@@ -65,6 +65,13 @@ struct adu {
     }
 };
 
+/// The PDU of a frame, which has at least 4 octets.
+[[nodiscard]] constexpr byte_view pdu_of(byte_view frame) noexcept
+{
+    // Not a subspan, which asks first whether its size means "all".
+    return {frame.data() + 1, frame.size() - adu_overhead};
+}
+
 /// Makes a frame of a unit's octet and a PDU that are there already: appends the CRC. `place` has room
 /// for it.
 constexpr byte_span seal(byte_span place, std::size_t pdu_size) noexcept
@@ -160,7 +167,7 @@ template <typename Make> [[nodiscard]] consteval auto constant_frame(Make) noexc
     if (errc const wrong = check_frame(frame); wrong != errc::none) {
         return wrong;
     }
-    return adu{to_u8(frame[0]), frame.subspan(1, frame.size() - adu_overhead)};
+    return adu{to_u8(frame[0]), pdu_of(frame)};
 }
 
 } // namespace rtuwire

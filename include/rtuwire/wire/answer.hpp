@@ -12,11 +12,12 @@
 
 namespace rtuwire {
 
-/// Whether the answer's first octets are those of the question, and it has no more than them.
+/// Whether the first octets of the answer, which has so many, are those of the question.
 [[nodiscard]] constexpr bool repeats(byte_view question_pdu, byte_view answer_pdu,
                                      std::size_t size) noexcept
 {
-    return question_pdu.size() >= size and same_bytes(question_pdu.first(size), answer_pdu);
+    return question_pdu.size() >= size and
+           same_bytes(question_pdu.first(size), answer_pdu.first(size));
 }
 
 /// The size of the answer that a question asks for, or the largest possible where the question does
@@ -44,16 +45,17 @@ namespace rtuwire {
 [[nodiscard]] constexpr errc check_identification(byte_view question_pdu,
                                                   byte_view answer_pdu) noexcept
 {
-    auto const page = device_identification::decode(answer_pdu);
-    if (not page) {
-        return page.error();
-    }
-    if (to_u8(question_pdu[2]) != static_cast<std::uint8_t>(page->access)) {
-        return errc::wrong_echo;
+    constexpr std::size_t count_at = 6;
+    constexpr std::size_t first_id_at = 7;
+    if (errc const wrong = device_identification::check_page(answer_pdu); wrong != errc::none) {
+        return wrong;
     }
     // A stream may start elsewhere than it was asked to; a single object is the one asked for.
-    bool const is_other = page->access == identification_access::single and
-                          (page->count != 1 or page->first()->id != to_u8(question_pdu[3]));
+    bool const is_single =
+        to_u8(question_pdu[2]) == static_cast<std::uint8_t>(identification_access::single);
+    bool const is_other = question_pdu[2] != answer_pdu[2] or
+                          (is_single and (to_u8(answer_pdu[count_at]) != 1 or
+                                          answer_pdu[first_id_at] != question_pdu[3]));
     return is_other ? errc::wrong_echo : errc::none;
 }
 
@@ -64,38 +66,31 @@ namespace rtuwire {
     if (question_pdu.size() < read_device_identification::max_size) {
         return errc::none;
     }
-    bool const has_quantity = question_pdu.size() >= 5;
+    std::size_t size = 5;    // of the answer
+    std::size_t same = size; // octets that are those of the question
     switch (static_cast<function_code>(to_u8(question_pdu[0]))) {
     case function_code::read_holding_registers:
     case function_code::read_write_multiple_registers: {
-        std::size_t const octets = has_quantity ? 2U * u16_at(question_pdu, 3) : 0U;
+        std::size_t const octets = question_pdu.size() < 5 ? 0U : 2U * u16_at(question_pdu, 3);
         bool const fits = answer_pdu.size() == 2 + octets and to_u8(answer_pdu[1]) == octets;
         return fits ? errc::none : errc::wrong_length;
     }
     case function_code::write_single_register:
-    case function_code::write_multiple_registers:
-        if (answer_pdu.size() != 5) {
-            return errc::wrong_length;
-        }
-        return repeats(question_pdu, answer_pdu, 5) ? errc::none : errc::wrong_echo;
+    case function_code::write_multiple_registers: break;
     case function_code::diagnostics:
-        if (answer_pdu.size() != question_pdu.size()) {
-            return errc::wrong_length;
-        }
-        if (u16_at(question_pdu, 1) != u16_at(answer_pdu, 1)) {
-            return errc::wrong_echo;
-        }
-        return u16_at(question_pdu, 1) !=
-                           static_cast<std::uint16_t>(subfunction::return_query_data) or
-                       same_bytes(question_pdu, answer_pdu)
-                   ? errc::none
-                   : errc::wrong_echo;
+        size = question_pdu.size();
+        same = u16_at(question_pdu, 1) == 0 ? size : 3;
+        break;
     case function_code::encapsulated_interface:
         return to_u8(question_pdu[1]) == identification_mei_type
                    ? check_identification(question_pdu, answer_pdu)
                    : errc::none;
+    default: return errc::none;
     }
-    return errc::none;
+    if (answer_pdu.size() != size) {
+        return errc::wrong_length;
+    }
+    return repeats(question_pdu, answer_pdu, same) ? errc::none : errc::wrong_echo;
 }
 
 /// Whether `answer`, whose CRC was right, answers the question in `question_adu`, a frame that was
@@ -104,7 +99,7 @@ namespace rtuwire {
 /// answer to it.
 [[nodiscard]] constexpr errc check_answer(byte_view question_adu, adu const& answer) noexcept
 {
-    byte_view const question_pdu = question_adu.subspan(1, question_adu.size() - adu_overhead);
+    byte_view const question_pdu = pdu_of(question_adu);
     if (answer.unit != to_u8(question_adu[0])) {
         return errc::wrong_unit;
     }

@@ -29,11 +29,20 @@ enum class length_rule : std::uint8_t {
 
 /// What the octets so far say: the frame is `size` octets long, or more can be said when `size` are
 /// there, or (`size` 0) nothing but silence ends it.
-struct length_so_far {
-    std::uint16_t size{0};
-    bool is_final{false};
+class length_so_far {
+public:
+    constexpr length_so_far() noexcept = default;
+    constexpr length_so_far(std::size_t size, bool is_final) noexcept
+        : told_{static_cast<std::uint16_t>(size << 1U | (is_final ? 1U : 0U))}
+    {}
+
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return told_ >> 1U; }
+    [[nodiscard]] constexpr bool is_final() const noexcept { return (told_ & 1U) != 0; }
 
     friend constexpr bool operator==(length_so_far, length_so_far) noexcept = default;
+
+private:
+    std::uint16_t told_{0}; ///< in one register, which small processors return best
 };
 
 /// Rules with their sizes, CRC included, for function codes up to 24: one octet each.
@@ -84,22 +93,7 @@ inline constexpr std::uint8_t responses[] = {
 /// A size above 256 is never told: such a frame ends by silence and is refused.
 [[nodiscard]] constexpr length_so_far size_told(std::size_t size, bool is_final) noexcept
 {
-    if (size > max_adu_size) {
-        return {};
-    }
-    return {static_cast<std::uint16_t>(size), is_final};
-}
-
-/// More is known when so many octets are there.
-[[nodiscard]] constexpr length_so_far look_again_at(std::size_t size) noexcept
-{
-    return size_told(size, false);
-}
-
-/// The frame ends there.
-[[nodiscard]] constexpr length_so_far ends_at(std::size_t size) noexcept
-{
-    return size_told(size, true);
+    return size > max_adu_size ? length_so_far{} : length_so_far{size, is_final};
 }
 
 /// The rule of function 43: a request is fixed, a response is walked object by object (AP 6.21).
@@ -108,57 +102,57 @@ inline constexpr std::uint8_t responses[] = {
     constexpr std::size_t mei_at = 2;
     constexpr std::size_t count_at = 7;
     if (adu.size() <= mei_at) {
-        return look_again_at(mei_at + 1);
+        return {mei_at + 1, false};
     }
     if (to_u8(adu[mei_at]) != 0x0E) {
         return {};
     }
     if (way == direction::request) {
-        return ends_at(7);
+        return {7, true};
     }
     if (adu.size() <= count_at) {
-        return look_again_at(count_at + 1);
+        return {count_at + 1, false};
     }
+    std::size_t left = to_u8(adu[count_at]);
     std::size_t end = count_at + 1;
-    for (std::size_t left = to_u8(adu[count_at]); left > 0; --left) {
-        if (adu.size() < end + 2) {
-            return look_again_at(end + 2);
-        }
+    while (left > 0 and end + 2 <= adu.size()) {
         end += 2U + to_u8(adu[end + 1]);
+        --left;
     }
-    return ends_at(end + 2);
+    // Two octets follow: the CRC, or the head of the next object.
+    return size_told(end + 2, left == 0);
 }
 
 /// What the first octets of an ADU say about its size.
 [[nodiscard]] constexpr length_so_far frame_length(direction way, byte_view adu) noexcept
 {
     if (adu.size() < 2) {
-        return look_again_at(2);
+        return {2, false};
     }
     constexpr std::uint8_t size_bits = 0x1F;
     std::uint8_t const rule = length_rules::of(way, to_u8(adu[1]));
+    auto const counts = static_cast<length_rule>(rule & ~size_bits);
     std::size_t const size = rule & size_bits;
-    std::size_t const counted = size - 2; // what stands before the CRC
-    switch (static_cast<length_rule>(rule & ~size_bits)) {
+    std::size_t counted = size - 2; // what stands before the CRC
+    switch (counts) {
     case length_rule::none: return {};
-    case length_rule::fixed: break;
-    case length_rule::byte_count:
-        return adu.size() < counted ? look_again_at(counted)
-                                    : ends_at(size + to_u8(adu[counted - 1]));
-    case length_rule::word_count:
-        return adu.size() < counted ? look_again_at(counted)
-                                    : ends_at(size + u16_at(adu, counted - 2));
-    case length_rule::subfunction:
-        if (adu.size() < 4) {
-            return look_again_at(4);
-        }
-        if (u16_at(adu, 2) == 0) {
-            return {};
-        }
-        break;
+    case length_rule::fixed: return size_told(size, true);
     case length_rule::mei: return identification_length(way, adu);
+    case length_rule::subfunction: counted = 4; break;
+    case length_rule::byte_count:
+    case length_rule::word_count: break;
     }
-    return ends_at(size);
+    if (adu.size() < counted) {
+        return size_told(counted, false);
+    }
+    if (counts == length_rule::byte_count) {
+        return size_told(size + to_u8(adu[counted - 1]), true);
+    }
+    std::size_t const word = u16_at(adu, counted - 2);
+    if (counts == length_rule::word_count) {
+        return size_told(size + word, true);
+    }
+    return word == 0 ? length_so_far{} : size_told(size, true);
 }
 
 } // namespace rtuwire

@@ -36,6 +36,18 @@ inline constexpr std::uint8_t exception_bit = 0x80;
     return not pdu.empty() and to_u8(pdu[0]) == to_u8(code);
 }
 
+/// Writes a function and its first two fields: what most requests begin with.
+constexpr void write_head(byte_writer& out, function_code code, std::uint32_t first,
+                          std::uint32_t second) noexcept
+{
+    constexpr std::size_t size = 5;
+    if (std::byte* const at = out.take(size); at != nullptr) {
+        at[0] = to_byte(to_u8(code));
+        put_u16(at + 1, static_cast<std::uint16_t>(first));
+        put_u16(at + 3, static_cast<std::uint16_t>(second));
+    }
+}
+
 /// A set of function codes, in 16 octets.
 class function_set {
 public:

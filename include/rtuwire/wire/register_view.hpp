@@ -27,7 +27,7 @@ public:
 
     /// The registers that lie in these octets; an odd last octet is not part of any.
     explicit constexpr register_view(byte_view bytes) noexcept
-        : bytes_{bytes.first(bytes.size() - bytes.size() % 2)}
+        : bytes_{bytes.data(), bytes.size() - bytes.size() % 2}
     {}
 
     [[nodiscard]] constexpr std::size_t size() const noexcept { return bytes_.size() / 2; }
@@ -52,8 +52,10 @@ public:
                 copy_four(bytes_.data() + 2 * done, words.data() + done);
             }
         }
-        for (; done < size(); ++done) {
-            words[done] = (*this)[done];
+        std::byte const* from = bytes_.data() + 2 * done;
+        for (std::uint16_t& word : words.subspan(done, size() - done)) {
+            word = to_u16(from[0], from[1]);
+            from += 2;
         }
         return size();
     }
@@ -131,17 +133,14 @@ template <typename Response>
     if (not is_pdu_of(pdu, function)) {
         return errc::wrong_function;
     }
-    if (pdu.size() < head) {
-        return errc::wrong_length;
-    }
-    std::size_t const octets = to_u8(pdu[1]);
+    std::size_t const octets = pdu.size() < head ? 1U : to_u8(pdu[1]);
     if (pdu.size() != head + octets or octets % 2 != 0) {
         return errc::wrong_length;
     }
     if (not is_quantity(octets / 2, max_read_quantity)) {
         return errc::invalid_quantity;
     }
-    return Response{register_view{pdu.subspan(head)}};
+    return Response{register_view{byte_view{pdu.data() + head, octets}}};
 }
 
 } // namespace rtuwire

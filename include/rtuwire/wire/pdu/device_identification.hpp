@@ -27,6 +27,27 @@ inline constexpr std::uint8_t major_minor_revision = 0x02;
 /// The type octet of read device identification within function 43.
 inline constexpr std::uint8_t identification_mei_type = 0x0E;
 
+/// How many objects, number, length and text of each, lie in these octets; none where they do not come
+/// out even or the numbers do not rise.
+[[nodiscard]] constexpr std::size_t objects_in(byte_view octets) noexcept
+{
+    std::byte const* at = octets.data();
+    std::size_t left = octets.size();
+    std::size_t count = 0;
+    int last = -1;
+    while (left > 0) {
+        std::size_t const size = left < 2 ? left + 1 : 2U + to_u8(at[1]);
+        if (size > left or to_u8(at[0]) <= last) {
+            return 0;
+        }
+        last = to_u8(at[0]);
+        at += size;
+        left -= size;
+        ++count;
+    }
+    return count;
+}
+
 /// One page of a device's identification; a view of the received octets. Objects are visited with
 /// `first()` and `after()`.
 struct device_identification {
@@ -51,7 +72,7 @@ struct device_identification {
         if (size() > max_size) {
             return errc::frame_too_long;
         }
-        return is_well_formed() ? errc::none : errc::malformed;
+        return is_count(objects_in(list), count) ? errc::none : errc::malformed;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return head_size + list.size(); }
     constexpr void write(byte_writer& out) const noexcept
@@ -93,9 +114,9 @@ struct device_identification {
         return std::nullopt;
     }
 
-    /// Reads a PDU. Errors: `wrong_function`, `wrong_length` when it ends within its head, `malformed`
-    /// when objects and octets do not come out even or their numbers do not rise.
-    [[nodiscard]] static constexpr result<device_identification> decode(byte_view pdu) noexcept
+    /// Whether a PDU is a page: `wrong_function`, `wrong_length` when it ends within its head,
+    /// `malformed` when objects and octets do not come out even or their numbers do not rise, or none.
+    [[nodiscard]] static constexpr errc check_page(byte_view pdu) noexcept
     {
         if (not is_pdu_of(pdu, function_code::encapsulated_interface)) {
             return errc::wrong_function;
@@ -104,15 +125,24 @@ struct device_identification {
             return errc::wrong_length;
         }
         std::uint8_t const more = to_u8(pdu[4]);
-        device_identification const read{static_cast<identification_access>(to_u8(pdu[2])),
-                                         to_u8(pdu[3]),
-                                         more == 0xFF,
-                                         to_u8(pdu[5]),
-                                         to_u8(pdu[6]),
-                                         pdu.subspan(head_size)};
+        std::size_t const count = objects_in(pdu.subspan(head_size));
         bool const is_legal = to_u8(pdu[1]) == identification_mei_type and
-                              (more == 0x00 or more == 0xFF) and read.is_well_formed();
-        return is_legal ? result<device_identification>{read} : errc::malformed;
+                              (more == 0x00 or more == 0xFF) and is_count(count, to_u8(pdu[6]));
+        return is_legal ? errc::none : errc::malformed;
+    }
+
+    /// Reads a PDU. Errors: those of `check_page`.
+    [[nodiscard]] static constexpr result<device_identification> decode(byte_view pdu) noexcept
+    {
+        if (errc const wrong = check_page(pdu); wrong != errc::none) {
+            return wrong;
+        }
+        return device_identification{static_cast<identification_access>(to_u8(pdu[2])),
+                                     to_u8(pdu[3]),
+                                     to_u8(pdu[4]) == 0xFF,
+                                     to_u8(pdu[5]),
+                                     to_u8(pdu[6]),
+                                     pdu.subspan(head_size)};
     }
 
 private:
@@ -124,19 +154,9 @@ private:
         return object{to_u8(octets[0]), octets.subspan(2, to_u8(octets[1]))};
     }
 
-    constexpr bool is_well_formed() const noexcept
+    static constexpr bool is_count(std::size_t found, std::uint8_t told) noexcept
     {
-        byte_view rest = list;
-        int last = -1;
-        for (unsigned i = 0; i < count; ++i) {
-            auto const at = object_in(rest);
-            if (not at or at->id <= last) {
-                return false;
-            }
-            last = at->id;
-            rest = rest.subspan(2 + at->value.size());
-        }
-        return rest.empty() and count > 0;
+        return found > 0 and found == told;
     }
 };
 

@@ -59,9 +59,7 @@ struct read_holding_registers {
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
     constexpr void write(byte_writer& out) const noexcept
     {
-        out.u8(to_u8(function_code::read_holding_registers));
-        out.u16(start);
-        out.u16(count);
+        write_head(out, function_code::read_holding_registers, start, count);
     }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.

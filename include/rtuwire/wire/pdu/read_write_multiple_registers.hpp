@@ -66,9 +66,7 @@ struct read_write_multiple_registers {
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 10 + values.bytes().size(); }
     constexpr void write(byte_writer& out) const noexcept
     {
-        out.u8(to_u8(function_code::read_write_multiple_registers));
-        out.u16(read_start);
-        out.u16(read_count);
+        write_head(out, function_code::read_write_multiple_registers, read_start, read_count);
         out.u16(write_start);
         out.u16(static_cast<std::uint32_t>(values.size()));
         out.u8(static_cast<std::uint32_t>(values.bytes().size()));

@@ -23,9 +23,7 @@ struct write_multiple_registers_response {
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
     constexpr void write(byte_writer& out) const noexcept
     {
-        out.u8(to_u8(function_code::write_multiple_registers));
-        out.u16(start);
-        out.u16(count);
+        write_head(out, function_code::write_multiple_registers, start, count);
     }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
@@ -69,9 +67,8 @@ struct write_multiple_registers {
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 6 + values.bytes().size(); }
     constexpr void write(byte_writer& out) const noexcept
     {
-        out.u8(to_u8(function_code::write_multiple_registers));
-        out.u16(start);
-        out.u16(static_cast<std::uint32_t>(values.size()));
+        write_head(out, function_code::write_multiple_registers, start,
+                   static_cast<std::uint32_t>(values.size()));
         out.u8(static_cast<std::uint32_t>(values.bytes().size()));
         out.bytes(values.bytes());
     }

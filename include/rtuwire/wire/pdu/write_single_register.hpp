@@ -21,9 +21,7 @@ struct write_single_register {
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
     constexpr void write(byte_writer& out) const noexcept
     {
-        out.u8(to_u8(function_code::write_single_register));
-        out.u16(address);
-        out.u16(value);
+        write_head(out, function_code::write_single_register, address, value);
     }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`.
