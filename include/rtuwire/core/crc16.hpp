@@ -100,6 +100,15 @@ template <crc_form Form>
     return crc16_algebra::of_words<crc16_tables::of_word>(bytes);
 }
 
+/// How many octets a form of tables takes at a time; what follows from `Form` is made for nobody else.
+[[nodiscard]] constexpr std::size_t slices_of(crc_form form) noexcept
+{
+    return form == crc_form::slicing_by_4    ? 4
+           : form == crc_form::slicing_by_8  ? 8
+           : form == crc_form::slicing_by_16 ? 16
+                                             : 1;
+}
+
 template <crc_form Form> [[nodiscard]] constexpr std::uint16_t by_size(byte_view bytes) noexcept
 {
     return bytes.size() <= 8 ? crc16_tables::of_few(bytes.data(), bytes.size())
@@ -112,12 +121,8 @@ template <crc_form Form> [[nodiscard]] constexpr std::uint16_t by_size(byte_view
 template <crc_form Form = default_crc_form>
 [[nodiscard]] constexpr std::uint16_t crc16(byte_view bytes) noexcept
 {
-    if constexpr (Form == crc_form::slicing_by_4) {
-        return crc16_tables::sliced<4>(bytes);
-    } else if constexpr (Form == crc_form::slicing_by_8) {
-        return crc16_tables::sliced<8>(bytes);
-    } else if constexpr (Form == crc_form::slicing_by_16) {
-        return crc16_tables::sliced<16>(bytes);
+    if constexpr (constexpr std::size_t slices = crc16_forms::slices_of(Form); slices > 1) {
+        return crc16_tables::sliced<slices>(bytes);
     } else if constexpr (Form == crc_form::word_algebra) {
         return bytes.size() < 8 ? crc16_forms::by_octets<Form>(bytes)
                                 : crc16_algebra::of_words(bytes);
