@@ -7,14 +7,14 @@
 
 namespace {
 
-constexpr std::uint32_t rounds = 4'000;
-constexpr std::uint32_t instructions_a_tick = 40;
+constexpr std::int32_t rounds = 4'000;
+constexpr std::int32_t instructions_a_tick = 40;
 constexpr std::uint32_t wrap = 0x100'0000;
 
 std::uint32_t ticks_of(void (*run)())
 {
     std::uint32_t const before = board::at(0xE000'E018);
-    for (std::uint32_t round = 0; round < rounds; ++round) {
+    for (std::int32_t round = 0; round < rounds; ++round) {
         run();
     }
     return (before - board::at(0xE000'E018)) % wrap;
@@ -31,12 +31,13 @@ int main()
         return 1;
     }
     for (operations::operation const& each : operations::list) {
-        std::uint32_t const ticks = ticks_of(each.run) - ticks_of(each.less);
+        // A tick more or less is chance; where both cost the same, the difference may be below zero.
+        auto const ticks = static_cast<std::int32_t>(ticks_of(each.run) - ticks_of(each.less));
         for (char const* c = each.name; *c != '\0'; ++c) {
             board::console_uart::put(static_cast<std::byte>(*c));
         }
         board::print(" ");
-        board::print(static_cast<std::int32_t>(ticks * instructions_a_tick / rounds));
+        board::print(ticks * instructions_a_tick / rounds);
         board::print("\n");
     }
     return 0;

@@ -33,7 +33,9 @@ struct memory {
     word_bank<16> bank{};
     no_diagnostics line{};
     std::uint32_t sum{0};
-    std::uint32_t quantity{4};
+    unit_id unit{address};
+    std::uint16_t start{3201};
+    std::uint16_t quantity{4};
 };
 inline memory all;
 
@@ -57,8 +59,8 @@ inline void prepare()
 
 [[gnu::noinline]] inline void encode_read()
 {
-    auto const quantity = static_cast<std::uint16_t>(all.quantity);
-    auto const frame = encode_into(all.frame, address, read_holding_registers{3201, quantity});
+    auto const frame =
+        encode_into(all.frame, all.unit, read_holding_registers{all.start, all.quantity});
     all.sum = all.sum + (frame ? 1U : 0U);
 }
 
@@ -69,7 +71,7 @@ inline void prepare()
     return frame;
 }
 
-template <std::size_t Size> void decode(std::array<std::byte, Size> const& octets)
+[[gnu::noinline]] inline void decode(byte_view octets)
 {
     auto const answer = decode_adu(octets);
     if (not answer) {

@@ -48,6 +48,11 @@ STATIC_CHECK(default_crc_form == (crc16_carryless::is_available ? crc_form::carr
                                                                 : crc_form::octet_algebra));
 #endif
 
+STATIC_CHECK(crc16_forms::slices_of(crc_form::byte_table) == 1);
+STATIC_CHECK(crc16_forms::slices_of(crc_form::slicing_by_4) == 4);
+STATIC_CHECK(crc16_forms::slices_of(crc_form::slicing_by_8) == 8);
+STATIC_CHECK(crc16_forms::slices_of(crc_form::slicing_by_16) == 16);
+
 /// How often the next octet leads a growing CRC elsewhere than the bits do.
 template <crc_form Form>
 std::uint32_t differences(running_crc16<crc_form::bitwise> const& bits,
