@@ -68,6 +68,7 @@ PROOF("a stream starts where it is asked to, or at the first object", unknown_st
 
 constexpr device_object categories[] = {{0, "v"}, {1, "p"}, {2, "r"}, {4, "name"}, {0x80, "x"}};
 STATIC_CHECK(device_objects{}.conformity() == 0x81);
+STATIC_CHECK(ask({}, identification_access::basic).wrong == errc::illegal_function);
 STATIC_CHECK(identity_of<drive>.conformity() == 0x81);
 STATIC_CHECK(identity_of<categories>.conformity() == 0x83);
 STATIC_CHECK(conformity_of(0x03) == 0x82);

@@ -311,7 +311,7 @@ private:
     {
         switch (phase_) {
         case phase::waiting: settle(errc::bus_jam, now); break;
-        case phase::ready: settle(errc::transmit_stalled, now); break;
+        case phase::ready:
         case phase::transmitting: settle(errc::transmit_stalled, now); break;
         case phase::awaiting:
             if (trouble_ == errc::none) {

@@ -78,16 +78,9 @@ template <std::size_t Count> inline constexpr distances<Count> at_distance{};
 
 /// What the start value FFFF adds to the CRC of so many octets, 8 at most.
 inline constexpr std::uint16_t started[9] = {
-    0xFFFF,
-    static_cast<std::uint16_t>(at_distance<8>.at[0][0xFF] ^ 0x00FFU),
-    static_cast<std::uint16_t>(at_distance<8>.at[1][0xFF] ^ at_distance<8>.at[0][0xFF]),
-    static_cast<std::uint16_t>(at_distance<8>.at[2][0xFF] ^ at_distance<8>.at[1][0xFF]),
-    static_cast<std::uint16_t>(at_distance<8>.at[3][0xFF] ^ at_distance<8>.at[2][0xFF]),
-    static_cast<std::uint16_t>(at_distance<8>.at[4][0xFF] ^ at_distance<8>.at[3][0xFF]),
-    static_cast<std::uint16_t>(at_distance<8>.at[5][0xFF] ^ at_distance<8>.at[4][0xFF]),
-    static_cast<std::uint16_t>(at_distance<8>.at[6][0xFF] ^ at_distance<8>.at[5][0xFF]),
-    static_cast<std::uint16_t>(at_distance<8>.at[7][0xFF] ^ at_distance<8>.at[6][0xFF]),
-};
+    shifted(0xFFFF, 0),  shifted(0xFFFF, 8),  shifted(0xFFFF, 16),
+    shifted(0xFFFF, 24), shifted(0xFFFF, 32), shifted(0xFFFF, 40),
+    shifted(0xFFFF, 48), shifted(0xFFFF, 56), shifted(0xFFFF, 64)};
 
 /// The CRC of up to 8 octets: look-ups that do not wait for each other. Octet by octet, because a frame
 /// that was just written so cannot be loaded in words without waiting.

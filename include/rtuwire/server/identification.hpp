@@ -113,8 +113,8 @@ inline constexpr device_objects identity_of = [] {
     return *made;
 }();
 
-/// Answers the request of function 43 that lies in `pdu`, with as many objects as fit; there is at least
-/// one. Errors, as exceptions: `illegal_function` for another type than 14, `illegal_data_value` for
+/// Answers the request of function 43 that lies in `pdu`, with as many objects as fit. Errors, as
+/// exceptions: `illegal_function` for another type than 14 or without objects, `illegal_data_value` for
 /// another size or access, `illegal_data_address` for a single object that does not exist; a stream that
 /// asks for an unknown object starts at the first.
 [[nodiscard]] constexpr errc write_identification(pdu_place& pdu,
@@ -122,7 +122,8 @@ inline constexpr device_objects identity_of = [] {
 {
     constexpr std::size_t request_size = read_device_identification::max_size;
     auto const octets = pdu.octets;
-    if (pdu.size >= 2 and to_u8(octets[1]) != identification_mei_type) {
+    bool const is_other_type = pdu.size >= 2 and to_u8(octets[1]) != identification_mei_type;
+    if (objects.empty() or is_other_type) {
         return errc::illegal_function;
     }
     if (pdu.size != request_size or not is_quantity(to_u8(octets[2]), 4)) {

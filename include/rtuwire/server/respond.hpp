@@ -81,8 +81,7 @@ template <register_bank Bank, typename Diagnostics>
         return line.answer(pdu);
     }
     if (function == function_code::encapsulated_interface) {
-        return profile.identity.empty() ? errc::illegal_function
-                                        : write_identification(pdu, profile.identity);
+        return write_identification(pdu, profile.identity);
     }
     return answer_access(pdu, bank, profile);
 }
