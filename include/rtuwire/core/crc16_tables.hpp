@@ -65,19 +65,21 @@ template <std::size_t Count> inline constexpr distances<Count> at_distance{};
     return at_distance<1>.at[0][octet & 0xFFU];
 }
 
+/// The tables for eight octets at a time.
+inline constexpr auto const& eight = at_distance<8>.at;
+
 /// What eight octets, the first in the lowest bits, leave of a CRC that starts from 0.
 [[nodiscard]] constexpr std::uint16_t of_word(std::uint64_t octets) noexcept
 {
-    auto const& tables = at_distance<8>.at;
     return static_cast<std::uint16_t>(
-        tables[7][octets & 0xFFU] ^ tables[6][octets >> 8U & 0xFFU] ^
-        tables[5][octets >> 16U & 0xFFU] ^ tables[4][octets >> 24U & 0xFFU] ^
-        tables[3][octets >> 32U & 0xFFU] ^ tables[2][octets >> 40U & 0xFFU] ^
-        tables[1][octets >> 48U & 0xFFU] ^ tables[0][octets >> 56U]);
+        eight[7][octets & 0xFFU] ^ eight[6][octets >> 8U & 0xFFU] ^
+        eight[5][octets >> 16U & 0xFFU] ^ eight[4][octets >> 24U & 0xFFU] ^
+        eight[3][octets >> 32U & 0xFFU] ^ eight[2][octets >> 40U & 0xFFU] ^
+        eight[1][octets >> 48U & 0xFFU] ^ eight[0][octets >> 56U]);
 }
 
 /// What the start value FFFF adds to the CRC of so many octets, 8 at most.
-inline constexpr std::uint16_t started[9] = {
+inline constexpr std::uint16_t started[] = {
     shifted(0xFFFF, 0),  shifted(0xFFFF, 8),  shifted(0xFFFF, 16),
     shifted(0xFFFF, 24), shifted(0xFFFF, 32), shifted(0xFFFF, 40),
     shifted(0xFFFF, 48), shifted(0xFFFF, 56), shifted(0xFFFF, 64)};
@@ -86,10 +88,9 @@ inline constexpr std::uint16_t started[9] = {
 /// that was just written so cannot be loaded in words without waiting.
 [[nodiscard]] constexpr std::uint16_t of_few(std::byte const* at, std::size_t size) noexcept
 {
-    auto const& tables = at_distance<8>.at;
     std::byte const* const end = at + size;
     auto const add = [&](std::uint16_t crc, std::ptrdiff_t k) {
-        return static_cast<std::uint16_t>(crc ^ tables[k - 1][to_u8(end[-k])]);
+        return static_cast<std::uint16_t>(crc ^ eight[k - 1][to_u8(end[-k])]);
     };
     std::uint16_t crc = started[size];
     switch (size) {
@@ -108,11 +109,10 @@ inline constexpr std::uint16_t started[9] = {
 /// The CRC after eight more octets.
 [[nodiscard]] constexpr std::uint16_t after_eight(std::uint32_t crc, std::byte const* at) noexcept
 {
-    auto const& tables = at_distance<8>.at;
     return static_cast<std::uint16_t>(
-        tables[7][to_u8(at[0]) ^ (crc & 0xFFU)] ^ tables[6][to_u8(at[1]) ^ (crc >> 8U)] ^
-        tables[5][to_u8(at[2])] ^ tables[4][to_u8(at[3])] ^ tables[3][to_u8(at[4])] ^
-        tables[2][to_u8(at[5])] ^ tables[1][to_u8(at[6])] ^ tables[0][to_u8(at[7])]);
+        eight[7][to_u8(at[0]) ^ (crc & 0xFFU)] ^ eight[6][to_u8(at[1]) ^ (crc >> 8U)] ^
+        eight[5][to_u8(at[2])] ^ eight[4][to_u8(at[3])] ^ eight[3][to_u8(at[4])] ^
+        eight[2][to_u8(at[5])] ^ eight[1][to_u8(at[6])] ^ eight[0][to_u8(at[7])]);
 }
 
 /// The CRC of some octets: up to 8 at the front, then eight at a time.
