@@ -9,7 +9,8 @@
 //   synchronising  dropped                                 -> idle
 //   idle           -> receiving                            stays
 //   receiving      kept; rule met and CRC right -> done    -> done: a frame, or damaged
-//   done           a new frame starts                      -> idle
+//   done           -> receiving; what nobody polled is     stays; polled -> idle
+//                  dropped
 #pragma once
 
 #include <array>
