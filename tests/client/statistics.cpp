@@ -61,6 +61,45 @@ constexpr bool counts_good_and_bad()
 }
 PROOF("good, bad, late and missing answers are counted, each as what it was", counts_good_and_bad)
 
+constexpr auto damaged = "01 03 02 12 34 B4 33"_hex;
+
+constexpr bool counts_what_follows_an_answer()
+{
+    counting_end unit{impatient};
+    unit.ask(read_eta);
+    unit.say("01 03 02 12 34 B5 33 01 01"_hex);
+    auto const& line = unit.link.statistics().line();
+    return unit.has(0x1234) and line[line_event::noise] == 2 and line[line_event::late] == 0;
+}
+PROOF("octets behind an answer, in one lump with it, are noise", counts_what_follows_an_answer)
+
+/// Says something damaged and, after a silence that nobody was told of, what follows.
+constexpr errc damaged_then(counting_end& unit, bool is_cancelled, byte_view rest)
+{
+    unit.ask(read_eta);
+    unit.link.receive(damaged, unit.now);
+    if (is_cancelled) {
+        unit.link.cancel(unit.now);
+    }
+    unit.now = unit.now + milliseconds(20);
+    unit.link.receive(rest, unit.now);
+    return unit.fault();
+}
+
+constexpr bool judges_before_a_lump()
+{
+    counting_end waiting{impatient};
+    counting_end gone{impatient};
+    auto const crc_of = [](counting_end const& unit) {
+        return unit.link.statistics().line()[line_event::crc];
+    };
+    return damaged_then(waiting, false, answer_1234) == errc::crc_mismatch and
+           crc_of(waiting) == 1 and damaged_then(gone, true, answer_1234) == errc::cancelled and
+           crc_of(gone) == 0;
+}
+PROOF("what a silence ended is judged before the lump behind it, where an answer is awaited",
+      judges_before_a_lump)
+
 constexpr bool counts_noise_of_no_unit()
 {
     counting_end unit{impatient};

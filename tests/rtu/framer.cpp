@@ -253,4 +253,26 @@ constexpr bool deadlines()
 }
 PROOF("a framer wants to be woken only for silence", deadlines)
 
+constexpr bool host_deadlines()
+{
+    auto const host = line_timing::host(19'200, character_format::even_8_1);
+    listener ear{direction::request, host};
+    ear.hear(byte_view{request}.first(3));
+    instant const last = ear.now;
+    bool const to_send = ear.receiver.poll_deadline() == deadline{last + host.t3_5()};
+    ear.pause(host.t3_5());
+    return to_send and ear.receiver.is_quiet() and
+           ear.receiver.poll_deadline() == deadline{last + host.frame_end()};
+}
+PROOF("on a host it is woken twice: when somebody may send, and when what it has is all",
+      host_deadlines)
+
+constexpr bool takes_all_of_a_lump()
+{
+    std::array<std::byte, 300> octets{};
+    listener ear{direction::request};
+    return ear.hear(octets) == octets.size() and ear.fault() == errc::busy;
+}
+PROOF("octets that no frame has room for are taken all the same", takes_all_of_a_lump)
+
 } // namespace

@@ -133,6 +133,13 @@ constexpr bool says_that_more_follows()
 PROOF("a page says that more follows", says_that_more_follows)
 PROOF("a page is written only when its objects come out even", is_written_well_formed_only)
 
+/// A page that was not decoded: its list ends within its only object.
+constexpr auto half_an_object = "00 03 41"_hex;
+constexpr device_identification by_hand{
+    identification_access::basic, 1, false, 0, 1, half_an_object};
+STATIC_CHECK(not by_hand.first());
+STATIC_CHECK(by_hand.check() == errc::malformed);
+
 } // namespace
 
 TEST_CASE("a page with any other number of objects or any other length is refused")

@@ -36,13 +36,12 @@ inline constexpr std::uint8_t identification_mei_type = 0x0E;
     std::size_t count = 0;
     int last = -1;
     while (left > 0) {
-        std::size_t const size = left < 2 ? left + 1 : 2U + to_u8(at[1]);
-        if (size > left or to_u8(at[0]) <= last) {
+        if (left < 2 or left - 2 < to_u8(at[1]) or to_u8(at[0]) <= last) {
             return 0;
         }
         last = to_u8(at[0]);
-        at += size;
-        left -= size;
+        left -= 2U + to_u8(at[1]);
+        at += 2U + to_u8(at[1]);
         ++count;
     }
     return count;
