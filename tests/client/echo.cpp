@@ -44,6 +44,16 @@ constexpr bool in_any_chunks()
 }
 PROOF("it may come in parts, and before the transmission is reported to be over", in_any_chunks)
 
+constexpr bool ends_at_a_difference()
+{
+    echo_check echo;
+    echo.expect(read_eta.size());
+    bool const agrees = echo.take(read_eta[0], read_eta) and not echo.is_wrong();
+    bool const differs = echo.take(read_eta[0], read_eta) and echo.is_wrong();
+    return agrees and differs and not echo.take(read_eta[2], read_eta);
+}
+PROOF("no octet behind one that differs belongs to the echo", ends_at_a_difference)
+
 constexpr bool one_wrong_octet()
 {
     far_end unit{echoing};

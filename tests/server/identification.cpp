@@ -57,6 +57,22 @@ constexpr bool single_objects()
 }
 PROOF("a single object is given alone, an unknown one is exception 02", single_objects)
 
+constexpr errc refusal_of(byte_view request)
+{
+    std::array<std::byte, max_pdu_size> place{};
+    byte_writer{place}.bytes(request);
+    pdu_place pdu{place, request.size()};
+    return write_identification(pdu, identity_of<drive>);
+}
+STATIC_CHECK(refusal_of("2B"_hex) == errc::illegal_data_value);
+STATIC_CHECK(refusal_of("2B 0D"_hex) == errc::illegal_function);
+STATIC_CHECK(refusal_of("2B 0E 01"_hex) == errc::illegal_data_value);
+STATIC_CHECK(refusal_of("2B 0E 00 00"_hex) == errc::illegal_data_value);
+STATIC_CHECK(refusal_of("2B 0E 05 00"_hex) == errc::illegal_data_value);
+STATIC_CHECK(refusal_of("2B 0E 04 00"_hex) == errc::none);
+STATIC_CHECK(ask(identity_of<drive>, identification_access::single, vendor_name).size ==
+             7 + 2 + 18);
+
 constexpr bool unknown_start()
 {
     auto const whole = ask(identity_of<drive>, identification_access::basic, 0);
