@@ -35,12 +35,7 @@ void pages_are_whole(fuzz::input in)
     byte_writer out{octets};
     std::size_t count = 0;
     for (unsigned id = 0; count < 4 and not in.is_empty() and id < 256; ++count) {
-        text const value = texts[in.u8() % std::size(texts)];
-        out.u8(id);
-        out.u8(static_cast<std::uint32_t>(value.size()));
-        for (char const letter : value) {
-            out.u8(static_cast<std::uint8_t>(letter));
-        }
+        write_object(out, {static_cast<std::uint8_t>(id), texts[in.u8() % std::size(texts)]});
         id += 1U + in.u8() % 90U;
     }
     auto const made = device_objects::from(out.written());

@@ -25,17 +25,23 @@ struct answer {
     constexpr byte_view octets() const { return byte_view{place}.first(size); }
 };
 
-constexpr answer ask(device_objects const& objects, identification_access access,
-                     std::uint8_t object = 0)
+constexpr answer answer_to(device_objects const& objects, byte_view request)
 {
     answer given;
-    read_device_identification const asked{access, object};
-    byte_writer request{given.place};
-    asked.write(request);
+    byte_writer{given.place}.bytes(request);
     pdu_place pdu{given.place, request.size()};
     given.wrong = write_identification(pdu, objects);
     given.size = given.wrong == errc::none ? pdu.size : 0;
     return given;
+}
+
+constexpr answer ask(device_objects const& objects, identification_access access,
+                     std::uint8_t object = 0)
+{
+    std::array<std::byte, read_device_identification::max_size> octets{};
+    byte_writer request{octets};
+    read_device_identification{access, object}.write(request);
+    return answer_to(objects, octets);
 }
 
 constexpr bool manual_example()
@@ -59,10 +65,7 @@ PROOF("a single object is given alone, an unknown one is exception 02", single_o
 
 constexpr errc refusal_of(byte_view request)
 {
-    std::array<std::byte, max_pdu_size> place{};
-    byte_writer{place}.bytes(request);
-    pdu_place pdu{place, request.size()};
-    return write_identification(pdu, identity_of<drive>);
+    return answer_to(identity_of<drive>, request).wrong;
 }
 STATIC_CHECK(refusal_of("2B"_hex) == errc::illegal_data_value);
 STATIC_CHECK(refusal_of("2B 0D"_hex) == errc::illegal_function);

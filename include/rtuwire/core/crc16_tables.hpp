@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include <rtuwire/core/bytes.hpp>
 
@@ -106,13 +107,20 @@ inline constexpr std::uint16_t started[] = {
     }
 }
 
-/// The CRC after eight more octets.
-[[nodiscard]] constexpr std::uint16_t after_eight(std::uint32_t crc, std::byte const* at) noexcept
+/// The CRC after `Count` more octets.
+template <std::size_t Count, std::size_t... I>
+[[nodiscard]] constexpr std::uint16_t after(std::uint32_t crc, std::byte const* at,
+                                            std::index_sequence<0, 1, I...>) noexcept
 {
-    return static_cast<std::uint16_t>(
-        eight[7][to_u8(at[0]) ^ (crc & 0xFFU)] ^ eight[6][to_u8(at[1]) ^ (crc >> 8U)] ^
-        eight[5][to_u8(at[2])] ^ eight[4][to_u8(at[3])] ^ eight[3][to_u8(at[4])] ^
-        eight[2][to_u8(at[5])] ^ eight[1][to_u8(at[6])] ^ eight[0][to_u8(at[7])]);
+    auto const& tables = at_distance<Count>.at;
+    return static_cast<std::uint16_t>(tables[Count - 1][to_u8(at[0]) ^ (crc & 0xFFU)] ^
+                                      tables[Count - 2][to_u8(at[1]) ^ (crc >> 8U)] ^
+                                      (tables[Count - 1 - I][to_u8(at[I])] ^ ...));
+}
+template <std::size_t Count>
+[[nodiscard]] constexpr std::uint16_t after(std::uint32_t crc, std::byte const* at) noexcept
+{
+    return after<Count>(crc, at, std::make_index_sequence<Count>{});
 }
 
 /// The CRC of some octets: up to 8 at the front, then eight at a time.
@@ -123,7 +131,7 @@ inline constexpr std::uint16_t started[] = {
     std::size_t const odd = (octets.size() - 1) % 8 + 1;
     std::uint16_t crc = of_few(at, odd);
     for (at += odd; at != end; at += 8) {
-        crc = after_eight(crc, at);
+        crc = after<8>(crc, at);
     }
     return crc;
 }
@@ -131,15 +139,9 @@ inline constexpr std::uint16_t started[] = {
 /// The CRC by slices of `Count` octets.
 template <std::size_t Count> [[nodiscard]] constexpr std::uint16_t sliced(byte_view octets) noexcept
 {
-    auto const& tables = at_distance<Count>.at;
     std::uint32_t crc = 0xFFFF;
     for (; octets.size() >= Count; octets = octets.subspan(Count)) {
-        std::uint32_t next = tables[Count - 1][to_u8(octets[0]) ^ (crc & 0xFFU)] ^
-                             tables[Count - 2][to_u8(octets[1]) ^ (crc >> 8U)];
-        for (std::size_t i = 2; i < Count; ++i) {
-            next ^= std::uint32_t{tables[Count - 1 - i][to_u8(octets[i])]};
-        }
-        crc = next;
+        crc = after<Count>(crc, octets.data());
     }
     for (std::byte const octet : octets) {
         crc = (crc >> 8U) ^ byte(crc ^ to_u8(octet));

@@ -79,6 +79,16 @@ private:
     std::uint8_t conformity_{0x81};
 };
 
+/// Writes an object as it stands in an answer; a text longer than 244 characters is not for any.
+constexpr void write_object(byte_writer& out, device_object const& object) noexcept
+{
+    out.u8(object.id);
+    out.u8(static_cast<std::uint32_t>(object.value.size()));
+    for (char const letter : object.value) {
+        out.u8(static_cast<std::uint8_t>(letter));
+    }
+}
+
 /// The octets of objects known when compiling.
 template <auto const& Objects> [[nodiscard]] consteval auto octets_of() noexcept
 {
@@ -92,11 +102,7 @@ template <auto const& Objects> [[nodiscard]] consteval auto octets_of() noexcept
     std::array<std::byte, size> octets{};
     byte_writer out{octets};
     for (device_object const& each : Objects) {
-        out.u8(each.id);
-        out.u8(static_cast<std::uint32_t>(each.value.size()));
-        for (char const letter : each.value) {
-            out.u8(static_cast<std::uint8_t>(letter));
-        }
+        write_object(out, each);
     }
     return octets;
 }

@@ -46,7 +46,7 @@ namespace rtuwire {
                                                   byte_view answer_pdu) noexcept
 {
     constexpr std::size_t count_at = 6;
-    constexpr std::size_t first_id_at = 7;
+    constexpr std::size_t first_id_at = device_identification::head_size;
     if (errc const wrong = device_identification::check_page(answer_pdu); wrong != errc::none) {
         return wrong;
     }
