@@ -16,7 +16,7 @@ packages_of() {
         emulator) echo qemu-system-arm ;;
         clang) echo clang libclang-rt-dev ;;
         afl) echo afl++ ;;
-        bench) echo pkg-config libbenchmark-dev libmodbus-dev valgrind ;;
+        bench) echo pkg-config libbenchmark-dev libmodbus-dev valgrind strace ;;
         portability) echo g++-s390x-linux-gnu g++-arm-linux-gnueabihf g++-aarch64-linux-gnu qemu-user-static clang-19 libc++-19-dev libc++abi-19-dev ;;
         style) echo clang-format clang-tidy ;;
         *)
@@ -29,7 +29,7 @@ packages_of() {
 # A tool counts however it came here; a library only counts as the package the build will look for.
 present() {
     case $1 in
-        cmake | make | c++ | g++ | clang | mbpoll | socat | tshark | pkg-config | qemu-system-arm | valgrind | clang-format | clang-tidy)
+        cmake | make | c++ | g++ | clang | mbpoll | socat | tshark | pkg-config | qemu-system-arm | valgrind | strace | clang-format | clang-tidy)
             command -v "$1" >/dev/null ;;
         ninja-build) command -v ninja >/dev/null ;;
         # Only the distribution's interpreter sees the distribution's modules.

@@ -158,10 +158,7 @@ private:
             if (frame.empty()) {
                 continue;
             }
-            auto written = port_.write(frame, port_.now() + write_limit);
-            if (written) {
-                written = port_.drain();
-            }
+            auto const written = port_.write(frame, port_.now() + write_limit);
             last_ = port_.now();
             for (auto const& other : drives_) {
                 if (other != speaker) {

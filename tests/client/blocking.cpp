@@ -37,8 +37,6 @@ struct scripted_port {
         return {};
     }
 
-    result<void> drain() { return {}; }
-
     result<byte_span> read(byte_span place, instant until)
     {
         if (is_broken) {
@@ -100,6 +98,16 @@ TEST_CASE("a waiting client gives exceptions, time-outs and refusals as errors")
     CHECK(port.sent.size() == 3);
 }
 
+TEST_CASE("a question without an answer takes its time, and no more")
+{
+    scripted_port port;
+    blocking_client line{port, timing, {.response_timeout = milliseconds(300), .retries = 0}};
+    instant const before = port.clock;
+    CHECK(line.ask(unit_id{1}, question) == errc::timed_out);
+    std::uint32_t const least = 300'000 + timing.characters(8 + 7).microseconds;
+    CHECK((port.clock - before).microseconds - least < 5'000);
+}
+
 TEST_CASE("what lay in the port before the question does not answer it")
 {
     scripted_port port = answering(answer_1234);
@@ -114,7 +122,11 @@ TEST_CASE("a command to all ends without an answer")
 {
     scripted_port port;
     blocking_client line{port, timing};
+    instant const before = port.clock;
     CHECK(line.tell_all(write_single_register{8501, 0}));
+    duration const least = timing.t3_5() + timing.characters(8) + milliseconds(100);
+    CHECK(port.clock - before >= least);
+    CHECK((port.clock - before).microseconds - least.microseconds < 1000);
     REQUIRE(port.sent.size() == 1);
     CHECK(port.sent[0] == line_of(stop_all));
 }

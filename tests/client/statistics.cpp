@@ -61,6 +61,20 @@ constexpr bool counts_good_and_bad()
 }
 PROOF("good, bad, late and missing answers are counted, each as what it was", counts_good_and_bad)
 
+constexpr bool answers_before_the_reckoned_end()
+{
+    counting_end unit{impatient};
+    bool const asked = unit.link.start(request{read_eta}, unit.now).has_value() and
+                       not unit.link.poll_transmit().empty();
+    unit.link.sent(unit.now + test::line.characters(read_eta.size()));
+    unit.link.receive(answer_1234, unit.now + microseconds(100));
+    auto const& line = unit.link.statistics().line();
+    return asked and unit.has(0x1234) and line[line_event::reply] == 1 and
+           line.worst_latency == duration{};
+}
+PROOF("an answer before the reckoned end of its question is one, and took no time",
+      answers_before_the_reckoned_end)
+
 constexpr auto damaged = "01 03 02 12 34 B4 33"_hex;
 
 constexpr bool counts_what_follows_an_answer()

@@ -34,4 +34,14 @@ constexpr bool set_and_get()
 }
 PROOF("a word is set and got only where there is one", set_and_get)
 
+constexpr bool reads_into_what_has_room()
+{
+    word_bank<4> bank{100};
+    std::array<std::byte, 7> place{};
+    byte_writer out{place};
+    return bank.read(100, 3, out) == errc::none and
+           bank.read(100, 1, out) == errc::server_device_failure and out.size() == 6;
+}
+PROOF("words that no answer has room for are a failure of the unit", reads_into_what_has_room)
+
 } // namespace

@@ -52,6 +52,15 @@ constexpr bool units_are_1_to_247()
 }
 PROOF("a unit address is 1 to 247", units_are_1_to_247)
 
+constexpr bool a_head_is_whole()
+{
+    std::array<std::byte, 4> place{};
+    byte_writer out{place};
+    write_head(out, function_code::read_holding_registers, 1, 2);
+    return not out.ok() and out.written().empty() and place[0] == std::byte{0};
+}
+PROOF("a head that does not fit is not written", a_head_is_whole)
+
 STATIC_CHECK(destination{broadcast}.is_broadcast() and destination{broadcast}.octet() == 0);
 STATIC_CHECK(not destination{unit_id{7}}.is_broadcast() and destination{unit_id{7}}.octet() == 7);
 STATIC_CHECK(unit_id{3} < unit_id{4} and unit_id{3} == unit_id{3});

@@ -14,8 +14,8 @@
 
 namespace rtuwire {
 
-/// A serial port as seen from here: it has a clock, sends all it is given before a deadline, waits
-/// until that has left, and reads what is there or arrives before a deadline (none: an empty span).
+/// A serial port as seen from here: it has a clock, takes all it is given before a deadline and sends it
+/// at the line's pace, and reads what is there or arrives before a deadline (none: an empty span).
 template <typename T>
 concept serial_port = requires(T& port, byte_view out, byte_span in, instant until)
 {
@@ -24,9 +24,6 @@ concept serial_port = requires(T& port, byte_view out, byte_span in, instant unt
         } -> std::same_as<instant>;
     {
         port.write(out, until)
-        } -> std::same_as<result<void>>;
-    {
-        port.drain()
         } -> std::same_as<result<void>>;
     {
         port.read(in, until)
@@ -41,14 +38,12 @@ result<void> pump(Engine& engine, Port& port, byte_span place, instant until,
                   duration write_limit = milliseconds(1'000))
 {
     if (byte_view const frame = engine.poll_transmit(); not frame.empty()) {
-        auto written = port.write(frame, port.now() + write_limit);
-        if (written) {
-            written = port.drain();
-        }
+        auto const written = port.write(frame, port.now() + write_limit);
         if (not written) {
             return written;
         }
-        engine.sent(port.now());
+        // Asking the driver until when costs a call, and adapters do not know.
+        engine.sent(port.now() + engine.line().characters(frame.size()));
     }
     auto const octets = port.read(place, *earlier(engine.poll_deadline(), until));
     if (not octets) {
@@ -97,9 +92,11 @@ public:
     {
         auto failed = drop_stale_input();
         while (failed) {
-            client_.converse(talk, port_.now());
+            instant const now = port_.now();
+            client_.advance(now);
+            client_.converse(talk, now);
             if (client_.is_busy()) {
-                failed = step();
+                failed = pump(client_, port_, input_, now + write_limit_, write_limit_);
             } else if (talk.settled()) {
                 return {};
             } else {
@@ -133,14 +130,14 @@ private:
         return receive_until(next ? *next : port_.now());
     }
 
-    result<void> step()
+    /// What the operating system kept from before the question must not pass for its answer. Where the
+    /// line has to fall silent first, one wait serves for both.
+    result<void> drop_stale_input()
     {
-        client_.advance(port_.now());
-        return pump(client_, port_, input_, port_.now() + write_limit_, write_limit_);
+        instant const now = port_.now();
+        client_.advance(now);
+        return receive_until(client_.is_quiet() ? now : now + client_.line().t3_5());
     }
-
-    /// What the operating system kept from before the question must not pass for its answer.
-    result<void> drop_stale_input() { return receive_until(port_.now()); }
 
     result<void> receive_until(instant until)
     {

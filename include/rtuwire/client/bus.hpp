@@ -55,7 +55,8 @@ public:
 
     constexpr void receive(byte_view octets, instant now) noexcept { client_.receive(octets, now); }
     constexpr void receive_error(instant now) noexcept { client_.receive_error(now); }
-    constexpr void sent(instant now) noexcept { client_.sent(now); }
+    constexpr void sent(instant at) noexcept { client_.sent(at); }
+    [[nodiscard]] constexpr line_timing const& line() const noexcept { return client_.line(); }
 
     /// Lets time pass.
     constexpr void advance(instant now) noexcept

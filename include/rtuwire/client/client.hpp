@@ -75,18 +75,18 @@ public:
         }
     }
 
-    /// Takes note that the last stop bit of what `poll_transmit` gave has left at `now`.
-    constexpr void sent(instant now) noexcept
+    /// Takes note that the last stop bit of what `poll_transmit` gave has left at `at`, or will by then.
+    constexpr void sent(instant at) noexcept
     {
-        framer_.note_activity(now);
+        framer_.note_activity(at);
         if (phase_ != phase::transmitting) {
             return;
         }
-        framer_.restart(now);
+        framer_.restart(at);
         bool const is_broadcast = unit() == 0;
         phase_ = is_broadcast ? phase::turnaround : phase::awaiting;
         skip_left_ = options_.skip_noise;
-        deadline_ = now + (is_broadcast ? options_.turnaround : answer_time());
+        deadline_ = at + (is_broadcast ? options_.turnaround : answer_time());
     }
 
     /// Lets time pass.
@@ -186,6 +186,8 @@ public:
 
     /// Whether the line has fallen silent since the last octet.
     [[nodiscard]] constexpr bool is_quiet() const noexcept { return framer_.is_quiet(); }
+
+    [[nodiscard]] constexpr line_timing const& line() const noexcept { return framer_.line(); }
 
     /// Whether a question of this conversation would be ready to leave at once.
     template <conversation Talk>

@@ -60,7 +60,8 @@ struct counters {
     std::array<std::uint32_t, events> by_event{};
     /// Exceptions 1 to 11; any other at 0.
     std::array<std::uint32_t, codes> by_exception{};
-    /// From the end of a question to the end of its answer.
+    /// From the end of a question to the end of its answer. On a host that end is reckoned; an answer
+    /// before it, on a line without wires, counts as none.
     duration worst_latency{};
 
     [[nodiscard]] constexpr std::uint32_t operator[](line_event what) const noexcept
@@ -79,7 +80,8 @@ struct counters {
     }
     constexpr void note_latency(duration latency) noexcept
     {
-        if (latency.microseconds > worst_latency.microseconds) {
+        if (static_cast<std::int32_t>(latency.microseconds) >
+            static_cast<std::int32_t>(worst_latency.microseconds)) {
             worst_latency = latency;
         }
     }
@@ -195,12 +197,12 @@ constexpr void note_frame(Statistics& to, line_event what, errc found, std::uint
     to.note(what, unit);
 }
 
-/// Notes octets that belong to no answer: one event for a frame that starts where the answer of `owing`
-/// may still come, one for each octet elsewhere.
+/// Notes octets, one at least, that belong to no answer: one event for a frame that starts where the
+/// answer of `owing` may still come, one for each octet elsewhere.
 template <typename Statistics>
 constexpr void note_noise(Statistics& to, byte_view octets, std::uint8_t owing) noexcept
 {
-    bool const is_late = owing != 0 and not octets.empty() and to_u8(octets[0]) == owing;
+    bool const is_late = owing != 0 and to_u8(octets[0]) == owing;
     if (is_late) {
         to.note(line_event::late, owing);
         return;

@@ -72,7 +72,8 @@ public:
     /// The last failure in words, beginning with the device's name; empty before the first.
     [[nodiscard]] std::string const& failure() const noexcept { return failure_; }
 
-    /// Sends all octets. Errors: `timed_out`, `device_vanished`, `device_failed`.
+    /// Hands all octets to the driver, which sends them at the line's pace. Errors: `timed_out`,
+    /// `device_vanished`, `device_failed`.
     result<void> write(byte_view octets, instant until)
     {
         auto const written = descriptor_.write(octets, until);
@@ -80,17 +81,6 @@ public:
             return failed(written.error());
         }
         return written;
-    }
-
-    /// Waits until the last octet has left. The driver reports it late rather than early.
-    result<void> drain()
-    {
-        while (::tcdrain(descriptor_.number()) != 0) {
-            if (errno != EINTR) {
-                return failed(device_error(errno), errno);
-            }
-        }
-        return {};
     }
 
     /// Waits for at least one octet until the deadline and reads what is there; empty when there was

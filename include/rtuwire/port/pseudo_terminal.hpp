@@ -63,9 +63,6 @@ public:
     /// Sends all octets. Errors: `timed_out` when nobody reads the far end, `device_failed`.
     result<void> write(byte_view octets, instant until) const { return near_.write(octets, until); }
 
-    /// Nothing to wait for: what was written is at the far end.
-    result<void> drain() const noexcept { return {}; }
-
     /// Waits for at least one octet until the deadline and reads what is there; empty when there was
     /// none. Error: `device_failed`.
     result<byte_span> read(byte_span place, instant until) const

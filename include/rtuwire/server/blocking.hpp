@@ -33,10 +33,7 @@ result<void> serve_once(basic_server<Diagnostics>& node, Port& port, Bank& bank,
     if (frame.empty()) {
         return {};
     }
-    auto written = port.write(frame, port.now() + write_limit);
-    if (written) {
-        written = port.drain();
-    }
+    auto const written = port.write(frame, port.now() + write_limit);
     node.sent(port.now());
     return written;
 }

@@ -139,12 +139,13 @@ public:
         return framer_.storage().first(answer_size_);
     }
 
-    /// When `advance` has something to do.
+    /// When `advance` has something to do. Who only waits for a request does not care for silence.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
-        deadline const limit =
-            phase_ == phase::answering or phase_ == phase::ready ? deadline{too_late_} : deadline{};
-        return earlier(framer_.poll_deadline(), limit);
+        if (phase_ == phase::answering or phase_ == phase::ready) {
+            return earlier(framer_.poll_deadline(), too_late_);
+        }
+        return framer_.is_at_start() ? deadline{} : framer_.poll_deadline();
     }
 
     /// Whether a request waits for `serve`.

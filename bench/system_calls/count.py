@@ -1,0 +1,57 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""System calls of either end for one transaction over a real pseudo-terminal, counted by strace.
+
+    python3 bench/system_calls/count.py
+
+The difference between many transactions and twice as many, so that start and end do not count.
+"""
+import collections
+import pathlib
+import subprocess
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+PROJECT = HERE.parent.parent
+ROUNDS = 200
+BAR = 3
+OTHERS = 7  # libmodbus, a client
+
+
+def calls(trace):
+    """How often each was made: the names before the brackets."""
+    lines = trace.read_text(encoding="utf-8").splitlines()
+    return collections.Counter(line.split("(")[0] for line in lines if "(" in line)
+
+
+def transactions(program, count, place):
+    traces = {end: place / f"{end}.txt" for end in ("serve", "ask")}
+
+    def traced(end, *words):
+        return ["strace", "-o", traces[end], program, end, str(count), *words]
+    with subprocess.Popen(traced("serve"), stdout=subprocess.PIPE, text=True) as server:
+        device = server.stdout.readline().strip()
+        subprocess.run(traced("ask", device), check=True, timeout=60)
+        if server.wait(timeout=60) != 0:
+            raise SystemExit("count.py: the server's port failed")
+    return {end: calls(trace) for end, trace in traces.items()}
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        place = pathlib.Path(folder)
+        program = place / "line"
+        subprocess.check_call(["g++", "-std=c++20", "-O2", f"-I{PROJECT / 'include'}", "-o", program,
+                               HERE / "line.cpp"])
+        once = transactions(program, ROUNDS, place)
+        twice = transactions(program, 2 * ROUNDS, place)
+    for end, title in (("ask", "client"), ("serve", "server")):
+        made = twice[end] - once[end]
+        total = sum(made.values()) / ROUNDS
+        parts = ", ".join(f"{name} {count / ROUNDS:.1f}" for name, count in sorted(made.items()))
+        print(f"{title}: {total:.1f} system calls for a transaction, at most {BAR}: "
+              f"{'met' if total <= BAR else 'MISSED'} (libmodbus {OTHERS}): {parts}")
+
+
+if __name__ == "__main__":
+    main()
