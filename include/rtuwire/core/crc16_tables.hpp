@@ -123,16 +123,18 @@ template <std::size_t Count>
     return after<Count>(crc, at, std::make_index_sequence<Count>{});
 }
 
-/// The CRC of some octets: up to 8 at the front, then eight at a time.
+/// The CRC of more than 8 octets: up to 8 at the front, then eight at a time.
 [[nodiscard]] constexpr std::uint16_t of_some(byte_view octets) noexcept
 {
     std::byte const* at = octets.data();
     std::byte const* const end = at + octets.size();
     std::size_t const odd = (octets.size() - 1) % 8 + 1;
     std::uint16_t crc = of_few(at, odd);
-    for (at += odd; at != end; at += 8) {
+    at += odd;
+    do {
         crc = after<8>(crc, at);
-    }
+        at += 8;
+    } while (at != end);
     return crc;
 }
 

@@ -27,7 +27,7 @@ struct server_profile {
 /// function does not have has quantity 0.
 struct register_access {
     register_view values{}; ///< a view of the request's octets
-    std::uint16_t read_count{0};
+    std::size_t read_count{0};
     std::uint16_t write_start{0};
     std::uint16_t read_start; ///< set by `decode_access`
 
@@ -79,7 +79,7 @@ decode_access(byte_view pdu, device_limits const& limits, register_access& acces
     auto const function = static_cast<function_code>(to_u8(pdu[0]));
     bool const is_read = function == function_code::read_holding_registers;
     byte_view fields = pdu.subspan(1);
-    std::size_t write_limit = limits.write;
+    std::size_t write_limit = 0;
     access.read_start = 0;
     if (function == function_code::write_single_register) {
         return access.take_value(fields) ? errc::none : errc::illegal_data_value;
@@ -89,12 +89,16 @@ decode_access(byte_view pdu, device_limits const& limits, register_access& acces
             return errc::illegal_data_value;
         }
         fields = fields.subspan(register_access::read_half_size);
+        if (is_read) {
+            return fields.empty() ? errc::none : errc::illegal_data_value;
+        }
         write_limit = limits.exchange_write;
-    } else if (function != function_code::write_multiple_registers) {
+    } else if (function == function_code::write_multiple_registers) {
+        write_limit = limits.write;
+    } else {
         return errc::illegal_function;
     }
-    bool const is_legal = is_read ? fields.empty() : access.take_written(fields, write_limit);
-    return is_legal ? errc::none : errc::illegal_data_value;
+    return access.take_written(fields, write_limit) ? errc::none : errc::illegal_data_value;
 }
 
 } // namespace rtuwire

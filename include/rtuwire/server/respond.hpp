@@ -61,7 +61,7 @@ template <register_bank Bank>
     }
     pdu.size = echo_size; // what a write repeats is there already
     if (asked.read_count > 0) {
-        pdu.octets[1] = to_byte(2U * asked.read_count);
+        pdu.octets[1] = static_cast<std::byte>(out.size());
         pdu.size = head_size + out.size();
     }
     return errc::none;
