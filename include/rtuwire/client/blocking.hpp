@@ -90,24 +90,24 @@ public:
     /// then cancelled and the conversation told so.
     template <conversation Talk> result<void> run(Talk& talk)
     {
-        auto failed = drop_stale_input();
-        while (failed) {
+        auto passed = drop_stale_input();
+        while (passed) {
             instant const now = port_.now();
             client_.advance(now);
             client_.converse(talk, now);
             if (client_.is_busy()) {
-                failed = pump(client_, port_, input_, now + write_limit_, write_limit_);
+                passed = pump(client_, port_, input_, now + write_limit_, write_limit_);
             } else if (talk.settled()) {
                 return {};
             } else {
-                failed = wait_for(talk);
+                passed = wait_for(talk);
             }
         }
         client_.cancel(port_.now());
         if (auto const outcome = client_.poll_outcome()) {
             talk.accept(*outcome);
         }
-        return failed.error();
+        return passed.error();
     }
 
 private:

@@ -12,8 +12,8 @@
 
 namespace rtuwire {
 
-/// Reads what has arrived, or arrives before `patience` is over; answers what is asked. Errors: those
-/// of the port.
+/// Reads what has arrived, or arrives before `patience` is over; answers what is asked. The port must not
+/// give back what is sent: the answer to function 06 looks like its question. Errors: those of the port.
 template <typename Diagnostics, typename Port, register_bank Bank>
 result<void> serve_once(basic_server<Diagnostics>& node, Port& port, Bank& bank, duration patience)
 {
