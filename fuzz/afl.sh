@@ -7,7 +7,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 seconds=${1:-60}
-sh tests/packages.sh build clang afl bench
+sh tests/packages.sh build clang afl
 cmake --preset afl
 cmake --build --preset afl
 

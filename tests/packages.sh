@@ -15,7 +15,7 @@ packages_of() {
         arm) echo gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib ;;
         emulator) echo qemu-system-arm ;;
         clang) echo clang libclang-rt-dev ;;
-        afl) echo afl++ ;;
+        afl) echo afl++ pkg-config libmodbus-dev ;;
         bench) echo pkg-config libbenchmark-dev libmodbus-dev valgrind strace ;;
         portability) echo g++-s390x-linux-gnu g++-arm-linux-gnueabihf g++-aarch64-linux-gnu qemu-user-static clang-19 libc++-19-dev libc++abi-19-dev ;;
         style) echo clang-format clang-tidy ;;
