@@ -74,6 +74,17 @@ constexpr bool serves()
 }
 PROOF("a request is answered after t3.5, then the next", serves)
 
+constexpr bool sleeps_between_requests()
+{
+    unit_1 unit;
+    unit.hear(write_3);
+    bool const waits = unit.node.poll_deadline() == deadline{unit.now + line.t3_5()};
+    bool const answered = unit.says(write_3) and not unit.node.poll_deadline();
+    unit.hear("01 03"_hex);
+    return waits and answered and unit.node.poll_deadline();
+}
+PROOF("between requests a server has no deadline; in one it has", sleeps_between_requests)
+
 template <std::size_t Size> constexpr bool is_ignored(std::array<std::byte, Size> const& octets)
 {
     unit_1 unit;
