@@ -28,11 +28,11 @@ def transactions(program, count, place):
     traces = {end: place / f"{end}.txt" for end in ("serve", "ask")}
 
     def traced(end, *words):
-        return ["strace", "-o", traces[end], program, end, str(count), *words]
+        return ["timeout", "60", "strace", "-o", traces[end], program, end, str(count), *words]
     with subprocess.Popen(traced("serve"), stdout=subprocess.PIPE, text=True) as server:
         device = server.stdout.readline().strip()
-        subprocess.run(traced("ask", device), check=True, timeout=60)
-        if server.wait(timeout=60) != 0:
+        subprocess.run(traced("ask", device), check=True)
+        if server.wait() != 0:
             raise SystemExit("count.py: the server's port failed")
     return {end: calls(trace) for end, trace in traces.items()}
 
