@@ -6,7 +6,8 @@ the tests see it.
     python3 tests/mutation/mutate.py [--sample N] [--seed S] [--jobs J] [headers, or folders of them]
 
 Each change is tried in a copy of the headers with the tests of its room, one after the other: their proofs
-run in the compiler, the rest in the program. The first that fails kills the change; survivors are printed.
+run in the compiler, the rest in the program. The first that fails kills the change. Survivors that
+survivors.txt does not explain are printed, and reasons there that are for nothing; either is a failure.
 Without --sample all changes are tried.
 """
 import argparse
@@ -16,11 +17,13 @@ import random
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 HEADERS = PROJECT / "include" / "rtuwire"
+SURVIVORS = pathlib.Path(__file__).with_name("survivors.txt")
 # Whose tests are asked, in this order.
 TARGETS = {
     "core/crc16.hpp": ["core", "wire"],
@@ -147,6 +150,13 @@ def unchanged(common, targets, jobs):
         return dict(zip(files, pool.map(look, files)))
 
 
+def explained(targets):
+    """The changes of these headers that no test can see."""
+    rows = [row.split(" | ") for row in SURVIVORS.read_text(encoding="utf-8").splitlines()
+            if row and not row.startswith("#")]
+    return {(row[0], " | ".join(row[1:-1])) for row in rows if row[0] in targets}
+
+
 def main():
     options = argparse.ArgumentParser()
     options.add_argument("--sample", type=int)
@@ -155,11 +165,12 @@ def main():
     options.add_argument("headers", nargs="*", default=[""])
     chosen = options.parse_args()
     targets = [header for header in TARGETS if header.startswith(tuple(chosen.headers))]
+    known = explained(targets)
     changes = [change for header in targets for change in changes_of(header)]
     tried = changes
     if chosen.sample:
         tried = random.Random(chosen.seed).sample(changes, chosen.sample)
-    left = 0
+    alive = []
     with tempfile.TemporaryDirectory() as folder, \
             concurrent.futures.ThreadPoolExecutor(chosen.jobs) as pool:
         common = precompiled(folder)
@@ -167,13 +178,20 @@ def main():
         order = {header: ordered(header, seconds) for header in targets}
         outcomes = pool.map(lambda each: survives(each, common, order), tried)
         for change, lives in zip(tried, outcomes):
+            header, number, line = change
             if lives:
-                left += 1
-                header, number, line = change
+                alive.append((header, line.strip()))
+            if lives and alive[-1] not in known:
                 print(f"survives: {header}:{number + 1}: {line.strip()}", flush=True)
-    print(f"{len(tried) - left} of {len(tried)} changes killed "
-          f"({100 * (len(tried) - left) / len(tried):.1f} %), {len(changes)} possible")
+    idle = [] if chosen.sample else sorted(known - set(alive))
+    for header, line in idle:
+        print(f"survivors.txt explains what is killed, or gone: {header} | {line}")
+    killed = len(tried) - len(alive)
+    new = sum(each not in known for each in alive)
+    print(f"{killed} of {len(tried)} changes killed ({100 * killed / len(tried):.1f} %), "
+          f"{len(alive) - new} explained, {new} not; {len(changes)} possible")
+    return 1 if new or idle else 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -30,6 +30,7 @@ struct tally {
     unsigned long failed{0};
     unsigned long wrong_questions{0}; ///< what a server said, but not to this question
     unsigned long codewords{0};       ///< damaged, with a CRC that is right by chance
+    unsigned long other_requests{0};  ///< so as well, and its server did what nobody asked for
     unsigned long damaged{0};         ///< seen to be damaged by the CRC
     unsigned long late_ends{0};
     unsigned long wrong_writes{0};
@@ -198,22 +199,24 @@ private:
         question const asked{dice_};
         telling_bank& bank = all_.bank(asked.unit);
         unsigned const before = bank.writes;
+        unsigned long const unasked = all_.unasked();
         bool is_answered = false;
+        bool is_wrong = false;
         duration const took =
             all_.ask(request{asked.frame, asked.again}, steady, [&](result<response> const& got) {
                 is_answered = got.has_value();
-                if (got and not asked.holds(*got)) {
-                    ++(all_.was_sent(got->pdu()) ? counts_.wrong_questions : counts_.codewords);
+                is_wrong = got and not asked.holds(*got);
+                if (is_wrong and not all_.was_sent(got->pdu())) {
+                    ++counts_.codewords;
+                    is_wrong = false;
                 }
             });
-        unsigned const writes = bank.writes - before;
-        // A line that says a frame twice may write twice as often.
-        unsigned const most = asked.write_count == 0             ? 0
-                              : asked.again == repetition::never ? 2
-                                                                 : 2 * (1U + steady.retries);
-        bool const is_done = asked.write_count == 0 or not is_answered or asked.was_written(bank);
-        counts_.wrong_writes += writes > most or not is_done ? 1U : 0U;
-        counts_.wrong_writes += is_answered and asked.write_count > 0 and writes == 0 ? 1U : 0U;
+        if (all_.unasked() == unasked) {
+            counts_.wrong_questions += is_wrong ? 1U : 0U;
+            judge_writes(asked, bank, bank.writes - before, is_answered);
+        } else {
+            ++counts_.other_requests;
+        }
         counts_.late_ends += took.microseconds > longest_us ? 1U : 0U;
         ++counts_.transactions;
         ++(is_answered ? counts_.answered : counts_.failed);
@@ -221,6 +224,19 @@ private:
             return false;
         }
         return true;
+    }
+
+    /// Whether what was asked was written, and as often as it may be.
+    void judge_writes(question const& asked, telling_bank const& bank, unsigned writes,
+                      bool is_answered)
+    {
+        // A line that says a frame twice may write twice as often.
+        unsigned const most = asked.write_count == 0             ? 0
+                              : asked.again == repetition::never ? 2
+                                                                 : 2 * (1U + steady.retries);
+        bool const is_done = asked.write_count == 0 or not is_answered or asked.was_written(bank);
+        counts_.wrong_writes += writes > most or not is_done ? 1U : 0U;
+        counts_.wrong_writes += is_answered and asked.write_count > 0 and writes == 0 ? 1U : 0U;
     }
 
     world all_;
@@ -270,12 +286,18 @@ int main(int argc, char** argv)
         ++seed;
     }
     double const expected = double(counts.damaged) / 65'536;
-    bool const is_chance = double(counts.codewords) <= highest_by_chance(expected);
-    std::printf("%lu transactions, %lu answered, %lu failed; %lu answers to another question, "
-                "%lu ended late, %lu wrong writes, %lu slow recoveries\n"
-                "%lu of %lu damaged answers passed the CRC, %.1f expected\n",
-                counts.transactions, counts.answered, counts.failed, counts.wrong_questions,
-                counts.late_ends, counts.wrong_writes, counts.slow_recoveries, counts.codewords,
-                counts.damaged, expected);
+    // Every server hears every request.
+    double const damaged_requests = double(simulation::damage_counter::heard) / world::servers;
+    double const expected_requests = damaged_requests / 65'536;
+    bool const is_chance = double(counts.codewords) <= highest_by_chance(expected) and
+                           double(counts.other_requests) <= highest_by_chance(expected_requests);
+    std::printf(
+        "%lu transactions, %lu answered, %lu failed; %lu answers to another question, "
+        "%lu ended late, %lu wrong writes, %lu slow recoveries\n"
+        "%lu of %lu damaged answers passed the CRC, %.1f expected; of %.0f damaged requests "
+        "%lu, %.1f expected\n",
+        counts.transactions, counts.answered, counts.failed, counts.wrong_questions,
+        counts.late_ends, counts.wrong_writes, counts.slow_recoveries, counts.codewords,
+        counts.damaged, expected, damaged_requests, counts.other_requests, expected_requests);
     return counts.faults() == 0 and is_chance and counts.answered > count / 4 ? 0 : 1;
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/server/server.hpp>
@@ -24,9 +25,41 @@ namespace rtuwire::simulation {
     return static_cast<std::uint16_t>(mixed >> 16U);
 }
 
+/// What a server did with its registers; a read has no values.
+struct deed {
+    std::uint16_t start{0};
+    std::size_t count{0};
+    std::vector<std::byte> values{};
+
+    /// Whether a request frame asks for it.
+    [[nodiscard]] bool is_asked_by(byte_view frame) const
+    {
+        bool const is_read = values.empty();
+        auto const writes = [&](std::size_t start_at, std::size_t values_at) {
+            return not is_read and u16_at(frame, start_at) == start and
+                   same_bytes(frame.subspan(values_at, frame.size() - values_at - 2), values);
+        };
+        bool const reads = is_read and u16_at(frame, 2) == start and u16_at(frame, 4) == count;
+        switch (static_cast<function_code>(to_u8(frame[1]))) {
+        case function_code::read_holding_registers: return reads;
+        case function_code::write_single_register: return writes(2, 4);
+        case function_code::write_multiple_registers: return writes(2, 7);
+        case function_code::read_write_multiple_registers: return reads or writes(6, 11);
+        default: return false;
+        }
+    }
+};
+
+/// Counts the frames that servers found damaged, all of them together.
+struct damage_counter : loop_back {
+    static inline unsigned long heard{0};
+    static void note_error() noexcept { ++heard; }
+};
+
 /// Reads as `word_of`; remembers the last write and counts all.
 struct telling_bank {
     std::uint8_t unit{0};
+    std::vector<deed> deeds{};
     unsigned writes{0};
     std::uint16_t address{0};
     std::uint16_t count{0};
@@ -40,8 +73,9 @@ struct telling_bank {
     {
         return check_read(start, values.size());
     }
-    errc read(std::uint16_t start, std::size_t many, byte_writer& out) const
+    errc read(std::uint16_t start, std::size_t many, byte_writer& out)
     {
+        deeds.push_back({start, many, {}});
         for (std::size_t i = 0; i < many; ++i) {
             out.u16(word_of(unit, static_cast<std::uint16_t>(start + i)));
         }
@@ -49,6 +83,8 @@ struct telling_bank {
     }
     errc write(std::uint16_t start, register_view values)
     {
+        byte_view const octets = values.bytes();
+        deeds.push_back({start, values.size(), {octets.begin(), octets.end()}});
         ++writes;
         address = start;
         count = static_cast<std::uint16_t>(values.size());
@@ -91,17 +127,21 @@ public:
     instant now() const { return now_; }
 
     /// Somebody else talks, now.
-    void disturb(byte_view octets) { wire_.talk(stranger, octets, now_); }
+    void disturb(byte_view octets)
+    {
+        asked_.keep(octets);
+        wire_.talk(stranger, octets, now_);
+    }
+
+    /// How often a server did what nobody lately asked for: its request was damaged into another one
+    /// with a good CRC.
+    unsigned long unasked() const { return unasked_; }
 
     /// Whether a server lately sent just this PDU: then an accepted answer is not a damaged one.
     bool was_sent(byte_view pdu) const
     {
-        bool found = false;
-        for (said const& each : said_) {
-            byte_view const frame = byte_view{each.octets}.first(each.size);
-            found = found or (each.size > 3 and same_bytes(frame.subspan(1, each.size - 3), pdu));
-        }
-        return found;
+        return said_.holds(
+            [&](byte_view frame) { return same_bytes(frame.subspan(1, frame.size() - 3), pdu); });
     }
 
     /// Lets time pass until a question has its outcome; how long that took.
@@ -127,10 +167,32 @@ public:
     }
 
 private:
-    struct said {
-        std::array<std::byte, max_adu_size> octets{};
-        std::size_t size{0};
+    /// The last frames that somebody sent.
+    class memory {
+    public:
+        void keep(byte_view frame)
+        {
+            if (frame.empty()) {
+                return;
+            }
+            frames_[next_].assign(frame.begin(), frame.end());
+            next_ = (next_ + 1) % frames_.size();
+        }
+        template <typename Is> bool holds(Is is) const
+        {
+            bool found = false;
+            for (auto const& frame : frames_) {
+                found = found or (frame.size() >= min_adu_size and is(byte_view{frame}));
+            }
+            return found;
+        }
+
+    private:
+        std::array<std::vector<std::byte>, 16> frames_{};
+        std::size_t next_{0};
     };
+
+    using server = basic_server<damage_counter>;
 
     static server node(std::uint8_t unit, character_format format)
     {
@@ -141,15 +203,13 @@ private:
     void step(duration most)
     {
         hear();
-        pass(link_, client_sent_, 0);
+        asked_.keep(pass(link_, client_sent_, 0));
         for (unsigned i = 0; i < servers; ++i) {
             server& each = nodes_[i];
             each.advance(now_);
             each.serve(banks_[i], now_);
-            byte_view const frame = pass(each, node_sent_[i], i + 1);
-            if (not frame.empty()) {
-                remember(frame);
-            }
+            hold_to_account(banks_[i]);
+            said_.keep(pass(each, node_sent_[i], i + 1));
         }
         jump(most);
     }
@@ -169,12 +229,15 @@ private:
         return frame;
     }
 
-    void remember(byte_view frame)
+    void hold_to_account(telling_bank& bank)
     {
-        said& place = said_[next_said_];
-        next_said_ = (next_said_ + 1) % said_.size();
-        place.size = frame.size();
-        byte_writer{place.octets}.bytes(frame);
+        for (deed const& done : bank.deeds) {
+            bool const was_asked = asked_.holds([&](byte_view frame) {
+                return to_u8(frame[0]) == bank.unit and done.is_asked_by(frame);
+            });
+            unasked_ += was_asked ? 0 : 1;
+        }
+        bank.deeds.clear();
     }
 
     void hear()
@@ -229,8 +292,9 @@ private:
     sim::usb_adapter adapter_;
     deadline client_sent_{};
     std::array<deadline, servers> node_sent_{};
-    std::array<said, 16> said_{};
-    std::size_t next_said_{0};
+    memory asked_{};
+    memory said_{};
+    unsigned long unasked_{0};
     instant now_{0xFFFF'0000U};
     bool has_adapter_;
     bool has_echo_;

@@ -4,6 +4,7 @@
 #include <rtuwire/wire/register_view.hpp>
 
 #include <array>
+#include <type_traits>
 
 #include "support/exact.hpp"
 #include "support/proof.hpp"
@@ -11,6 +12,11 @@
 using namespace rtuwire;
 
 namespace {
+
+// A block is written with one value for each register.
+STATIC_CHECK(std::is_constructible_v<register_block<2>, int, int>);
+STATIC_CHECK(not std::is_constructible_v<register_block<2>, int>);
+STATIC_CHECK(not std::is_constructible_v<register_block<2>, int, int, int>);
 
 constexpr std::uint16_t untouched = 0xA5A5;
 
