@@ -45,8 +45,10 @@ struct deed {
         case function_code::write_single_register: return writes(2, 4);
         case function_code::write_multiple_registers: return writes(2, 7);
         case function_code::read_write_multiple_registers: return reads or writes(6, 11);
-        default: return false;
+        case function_code::diagnostics:
+        case function_code::encapsulated_interface: break;
         }
+        return false;
     }
 };
 
