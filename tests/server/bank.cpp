@@ -3,6 +3,8 @@
 // Plain words, reached by address.
 #include <rtuwire/server/bank.hpp>
 
+#include <array>
+
 #include "support/proof.hpp"
 
 using namespace rtuwire;

@@ -31,12 +31,17 @@ struct deed {
     std::size_t count{0};
     std::vector<std::byte> values{};
 
-    /// Whether a request frame asks for it.
+    /// Whether a frame asks for it; a stranger's may be of any size.
     [[nodiscard]] bool is_asked_by(byte_view frame) const
     {
+        constexpr std::size_t shortest = 8;
+        if (frame.size() < shortest) {
+            return false;
+        }
         bool const is_read = values.empty();
         auto const writes = [&](std::size_t start_at, std::size_t values_at) {
-            return not is_read and u16_at(frame, start_at) == start and
+            return not is_read and frame.size() >= values_at + 2 and
+                   u16_at(frame, start_at) == start and
                    same_bytes(frame.subspan(values_at, frame.size() - values_at - 2), values);
         };
         bool const reads = is_read and u16_at(frame, 2) == start and u16_at(frame, 4) == count;

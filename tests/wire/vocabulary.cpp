@@ -3,6 +3,7 @@
 // Error codes, unit addresses, functions and limits.
 #include <rtuwire/wire/errc_name.hpp>
 
+#include <array>
 #include <set>
 #include <string>
 

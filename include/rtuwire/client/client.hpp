@@ -187,6 +187,7 @@ public:
     /// Whether the line has fallen silent since the last octet.
     [[nodiscard]] constexpr bool is_quiet() const noexcept { return framer_.is_quiet(); }
 
+    /// The times of its line.
     [[nodiscard]] constexpr line_timing const& line() const noexcept { return framer_.line(); }
 
     /// Whether a question of this conversation would be ready to leave at once.
