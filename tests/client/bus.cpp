@@ -7,6 +7,7 @@
 
 #include "support/proof.hpp"
 
+#include <rtuwire/core/hex.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 #include <rtuwire/wire/pdu/write_single_register.hpp>
 
@@ -34,11 +35,15 @@ struct endless {
     static constexpr bool settled() { return false; }
 };
 
+/// What unit 3 says where it refuses, by a code that no document has.
+constexpr auto refusal = "03 83 80 E1 50"_hex;
+
 /// Three conversations on one line, played by hand: units from `silent_from` on say nothing.
 struct three {
     bus<3> link;
     std::array<endless, 3> talks{endless{1}, endless{2}, endless{3}};
     unsigned silent_from{4};
+    unsigned refusing{0};
     instant now{0xFFFF'FF00};
     std::array<std::uint8_t, 64> order{};
     std::size_t asked{0};
@@ -69,7 +74,10 @@ struct three {
         ++asked;
         now = now + line.characters(frame.size());
         link.sent(now);
-        if (unit != 0 and unit < silent_from) {
+        if (unit == refusing) {
+            now = now + milliseconds(4);
+            link.receive(refusal, now);
+        } else if (unit != 0 and unit < silent_from) {
             register_block const word{0x0237};
             std::array<std::byte, 8> place{};
             auto const answer =
@@ -130,6 +138,17 @@ constexpr bool comes_back()
     return all.talks[2].answers == 5 and not all.link.is_silent(2);
 }
 PROOF("a unit that answers again is asked as often as the others", comes_back)
+
+constexpr bool hears_refusals()
+{
+    three all;
+    all.refusing = 3;
+    while (all.asked < 30) {
+        all.pass();
+    }
+    return all.talks[2].failures >= 9 and not all.link.is_silent(2);
+}
+PROOF("a unit that refuses is not silent, even by a code that no document has", hears_refusals)
 
 constexpr bool keeps_idle_time()
 {

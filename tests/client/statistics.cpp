@@ -27,6 +27,37 @@ constexpr std::uint32_t of_unit(counting_end const& unit, line_event what)
     return own == nullptr ? 0 : (*own)[what];
 }
 
+constexpr bool sorts_by_kind()
+{
+    struct pair {
+        errc found;
+        line_event counted;
+    };
+    constexpr pair all[] = {
+        {errc::none, line_event::reply},
+        {errc::illegal_function, line_event::exception},
+        {errc::server_device_busy, line_event::exception},
+        {errc::unlisted_exception, line_event::exception},
+        {errc::frame_too_short, line_event::length},
+        {errc::frame_too_long, line_event::length},
+        {errc::wrong_length, line_event::length},
+        {errc::crc_mismatch, line_event::crc},
+        {errc::uart_error, line_event::crc},
+        {errc::wrong_unit, line_event::foreign},
+        {errc::wrong_function, line_event::mismatch},
+        {errc::wrong_echo, line_event::mismatch},
+        {errc::malformed, line_event::mismatch},
+        {errc::echoed, line_event::mismatch},
+    };
+    for (auto const& [found, counted] : all) {
+        if (event_of(found) != counted) {
+            return false;
+        }
+    }
+    return true;
+}
+PROOF("each error of a frame counts as one kind", sorts_by_kind)
+
 constexpr bool counts_good_and_bad()
 {
     counting_end unit{impatient};

@@ -353,7 +353,7 @@ private:
     /// for a while.
     constexpr void settle(errc error, instant now) noexcept
     {
-        bool const is_answered = error == errc::none or is_refusal(error);
+        bool const is_answered = error == errc::none or is_exception(error);
         bool const was_sent = phase_ == phase::transmitting or phase_ == phase::awaiting;
         if (attempts_.has_failed() or (was_sent and not is_answered)) {
             quarantine_.begin(unit(), now + options_.late_answer);

@@ -36,7 +36,7 @@ public:
         if (wrong == errc::echoed) {
             return true;
         }
-        if (wrong == errc::none or is_refusal(wrong)) {
+        if (wrong == errc::none or is_exception(wrong)) {
             return false;
         }
         return wrong;

@@ -35,21 +35,20 @@ enum class line_event : std::uint8_t {
 /// What a frame counts as, by the error that was found in it.
 [[nodiscard]] constexpr line_event event_of(errc found) noexcept
 {
-    if (is_refusal(found)) {
-        return line_event::exception;
-    }
     if (found == errc::none) {
         return line_event::reply;
     }
-    if (found == errc::wrong_unit) {
-        return line_event::foreign;
+    if (is_exception(found)) {
+        return line_event::exception;
     }
-    if (found == errc::crc_mismatch or found == errc::uart_error) {
+    // In the order of errc.
+    if (found <= errc::wrong_length) {
+        return line_event::length;
+    }
+    if (found <= errc::uart_error) {
         return line_event::crc;
     }
-    bool const is_size = found == errc::wrong_length or found == errc::frame_too_short or
-                         found == errc::frame_too_long;
-    return is_size ? line_event::length : line_event::mismatch;
+    return found == errc::wrong_unit ? line_event::foreign : line_event::mismatch;
 }
 
 /// Counts since the last reset; each stops at its highest value.

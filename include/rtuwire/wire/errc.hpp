@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Everything that can go wrong, as one octet. Below 0x80 it is an exception code as a server sent it
-// (Modbus Application Protocol V1.1b3, 7), listed here or not; from 0x80 it is a local cause.
+// (Modbus Application Protocol V1.1b3, 7), listed here or not; from 0x80 it is a local cause. Causes of
+// a kind stand together: statistics count by their order.
 #pragma once
 
 #include <cstdint>
@@ -25,6 +26,7 @@ enum class errc : std::uint8_t {
     memory_parity_error = 0x08,
     gateway_path_unavailable = 0x0A,
     gateway_target_failed_to_respond = 0x0B,
+    unlisted_exception = 0x7F, ///< stands for the codes 0 and above 0x7F, too
 
     // What the caller asked for cannot be said on the wire; nothing was written or sent.
     buffer_too_small = 0x80, ///< the caller's span cannot hold the result
@@ -37,18 +39,17 @@ enum class errc : std::uint8_t {
     pending,                 ///< a conversation has not ended yet
 
     // What came in is not what it should be; nothing of it was handed on.
-    frame_too_short,    ///< fewer than 4 octets
-    frame_too_long,     ///< more than 256 octets
-    crc_mismatch,       ///< the CRC is wrong
-    wrong_length,       ///< the size contradicts the frame's own header
-    wrong_unit,         ///< another unit answered
-    wrong_function,     ///< the answer is to another function
-    wrong_echo,         ///< address, quantity or value of the answer are not those of the question
-    malformed,          ///< a field holds what the function does not allow
-    unlisted_exception, ///< an exception response with code 0 or from 0x80, which no document uses
-    uart_error,         ///< parity, framing or overrun error reported by the receiver
-    echoed,             ///< the question itself came back: the line echoes what is sent
-    collision,          ///< what was sent came back as something else
+    frame_too_short, ///< fewer than 4 octets
+    frame_too_long,  ///< more than 256 octets
+    wrong_length,    ///< the size contradicts the frame's own header
+    crc_mismatch,    ///< the CRC is wrong
+    uart_error,      ///< parity, framing or overrun error reported by the receiver
+    wrong_unit,      ///< another unit answered
+    wrong_function,  ///< the answer is to another function
+    wrong_echo,      ///< address, quantity or value of the answer are not those of the question
+    malformed,       ///< a field holds what the function does not allow
+    echoed,          ///< the question itself came back: the line echoes what is sent
+    collision,       ///< what was sent came back as something else
 
     // What did not happen in time.
     timed_out,        ///< no answer within the response time-out
@@ -70,12 +71,6 @@ enum class errc : std::uint8_t {
 [[nodiscard]] constexpr bool is_exception(errc error) noexcept
 {
     return error != errc::none and static_cast<std::uint8_t>(error) < 0x80;
-}
-
-/// Whether a server refused, by an exception of any code.
-[[nodiscard]] constexpr bool is_refusal(errc error) noexcept
-{
-    return is_exception(error) or error == errc::unlisted_exception;
 }
 
 /// The error for an exception code from the wire.

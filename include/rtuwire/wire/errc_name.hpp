@@ -25,6 +25,7 @@ namespace rtuwire {
     case errc::memory_parity_error: return "memory parity error";
     case errc::gateway_path_unavailable: return "gateway path unavailable";
     case errc::gateway_target_failed_to_respond: return "gateway target failed to respond";
+    case errc::unlisted_exception: return "exception with an unlisted code";
     case errc::buffer_too_small: return "buffer too small";
     case errc::invalid_unit: return "unit address outside 1..247";
     case errc::invalid_quantity: return "quantity outside the function's limits";
@@ -35,14 +36,13 @@ namespace rtuwire {
     case errc::pending: return "not ended yet";
     case errc::frame_too_short: return "frame too short";
     case errc::frame_too_long: return "frame too long";
-    case errc::crc_mismatch: return "CRC mismatch";
     case errc::wrong_length: return "wrong length";
+    case errc::crc_mismatch: return "CRC mismatch";
+    case errc::uart_error: return "parity, framing or overrun error";
     case errc::wrong_unit: return "answer of another unit";
     case errc::wrong_function: return "answer to another function";
     case errc::wrong_echo: return "answer to another question";
     case errc::malformed: return "malformed field";
-    case errc::unlisted_exception: return "exception with an unlisted code";
-    case errc::uart_error: return "parity, framing or overrun error";
     case errc::echoed: return "the question itself came back: the line echoes";
     case errc::collision: return "what was sent came back as something else";
     case errc::timed_out: return "no answer in time";
