@@ -25,7 +25,7 @@ int main()
     if (not taken or check_answer(*question, *taken) != errc::none) {
         return 1;
     }
-    auto const read = read_holding_registers_response::decode(taken->pdu);
+    auto const read = read_holding_registers_response::decode(taken->pdu());
     if (not read) {
         return 1;
     }

@@ -32,7 +32,7 @@ int main()
     auto const tell = write<pump::setpoint>(far_pump, 47.5_Hz);
     std::array<std::byte, max_pdu_size> place{};
     auto const asked = decode_adu(tell.next()->frame());
-    auto const answer = respond(asked->pdu, registers, server_profile{}, place);
+    auto const answer = respond(asked->pdu(), registers, server_profile{}, place);
     bool const is_written = registers.take_written<pump::setpoint>();
     std::printf("setpoint %u.%u Hz\n", registers.get<pump::setpoint>().count() / 10U,
                 registers.get<pump::setpoint>().count() % 10U);

@@ -18,14 +18,14 @@ void require(bool holds)
     }
 }
 
-template <typename P> void decode(adu const& heard, byte_view frame)
+template <typename P> void decode(adu heard, byte_view frame)
 {
-    auto const value = P::decode(heard.pdu);
+    auto const value = P::decode(heard.pdu());
     if (not value) {
         return;
     }
     std::array<std::byte, max_adu_size> place{};
-    auto const again = encode_adu(place, heard.unit, *value);
+    auto const again = encode_adu(place, heard.unit(), *value);
     // An answer may lie past the last register, which a question may not.
     if (not again) {
         return require(again == errc::invalid_address_range);

@@ -19,8 +19,8 @@ template <typename P> void there_and_back(std::uint8_t unit, P const& value)
     }
     require(frame and frame->size() == value.size() + adu_overhead);
     auto const heard = decode_adu(*frame);
-    require(heard and heard->unit == unit);
-    auto const again = P::decode(heard->pdu);
+    require(heard and heard->unit() == unit);
+    auto const again = P::decode(heard->pdu());
     require(again.has_value());
     std::array<std::byte, max_adu_size> other{};
     auto const second = encode_adu(other, unit, *again);

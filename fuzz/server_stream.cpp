@@ -43,7 +43,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         byte_view const answer = node.poll_transmit();
         if (not answer.empty()) {
             auto const said = decode_adu(answer);
-            if (not said or said->unit != 1) {
+            if (not said or said->unit() != 1) {
                 std::abort();
             }
             node.sent(now);

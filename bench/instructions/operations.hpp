@@ -77,7 +77,7 @@ inline void prepare()
     if (not answer) {
         return;
     }
-    auto const read = read_holding_registers_response::decode(answer->pdu);
+    auto const read = read_holding_registers_response::decode(answer->pdu());
     if (not read) {
         return;
     }

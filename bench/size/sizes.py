@@ -24,10 +24,14 @@ FLAGS = ["-std=c++20", "-Os", "-mthumb", "-fno-exceptions", "-fno-rtti", "-ffunc
 LINK = ["-nostartfiles", "--specs=nano.specs", "--specs=nosys.specs", "-Wl,--gc-sections",
         "-T", IMAGES / "image.ld"]
 CPUS = ("cortex-m0plus", "cortex-m3")
-NAMES = ("server_frames", "server", "client_frames", "client_encoding", "client", "client_counting", "typed_read",
+NAMES = ("server_frames", "server", "client_frames", "client_encoding", "client",
+         "client_counting", "client_counting_fixed", "typed_read",
          "monitor", "crc_bitwise", "crc_nibble_table", "crc_byte_table", "crc_octet_algebra")
-# Flash on a Cortex-M0+: what this library wants to need at most.
-BARS = {"server_frames": 1000, "client_frames": 1250, "client_counting": 2600}
+# What this library wants to need at most: flash on a Cortex-M0+, RAM of an engine with its frame.
+BARS = {"server_frames": 1000, "client_frames": 1250, "client_counting": 2600,
+        "client_counting_fixed": 2600}
+STACK_BAR = 160
+RAM_BAR = 256 + 64
 ALLOWED_GROWTH = 0.02
 # Functions of the library, and those of the images that call into it: not `main`, which holds the frame.
 POLL_PATH = re.compile(r"(^|:)_ZNK?7rtuwire|5board4pass|_16answer|9answer_to")
@@ -91,12 +95,25 @@ def engines():
             for size, name in re.findall(r"\S+ (\S+) . size_of_(\S+)", listing)}
 
 
+def verdict(what, figure, bar):
+    return f"   {what} at most {bar}: {'met' if figure <= bar else 'MISSED'}"
+
+
 def show(cpu, rows):
-    print(f"{cpu:22} flash  .data   .bss  stack   octets")
+    print(f"{cpu:23} flash  .data   .bss  stack   octets; stack at most {STACK_BAR}")
     for name, row in rows.items():
         bar = BARS.get(name) if cpu == "cortex-m0plus" else None
-        verdict = "" if bar is None else f"   bar {bar}: {'met' if row['flash'] <= bar else 'MISSED'}"
-        print(f"  {name:20}{row['flash']:6}{row['data']:7}{row['bss']:7}{row['stack']:7}{verdict}")
+        held = "" if bar is None else verdict("flash", row["flash"], bar)
+        if row["stack"] > STACK_BAR:
+            held += verdict("stack", row["stack"], STACK_BAR)
+        print(f"  {name:21}{row['flash']:6}{row['data']:7}{row['bss']:7}{row['stack']:7}{held}")
+
+
+def show_engines(sizes):
+    print("RAM of one, with its frame of 256")
+    for name, size in sizes.items():
+        bar = "" if "counting" in name else verdict("RAM", size, RAM_BAR)
+        print(f"  {name:21}{size:6}{bar}")
 
 
 def growths(before, now, path=()):
@@ -114,7 +131,7 @@ def main(options):
     found["RAM"] = engines()
     for cpu in CPUS:
         show(cpu, found[cpu])
-    print("RAM of one, of which its frame is 256:", found["RAM"])
+    show_engines(found["RAM"])
     if "--update" in options:
         BASELINE.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
         return 0

@@ -47,7 +47,7 @@ void decode_answer(benchmark::State& state)
     for (auto _ : state) {
         benchmark::ClobberMemory();
         auto const answer = decode_adu(frame);
-        auto const read = read_holding_registers_response::decode(answer->pdu);
+        auto const read = read_holding_registers_response::decode(answer->pdu());
         std::uint32_t sum = 0;
         for (std::size_t i = 0; i < read->registers.size(); ++i) {
             sum += read->registers[i];
@@ -81,7 +81,7 @@ void cut_stream(benchmark::State& state)
 {
     auto const frame = answer_of(125);
     auto const chunk = static_cast<std::size_t>(state.range(0));
-    framer cutter{direction::response, timing};
+    framer<direction::response> cutter{timing};
     instant const now{};
     cutter.restart(now);
     for (auto _ : state) {

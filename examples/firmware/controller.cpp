@@ -8,7 +8,7 @@
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/start.hpp>
 #include <rtuwire/altivar/stop.hpp>
-#include <rtuwire/client/client.hpp>
+#include <rtuwire/client/fixed_client.hpp>
 #include <rtuwire/client/poller.hpp>
 
 #ifndef RTUWIRE_DRIVE
@@ -25,11 +25,14 @@ using monitor = read_plan<model::device, model::eta, model::rfr, model::lcr, mod
 
 constexpr station<model::device> drive{unit_id{1}};
 constexpr client_options patient{.response_timeout = milliseconds(500)};
+// An emulated UART delivers in lumps, as a host's does; on a real board the times of
+// line_timing{19'200, character_format::even_8_1} are the right ones.
+constexpr line_timing timing =
+    line_timing::host(19'200, character_format::even_8_1, milliseconds(20));
 
-/// The client and its line. An emulated UART delivers in lumps, as a host's does; on a real board the
-/// times of line_timing{19'200, character_format::even_8_1} are the right ones.
+/// The client and its line.
 struct controller {
-    client link{line_timing::host(19'200, character_format::even_8_1, milliseconds(20)), patient};
+    fixed_client<timing, patient> link{};
     board::transmitter out{};
 
     template <conversation Talk> void pass(Talk& talk)
@@ -86,11 +89,13 @@ bool watch(controller& it, unsigned seconds)
     return true;
 }
 
+/// All zero until the program runs.
+constinit controller it;
+
 } // namespace
 
 int main()
 {
-    controller it;
     board::print("ready on ");
     for (char const* c = board::name; *c != '\0'; ++c) {
         char const letter[] = {*c, '\0'};

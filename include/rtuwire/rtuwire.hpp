@@ -40,7 +40,9 @@
 #include <rtuwire/client/conversation.hpp>
 #include <rtuwire/client/echo.hpp>
 #include <rtuwire/client/echo_probe.hpp>
+#include <rtuwire/client/fixed_client.hpp>
 #include <rtuwire/client/options.hpp>
+#include <rtuwire/client/phase.hpp>
 #include <rtuwire/client/plan_writer.hpp>
 #include <rtuwire/client/poller.hpp>
 #include <rtuwire/client/quarantine.hpp>
@@ -50,12 +52,14 @@
 #include <rtuwire/core/crc16_algebra.hpp>
 #include <rtuwire/core/crc16_carryless.hpp>
 #include <rtuwire/core/crc16_tables.hpp>
+#include <rtuwire/core/fixed.hpp>
 #include <rtuwire/core/fixed_buffer.hpp>
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/text.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/units.hpp>
+#include <rtuwire/rtu/exchange_of_others.hpp>
 #include <rtuwire/rtu/framer.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/server/answer_frame.hpp>

@@ -87,7 +87,7 @@ template <typename Device> struct by_hand {
     {
         auto const answer = decode_adu(frame);
         REQUIRE(answer);
-        loop.accept(result<response>{response{answer->pdu}});
+        loop.accept(result<response>{response{answer->pdu()}});
     }
 };
 

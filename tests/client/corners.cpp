@@ -253,7 +253,8 @@ TEST_CASE("units beyond the table are counted for the line alone")
     for (std::uint8_t const unit : {std::uint8_t{1}, std::uint8_t{2}}) {
         counts.note(line_event::reply, unit);
         counts.note_exception(errc::illegal_data_value, unit);
-        counts.note_latency(milliseconds(unit), unit);
+        counts.note_asked(instant{7});
+        counts.note_answered(instant{7} + milliseconds(unit), unit);
     }
     CHECK(counts.line()[line_event::reply] == 2);
     CHECK(counts.line().worst_latency == milliseconds(2));

@@ -48,9 +48,9 @@ constexpr bool ends_at_a_difference()
 {
     echo_check echo;
     echo.expect(read_eta.size());
-    bool const agrees = echo.take(read_eta[0], read_eta) and not echo.is_wrong();
-    bool const differs = echo.take(read_eta[0], read_eta) and echo.is_wrong();
-    return agrees and differs and not echo.take(read_eta[2], read_eta);
+    bool const agrees = echo.take(read_eta[0], read_eta) and echo.is_due();
+    bool const differs = not echo.take(read_eta[0], read_eta);
+    return agrees and differs and not echo.is_due();
 }
 PROOF("no octet behind one that differs belongs to the echo", ends_at_a_difference)
 

@@ -121,9 +121,12 @@ TEST_CASE("statistics start again")
 {
     line_statistics counts;
     counts.note(line_event::jam, 1);
-    counts.note_latency(milliseconds(1), 1);
+    counts.note_answered(instant{} + milliseconds(1), 1);
     counts.note_exception(errc::illegal_function, 1);
+    counts.note_asked(instant{5});
     counts.reset();
     CHECK(counts.line()[line_event::jam] == 0);
     CHECK(counts.line().worst_latency == duration{});
+    counts.note_answered(instant{9}, 1); // to the question that was under way
+    CHECK(counts.line().worst_latency == microseconds(4));
 }

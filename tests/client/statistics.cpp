@@ -194,9 +194,10 @@ constexpr bool counts_repetitions()
 PROOF("a question that leaves again after a pause and after silence is one question",
       counts_repetitions)
 
-// Nothing is counted: nothing is held.
-static_assert(sizeof(basic_client<line_statistics>) >= sizeof(client) + sizeof(line_statistics));
-static_assert(sizeof(client) + sizeof(line_statistics) + 8 >=
+// Nothing is counted: nothing is held. Padding may differ.
+static_assert(sizeof(client) + sizeof(line_statistics) <=
+              sizeof(basic_client<line_statistics>) + alignof(client));
+static_assert(sizeof(client) + sizeof(line_statistics) + alignof(client) >=
               sizeof(basic_client<line_statistics>));
 
 } // namespace

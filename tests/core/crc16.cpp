@@ -45,6 +45,28 @@ constexpr bool grows_octet_by_octet()
 }
 PROOF("a running CRC is the CRC of the octets so far", grows_octet_by_octet)
 
+template <crc_form Form> constexpr bool goes_on()
+{
+    byte_view const all{check_text};
+    for (std::size_t cut = 0; cut <= all.size(); ++cut) {
+        running_crc16<Form> crc{crc16(all.first(cut))};
+        for (std::byte const octet : all.subspan(cut)) {
+            crc.add(octet);
+        }
+        if (crc.value() != 0x4B37) {
+            return false;
+        }
+    }
+    return running_crc16<Form>{0}.value() == 0 and running_crc16<Form>{0x0001}.value() == 0x0001;
+}
+constexpr bool goes_on_in_every_form()
+{
+    return goes_on<crc_form::bitwise>() and goes_on<crc_form::nibble_table>() and
+           goes_on<crc_form::byte_table>() and goes_on<crc_form::octet_algebra>() and
+           goes_on<crc_form::word_algebra>();
+}
+PROOF("a running CRC goes on from that of the octets before", goes_on_in_every_form)
+
 constexpr bool is_zero_over_a_frame()
 {
     test::random random{16};

@@ -41,11 +41,11 @@ struct answer {
 
     errc against(byte_view question) const
     {
-        std::array<std::byte, max_pdu_size> pdu{static_cast<std::byte>(function),
-                                                static_cast<std::byte>(third)};
-        pdu[4] = std::byte{2};
-        return check_answer(question,
-                            adu{static_cast<std::uint8_t>(from), byte_view{pdu}.first(size)});
+        std::array<std::byte, 0x100 + adu_overhead> frame{static_cast<std::byte>(from),
+                                                          static_cast<std::byte>(function),
+                                                          static_cast<std::byte>(third)};
+        frame[5] = std::byte{2};
+        return check_answer(question, adu{byte_view{frame}.first(size + adu_overhead)});
     }
 };
 

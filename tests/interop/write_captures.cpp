@@ -34,13 +34,13 @@ template <typename Request> transaction ask(Request const& question)
     static_cast<void>(bank.set(3102, 40));
     std::array<std::byte, max_pdu_size> place{};
     auto const asked = decode_adu(*frame);
-    auto const said = raw_pdu::decode(respond(asked->pdu, bank, profile, place));
+    auto const said = raw_pdu::decode(respond(asked->pdu(), bank, profile, place));
     octet_list answer;
     if (said) {
         auto const sent = encode(unit_id{2}, *said);
         answer.assign(sent->view().begin(), sent->view().end());
     } else {
-        auto const refusal = exception_response::decode(respond(asked->pdu, bank, profile, place));
+        auto const refusal = exception_response::decode(respond(asked->pdu(), bank, profile, place));
         auto const sent = encode(unit_id{2}, *refusal);
         answer.assign(sent->view().begin(), sent->view().end());
     }

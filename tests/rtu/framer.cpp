@@ -18,12 +18,11 @@ constexpr line_timing line{19'200, character_format::even_8_1};
 constexpr instant start{0xFFFF'FFFFU - 5'000'000U};
 
 /// A framer that has heard silence, and its clock.
-struct listener {
-    framer receiver;
+template <direction Way> struct listener {
+    framer<Way> receiver;
     instant now{start};
 
-    explicit constexpr listener(direction way, line_timing const& timing = line)
-        : receiver{way, timing}
+    explicit constexpr listener(line_timing const& timing = line) : receiver{timing}
     {
         receiver.advance(now);
         pause(milliseconds(100));
@@ -55,8 +54,8 @@ struct listener {
         if (not frame or not *frame) {
             return false;
         }
-        return (*frame)->unit == to_u8(octets[0]) and
-               same_bytes((*frame)->pdu, octets.subspan(1, octets.size() - 3));
+        return (*frame)->unit() == to_u8(octets[0]) and
+               same_bytes((*frame)->pdu(), octets.subspan(1, octets.size() - 3));
     }
 };
 
@@ -65,7 +64,7 @@ constexpr auto reply = "02 03 08 00 28 02 58 01 F4 00 00 52 B0"_hex;
 
 constexpr bool ends_by_rule()
 {
-    listener ear{direction::request};
+    listener<direction::request> ear;
     bool const early = ear.hear(byte_view{request}.first(7)) == 7 and ear.fault() == errc::busy;
     return early and ear.hear(byte_view{request}.last(1)) == 1 and ear.has(request) and
            ear.fault() == errc::busy;
@@ -74,7 +73,7 @@ PROOF("a frame ends with the last octet of its length rule", ends_by_rule)
 
 constexpr bool leaves_the_rest()
 {
-    listener ear{direction::response};
+    listener<direction::response> ear;
     std::array<std::byte, reply.size() + 1> noisy{};
     byte_writer out{noisy};
     out.bytes(reply);
@@ -90,7 +89,7 @@ PROOF("octets behind a frame are no part of it", leaves_the_rest)
 constexpr bool a_matching_crc_ends_nothing()
 {
     constexpr auto frame = "01 04 02 03 01 78 00"_hex;
-    listener ear{direction::response};
+    listener<direction::response> ear;
     bool const waits = crc16(byte_view{frame}.first(6)) == 0 and
                        ear.hear(byte_view{frame}.first(6)) == 6 and ear.fault() == errc::busy;
     ear.hear(byte_view{frame}.last(1));
@@ -102,7 +101,7 @@ constexpr bool damage_waits_for_silence()
 {
     auto damaged = request;
     damaged[3] ^= std::byte{1};
-    listener ear{direction::request};
+    listener<direction::request> ear;
     ear.hear(damaged);
     bool const waits = ear.fault() == errc::busy;
     ear.hear(request);
@@ -118,7 +117,7 @@ constexpr bool longer_than_its_rule()
 {
     // Function 06 with one octet too many: as a whole it has a right CRC, and the PDU refuses it.
     constexpr auto frame = "01 06 00 01 00 03 00 0A AA"_hex;
-    listener ear{direction::request};
+    listener<direction::request> ear;
     ear.hear(frame);
     bool const waits = crc16(frame) == 0 and ear.fault() == errc::busy;
     ear.pause(line.t3_5());
@@ -134,7 +133,7 @@ constexpr bool sizes_at_the_edge()
     std::uint16_t const crc = crc16(byte_view{octets}.first(254));
     octets[254] = to_byte(crc);
     octets[255] = to_byte(std::uint32_t{crc} >> 8U);
-    listener ear{direction::request};
+    listener<direction::request> ear;
     ear.hear(byte_view{octets}.first(256));
     ear.pause(line.t3_5());
     bool const longest = ear.has(byte_view{octets}.first(256));
@@ -149,7 +148,7 @@ PROOF("256 octets are a frame, 257 and 2 are none", sizes_at_the_edge)
 
 constexpr bool poison()
 {
-    listener ear{direction::request};
+    listener<direction::request> ear;
     ear.hear(byte_view{request}.first(4));
     ear.receiver.receive_error(ear.now);
     ear.hear(byte_view{request}.subspan(4));
@@ -163,7 +162,7 @@ PROOF("a damaged octet poisons its frame even if the CRC is right, and no other"
 
 constexpr bool power_up()
 {
-    framer receiver{direction::request, line};
+    framer<direction::request> receiver{line};
     instant now = start;
     receiver.advance(now);
     receiver.receive(request, now);
@@ -175,7 +174,7 @@ constexpr bool power_up()
 }
 constexpr bool octets_before_the_clock()
 {
-    framer receiver{direction::request, line};
+    framer<direction::request> receiver{line};
     return receiver.receive(request, start) == 8 and not receiver.poll_frame() and
            not receiver.is_quiet() and receiver.receive({}, start) == 0;
 }
@@ -184,7 +183,7 @@ PROOF("at power-up everything is ignored until the line was silent", power_up)
 
 constexpr bool a_lump_after_silence()
 {
-    listener ear{direction::request};
+    listener<direction::request> ear;
     ear.hear(byte_view{request}.first(3));
     ear.now = ear.now + milliseconds(20);
     bool const closed = ear.hear(request) == 0 and ear.fault() == errc::frame_too_short;
@@ -195,7 +194,7 @@ PROOF("a lump that comes after silence starts a new frame", a_lump_after_silence
 /// A lump of two octets `length` after the last octet of an unfinished frame.
 constexpr bool starts_anew_after(duration length)
 {
-    listener ear{direction::request};
+    listener<direction::request> ear;
     ear.hear(byte_view{request}.first(6));
     ear.now = ear.now + length;
     ear.receiver.receive(byte_view{request}.last(2), ear.now);
@@ -210,8 +209,9 @@ PROOF("a lump starts a new frame when its own time and t3.5 have passed", the_ed
 
 constexpr bool claims()
 {
-    listener ear{direction::response};
-    bool const nobody = not ear.receiver.claims(0) and not ear.receiver.is_overheard();
+    listener<direction::response> ear;
+    bool const nobody =
+        not ear.receiver.claims(0) and not listener<direction::request>{}.receiver.is_overheard();
     ear.hear("02 03 00"_hex);
     ear.pause(milliseconds(10));
     bool const too_short = ear.fault() == errc::frame_too_short and not ear.receiver.claims(2);
@@ -226,7 +226,7 @@ PROOF("what has a frame's size claims to be a unit's", claims)
 constexpr bool host_gaps()
 {
     auto const host = line_timing::host(19'200, character_format::even_8_1);
-    listener ear{direction::request, host};
+    listener<direction::request> ear{host};
     ear.hear(byte_view{request}.first(3));
     ear.pause(milliseconds(45));
     ear.hear(byte_view{request}.subspan(3));
@@ -239,7 +239,7 @@ PROOF("on a host a gap of an adapter does not cut a frame", host_gaps)
 
 constexpr bool deadlines()
 {
-    framer receiver{direction::request, line};
+    framer<direction::request> receiver{line};
     bool const none_before_start = not receiver.poll_deadline();
     receiver.advance(start);
     bool const first_silence = receiver.poll_deadline() == deadline{start + line.t3_5()};
@@ -256,7 +256,7 @@ PROOF("a framer wants to be woken only for silence", deadlines)
 constexpr bool host_deadlines()
 {
     auto const host = line_timing::host(19'200, character_format::even_8_1);
-    listener ear{direction::request, host};
+    listener<direction::request> ear{host};
     ear.hear(byte_view{request}.first(3));
     instant const last = ear.now;
     bool const to_send = ear.receiver.poll_deadline() == deadline{last + host.t3_5()};
@@ -270,7 +270,7 @@ PROOF("on a host it is woken twice: when somebody may send, and when what it has
 constexpr bool takes_all_of_a_lump()
 {
     std::array<std::byte, 300> octets{};
-    listener ear{direction::request};
+    listener<direction::request> ear;
     return ear.hear(octets) == octets.size() and ear.fault() == errc::busy;
 }
 PROOF("octets that no frame has room for are taken all the same", takes_all_of_a_lump)

@@ -112,7 +112,7 @@ TEST_CASE("whatever it is asked, its answer is a frame of its unit, or nothing")
         auto const read = decode_adu(answer);
         REQUIRE(read);
         REQUIRE(request[0] == std::byte{1});
-        REQUIRE(read->unit == 1);
+        REQUIRE(read->unit() == 1);
         REQUIRE((read->wire_code() & 0x7FU) == to_u8(request[1]));
     }
     CHECK(answers > 1'000);

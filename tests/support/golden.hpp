@@ -39,10 +39,10 @@ template <typename To, pdu P, std::size_t Size>
 constexpr bool encodes(To to, P const& value, std::array<std::byte, Size> const& octets)
 {
     auto const taken = decode_adu(octets);
-    if (not taken or taken->unit != destination{to}.octet() or not(encode(to, value) == octets)) {
+    if (not taken or taken->unit() != destination{to}.octet() or not(encode(to, value) == octets)) {
         return false;
     }
-    auto const again = P::decode(taken->pdu);
+    auto const again = P::decode(taken->pdu());
     return again and encode(to, *again) == octets and is_told_as(value, octets);
 }
 

@@ -54,10 +54,10 @@ template <pdu P, typename Same> constexpr bool survives(P const& value, Same is_
         return false;
     }
     auto const taken = decode_adu(frame.view());
-    if (not taken or taken->unit != 2) {
+    if (not taken or taken->unit() != 2) {
         return false;
     }
-    exact_octets const pdu{taken->pdu};
+    exact_octets const pdu{taken->pdu()};
     auto const again = P::decode(pdu.view());
     return again and is_same(*again);
 }

@@ -29,9 +29,9 @@ constexpr bool takes_a_frame_apart()
 {
     constexpr auto frame = "02 83 02 30 F1"_hex;
     auto const taken = decode_adu(frame);
-    return taken and taken->unit == 2 and taken->is_exception() and
+    return taken and taken->unit() == 2 and taken->is_exception() and
            taken->function() == function_code::read_holding_registers and
-           same_bytes(taken->pdu, "83 02"_hex);
+           same_bytes(taken->pdu(), "83 02"_hex);
 }
 PROOF("a frame is taken apart into unit and PDU", takes_a_frame_apart)
 
@@ -134,6 +134,6 @@ TEST_CASE("a frame has 4 to 256 octets, whatever its CRC")
                                            : errc::none;
         auto const taken = decode_adu(frame.view());
         CHECK(taken.error() == expected);
-        CHECK((not taken or taken->pdu.size() == size - 3));
+        CHECK((not taken or taken->pdu().size() == size - 3));
     }
 }

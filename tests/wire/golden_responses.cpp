@@ -28,7 +28,7 @@ constexpr result<device_identification> page_of(byte_view frame)
     if (not taken) {
         return taken.error();
     }
-    return device_identification::decode(taken->pdu);
+    return device_identification::decode(taken->pdu());
 }
 
 constexpr errc decode_page(byte_view frame) { return page_of(frame).error(); }

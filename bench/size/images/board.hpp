@@ -33,7 +33,7 @@ inline void put(std::span<std::byte const> octets)
 inline rtuwire::instant now() { return rtuwire::instant{at(0x4000'0008)}; }
 
 /// Hands to a client or a server what the line did, and to the line what it says.
-template <typename Engine> void pass(Engine& engine)
+template <typename Engine> [[gnu::noinline]] void pass(Engine& engine)
 {
     rtuwire::instant const now = board::now();
     if (has_octet()) {

@@ -7,8 +7,8 @@
 
 #include <rtuwire/client/client.hpp>
 
-/// Asks question after question.
-template <typename Client> [[noreturn]] void ask_on(Client& link)
+/// Asks question after question; apart from `main`, as if in a file of its own.
+template <typename Client> [[noreturn, gnu::noipa]] void ask_on(Client& link)
 {
     for (unsigned number = 0;;) {
         board::pass(link);

@@ -29,7 +29,7 @@
     using namespace rtuwire;
     board::put(question);
     auto const answer = decode_adu(listen(place));
-    return answer and check_answer(question, *answer) == errc::none ? answer->pdu : byte_view{};
+    return answer and check_answer(question, *answer) == errc::none ? answer->pdu() : byte_view{};
 }
 
 /// Asks question after question; `question_of` gives the frame of a number.

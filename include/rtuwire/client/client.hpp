@@ -2,19 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // The client's end of a line (SL 2.4.1): one request at a time. Owns neither the wire nor a clock; knows
-// of functions only what wire/answer.hpp says.
-//
-//   phase         leaves it
-//   idle          start -> waiting
-//   waiting       t3.5 of silence, quarantine over -> ready; none in time -> settled (bus_jam)
-//   ready         poll_transmit -> transmitting; octets -> waiting, or settled where the question
-//                 may not wait; too late -> settled
-//   transmitting  sent -> awaiting, or turnaround after a broadcast; too late -> settled
-//   awaiting      the answer -> settled; time over or our answer damaged -> waiting, or settled;
-//                 exception 05 or 06 -> pausing, or settled
-//   pausing       time over -> waiting
-//   turnaround    time over -> settled
-//   settled       poll_outcome -> idle
+// of functions only what wire/answer.hpp says. client/phase.hpp tells its states.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +12,10 @@
 #include <rtuwire/client/conversation.hpp>
 #include <rtuwire/client/echo.hpp>
 #include <rtuwire/client/options.hpp>
+#include <rtuwire/client/phase.hpp>
 #include <rtuwire/client/quarantine.hpp>
 #include <rtuwire/client/statistics.hpp>
+#include <rtuwire/core/fixed.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/rtu/framer.hpp>
 #include <rtuwire/rtu/line.hpp>
@@ -36,12 +26,17 @@ namespace rtuwire {
 /// Asks one question at a time. In each pass call `receive` with what arrived, `sent` when the last
 /// stop bit has left, `advance`; then take the outcome and `start` the next, or let `converse` do
 /// both; then send what `poll_transmit` gives. Sleep no longer than `poll_deadline` says.
-template <typename Statistics> class basic_client {
+template <typename Statistics, typename Line = held<line_timing>,
+          typename Options = held<client_options>>
+class basic_client {
 public:
     explicit constexpr basic_client(line_timing const& timing,
                                     client_options const& options = {}) noexcept
-        : options_{options}, framer_{direction::response, timing}
+        : options_{options}, framer_{timing}
     {}
+
+    /// With a line and options that are fixed: all zero, so that a `constinit` one needs no flash.
+    constexpr basic_client() noexcept = default;
 
     /// Takes octets that had arrived by `now`, in any chunking. Outside of waiting for an answer they
     /// are noise: dropped, but the line was not silent.
@@ -83,10 +78,11 @@ public:
             return;
         }
         framer_.restart(at);
+        statistics_.note_asked(at);
         bool const is_broadcast = unit() == 0;
         phase_ = is_broadcast ? phase::turnaround : phase::awaiting;
-        skip_left_ = options_.skip_noise;
-        deadline_ = at + (is_broadcast ? options_.turnaround : answer_time());
+        skip_left_ = options().skip_noise;
+        deadline_ = at + (is_broadcast ? options().turnaround : answer_time());
     }
 
     /// Lets time pass.
@@ -108,12 +104,13 @@ public:
     /// `frame_too_short`, `frame_too_long`; nothing is changed then.
     constexpr result<void> start(request question, instant now) noexcept
     {
+        client_options const& all = options();
         return start(question, now,
-                     {.response_timeout = options_.response_timeout, .retries = options_.retries});
+                     {.response_timeout = all.response_timeout, .retries = all.retries});
     }
 
     /// The same, with patience for this question's unit.
-    constexpr result<void> start(request question, instant now, patience with) noexcept
+    constexpr result<void> start(request question, instant now, patience const& with) noexcept
     {
         if (phase_ != phase::idle) {
             return errc::busy;
@@ -152,7 +149,7 @@ public:
         statistics_.note(attempts_.is_first() ? line_event::request : line_event::repetition,
                          unit());
         phase_ = phase::transmitting;
-        echo_.expect(options_.has_echo ? question_.size() : 0);
+        echo_.expect(options().has_echo ? question_.size() : 0);
         return question_;
     }
 
@@ -174,7 +171,7 @@ public:
         if (trouble_ != errc::none) {
             return trouble_;
         }
-        return response{unit() == 0 ? byte_view{} : framer_.frame().pdu};
+        return response{unit() == 0 ? byte_view{} : framer_.frame().pdu()};
     }
 
     /// What was counted.
@@ -221,16 +218,9 @@ public:
     }
 
 private:
-    enum class phase : std::uint8_t {
-        idle,
-        waiting,
-        ready,
-        transmitting,
-        awaiting,
-        pausing,
-        turnaround,
-        settled,
-    };
+    using phase = client_phase;
+
+    constexpr client_options const& options() const noexcept { return options_.get(); }
 
     constexpr bool has_deadline() const noexcept
     {
@@ -251,8 +241,8 @@ private:
     /// Takes an octet of an echo, of an answer or before it; false where none is expected.
     constexpr bool take(std::byte octet, instant now) noexcept
     {
-        if (echo_.take(octet, question_)) {
-            if (echo_.is_wrong()) {
+        if (echo_.is_due()) {
+            if (not echo_.take(octet, question_)) {
                 trouble_ = errc::collision;
                 statistics_.note(line_event::collision, unit());
             }
@@ -294,7 +284,7 @@ private:
             wrong = check_answer(question_, framer_.frame());
         }
         line_event const event = event_of(wrong);
-        note_frame(statistics_, event, wrong, unit(), now - (deadline_ - answer_time()));
+        note_frame(statistics_, event, wrong, unit(), now);
         if (attempts_.may_pause(wrong)) {
             deadline_ = now + attempts_.take_pause();
             phase_ = phase::pausing;
@@ -312,22 +302,20 @@ private:
 
     constexpr void time_is_over(instant now) noexcept
     {
-        switch (phase_) {
-        case phase::waiting: settle(errc::bus_jam, now); break;
-        case phase::ready:
-        case phase::transmitting: settle(errc::transmit_stalled, now); break;
-        case phase::awaiting:
+        if (phase_ == phase::awaiting) {
             if (trouble_ == errc::none) {
                 trouble_ = framer_.is_quiet() ? errc::timed_out : errc::bus_jam;
                 statistics_.note(framer_.is_quiet() ? line_event::timeout : line_event::jam,
                                  unit());
             }
             attempt_failed(now);
-            break;
-        case phase::pausing: wait_for_silence(now); break;
-        case phase::turnaround: settle(trouble_, now); break;
-        case phase::idle:
-        case phase::settled: break;
+        } else if (phase_ == phase::pausing) {
+            wait_for_silence(now);
+        } else if (has_deadline()) {
+            settle(phase_ == phase::waiting      ? errc::bus_jam
+                   : phase_ == phase::turnaround ? trouble_
+                                                 : errc::transmit_stalled,
+                   now);
         }
     }
 
@@ -356,7 +344,7 @@ private:
         bool const is_answered = error == errc::none or is_exception(error);
         bool const was_sent = phase_ == phase::transmitting or phase_ == phase::awaiting;
         if (attempts_.has_failed() or (was_sent and not is_answered)) {
-            quarantine_.begin(unit(), now + options_.late_answer);
+            quarantine_.begin(unit(), now + options().late_answer);
         }
         trouble_ = error;
         phase_ = phase::settled;
@@ -382,14 +370,14 @@ private:
     errc trouble_{errc::none};
     std::uint8_t skip_left_{0};
     bool may_be_stale_{false}; ///< the question must leave at once or not at all
+    attempts attempts_{};
     echo_check echo_{};
     quarantine quarantine_{};
     instant deadline_{};
     byte_view question_{};
-    attempts attempts_{};
-    client_options options_;
-    framer framer_;
+    [[no_unique_address]] Options options_{};
     [[no_unique_address]] Statistics statistics_{};
+    framer<direction::response, Line> framer_{};
 };
 
 /// A client that counts nothing.

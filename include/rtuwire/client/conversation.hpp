@@ -47,7 +47,7 @@ public:
     constexpr response() noexcept = default;
     explicit constexpr response(byte_view pdu) noexcept : pdu_{pdu} {}
 
-    [[nodiscard]] constexpr byte_view pdu() const noexcept { return pdu_; }
+    [[nodiscard]] constexpr byte_view const& pdu() const noexcept { return pdu_; }
 
     /// The answer to a request of type `Request`; the errors are those of its decoder.
     template <typename Request>

@@ -15,33 +15,25 @@ namespace rtuwire {
 class echo_check {
 public:
     /// So many octets are sent.
-    constexpr void expect(std::size_t size) noexcept
-    {
-        left_ = static_cast<std::uint16_t>(size);
-        is_wrong_ = false;
-    }
+    constexpr void expect(std::size_t size) noexcept { left_ = static_cast<std::uint16_t>(size); }
 
     /// Takes nothing from here on.
     constexpr void forget() noexcept { left_ = 0; }
 
-    /// Whether an octet belongs to the echo; compares it with what was sent. None does after one that
-    /// differs.
+    /// Whether the next octet belongs to the echo.
+    [[nodiscard]] constexpr bool is_due() const noexcept { return left_ != 0; }
+
+    /// Takes an octet of the echo. Whether it is the one that was sent; after one that is not, none is
+    /// due.
     constexpr bool take(std::byte octet, byte_view sent) noexcept
     {
-        if (left_ == 0) {
-            return false;
-        }
-        is_wrong_ = octet != sent[sent.size() - left_];
-        left_ = is_wrong_ ? std::uint16_t{0} : static_cast<std::uint16_t>(left_ - 1);
-        return true;
+        bool const is_same = octet == sent[sent.size() - left_];
+        left_ = is_same ? static_cast<std::uint16_t>(left_ - 1) : std::uint16_t{0};
+        return is_same;
     }
-
-    /// Whether an octet came back as another one.
-    [[nodiscard]] constexpr bool is_wrong() const noexcept { return is_wrong_; }
 
 private:
     std::uint16_t left_{0};
-    bool is_wrong_{false};
 };
 
 } // namespace rtuwire

@@ -46,7 +46,7 @@ private:
     static constexpr std::uint8_t any_unit = 0xFF;
 
     instant end_{};
-    std::uint8_t unit_{any_unit};
+    std::uint8_t unit_{0};
     bool is_on_{false};
 };
 

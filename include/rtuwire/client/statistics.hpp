@@ -96,7 +96,8 @@ private:
 struct no_statistics {
     static constexpr void note(line_event, std::uint8_t) noexcept {}
     static constexpr void note_exception(errc, std::uint8_t) noexcept {}
-    static constexpr void note_latency(duration, std::uint8_t) noexcept {}
+    static constexpr void note_asked(instant) noexcept {}
+    static constexpr void note_answered(instant, std::uint8_t) noexcept {}
 };
 
 /// Counts for the line as a whole.
@@ -104,15 +105,21 @@ class line_statistics {
 public:
     constexpr void note(line_event what, std::uint8_t) noexcept { line_.note(what); }
     constexpr void note_exception(errc code, std::uint8_t) noexcept { line_.note_exception(code); }
-    constexpr void note_latency(duration latency, std::uint8_t) noexcept
+    /// A question has left, or will have by then.
+    constexpr void note_asked(instant at) noexcept { asked_ = at; }
+    /// Its answer has arrived. Returns how long it took.
+    constexpr duration note_answered(instant at, std::uint8_t) noexcept
     {
+        duration const latency = at - asked_;
         line_.note_latency(latency);
+        return latency;
     }
 
     [[nodiscard]] constexpr counters const& line() const noexcept { return line_; }
     constexpr void reset() noexcept { line_ = {}; }
 
 private:
+    instant asked_{};
     counters line_{};
 };
 
@@ -134,9 +141,10 @@ public:
             own->note_exception(code);
         }
     }
-    constexpr void note_latency(duration latency, std::uint8_t unit) noexcept
+    constexpr void note_asked(instant at) noexcept { line_.note_asked(at); }
+    constexpr void note_answered(instant at, std::uint8_t unit) noexcept
     {
-        line_.note_latency(latency, unit);
+        duration const latency = line_.note_answered(at, unit);
         if (counters* const own = find_or_add(unit)) {
             own->note_latency(latency);
         }
@@ -155,7 +163,11 @@ public:
         return nullptr;
     }
 
-    constexpr void reset() noexcept { *this = {}; }
+    constexpr void reset() noexcept
+    {
+        line_.reset();
+        rows_ = {};
+    }
 
 private:
     struct row {
@@ -182,16 +194,16 @@ private:
     std::array<row, Units> rows_{};
 };
 
-/// Notes a frame that came `latency` after the question to `unit`, by the error that was found in it.
+/// Notes a frame that arrived by `now`, after a question to `unit`, by the error that was found in it.
 template <typename Statistics>
 constexpr void note_frame(Statistics& to, line_event what, errc found, std::uint8_t unit,
-                          duration latency) noexcept
+                          instant now) noexcept
 {
     if (what == line_event::exception) {
         to.note_exception(found, unit);
     }
     if (what == line_event::reply or what == line_event::exception) {
-        to.note_latency(latency, unit);
+        to.note_answered(now, unit);
     }
     to.note(what, unit);
 }

@@ -44,6 +44,10 @@ inline constexpr crc_form default_crc_form = crc16_carryless::is_available ? crc
 /// they have none.
 template <crc_form Form = default_crc_form> class running_crc16 {
 public:
+    constexpr running_crc16() noexcept = default;
+    /// Goes on after octets of which `from` is the CRC.
+    explicit constexpr running_crc16(std::uint16_t from) noexcept : state_{from} {}
+
     /// Takes the next octet.
     constexpr void add(std::byte octet) noexcept
     {
@@ -66,8 +70,12 @@ private:
     std::uint16_t state_{0xFFFF};
 };
 
-template <> class running_crc16<crc_form::octet_algebra> : public crc16_algebra::running {};
-template <> class running_crc16<crc_form::word_algebra> : public crc16_algebra::running {};
+template <> class running_crc16<crc_form::octet_algebra> : public crc16_algebra::running {
+    using running::running;
+};
+template <> class running_crc16<crc_form::word_algebra> : public crc16_algebra::running {
+    using running::running;
+};
 
 namespace crc16_forms {
 

@@ -199,6 +199,11 @@ template <auto Remainder = remainder_of>
 /// A CRC that grows an octet at a time.
 class running {
 public:
+    constexpr running() noexcept = default;
+    explicit constexpr running(std::uint16_t from) noexcept
+        : remainder_{from}, octets_{to_byte(parity_of(from))}
+    {}
+
     constexpr void add(std::byte octet) noexcept
     {
         std::uint32_t const before = remainder_;

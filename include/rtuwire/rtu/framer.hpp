@@ -20,8 +20,10 @@
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/crc16.hpp>
+#include <rtuwire/core/fixed.hpp>
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/time.hpp>
+#include <rtuwire/rtu/exchange_of_others.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/errc.hpp>
@@ -32,9 +34,12 @@ namespace rtuwire {
 /// Cuts a stream of octets into frames. Call `receive` with what arrived until all of it is taken, and
 /// `poll_frame` after each; call `advance` when time has passed, at least when `poll_deadline` says.
 /// Starts by ignoring everything until the line has been silent once.
-class framer {
+template <direction Way, typename Line = held<line_timing>> class framer {
 public:
-    constexpr framer(direction way, line_timing const& line) noexcept : way_{way}, line_{line} {}
+    explicit constexpr framer(line_timing const& line) noexcept : line_{line} {}
+
+    /// With the times of a line that is fixed: all zero, so that a `constinit` one needs no flash.
+    constexpr framer() noexcept requires is_fixed<Line> : octets_{} {}
 
     /// Takes octets that had arrived by `now`, in any chunking, up to the end of one frame; returns how
     /// many were taken. Octets after a frame that were not taken belong to the next call.
@@ -59,15 +64,16 @@ public:
         }
         // The first octet of a lump arrived earlier than the lump was handed over.
         if (activity_ != activity::unknown and
-            now - last_ >= line_.frame_end() + line_.characters(octets)) {
+            now - last_ >= line().frame_end() + line().characters(octets)) {
             fall_silent();
         }
         note_activity(now);
         return state_ == state::done;
     }
 
-    /// The second part: takes one of them. Whether it was the last of a frame.
-    constexpr bool take(std::byte octet) noexcept
+    /// The second part: takes one of them. Whether it was the last of a frame. A function of its own, so that
+    /// no caller makes it larger.
+    [[gnu::noinline]] constexpr bool take(std::byte octet) noexcept
     {
         if (state_ == state::synchronising) {
             return false;
@@ -104,10 +110,10 @@ public:
         if (activity_ == activity::unknown) {
             note_activity(now);
         }
-        if (reached(now, last_ + line_.t3_5())) {
+        if (reached(now, last_ + line().t3_5())) {
             activity_ = activity::quiet;
         }
-        if (waits_for_silence() and reached(now, last_ + line_.frame_end())) {
+        if (waits_for_silence() and reached(now, last_ + line().frame_end())) {
             fall_silent();
         }
     }
@@ -117,10 +123,10 @@ public:
     {
         // The silence that ends a frame is never shorter than the one before sending.
         if (activity_ == activity::busy) {
-            return last_ + line_.t3_5();
+            return last_ + line().t3_5();
         }
         return activity_ == activity::quiet and waits_for_silence()
-                   ? deadline{last_ + line_.frame_end()}
+                   ? deadline{last_ + line().frame_end()}
                    : deadline{};
     }
 
@@ -158,10 +164,7 @@ public:
     }
 
     /// The frame that ended last, where the verdict is none.
-    [[nodiscard]] constexpr adu frame() const noexcept
-    {
-        return {to_u8(octets_[0]), pdu_of({octets_.data(), size_})};
-    }
+    [[nodiscard]] constexpr adu frame() const noexcept { return adu{{octets_.data(), size_}}; }
 
     /// Drops what is being received and takes the next octet for the first of a frame: for a line whose
     /// silence the caller vouches for, because its own transmission just ended.
@@ -178,12 +181,16 @@ public:
     /// answer and ends as one, so that what follows is heard without a silence before it. Any other
     /// frame is read as before; the unit may never answer.
     constexpr void overhear(std::uint8_t unit, std::uint8_t function) noexcept
+        requires(Way == direction::request)
     {
-        overheard_ = {unit, function, true};
+        others_.expect(unit, function);
     }
 
     /// Whether the frame that ended last was the answer that `overhear` spoke of.
-    [[nodiscard]] constexpr bool is_overheard() const noexcept { return is_overheard_; }
+    [[nodiscard]] constexpr bool is_overheard() const noexcept requires(Way == direction::request)
+    {
+        return others_.has_ended();
+    }
 
     /// Records that the line was not silent at `now`, and leaves the frame alone.
     constexpr void note_activity(instant now) noexcept
@@ -207,7 +214,7 @@ public:
     /// The memory of the frame, for an answer written in its place.
     [[nodiscard]] constexpr byte_span storage() noexcept { return octets_; }
 
-    [[nodiscard]] constexpr line_timing const& line() const noexcept { return line_; }
+    [[nodiscard]] constexpr line_timing const& line() const noexcept { return line_.get(); }
 
 private:
     enum class state : std::uint8_t { synchronising, receiving, idle, done };
@@ -215,38 +222,24 @@ private:
     /// What the line did last; nothing is known of it before the clock was seen.
     enum class activity : std::uint8_t { unknown, busy, quiet };
 
-    /// A question between others whose answer may come.
-    struct exchange_of_others {
-        std::uint8_t unit{0};
-        std::uint8_t function{0};
-        bool is_open{false};
-
-        /// Of at least two octets.
-        [[nodiscard]] constexpr bool answers(byte_view so_far) const noexcept
-        {
-            return is_open and to_u8(so_far[0]) == unit and
-                   (to_u8(so_far[1]) & ~exception_bit) == function;
-        }
-    };
-
     constexpr bool waits_for_silence() const noexcept { return state_ <= state::receiving; }
 
     constexpr void begin() noexcept
     {
         state_ = state::receiving;
-        is_overheard_ = false;
+        others_.begin_frame();
         size_ = 0;
         look_at_ = 2;
-        crc_ = {};
+        crc_ = running_crc16<>{};
         trouble_ = errc::none;
     }
 
     /// Applies the length rule at the octet it asked for. Whether the frame ends here.
-    constexpr bool look() noexcept
+    [[gnu::always_inline]] constexpr bool look() noexcept
     {
         byte_view const so_far{octets_.data(), size_};
-        bool const is_foreign = overheard_.answers(so_far);
-        length_so_far const known = frame_length(is_foreign ? direction::response : way_, so_far);
+        bool const is_foreign = others_.answers(so_far);
+        length_so_far const known = frame_length(is_foreign ? direction::response : Way, so_far);
         if (not known.is_final() or known.size() != size_) {
             look_at_ = static_cast<std::uint16_t>(known.size());
             return false;
@@ -256,8 +249,7 @@ private:
         if (verdict() != errc::none) {
             return false;
         }
-        is_overheard_ = is_foreign;
-        overheard_.is_open = overheard_.is_open and not is_foreign;
+        others_.end_frame(is_foreign);
         state_ = state::done;
         return true;
     }
@@ -265,7 +257,8 @@ private:
     constexpr void fall_silent() noexcept
     {
         if (waits_for_silence()) {
-            state_ = state_ == state::receiving ? state::done : state::idle;
+            // Synchronising -> idle, receiving -> done: two further in both cases.
+            state_ = static_cast<state>(static_cast<std::uint8_t>(state_) + 2U);
         }
     }
 
@@ -273,14 +266,12 @@ private:
     state state_{state::synchronising};
     activity activity_{activity::unknown};
     errc trouble_{errc::none};
-    direction way_;
-    exchange_of_others overheard_{};
-    bool is_overheard_{false};
-    running_crc16<> crc_{};
+    [[no_unique_address]] exchange_of_others<Way> others_{};
+    running_crc16<> crc_{0};
     std::uint16_t size_{0};
     std::uint16_t look_at_{0};
     instant last_{};
-    line_timing line_;
+    [[no_unique_address]] Line line_{};
     std::array<std::byte, max_adu_size> octets_; ///< the first `size_` are written
 };
 

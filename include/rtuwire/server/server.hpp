@@ -30,7 +30,7 @@ public:
     /// Listens as `unit`; the profile, and the objects in it, outlive the server.
     constexpr basic_server(unit_id unit, line_timing const& timing,
                            server_profile const& profile) noexcept
-        : unit_{unit.octet()}, profile_{&profile}, framer_{direction::request, timing}
+        : unit_{unit.octet()}, profile_{&profile}, framer_{timing}
     {}
 
     /// Listens as `unit` with every function and the specification's limits, without identification.
@@ -174,11 +174,11 @@ private:
         if (framer_.is_overheard()) {
             return;
         }
-        bool const is_for_us = heard.unit == unit_ or heard.unit == 0;
+        bool const is_for_us = heard.unit() == unit_ or heard.unit() == 0;
         if (not is_for_us and not heard.is_exception()) {
-            framer_.overhear(heard.unit, to_u8(heard.pdu[0]));
+            framer_.overhear(heard.unit(), heard.wire_code());
         } else if (is_for_us and not heard.is_exception()) {
-            asked_size_ = static_cast<std::uint8_t>(heard.pdu.size());
+            asked_size_ = static_cast<std::uint8_t>(heard.pdu().size());
             phase_ = phase::asked;
         } else {
             // An answer to a question that was not heard: what it belongs to is unknown.
@@ -214,7 +214,7 @@ private:
     std::uint16_t answer_size_{0};
     instant too_late_{};
     server_profile const* profile_;
-    framer framer_;
+    framer<direction::request> framer_;
     [[no_unique_address]] Diagnostics diagnostics_{};
 };
 

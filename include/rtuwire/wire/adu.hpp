@@ -44,14 +44,29 @@ concept broadcastable = pdu<T> and T::may_be_broadcast;
 /// A frame of at most as many octets as the PDU type can need.
 template <pdu P> using frame_of = fixed_buffer<P::max_size + adu_overhead>;
 
-/// A received frame whose CRC was right: the unit's octet and a view of the PDU, valid as long as the
-/// octets that were decoded.
-struct adu {
-    std::uint8_t unit;
-    byte_view pdu;
+/// The PDU of a frame, which has at least 4 octets.
+[[nodiscard]] constexpr byte_view pdu_of(byte_view frame) noexcept
+{
+    // Not a subspan, which asks first whether its size means "all".
+    return {frame.data() + 1, frame.size() - adu_overhead};
+}
+
+/// A received frame whose CRC was right: a view of its octets, valid as long as they are. Two words, so
+/// that it travels in registers.
+class adu {
+public:
+    /// Of a frame that was checked, 4 octets at least.
+    explicit constexpr adu(byte_view frame) noexcept : octets_{frame} {}
+
+    /// All of them, the CRC included.
+    [[nodiscard]] constexpr byte_view octets() const noexcept { return octets_; }
+
+    /// The unit address, 0 for everyone.
+    [[nodiscard]] constexpr std::uint8_t unit() const noexcept { return to_u8(octets_[0]); }
+    [[nodiscard]] constexpr byte_view pdu() const noexcept { return pdu_of(octets_); }
 
     /// The octet behind the unit address, exception bit included.
-    [[nodiscard]] constexpr std::uint8_t wire_code() const noexcept { return to_u8(pdu[0]); }
+    [[nodiscard]] constexpr std::uint8_t wire_code() const noexcept { return to_u8(octets_[1]); }
 
     /// The function, exception bit removed.
     [[nodiscard]] constexpr function_code function() const noexcept
@@ -63,14 +78,10 @@ struct adu {
     {
         return (wire_code() & exception_bit) != 0;
     }
-};
 
-/// The PDU of a frame, which has at least 4 octets.
-[[nodiscard]] constexpr byte_view pdu_of(byte_view frame) noexcept
-{
-    // Not a subspan, which asks first whether its size means "all".
-    return {frame.data() + 1, frame.size() - adu_overhead};
-}
+private:
+    byte_view octets_;
+};
 
 /// Makes a frame of a unit's octet and a PDU that are there already: appends the CRC. `place` has room
 /// for it.
@@ -167,7 +178,7 @@ template <typename Make> [[nodiscard]] consteval auto constant_frame(Make) noexc
     if (errc const wrong = check_frame(frame); wrong != errc::none) {
         return wrong;
     }
-    return adu{to_u8(frame[0]), pdu_of(frame)};
+    return adu{frame};
 }
 
 } // namespace rtuwire

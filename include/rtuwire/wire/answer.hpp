@@ -60,7 +60,8 @@ namespace rtuwire {
 }
 
 /// Holds the fields of a normal answer against its question; both PDUs are of one function.
-[[nodiscard]] constexpr errc check_fields(byte_view question_pdu, byte_view answer_pdu) noexcept
+[[nodiscard, gnu::always_inline]] constexpr errc check_fields(byte_view question_pdu,
+                                                              byte_view answer_pdu) noexcept
 {
     // A raw question may be shorter than its function allows; then there is nothing to hold against.
     if (question_pdu.size() < read_device_identification::max_size) {
@@ -97,20 +98,21 @@ namespace rtuwire {
 /// encoded here. The error is the exception when the server refused; `echoed` when it is the question
 /// itself; `wrong_unit`, `wrong_function`, `wrong_length`, `wrong_echo` or `malformed` when this is no
 /// answer to it.
-[[nodiscard]] constexpr errc check_answer(byte_view question_adu, adu const& answer) noexcept
+[[nodiscard]] constexpr errc check_answer(byte_view question_adu, adu answer) noexcept
 {
-    byte_view const question_pdu = pdu_of(question_adu);
-    if (answer.unit != to_u8(question_adu[0])) {
+    if (answer.unit() != to_u8(question_adu[0])) {
         return errc::wrong_unit;
     }
+    byte_view const question_pdu = pdu_of(question_adu);
+    byte_view const answer_pdu = answer.pdu();
     if (to_u8(answer.function()) != to_u8(question_pdu[0])) {
         return errc::wrong_function;
     }
     if (answer.is_exception()) {
-        return answer.pdu.size() == 2 ? exception_error(to_u8(answer.pdu[1])) : errc::wrong_length;
+        return answer_pdu.size() == 2 ? exception_error(to_u8(answer_pdu[1])) : errc::wrong_length;
     }
-    errc const wrong = check_fields(question_pdu, answer.pdu);
-    bool const is_own = wrong != errc::none and same_bytes(question_pdu, answer.pdu);
+    errc const wrong = check_fields(question_pdu, answer_pdu);
+    bool const is_own = wrong != errc::none and same_bytes(question_adu, answer.octets());
     return is_own ? errc::echoed : wrong;
 }
 

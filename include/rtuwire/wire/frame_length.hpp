@@ -124,7 +124,8 @@ inline constexpr std::uint8_t responses[] = {
 }
 
 /// What the first octets of an ADU say about its size.
-[[nodiscard]] constexpr length_so_far frame_length(direction way, byte_view adu) noexcept
+[[nodiscard, gnu::always_inline]] constexpr length_so_far frame_length(direction way,
+                                                                       byte_view adu) noexcept
 {
     if (adu.size() < 2) {
         return {2, false};

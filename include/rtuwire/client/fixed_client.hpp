@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// A client whose line and options are constants of the program, for small processors.
+#pragma once
+
+#include <rtuwire/client/client.hpp>
+
+namespace rtuwire {
+
+/// What a client does that is told nothing.
+inline constexpr client_options default_client_options{};
+
+/// A client that holds neither its line's times nor its options, and starts as zeros: a `constinit` one
+/// has no constructor to run and no image in flash. Each `Timing` makes code of its own, so it is for
+/// boards with one line.
+///
+///     constexpr line_timing timing{19'200, character_format::even_8_1}; // outside of functions
+///     constinit fixed_client<timing> link;
+template <line_timing const& Timing, client_options const& Options = default_client_options,
+          typename Statistics = no_statistics>
+using fixed_client = basic_client<Statistics, fixed<Timing>, fixed<Options>>;
+
+} // namespace rtuwire
