@@ -41,6 +41,7 @@ TARGETS = {
     "wire/pdu/read_write_multiple_registers.hpp": ["wire", "server"],
     "wire/pdu/write_multiple_registers.hpp": ["wire", "server"],
     "wire/pdu/write_single_register.hpp": ["wire", "server"],
+    "rtu/exchange_of_others.hpp": ["rtu", "server"],
     "rtu/framer.hpp": ["rtu", "client", "server"],
     "rtu/line.hpp": ["rtu", "client"],
     "client/attempts.hpp": ["client"],
