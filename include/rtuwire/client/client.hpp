@@ -40,7 +40,7 @@ public:
 
     /// Takes octets that had arrived by `now`, in any chunking. Outside of waiting for an answer they
     /// are noise: dropped, but the line was not silent.
-    constexpr void receive(byte_view octets, instant now) noexcept
+    constexpr void receive(byte_view const& octets, instant now) noexcept
     {
         if (octets.empty()) {
             return;

@@ -11,7 +11,8 @@
 
 namespace rtuwire {
 
-/// Octets that somebody else owns and keeps alive, to be read.
+/// Octets that somebody else owns and keeps alive, to be read. Handed on by value; by reference only on a
+/// client's deepest path, because a small processor puts each copy on its stack.
 using byte_view = std::span<std::byte const>;
 
 /// Octets that somebody else owns and keeps alive, to be written.

@@ -59,7 +59,8 @@ namespace rtuwire {
     return is_other ? errc::wrong_echo : errc::none;
 }
 
-/// Holds the fields of a normal answer against its question; both PDUs are of one function.
+/// Holds the fields of a normal answer against its question; both PDUs are of one function. Part of
+/// `check_answer`, and smaller there than apart.
 [[nodiscard, gnu::always_inline]] constexpr errc check_fields(byte_view question_pdu,
                                                               byte_view answer_pdu) noexcept
 {
@@ -98,7 +99,7 @@ namespace rtuwire {
 /// encoded here. The error is the exception when the server refused; `echoed` when it is the question
 /// itself; `wrong_unit`, `wrong_function`, `wrong_length`, `wrong_echo` or `malformed` when this is no
 /// answer to it.
-[[nodiscard]] constexpr errc check_answer(byte_view question_adu, adu answer) noexcept
+[[nodiscard]] constexpr errc check_answer(byte_view const& question_adu, adu const& answer) noexcept
 {
     if (answer.unit() != to_u8(question_adu[0])) {
         return errc::wrong_unit;
