@@ -52,10 +52,8 @@ public:
                 copy_four(bytes_.data() + 2 * done, words.data() + done);
             }
         }
-        std::byte const* from = bytes_.data() + 2 * done;
-        for (std::uint16_t& word : words.subspan(done, size() - done)) {
-            word = to_u16(from[0], from[1]);
-            from += 2;
+        for (; done < size(); ++done) {
+            words.data()[done] = (*this)[done];
         }
         return size();
     }
