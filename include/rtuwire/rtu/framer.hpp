@@ -234,7 +234,8 @@ private:
         trouble_ = errc::none;
     }
 
-    /// Applies the length rule at the octet it asked for. Whether the frame ends here.
+    /// Applies the length rule at the octet it asked for. Whether the frame ends here. Part of `take`, and
+    /// smaller there than apart.
     [[gnu::always_inline]] constexpr bool look() noexcept
     {
         byte_view const so_far{octets_.data(), size_};
