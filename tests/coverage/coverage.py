@@ -33,7 +33,10 @@ def tool(name):
 def programs():
     found = sorted(BUILD.glob("tests/rtuwire_tests_*")) + sorted(BUILD.glob("fuzz/replay_*")) + \
         [BUILD / "tests" / "simulation" / name for name in LONG]
-    return [path for path in found if path.is_file() and os.access(path, os.X_OK)]
+    runnable = [path for path in found if path.is_file() and os.access(path, os.X_OK)]
+    if not runnable:
+        raise SystemExit("coverage.py: nothing was built (cmake --build --preset coverage)")
+    return runnable
 
 
 def run(path, profile):

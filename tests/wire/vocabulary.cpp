@@ -29,6 +29,11 @@ constexpr bool exceptions_keep_their_number()
             return false;
         }
     }
+    for (errc const other : {errc::none, errc::crc_mismatch, errc::device_failed}) {
+        if (is_exception(other)) {
+            return false;
+        }
+    }
     return true;
 }
 PROOF("an exception keeps its number, and none can pass for a local error",
