@@ -13,12 +13,10 @@ using namespace rtuwire;
 
 namespace {
 
-constexpr line_timing timing{19'200, character_format::even_8_1};
 constexpr client_options patient{.response_timeout = milliseconds(60),
                                  .turnaround = milliseconds(20),
                                  .late_answer = milliseconds(30),
                                  .retries = 1,
-                                 .has_echo = false,
                                  .skip_noise = 1};
 
 constexpr auto stop_all = "00 06 21 35 00 00 92 29"_hex;
@@ -29,8 +27,8 @@ constexpr std::array<byte_view, 4> said{test::answer_1234, busy, damaged, noise}
 
 /// Two clients on one line that hear and are told the same.
 struct twins {
-    client told{timing, patient};
-    fixed_client<timing, patient> fixed{};
+    client told{test::line, patient};
+    fixed_client<test::line, patient> fixed{};
     instant now{0xFFFF'FFFFU - 2'000'000U};
     unsigned outcomes{0};
     unsigned sent{0};
@@ -62,7 +60,7 @@ struct twins {
         byte_view const other = fixed.poll_transmit();
         if (not one.empty()) {
             ++sent;
-            now = now + timing.characters(one.size());
+            now = now + test::line.characters(one.size());
             told.sent(now);
             fixed.sent(now);
         }
@@ -95,11 +93,11 @@ constexpr bool does_the_same_for_a_while() { return does_the_same(400); }
 PROOF("a fixed client says and takes what one does that was told", does_the_same_for_a_while)
 
 // Its frame, and 64 octets at most on a 32-bit processor; neither times nor options.
-static_assert(sizeof(fixed_client<timing>) + sizeof(line_timing) + sizeof(client_options) <=
+static_assert(sizeof(fixed_client<test::line>) + sizeof(line_timing) + sizeof(client_options) <=
               sizeof(client));
-static_assert(sizeof(void*) != 4 or sizeof(fixed_client<timing>) <= max_adu_size + 64);
+static_assert(sizeof(void*) != 4 or sizeof(fixed_client<test::line>) <= max_adu_size + 64);
 
-constinit fixed_client<timing> ready_before_any_code_runs;
+constinit fixed_client<test::line> ready_before_any_code_runs;
 
 } // namespace
 

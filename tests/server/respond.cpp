@@ -168,6 +168,22 @@ constexpr bool failure_is_04()
 }
 PROOF("a bank that fails is exception 04", failure_is_04)
 
+/// A bank that stands for another unit, whose exception had a code that no document has.
+struct far_bank : broken_bank {
+    static constexpr errc read(std::uint16_t, std::size_t, byte_writer&)
+    {
+        return exception_error(0x80);
+    }
+};
+
+constexpr bool sends_no_unlisted_code()
+{
+    far_bank bank;
+    std::array<std::byte, max_pdu_size> place{};
+    return same_bytes(respond("03 00 69 00 02"_hex, bank, drive, place), "83 04"_hex);
+}
+PROOF("the stand-in for unlisted codes does not leave as a code", sends_no_unlisted_code)
+
 template <std::size_t Size>
 constexpr std::uint16_t after_broadcast(std::array<std::byte, Size> const& request)
 {

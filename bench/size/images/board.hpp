@@ -32,7 +32,8 @@ inline void put(std::span<std::byte const> octets)
 }
 inline rtuwire::instant now() { return rtuwire::instant{at(0x4000'0008)}; }
 
-/// Hands to a client or a server what the line did, and to the line what it says.
+/// Hands to a client or a server what the line did, and to the line what it says. A function of its own,
+/// so that its stack is seen.
 template <typename Engine> [[gnu::noinline]] void pass(Engine& engine)
 {
     rtuwire::instant const now = board::now();

@@ -47,6 +47,7 @@ public:
     constexpr response() noexcept = default;
     explicit constexpr response(byte_view pdu) noexcept : pdu_{pdu} {}
 
+    /// By reference, because GCC calls memcpy for a copy where it optimises for size.
     [[nodiscard]] constexpr byte_view const& pdu() const noexcept { return pdu_; }
 
     /// The answer to a request of type `Request`; the errors are those of its decoder.

@@ -100,8 +100,9 @@ constexpr void respond_in_place(pdu_place& pdu, Bank& bank, server_profile const
     errc const wrong = answer_request(pdu, bank, profile, line);
     if (wrong != errc::none) {
         pdu.octets[0] = to_byte(function | exception_bit);
-        pdu.octets[1] =
-            static_cast<std::byte>(is_exception(wrong) ? wrong : errc::server_device_failure);
+        // What has no code on the wire is the bank's failure: local causes, and what stands for others.
+        pdu.octets[1] = static_cast<std::byte>(
+            wrong < errc::unlisted_exception ? wrong : errc::server_device_failure);
         pdu.size = 2;
     }
 }

@@ -51,8 +51,7 @@ template <pdu P> using frame_of = fixed_buffer<P::max_size + adu_overhead>;
     return {frame.data() + 1, frame.size() - adu_overhead};
 }
 
-/// A received frame whose CRC was right: a view of its octets, valid as long as they are. Two words, so
-/// that it travels in registers.
+/// A received frame whose CRC was right: a view of its octets, valid as long as they are.
 class adu {
 public:
     /// Of a frame that was checked, 4 octets at least.

@@ -27,7 +27,7 @@ struct exception_response {
         out.u8(code);
     }
 
-    /// The code as an error; `unlisted_exception` where it is 0 or above 7F.
+    /// The code as an error; `unlisted_exception` where it is 0 or from 7F.
     [[nodiscard]] constexpr errc error() const noexcept { return exception_error(code); }
 
     /// Reads a PDU. Errors: `wrong_function` where the exception bit is not set, `wrong_length`.
