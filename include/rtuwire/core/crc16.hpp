@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/crc16_algebra.hpp>
@@ -26,7 +27,7 @@ enum class crc_form : std::uint8_t {
     octet_algebra, ///< nothing; an octet at a time, for processors without a cache
     word_algebra,  ///< nothing; 64 octets at a time, for 64-bit processors
     host,          ///< 4 KiB for up to 32 octets, and for the last word that `word_algebra` leaves
-    carryless,     ///< the same and 8 KiB, and carry-less multiplication where the processor has it
+    carryless,     ///< 4 KiB for up to 16 octets; beyond, carry-less multiplication; else as `host`
 };
 
 /// What is used where nobody chooses. `-DRTUWIRE_CRC_FORM=byte_table` chooses, in all of a program.
@@ -92,17 +93,18 @@ template <crc_form Form> [[nodiscard]] constexpr std::uint16_t by_octets(byte_vi
     return crc.value();
 }
 
-/// More than 8 octets: by tables up to 32; by algebra, with tables for the last word; by multiplication
-/// from 128 on. Not inlined, so that `by_size` is where the size is known.
+/// More than 8 octets: the first few by tables, more by multiplication, or by algebra with tables for the
+/// last word. Not inlined, so that `by_size` is where the size is known.
 template <crc_form Form>
 [[nodiscard, gnu::noinline]] constexpr std::uint16_t of_many(byte_view bytes) noexcept
 {
-    if (bytes.size() <= 32) {
+    constexpr bool multiplies = Form == crc_form::carryless and crc16_carryless::is_available;
+    if (bytes.size() <= (multiplies ? 16 : 32)) {
         return crc16_tables::of_some(bytes);
     }
-    if constexpr (Form == crc_form::carryless) {
-        if (bytes.size() >= 128) {
-            return crc16_carryless::of_words(bytes);
+    if constexpr (multiplies) {
+        if (not std::is_constant_evaluated()) {
+            return crc16_carryless::of_blocks(bytes);
         }
     }
     return crc16_algebra::of_words<crc16_tables::of_word>(bytes);

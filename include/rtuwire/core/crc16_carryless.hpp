@@ -2,38 +2,33 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // CRC-16/MODBUS by carry-less multiplication, where the target has it: PCLMULQDQ (-mpclmul), PMULL
-// (-march=armv8-a+crypto) or VMULL.P64 (-mfpu=crypto-neon-fp-armv8). 16 octets are one factor, a power
-// of x modulo the polynomial is the other; the last 16 octets are left to tables.
+// (-march=armv8-a+crypto) or VMULL.P64 (-mfpu=crypto-neon-fp-armv8). Each word of the message is
+// multiplied by the power of x that its distance from the end makes it, modulo the polynomial, so that no
+// product waits for another; the sum has 80 bits, and two more products in a row leave the CRC of it. All
+// words are reflected: bit 0 is the highest power.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 #include <rtuwire/core/bytes.hpp>
-#include <rtuwire/core/crc16_algebra.hpp>
 #include <rtuwire/core/crc16_tables.hpp>
 
 #if defined(__PCLMUL__)
 #include <wmmintrin.h>
 #define RTUWIRE_CARRYLESS_X86
-#elif defined(__ARM_NEON) && (defined(__ARM_FEATURE_AES) || defined(__ARM_FEATURE_CRYPTO))
+#elif defined(__ARM_NEON) && !defined(__ARM_BIG_ENDIAN) &&                                         \
+    (defined(__ARM_FEATURE_AES) || defined(__ARM_FEATURE_CRYPTO))
 #include <arm_neon.h>
 #define RTUWIRE_CARRYLESS_ARM // PMULL, or VMULL.P64 on a 32-bit Arm
 #endif
 
 namespace rtuwire::crc16_carryless {
 
-/// x^n modulo the polynomial, reflected in 64 bits.
-[[nodiscard]] constexpr std::uint64_t power_of_x(unsigned n) noexcept
-{
-    return std::uint64_t{crc16_tables::shifted(0x8000, n)} << 48U;
-}
-
 #ifdef RTUWIRE_CARRYLESS_X86
 inline constexpr bool is_available = true;
 
-/// 16 octets of the message, the first in the low word.
+/// 16 octets of the message as two words.
 using block = __m128i;
 
 inline block block_of(std::uint64_t first, std::uint64_t second) noexcept
@@ -44,20 +39,24 @@ inline block block_at(std::byte const* at) noexcept
 {
     return _mm_loadu_si128(reinterpret_cast<block const*>(at));
 }
-inline std::uint64_t first_of(block octets) noexcept
+inline std::uint64_t second_of(block words) noexcept
 {
-    return static_cast<std::uint64_t>(_mm_cvtsi128_si64(octets));
-}
-inline std::uint64_t second_of(block octets) noexcept
-{
-    return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm_unpackhi_epi64(octets, octets)));
+    return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm_unpackhi_epi64(words, words)));
 }
 inline block sum(block left, block right) noexcept { return _mm_xor_si128(left, right); }
-/// The first word times the first of the factors, and the second times the second.
-inline block product(block octets, block factors) noexcept
+/// The second word of one and the first word of the next.
+inline block between(block one, block next) noexcept
 {
-    return sum(_mm_clmulepi64_si128(octets, factors, 0x00),
-               _mm_clmulepi64_si128(octets, factors, 0x11));
+    return _mm_castpd_si128(_mm_shuffle_pd(_mm_castsi128_pd(one), _mm_castsi128_pd(next), 1));
+}
+template <int Bits> block shifted_down(block words) noexcept { return _mm_srli_epi64(words, Bits); }
+inline block firsts(block left, block right) noexcept
+{
+    return _mm_clmulepi64_si128(left, right, 0x00);
+}
+inline block seconds(block left, block right) noexcept
+{
+    return _mm_clmulepi64_si128(left, right, 0x11);
 }
 #elif defined(RTUWIRE_CARRYLESS_ARM)
 inline constexpr bool is_available = true;
@@ -72,16 +71,17 @@ inline block block_at(std::byte const* at) noexcept
 {
     return vreinterpretq_u64_u8(vld1q_u8(reinterpret_cast<std::uint8_t const*>(at)));
 }
-inline std::uint64_t first_of(block octets) noexcept { return vgetq_lane_u64(octets, 0); }
-inline std::uint64_t second_of(block octets) noexcept { return vgetq_lane_u64(octets, 1); }
+inline std::uint64_t second_of(block words) noexcept { return vgetq_lane_u64(words, 1); }
 inline block sum(block left, block right) noexcept { return veorq_u64(left, right); }
-inline block product(block octets, block factors) noexcept
+inline block between(block one, block next) noexcept { return vextq_u64(one, next, 1); }
+template <int Bits> block shifted_down(block words) noexcept { return vshrq_n_u64(words, Bits); }
+inline block firsts(block left, block right) noexcept
 {
-    auto const times = [](std::uint64_t left, std::uint64_t right) {
-        return vreinterpretq_u64_p128(vmull_p64(left, right));
-    };
-    return sum(times(first_of(octets), first_of(factors)),
-               times(second_of(octets), second_of(factors)));
+    return vreinterpretq_u64_p128(vmull_p64(vgetq_lane_u64(left, 0), vgetq_lane_u64(right, 0)));
+}
+inline block seconds(block left, block right) noexcept
+{
+    return vreinterpretq_u64_p128(vmull_p64(vgetq_lane_u64(left, 1), vgetq_lane_u64(right, 1)));
 }
 #else
 inline constexpr bool is_available = false;
@@ -89,103 +89,163 @@ inline constexpr bool is_available = false;
 
 #if defined(RTUWIRE_CARRYLESS_X86) || defined(RTUWIRE_CARRYLESS_ARM)
 
-/// Octets moved `Bits` further from the end of the message. A product of reflected words has one
-/// power of x too many.
-template <unsigned Bits> inline block moved(block octets) noexcept
+/// The first words multiplied, and the second words multiplied, added up.
+inline block product(block left, block right) noexcept
 {
-    constexpr std::uint64_t of_first = power_of_x(Bits + 63);
-    constexpr std::uint64_t of_second = power_of_x(Bits - 1);
-    return product(octets, block_of(of_first, of_second));
+    return sum(firsts(left, right), seconds(left, right));
 }
 
-/// Blocks side by side, the first of the message first.
-struct four_blocks {
-    block a, b, c, d;
+/// What zero bits turn into this state: the step of `crc16_tables::shifted` backwards.
+[[nodiscard]] constexpr std::uint16_t shifted_back(std::uint32_t state, unsigned bits) noexcept
+{
+    for (unsigned i = 0; i < bits; ++i) {
+        state = (state & 0x8000U) != 0 ? (state ^ 0xA001U) << 1U | 1U : state << 1U;
+    }
+    return static_cast<std::uint16_t>(state);
+}
+
+/// The factors for a block with so many blocks behind it: x^(128 k + 64) and x^(128 k), each less one x,
+/// because a product of reflected words has one too many.
+struct factors {
+    std::uint64_t first, second;
+};
+template <std::size_t Count> struct factor_table {
+    factors of[Count]{};
+
+    constexpr factor_table() noexcept
+    {
+        std::uint32_t power = shifted_back(0x8000, 1);
+        for (factors& each : of) {
+            each.second = std::uint64_t{power} << 48U;
+            power = crc16_tables::shifted(power, 64);
+            each.first = std::uint64_t{power} << 48U;
+            power = crc16_tables::shifted(power, 64);
+        }
+    }
 };
 
-/// The octets of a message that come before its last whole blocks, as a block with zeros before it. The
-/// CRC starts from FFFF: that is, with the first two octets inverted.
-inline block head_of(byte_view octets) noexcept
+/// So many blocks are multiplied in one go, and the sum of those before them.
+inline constexpr std::size_t most_blocks = 15;
+inline constexpr factor_table<most_blocks + 1> powers{};
+
+/// A block times the power of x for `behind` blocks after it: 80 bits at the end of a block.
+inline block moved(block octets, std::size_t behind) noexcept
 {
-    constexpr std::uint64_t start = 0xFFFF;
-    std::size_t const odd = octets.size() % 16;
-    std::uint64_t const front = word_at(octets.data()) ^ start;
-    if (odd == 0) {
-        return block_of(0, 0);
-    }
-    if (odd <= 8) {
-        return block_of(0, front << 8 * (8 - odd));
-    }
-    std::uint64_t const second = word_at(octets.data() + odd - 8);
-    return block_of(front << 8 * (16 - odd), odd == 9 ? second ^ (start >> 8U) : second);
+    return product(octets, block_of(powers.of[behind].first, powers.of[behind].second));
 }
 
-/// What of the start is left for the first whole block.
-inline block start_of(byte_view octets) noexcept
+/// The CRC starts from FFFF. With zeros before the message it starts from what those turn into FFFF.
+struct start_table {
+    std::uint16_t before[16]{};
+
+    constexpr start_table() noexcept
+    {
+        for (unsigned zeros = 0; zeros < 16; ++zeros) {
+            before[zeros] = shifted_back(0xFFFF, 8 * zeros);
+        }
+    }
+};
+inline constexpr start_table starts{};
+
+/// The first 1 to 16 octets of a message of 8 at least, as a block with zeros before them; the start
+/// with them.
+inline block head_of(std::byte const* at, std::size_t size) noexcept
 {
-    std::size_t const odd = octets.size() % 16;
-    return block_of(odd == 0 ? 0xFFFFU : odd == 1 ? 0xFFU : 0U, 0);
+    std::uint64_t const start = starts.before[16 - size];
+    std::uint64_t const front = word_at(at);
+    return size <= 8 ? block_of(start, front << 8 * (8 - size))
+                     : block_of(start ^ front << 8 * (16 - size), word_at(at + size - 8));
 }
 
-/// The front of a message, so that what follows comes in fours: zeros before it change nothing.
-inline four_blocks front_of(byte_view octets, std::byte const* at) noexcept
+/// Adds blocks that are multiplied: those with fewer than `from` blocks behind them, but `to` at least.
+inline block with_blocks(block rest, std::byte const* at, std::size_t from, std::size_t to) noexcept
 {
-    block const none = block_of(0, 0);
-    block const head = head_of(octets);
-    if (octets.size() / 16 % 4 == 0) {
-        return {none, none, none, head};
+    for (; from != to; at += 16) {
+        rest = sum(rest, moved(block_at(at), --from));
     }
-    block const first = sum(block_at(at), start_of(octets));
-    switch (octets.size() / 16 % 4) {
-    case 1: return {none, none, head, first};
-    case 2: return {none, head, first, block_at(at + 16)};
-    default: return {head, first, block_at(at + 16), block_at(at + 32)};
-    }
+    return rest;
 }
 
-/// What 16 octets in two words, the first octet lowest, leave of a CRC that starts from 0.
-[[nodiscard]] inline std::uint16_t of_block(std::uint64_t first, std::uint64_t second) noexcept
+/// Adds the last eight blocks and up to seven `far` ones before them, for which adding does instead of
+/// multiplying: modulo T (crc16_algebra.hpp), x^1024 is x^128 + x^64, so that eight blocks further on a
+/// block counts one block before that place, and half a block before it. Modulo x + 1 the two are 0, but
+/// x^1024 is 1: T times the block makes up for that, as T is 1 there, 0 modulo T, and stays itself times x.
+inline block with_far_blocks(block rest, std::byte const* far, std::size_t count) noexcept
 {
-    auto const& tables = crc16_tables::at_distance<16>.at;
-    std::uint32_t crc = 0;
-    for (std::size_t i = 0; i < 8; ++i) {
-        crc ^= std::uint32_t{tables[15 - i][first >> 8 * i & 0xFFU]} ^
-               tables[7 - i][second >> 8 * i & 0xFFU];
+    constexpr std::uint64_t t = 0xC001'0000'0000'0000;
+    std::byte const* near = far + 16 * count;
+    rest = with_blocks(rest, near, 8, count + 1);
+    near += 16 * (7 - count);
+    block one = block_of(0, 0);
+    block all = block_of(0, 0);
+    for (; count != 0; --count, far += 16, near += 16) {
+        block const next = block_at(far);
+        block const added = sum(next, between(one, next));
+        rest = sum(rest, moved(sum(block_at(near), added), count));
+        all = sum(all, next);
+        one = next;
     }
-    return static_cast<std::uint16_t>(crc);
+    block const last = sum(block_at(near), between(one, block_of(0, 0)));
+    return sum(sum(rest, moved(last, 0)), product(all, block_of(t, t)));
 }
 
-/// The CRC of at least 16 octets.
-[[nodiscard]] inline std::uint16_t multiply(byte_view octets) noexcept
+/// What comes before, and up to `most_blocks` blocks after it, as 80 bits at the end of a block.
+inline block folded(block before, std::byte const* at, std::size_t count) noexcept
 {
-    std::byte const* at = octets.data() + octets.size() % 16;
+    block const rest = moved(before, count);
+    return count <= 8 ? with_blocks(rest, at, count, 0) : with_far_blocks(rest, at, count - 8);
+}
+
+/// P, reflected: bit n is the factor of z^n, and z^0 is x^16.
+inline constexpr std::uint32_t polynomial = 0x1'4003;
+
+/// 64 digits of the series 1 / P in z, from that of z^`from` on.
+[[nodiscard]] constexpr std::uint64_t reciprocal(unsigned from) noexcept
+{
+    std::uint64_t digits = 0;
+    std::uint32_t rest = 1;
+    for (unsigned n = 0; n < from + 64; ++n) {
+        std::uint32_t const digit = rest & 1U;
+        digits = digits >> 1U | std::uint64_t{digit} << 63U;
+        rest = (digit != 0 ? rest ^ polynomial : rest) >> 1U;
+    }
+    return digits;
+}
+
+/// The CRC that 80 bits at the end of a block leave. Times x^16 they are a multiple of P, plus the CRC. To
+/// that only the last 16 digits of the multiple's other factor matter. They are the last of the first
+/// word of two products: of the word, and of the 16 bits before it, for which the reciprocal's first 16
+/// digits come too early.
+[[nodiscard]] inline std::uint16_t crc_of(block rest) noexcept
+{
+    constexpr std::uint64_t for_front = reciprocal(16);
+    constexpr std::uint64_t for_word = reciprocal(0);
+    block const reciprocals = block_of(for_front, for_word);
+    block const factor =
+        sum(firsts(shifted_down<48>(rest), reciprocals), seconds(rest, reciprocals));
+    return static_cast<std::uint16_t>(second_of(firsts(factor, block_of(polynomial, 0))));
+}
+
+/// The CRC of more than 16 octets.
+[[nodiscard]] inline std::uint16_t of_blocks(byte_view octets) noexcept
+{
+    std::size_t const odd = (octets.size() - 1) % 16 + 1;
+    std::byte const* at = octets.data() + odd;
     std::byte const* const end = octets.data() + octets.size();
-    four_blocks all = front_of(octets, at);
-    std::size_t const in_front = octets.size() / 16 % 4;
-    block start = in_front == 0 ? start_of(octets) : block_of(0, 0);
-    for (at += 16 * in_front; at != end; at += 64) {
-        all = {sum(moved<512>(all.a), sum(block_at(at), start)),
-               sum(moved<512>(all.b), block_at(at + 16)), sum(moved<512>(all.c), block_at(at + 32)),
-               sum(moved<512>(all.d), block_at(at + 48))};
-        start = block_of(0, 0);
-    }
-    block const rest =
-        sum(sum(moved<384>(all.a), moved<256>(all.b)), sum(moved<128>(all.c), all.d));
-    return of_block(first_of(rest), second_of(rest));
+    block rest = head_of(octets.data(), odd);
+    std::size_t count = ((octets.size() - odd) / 16 - 1) % most_blocks + 1;
+    do {
+        rest = folded(rest, at, count);
+        at += 16 * count;
+        count = most_blocks;
+    } while (at != end);
+    return crc_of(rest);
 }
 
+#else
+/// Named where nothing multiplies, and never called.
+[[nodiscard]] std::uint16_t of_blocks(byte_view octets) noexcept;
 #endif
-
-/// The CRC of at least 16 octets; by algebra in the compiler, and where the target cannot multiply so.
-[[nodiscard]] constexpr std::uint16_t of_words(byte_view octets) noexcept
-{
-#if defined(RTUWIRE_CARRYLESS_X86) || defined(RTUWIRE_CARRYLESS_ARM)
-    if (not std::is_constant_evaluated()) {
-        return multiply(octets);
-    }
-#endif
-    return crc16_algebra::of_words(octets);
-}
 
 } // namespace rtuwire::crc16_carryless
 
