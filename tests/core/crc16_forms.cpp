@@ -41,6 +41,10 @@ constexpr bool agree_up_to(std::size_t most)
 constexpr bool agree_on_short_frames() { return agree_up_to(72); }
 PROOF("the forms agree on frames of every length up to 72", agree_on_short_frames)
 
+#ifdef RTUWIRE_TEST_CARRYLESS
+STATIC_CHECK(crc16_carryless::is_available);
+#endif
+
 #ifndef RTUWIRE_CRC_FORM
 // Where nobody chooses: carry-less multiplication if there is any, then by the size of a pointer.
 STATIC_CHECK(default_crc_form == (crc16_carryless::is_available ? crc_form::carryless

@@ -63,16 +63,16 @@ template <std::size_t Count> using lanes = std::array<std::uint64_t, Count>;
 
 /// x^(64 Count) as two shifts: what stays in a word, and what goes over into the one before.
 template <std::size_t Count> struct power {
-    static constexpr int near = static_cast<int>(4 * Count);
-    static constexpr int far = static_cast<int>(8 * Count);
+    static constexpr int low = static_cast<int>(4 * Count);
+    static constexpr int high = static_cast<int>(8 * Count);
 
     [[nodiscard]] static constexpr std::uint64_t staying(std::uint64_t word) noexcept
     {
-        return word >> near ^ (far < 64 ? word >> (far % 64) : 0U);
+        return word >> low ^ (high < 64 ? word >> (high % 64) : 0U);
     }
     [[nodiscard]] static constexpr std::uint64_t leaving(std::uint64_t word) noexcept
     {
-        return word << (64 - near) ^ word << (64 - far);
+        return word << (64 - low) ^ word << (64 - high);
     }
 };
 

@@ -104,13 +104,16 @@ inline block product(block left, block right) noexcept
     return static_cast<std::uint16_t>(state);
 }
 
-/// The factors for a block with so many blocks behind it: x^(128 k + 64) and x^(128 k), each less one x,
-/// because a product of reflected words has one too many.
+/// So many blocks are multiplied in one go, and the sum of those before them.
+inline constexpr std::size_t most_blocks = 15;
+
+/// The factors for a block with k blocks behind it: x^(128 k + 64) and x^(128 k), each less one x, because a
+/// product of reflected words has one too many.
 struct factors {
     std::uint64_t first, second;
 };
-template <std::size_t Count> struct factor_table {
-    factors of[Count]{};
+struct factor_table {
+    factors of[most_blocks + 1]{};
 
     constexpr factor_table() noexcept
     {
@@ -124,9 +127,7 @@ template <std::size_t Count> struct factor_table {
     }
 };
 
-/// So many blocks are multiplied in one go, and the sum of those before them.
-inline constexpr std::size_t most_blocks = 15;
-inline constexpr factor_table<most_blocks + 1> powers{};
+inline constexpr factor_table powers{};
 
 /// A block times the power of x for `behind` blocks after it: 80 bits at the end of a block.
 inline block moved(block octets, std::size_t behind) noexcept
@@ -166,26 +167,26 @@ inline block with_blocks(block rest, std::byte const* at, std::size_t from, std:
     return rest;
 }
 
-/// Adds the last eight blocks and up to seven `far` ones before them, for which adding does instead of
-/// multiplying: modulo T (crc16_algebra.hpp), x^1024 is x^128 + x^64, so that eight blocks further on a
-/// block counts one block before that place, and half a block before it. Modulo x + 1 the two are 0, but
-/// x^1024 is 1: T times the block makes up for that, as T is 1 there, 0 modulo T, and stays itself times x.
-inline block with_far_blocks(block rest, std::byte const* far, std::size_t count) noexcept
+/// Adds up to seven blocks and the eight after them. The former need no product: modulo T
+/// (crc16_algebra.hpp), x^1024 is x^128 + x^64, so that eight blocks further on a block counts one block
+/// before that place, and half a block before it. Modulo x + 1 the two are 0, but x^1024 is 1: T times the
+/// block makes up for that, as T is 1 there, 0 modulo T, and stays itself times x.
+inline block with_more_blocks(block rest, std::byte const* at, std::size_t count) noexcept
 {
     constexpr std::uint64_t t = 0xC001'0000'0000'0000;
-    std::byte const* near = far + 16 * count;
-    rest = with_blocks(rest, near, 8, count + 1);
-    near += 16 * (7 - count);
+    std::byte const* onto = at + 16 * count;
+    rest = with_blocks(rest, onto, 8, count + 1);
+    onto += 16 * (7 - count);
     block one = block_of(0, 0);
     block all = block_of(0, 0);
-    for (; count != 0; --count, far += 16, near += 16) {
-        block const next = block_at(far);
+    for (; count != 0; --count, at += 16, onto += 16) {
+        block const next = block_at(at);
         block const added = sum(next, between(one, next));
-        rest = sum(rest, moved(sum(block_at(near), added), count));
+        rest = sum(rest, moved(sum(block_at(onto), added), count));
         all = sum(all, next);
         one = next;
     }
-    block const last = sum(block_at(near), between(one, block_of(0, 0)));
+    block const last = sum(block_at(onto), between(one, block_of(0, 0)));
     return sum(sum(rest, moved(last, 0)), product(all, block_of(t, t)));
 }
 
@@ -193,7 +194,7 @@ inline block with_far_blocks(block rest, std::byte const* far, std::size_t count
 inline block folded(block before, std::byte const* at, std::size_t count) noexcept
 {
     block const rest = moved(before, count);
-    return count <= 8 ? with_blocks(rest, at, count, 0) : with_far_blocks(rest, at, count - 8);
+    return count <= 8 ? with_blocks(rest, at, count, 0) : with_more_blocks(rest, at, count - 8);
 }
 
 /// P, reflected: bit n is the factor of z^n, and z^0 is x^16.
