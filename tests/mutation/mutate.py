@@ -56,8 +56,8 @@ TARGETS = {
     "server/serial_diagnostics.hpp": ["server"],
     "server/server.hpp": ["server", "scenario"],
 }
-# What only some processors have is compiled for them.
-FOR = {"core/crc16_carryless.hpp": ["-mpclmul", "-DRTUWIRE_TEST_CARRYLESS"]}
+# Flags for what only some processors have.
+EXTRA = {"core/crc16_carryless.hpp": ["-mpclmul", "-DRTUWIRE_TEST_CARRYLESS"]}
 CHANGES = [(r" == ", " != "), (r" != ", " == "), (r" < ", " <= "), (r" <= ", " < "), (r" > ", " >= "),
            (r" >= ", " > "), (r" \+ ", " - "), (r" - ", " + "), (r" and ", " or "), (r" or ", " and "),
            (r"\bnot ", ""), (r"\btrue\b", "false"), (r"\bfalse\b", "true"),
@@ -130,7 +130,7 @@ def survives(change, common, order):
         lines = place.read_text(encoding="utf-8").splitlines()
         lines[number] = line
         place.write_text("\n".join(lines) + "\n", encoding="utf-8")
-        flags = [*common, *FOR.get(header, []), f"-I{copy}"]
+        flags = [*common, *EXTRA.get(header, []), f"-I{copy}"]
         for path in order[header]:
             if not passes(path, flags, folder):
                 # A new list: another thread may be going through the old one.
@@ -142,13 +142,13 @@ def survives(change, common, order):
 def unchanged(common, targets, jobs):
     """How long each test takes where nothing was changed; all pass there, or nothing can be said."""
     def look(test):
-        path, processor = test
+        path, extra = test
         start = time.monotonic()
         with tempfile.TemporaryDirectory() as folder:
-            if not passes(path, [*common, *processor, f"-I{PROJECT / 'include'}"], folder):
+            if not passes(path, [*common, *extra, f"-I{PROJECT / 'include'}"], folder):
                 raise SystemExit(f"mutate.py: {path.name} fails without any change")
         return path, time.monotonic() - start
-    tests = sorted({(path, tuple(FOR.get(header, ()))) for header in targets for path in sources(header)})
+    tests = sorted({(path, tuple(EXTRA.get(header, ()))) for header in targets for path in sources(header)})
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         return dict(pool.map(look, tests))
 

@@ -93,8 +93,8 @@ template <crc_form Form> [[nodiscard]] constexpr std::uint16_t by_octets(byte_vi
     return crc.value();
 }
 
-/// More than 8 octets: the first few by tables, more by multiplication, or by algebra with tables for the
-/// last word. Not inlined, so that `by_size` is where the size is known.
+/// More than 8 octets: up to 16 by tables and more by multiplication, or up to 32 by tables and more by
+/// algebra, with tables for the last word. Not inlined, so that `by_size` is where the size is known.
 template <crc_form Form>
 [[nodiscard, gnu::noinline]] constexpr std::uint16_t of_many(byte_view bytes) noexcept
 {

@@ -26,11 +26,12 @@ namespace rtuwire::crc16_algebra {
     return (0x6996U >> (word & 0xFU)) & 1U;
 }
 
+inline constexpr std::uint32_t t = 0xC001;
+
 /// Of a remainder modulo T, the one whose parity the message has; `octets` is a word with that parity.
 [[nodiscard]] constexpr std::uint16_t with_parity(std::uint32_t remainder,
                                                   std::uint32_t octets) noexcept
 {
-    constexpr std::uint32_t t = 0xC001;
     return static_cast<std::uint16_t>(remainder ^ (t & (0U - parity_of(remainder ^ octets))));
 }
 

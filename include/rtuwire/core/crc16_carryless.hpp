@@ -12,6 +12,7 @@
 #include <cstdint>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/crc16_algebra.hpp>
 #include <rtuwire/core/crc16_tables.hpp>
 
 #if defined(__PCLMUL__)
@@ -95,11 +96,14 @@ inline block product(block left, block right) noexcept
     return sum(firsts(left, right), seconds(left, right));
 }
 
+/// P, reflected: bit n is the factor of z^n, and z^0 is x^16.
+inline constexpr std::uint32_t polynomial = crc16_tables::polynomial << 1U | 1U;
+
 /// What zero bits turn into this state: the step of `crc16_tables::shifted` backwards.
 [[nodiscard]] constexpr std::uint16_t shifted_back(std::uint32_t state, unsigned bits) noexcept
 {
     for (unsigned i = 0; i < bits; ++i) {
-        state = (state & 0x8000U) != 0 ? (state ^ 0xA001U) << 1U | 1U : state << 1U;
+        state = state << 1U ^ ((state & 0x8000U) != 0 ? polynomial : 0U);
     }
     return static_cast<std::uint16_t>(state);
 }
@@ -173,7 +177,7 @@ inline block with_blocks(block rest, std::byte const* at, std::size_t from, std:
 /// block makes up for that, as T is 1 there, 0 modulo T, and stays itself times x.
 inline block with_more_blocks(block rest, std::byte const* at, std::size_t count) noexcept
 {
-    constexpr std::uint64_t t = 0xC001'0000'0000'0000;
+    constexpr std::uint64_t t = std::uint64_t{crc16_algebra::t} << 48U;
     std::byte const* onto = at + 16 * count;
     rest = with_blocks(rest, onto, 8, count + 1);
     onto += 16 * (7 - count);
@@ -197,9 +201,6 @@ inline block folded(block before, std::byte const* at, std::size_t count) noexce
     return count <= 8 ? with_blocks(rest, at, count, 0) : with_more_blocks(rest, at, count - 8);
 }
 
-/// P, reflected: bit n is the factor of z^n, and z^0 is x^16.
-inline constexpr std::uint32_t polynomial = 0x1'4003;
-
 /// 64 digits of the series 1 / P in z, from that of z^`from` on.
 [[nodiscard]] constexpr std::uint64_t reciprocal(unsigned from) noexcept
 {
@@ -213,10 +214,10 @@ inline constexpr std::uint32_t polynomial = 0x1'4003;
     return digits;
 }
 
-/// The CRC that 80 bits at the end of a block leave. Times x^16 they are a multiple of P, plus the CRC. To
-/// that only the last 16 digits of the multiple's other factor matter. They are the last of the first
-/// word of two products: of the word, and of the 16 bits before it, for which the reciprocal's first 16
-/// digits come too early.
+/// The CRC that 80 bits at the end of a block leave. Times x^16 they are P times some factor, plus the CRC;
+/// only the last 16 digits of that factor reach to where the CRC stands. They are those of the bits times
+/// 1 / P: the last of the first word of two products, one of the word, and one of the 16 bits before it,
+/// for which the reciprocal's first 16 digits come too early.
 [[nodiscard]] inline std::uint16_t crc_of(block rest) noexcept
 {
     constexpr std::uint64_t for_front = reciprocal(16);

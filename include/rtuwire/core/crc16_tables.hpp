@@ -12,11 +12,14 @@
 
 namespace rtuwire::crc16_tables {
 
-/// A state after zero bits: reflected polynomial A001.
+/// The polynomial, reflected, without its highest power.
+inline constexpr std::uint32_t polynomial = 0xA001;
+
+/// A state after zero bits.
 [[nodiscard]] constexpr std::uint16_t shifted(std::uint32_t state, unsigned bits) noexcept
 {
     for (unsigned i = 0; i < bits; ++i) {
-        state = (state >> 1U) ^ ((state & 1U) != 0 ? 0xA001U : 0U);
+        state = (state >> 1U) ^ ((state & 1U) != 0 ? polynomial : 0U);
     }
     return static_cast<std::uint16_t>(state);
 }

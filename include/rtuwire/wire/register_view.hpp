@@ -53,7 +53,7 @@ public:
             }
         }
         for (; done < size(); ++done) {
-            words.data()[done] = (*this)[done];
+            words[done] = (*this)[done];
         }
         return size();
     }
