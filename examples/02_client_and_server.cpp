@@ -17,7 +17,7 @@ int main()
     static_cast<void>(registers.set(3, 1500));
 
     single_question ask_speed{unit_id{7}, read_holding_registers{.start = 3, .count = 1}};
-    instant now{};
+    instant now{0};
     while (not ask_speed.settled()) {
         link.advance(now);
         link.converse(ask_speed, now);

@@ -19,7 +19,7 @@ struct line_of_two {
     client link{timing};
     server node{unit_id{7}, timing};
     bank<atv12::eta, atv12::rfr, atv12::frh, atv12::lcr, atv12::acc> registers{};
-    instant now{};
+    instant now{0};
 
     template <conversation Talk> void run(Talk& talk)
     {

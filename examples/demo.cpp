@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A client drives a drive: a simulated one in a process of its own, or with --port a real one, which is
-// only read unless --allow-run is given. Ctrl-C stops the motor first.
+// only read unless --allow-run is given. Ctrl-C stops the motor first, and so does an error of this program.
 #include <csignal>
 #include <cstdio>
 #include <optional>
@@ -150,6 +150,14 @@ template <device_type Device> int run_on_line(options const& chosen, station<Dev
 extern "C" void interrupt(int) { interruptions = interruptions + 1; }
 
 } // namespace
+
+/// An error of this program must not leave the motor running.
+void rtuwire::on_missing_value(rtuwire::errc why) noexcept
+{
+    std::fprintf(stderr, "demo: read a value that is not there (%s); stopping the motor\n",
+                 std::string{name(why)}.c_str());
+    emergency.stop_motor();
+}
 
 int main(int argc, char** argv)
 {

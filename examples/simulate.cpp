@@ -10,6 +10,7 @@
 
 #include <rtuwire/port/posix_serial.hpp>
 #include <rtuwire/port/pseudo_terminal.hpp>
+#include <rtuwire/wire/errc_name.hpp>
 
 #include "support/orders.hpp"
 #include "support/simulated_line.hpp"
@@ -108,6 +109,13 @@ int serve(Port& port, std::string const& path, line_timing const& timing, option
 }
 
 } // namespace
+
+/// The motors are simulated and stop with this program; a client hears no more of them and must know why.
+void rtuwire::on_missing_value(rtuwire::errc why) noexcept
+{
+    std::fprintf(stderr, "simulate: read a value that is not there (%s); all drives end here\n",
+                 std::string{name(why)}.c_str());
+}
 
 int main(int argc, char** argv)
 {

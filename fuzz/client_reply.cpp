@@ -6,6 +6,8 @@
 
 #include "input.hpp"
 
+#include "../tests/support/asking.hpp"
+
 using namespace rtuwire;
 using fuzz::require;
 
@@ -66,8 +68,8 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     std::uint8_t const choice = in.u8();
     byte_view const asked = question(choice);
     fuzz::frame const heard{in.some(max_adu_size + 8), (choice & 0x80U) != 0};
-    client link{line_timing{19'200, character_format::even_8_1}, {.retries = 0}};
-    instant now{};
+    test::asking<client> link{line_timing{19'200, character_format::even_8_1}, {.retries = 0}};
+    instant now{0};
     link.advance(now);
     now = now + milliseconds(10);
     link.advance(now);

@@ -46,15 +46,15 @@ void decode_all(byte_view frame)
     decode<read_holding_registers>(*heard, frame);
     decode<read_holding_registers_response>(*heard, frame);
     decode<write_single_register>(*heard, frame);
-    decode<write_multiple_registers>(*heard, frame);
+    decode<write_multiple_registers<>>(*heard, frame);
     decode<write_multiple_registers_response>(*heard, frame);
-    decode<read_write_multiple_registers>(*heard, frame);
+    decode<read_write_multiple_registers<>>(*heard, frame);
     decode<read_write_multiple_registers_response>(*heard, frame);
-    decode<diagnostics>(*heard, frame);
+    decode<diagnostics<>>(*heard, frame);
     decode<read_device_identification>(*heard, frame);
     decode<device_identification>(*heard, frame);
     decode<exception_response>(*heard, frame);
-    decode<raw_pdu>(*heard, frame);
+    decode<raw_pdu<>>(*heard, frame);
 }
 
 } // namespace

@@ -33,7 +33,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
 {
     bank<atv12::eta, atv12::acc, atv12::dec, atv12::cmd, atv12::lfrd> typed;
     word_bank<64> words{3200};
-    instant now{};
+    instant now{0};
     sim::drive<atv320::device> new_drive{now};
     sim::drive<atv28::device> old_drive{now};
     fuzz::input in{data, size};

@@ -2,14 +2,17 @@
 # SPDX-License-Identifier: BSL-1.0
 """Instructions of single operations: on Cortex-M0+ and M3 by an emulator, on this host by callgrind.
 
-    python3 bench/instructions/count.py
+    python3 bench/instructions/count.py            a table, against baseline.json
+    python3 bench/instructions/count.py --update   writes baseline.json anew
 
 Counts are exact and repeatable for the same compiler. Of others, measured the same way with the same
 compilers: nanoMODBUS on a Cortex-M3 / M0+, libmodbus on a host.
 """
+import json
 import pathlib
 import re
 import subprocess
+import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -20,6 +23,7 @@ FREE = ["-std=c++20", "-mthumb", "-fno-exceptions", "-fno-rtti", "-fno-threadsaf
         "--specs=nano.specs", "--specs=nosys.specs", "-Wl,--gc-sections"]
 HEADERS = [f"-I{PROJECT / 'include'}", f"-I{FIRMWARE}", f"-I{HERE}"]
 ROUNDS = 1000
+BASELINE = HERE / "baseline.json"
 # At most, by machine; a sum of operations stands under its own name.
 BARS = {
     "cortex-m3": {"encode_read + decode_4": 420, "serve_read_4": 450, "serve_exchange_4": 680},
@@ -36,9 +40,14 @@ OTHERS = {
 }
 
 
-def on_board(cpu, place, optimise):
+# Programs of their own: where a compiler sees all, it inlines none as it would alone.
+LISTS = ("operations.hpp", "transactions.hpp")
+
+
+def on_board(cpu, place, optimise, operations):
     elf = place / "count.elf"
     subprocess.check_call(["arm-none-eabi-g++", *FREE, f"-mcpu={cpu}", optimise, *HEADERS,
+                           f'-DRTUWIRE_OPERATIONS="{operations}"',
                            '-DRTUWIRE_BOARD="boards/mps2_an385.hpp"', f"-L{FIRMWARE / 'boards'}",
                            "-T", FIRMWARE / "boards" / "mps2_an385.ld", "-o", elf,
                            FIRMWARE / "startup.cpp", HERE / "count_arm.cpp"])
@@ -55,10 +64,10 @@ def callgrind(program, *words):
     return int(re.search(r"Collected : (\d+)", done.stderr)[1])
 
 
-def on_host(place):
+def on_host(place, operations):
     program = place / "count"
     subprocess.check_call(["g++", "-std=c++20", "-O2", *HEADERS, "-o", program,
-                           HERE / "count_host.cpp"])
+                           f'-DRTUWIRE_OPERATIONS="{operations}"', HERE / "count_host.cpp"])
     names = subprocess.check_output([program], text=True).split()
     found = {}
     for number, name in enumerate(names):
@@ -67,23 +76,36 @@ def on_host(place):
     return found
 
 
-def show(machine, title, counts):
-    print(f"{title:26} instructions   at most    others")
+def show(machine, title, counts, before):
+    print(f"{title:26} instructions  baseline   at most    others")
     counts["encode_read + decode_4"] = counts["encode_read"] + counts["decode_4"]
     for name, count in counts.items():
         bar, other = BARS[machine].get(name), OTHERS[machine].get(name, "")
         verdict = "" if bar is None else "met" if count <= bar else "MISSED"
-        print(f"  {name:24}{count:13}{bar or '':10}{other:10}  {verdict}")
+        print(f"  {name:24}{count:13}{before.get(name, ''):10}{bar or '':10}{other:10}  {verdict}")
 
 
-def main():
+def measure():
     with tempfile.TemporaryDirectory() as folder:
         place = pathlib.Path(folder)
         for cpu in ("cortex-m3", "cortex-m0plus"):
             for optimise in ("-Os", "-O2"):
-                show(cpu, f"{cpu} {optimise}", on_board(cpu, place, optimise))
-        show("host", "host, g++ -O2", on_host(place))
+                yield cpu, f"{cpu} {optimise}", {
+                    name: count for each in LISTS
+                    for name, count in on_board(cpu, place, optimise, each).items()}
+        yield "host", "host, g++ -O2", {
+            name: count for each in LISTS for name, count in on_host(place, each).items()}
+
+
+def main(options):
+    before = json.loads(BASELINE.read_text(encoding="utf-8")) if BASELINE.exists() else {}
+    found = {}
+    for machine, title, counts in measure():
+        show(machine, title, counts, before.get(title, {}))
+        found[title] = counts
+    if "--update" in options:
+        BASELINE.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1:])

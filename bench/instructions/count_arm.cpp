@@ -3,7 +3,7 @@
 // Counts instructions on an emulated board whose clock ticks once for 40 of them (-icount shift=0).
 #include "board.hpp"
 
-#include "operations.hpp"
+#include RTUWIRE_OPERATIONS
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "operations.hpp"
+#include RTUWIRE_OPERATIONS
 
 int main(int argc, char** argv)
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Fifty registers read by address. Twin of fifty_typed.cpp.
 #include <rtuwire/client/client.hpp>
+#include <rtuwire/client/single_question.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 
 using namespace rtuwire;

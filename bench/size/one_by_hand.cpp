@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // One register read by address, over the client. Twin of one_typed.cpp.
 #include <rtuwire/client/client.hpp>
+#include <rtuwire/client/single_question.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 
 using namespace rtuwire;

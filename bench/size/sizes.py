@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: BSL-1.0
 """Flash, RAM and stack of small images for Cortex-M0+ and M3, each against an empty firmware.
 
-    python3 bench/size/sizes.py            a table; fails where a figure grew by over 2 % since baseline.json
-    python3 bench/size/sizes.py --update   writes baseline.json anew
+    python3 bench/size/sizes.py            a table; fails where a figure grew by over 2 % since reached.json
+    python3 bench/size/sizes.py --update   writes reached.json anew
+
+baseline.json stays: the bar is how much some images may gain over it.
 
 Stack is the deepest chain of calls that starts in the library, in the loop's pass over the line or in
 what answers a frame or waits for the answer.
@@ -19,6 +21,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 IMAGES = HERE / "images"
 INCLUDE = HERE.parent.parent / "include"
 BASELINE = HERE / "baseline.json"
+REACHED = HERE / "reached.json"
 FLAGS = ["-std=c++20", "-Os", "-mthumb", "-fno-exceptions", "-fno-rtti", "-ffunction-sections",
          "-fdata-sections", "-fno-threadsafe-statics", "-fno-use-cxa-atexit", f"-I{INCLUDE}"]
 LINK = ["-nostartfiles", "--specs=nano.specs", "--specs=nosys.specs", "-Wl,--gc-sections",
@@ -26,12 +29,14 @@ LINK = ["-nostartfiles", "--specs=nano.specs", "--specs=nosys.specs", "-Wl,--gc-
 CPUS = ("cortex-m0plus", "cortex-m3")
 NAMES = ("server_frames", "server", "client_frames", "client_encoding", "client",
          "client_counting", "client_counting_fixed", "typed_read",
-         "monitor", "crc_bitwise", "crc_nibble_table", "crc_byte_table", "crc_octet_algebra")
+         "monitor", "two_conversations", "bus", "crc_bitwise", "crc_nibble_table", "crc_byte_table", "crc_octet_algebra")
 # What this library wants to need at most: flash on a Cortex-M0+, RAM of an engine with its frame.
-BARS = {"server_frames": 1000, "client_frames": 1250, "client_counting": 2600,
-        "client_counting_fixed": 2600}
+BARS = {"server_frames": 1000, "client_frames": 1250}
 STACK_BAR = 160
 RAM_BAR = 256 + 64
+# How much of flash these may gain over the baseline on a Cortex-M0+.
+WATCHED = ("client_frames", "server", "client_counting_fixed")
+WATCHED_GROWTH = 0.05
 ALLOWED_GROWTH = 0.02
 # Functions of the library, and those of the images that call into it: not `main`, which holds the frame.
 POLL_PATH = re.compile(r"(^|:)_ZNK?7rtuwire|5board4pass|_16answer|9answer_to")
@@ -72,15 +77,20 @@ def stack_of(graph):
     return max((deepest(title) for title in own if POLL_PATH.search(title)), default=0)
 
 
+def empty_of(name):
+    """Which empty firmware an image is measured against: an engine's loop sleeps, too."""
+    return "empty_frames" if name.startswith("crc_") or "_frames" in name or "_encoding" in name else "empty"
+
+
 def measure(cpu):
     with tempfile.TemporaryDirectory() as folder:
         place = pathlib.Path(folder)
-        empty, _, _ = sections_of(build(place, cpu, "empty"))
+        empty = {name: sections_of(build(place, cpu, name))[0] for name in ("empty", "empty_frames")}
         rows = {}
         for name in NAMES:
             text, data, bss = sections_of(build(place, cpu, name))
             graph = (place / f"{name}.ci").read_text(encoding="utf-8")
-            rows[name] = {"flash": text + data - empty, "data": data, "bss": bss,
+            rows[name] = {"flash": text + data - empty[empty_of(name)], "data": data, "bss": bss,
                           "stack": stack_of(graph)}
         return rows
 
@@ -99,14 +109,22 @@ def verdict(what, figure, bar):
     return f"   {what} at most {bar}: {'met' if figure <= bar else 'MISSED'}"
 
 
-def show(cpu, rows):
-    print(f"{cpu:23} flash  .data   .bss  stack   octets; stack at most {STACK_BAR}")
+def over(figure, before):
+    return f"{figure - before:+5} ({100 * (figure - before) / before:+5.1f} %)" if before else "  new"
+
+
+def show(cpu, rows, before):
+    print(f"{cpu:23} flash  .data   .bss  stack  flash over the baseline; octets; stack at most {STACK_BAR}")
     for name, row in rows.items():
         bar = BARS.get(name) if cpu == "cortex-m0plus" else None
         held = "" if bar is None else verdict("flash", row["flash"], bar)
+        old = before.get(name, {}).get("flash")
+        if cpu == "cortex-m0plus" and name in WATCHED and old:
+            held += verdict("over the baseline", row["flash"], int(old * (1 + WATCHED_GROWTH)))
         if row["stack"] > STACK_BAR:
             held += verdict("stack", row["stack"], STACK_BAR)
-        print(f"  {name:21}{row['flash']:6}{row['data']:7}{row['bss']:7}{row['stack']:7}{held}")
+        print(f"  {name:21}{row['flash']:6}{row['data']:7}{row['bss']:7}{row['stack']:7}"
+              f"  {over(row['flash'], before.get(name, {}).get('flash'))}{held}")
 
 
 def show_engines(sizes):
@@ -129,13 +147,14 @@ def growths(before, now, path=()):
 def main(options):
     found = {cpu: measure(cpu) for cpu in CPUS}
     found["RAM"] = engines()
+    before = json.loads(BASELINE.read_text(encoding="utf-8"))
     for cpu in CPUS:
-        show(cpu, found[cpu])
+        show(cpu, found[cpu], before.get(cpu, {}))
     show_engines(found["RAM"])
     if "--update" in options:
-        BASELINE.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
+        REACHED.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
         return 0
-    grown = list(growths(json.loads(BASELINE.read_text(encoding="utf-8")), found))
+    grown = list(growths(json.loads(REACHED.read_text(encoding="utf-8")), found))
     for line in grown:
         print("GREW", line)
     return 1 if grown else 0

@@ -82,7 +82,7 @@ void cut_stream(benchmark::State& state)
     auto const frame = answer_of(125);
     auto const chunk = static_cast<std::size_t>(state.range(0));
     framer<direction::response> cutter{timing};
-    instant const now{};
+    instant const now{0};
     cutter.restart(now);
     for (auto _ : state) {
         byte_view rest = frame;

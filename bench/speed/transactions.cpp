@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <rtuwire/client/client.hpp>
+#include <rtuwire/client/single_question.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 
@@ -25,7 +26,8 @@ struct both_ends {
     client link{timing};
     server node{one, timing};
     word_bank<16> bank{};
-    instant now{};
+    single_question<read_holding_registers> question{one, {1, 4}};
+    instant now{0};
 
     both_ends()
     {
@@ -38,10 +40,12 @@ struct both_ends {
         link.advance(now);
         node.advance(now);
     }
-    std::uint32_t ask(byte_view question)
+    std::uint32_t ask()
     {
-        static_cast<void>(link.start(request{question}, now));
+        question.begin();
+        link.converse(question, now);
         pass(timing.t3_5());
+        link.converse(question, now);
         byte_view const asked = link.poll_transmit();
         link.sent(now);
         node.receive(asked, now);
@@ -50,8 +54,8 @@ struct both_ends {
         byte_view const answer = node.poll_transmit();
         link.receive(answer, now);
         node.sent(now);
-        auto const outcome = link.poll_outcome();
-        auto const read = (*outcome)->to<read_holding_registers>();
+        link.converse(question, now);
+        auto const read = question.outcome()->to<read_holding_registers>();
         return read ? read->registers[3] : 0U;
     }
 };
@@ -60,11 +64,9 @@ void ours(benchmark::State& state)
 {
     both_ends line;
     static_cast<void>(line.bank.set(4, 7));
-    std::array<std::byte, 8> place{};
     std::uint32_t sum = 0;
     for (auto _ : state) {
-        auto const question = encode_into(place, one, read_holding_registers{1, 4});
-        sum += line.ask(*question);
+        sum += line.ask();
     }
     if (sum != 7 * static_cast<std::uint32_t>(state.iterations())) {
         state.SkipWithError("a transaction failed");

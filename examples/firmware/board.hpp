@@ -1,145 +1,55 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// What the programs here need of a board: a clock, an RS-485 line with a driver-enable pin, a console.
-// A board of your own is a header like the two in boards/.
+// What the programs here need of a board: a clock, a UART with a driver-enable pin, a console, sleep. A board of
+// your own is a header like the two in boards/. The line itself is in line.hpp, or in frames.hpp with DMA.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include RTUWIRE_BOARD
 
-#include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/text.hpp>
 #include <rtuwire/core/time.hpp>
+
+/// A program defines these two when it uses the line: the interrupt of its UART, and the clock's, which comes
+/// each millisecond. They have one priority, so neither comes in between the other.
+void on_line_interrupt();
+void on_tick();
 
 namespace board {
 
 /// Counted by SysTick's interrupt.
 inline std::uint32_t volatile milliseconds_gone = 0;
 
-/// Microseconds since the start; wraps as `instant` does.
+/// Microseconds since the start; wraps as `instant` does. In an interrupt, too: SysTick's own may be waiting
+/// there, and its millisecond is not counted yet.
 inline rtuwire::instant now()
 {
     constexpr std::uint32_t ticks_a_millisecond = core_clock / 1'000;
-    std::uint32_t before = 0, left = 0;
+    std::uint32_t before = 0, left = 0, waiting = 0;
     do {
         before = milliseconds_gone;
         left = at(0xE000'E018);
+        waiting = at(0xE000'ED04) >> 26U & 1U;
+        if (waiting != 0) {
+            left = at(0xE000'E018); // it may have run out between the two looks
+        }
     } while (before != milliseconds_gone);
     std::uint32_t const gone = ticks_a_millisecond - 1 - left;
-    return rtuwire::instant{before * 1'000 + gone * 1'000 / ticks_a_millisecond};
+    return rtuwire::instant{(before + waiting) * 1'000 + gone * 1'000 / ticks_a_millisecond};
 }
 
-/// Octets from the receiver's interrupt to the loop: one side writes, the other reads.
-class inbox {
-public:
-    /// False, and the octet is lost, where the loop came too late.
-    bool put(std::byte octet)
-    {
-        std::uint32_t const next = (in_ + 1) % size;
-        if (next == out_) {
-            return false;
-        }
-        octets_[in_] = octet;
-        in_ = next;
-        return true;
-    }
-    /// What has arrived, as far as there is room.
-    rtuwire::byte_view take(rtuwire::byte_span place)
-    {
-        std::size_t count = 0;
-        while (count < place.size() and out_ != in_) {
-            place[count++] = octets_[out_];
-            out_ = (out_ + 1) % size;
-        }
-        return place.first(count);
-    }
-
-private:
-    static constexpr std::uint32_t size = 320;
-
-    // Volatile like the indices, so that no octet is written after the index that gives it away.
-    std::byte volatile octets_[size]{};
-    std::uint32_t volatile in_{0};
-    std::uint32_t volatile out_{0};
-};
-
-inline inbox line_inbox;
-inline bool volatile line_is_damaged = false;
-
-/// The receiver's interrupt.
-inline void receive()
+/// Until the next interrupt; the clock's comes each millisecond. Interrupts are masked from the look to the
+/// sleep, which ends all the same: none that comes in between is slept over.
+template <typename Line> void sleep(Line const& line)
 {
-    line_uart::clear_interrupt();
-    if (line_uart::take_damage()) {
-        line_is_damaged = true;
+    asm volatile("cpsid i" : : : "memory");
+    if (line.is_served()) {
+        asm volatile("wfi" : : : "memory");
     }
-    while (line_uart::has_octet()) {
-        if (not line_inbox.put(line_uart::octet())) {
-            line_is_damaged = true;
-        }
-    }
+    asm volatile("cpsie i" : : : "memory");
 }
-
-/// The transmitter, fed from the loop. The driver is enabled from the first start bit to the last stop
-/// bit.
-class transmitter {
-public:
-    void send(rtuwire::byte_view frame)
-    {
-        rest_ = frame;
-        is_sending_ = true;
-        driver_enable::set(true);
-    }
-    [[nodiscard]] bool is_sending() const { return is_sending_; }
-
-    /// Whether the last stop bit has left since the last call.
-    bool feed()
-    {
-        while (not rest_.empty() and line_uart::has_room()) {
-            line_uart::put(rest_[0]);
-            rest_ = rest_.subspan(1);
-        }
-        if (not is_sending_ or not rest_.empty() or not line_uart::is_idle()) {
-            return false;
-        }
-        is_sending_ = false;
-        driver_enable::set(false);
-        return true;
-    }
-
-private:
-    rtuwire::byte_view rest_{};
-    bool is_sending_{false};
-};
-
-/// Hands to a client or a server what the line did, and to the line what it says; for each pass.
-template <typename Engine> void serve_line(Engine& engine, transmitter& out)
-{
-    std::array<std::byte, 64> place;
-    rtuwire::instant const now = board::now();
-    // Before the octets: what arrived damaged must not end as a frame first.
-    if (line_is_damaged) {
-        line_is_damaged = false;
-        engine.receive_error(now);
-    }
-    engine.receive(line_inbox.take(place), now);
-    engine.advance(now);
-    if (rtuwire::byte_view const frame = engine.poll_transmit(); not frame.empty()) {
-        out.send(frame);
-    }
-    // While it sends, the loop does not sleep: on these boards no interrupt asks for the next octet.
-    while (out.is_sending()) {
-        if (out.feed()) {
-            engine.sent(board::now());
-        }
-    }
-}
-
-/// Until the next interrupt; the clock's comes each millisecond.
-inline void sleep() { asm volatile("wfi"); }
 
 inline void print(rtuwire::text words)
 {
@@ -163,7 +73,7 @@ inline void print(std::int32_t number)
     print(rtuwire::text{digit});
 }
 
-/// Clocks, pins, UARTs and interrupts.
+/// Clocks, pins and UARTs.
 inline void begin()
 {
     begin_clocks();
@@ -174,8 +84,10 @@ inline void begin()
     at(0xE000'E014) = core_clock / 1'000 - 1;
     at(0xE000'E018) = 0;
     at(0xE000'E010) = 0x7; // SysTick from the core's clock, with its interrupt
-    at(0xE000'E100) = 1U << line_interrupt;
 }
+
+/// Once the program's line is ready for them.
+inline void start_interrupts() { at(0xE000'E100) = line_interrupts; }
 
 /// Ends an emulation by semihosting with a program's result. On a real board, an endless loop.
 [[noreturn]] inline void end(int status)

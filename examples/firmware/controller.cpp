@@ -3,6 +3,7 @@
 // A controller: brings a drive up, polls it and prints a line each second, and brings it down again.
 // Which drive is chosen when compiling: -DRTUWIRE_DRIVE=atv320.
 #include "board.hpp"
+#include "line.hpp"
 
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
@@ -30,16 +31,19 @@ constexpr client_options patient{.response_timeout = milliseconds(500)};
 constexpr line_timing timing =
     line_timing::host(19'200, character_format::even_8_1, milliseconds(20));
 
-/// The client and its line.
+/// Shared by the interrupts and the loop.
+constinit board::half_duplex_line<board::line_uart, board::driver_enable> line;
+
+/// The client and what it does in each pass.
 struct controller {
     fixed_client<timing, patient> link{};
-    board::transmitter out{};
 
     template <conversation Talk> void pass(Talk& talk)
     {
-        board::serve_line(link, out);
-        link.converse(talk, board::now());
-        board::sleep();
+        instant const now = board::now();
+        line.serve(link, now);
+        link.converse(talk, now);
+        board::sleep(line);
     }
     template <conversation Talk> void run(Talk& talk)
     {
@@ -82,8 +86,8 @@ bool watch(controller& it, unsigned seconds)
         }
         print_values(panel.latest());
         while (not reached(board::now(), due)) {
-            board::serve_line(it.link, it.out);
-            board::sleep();
+            line.serve(it.link, board::now());
+            board::sleep(line);
         }
     }
     return true;
@@ -94,8 +98,12 @@ constinit controller it;
 
 } // namespace
 
+void on_line_interrupt() { line.on_interrupt(board::now()); }
+void on_tick() { line.on_tick(board::now()); }
+
 int main()
 {
+    board::start_interrupts();
     board::print("ready on ");
     for (char const* c = board::name; *c != '\0'; ++c) {
         char const letter[] = {*c, '\0'};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A server with typed registers: a pump whose setpoint any Modbus master writes, as unit 1.
 #include "board.hpp"
+#include "line.hpp"
 
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/server/typed_bank.hpp>
@@ -20,22 +21,29 @@ constexpr device_object objects[] = {
 constexpr server_profile profile{.identity = identity_of<objects>};
 constexpr unit_id address{1};
 
+/// Shared by the interrupts and the loop.
+constinit board::half_duplex_line<board::line_uart, board::driver_enable> line;
+
 } // namespace
+
+void on_line_interrupt() { line.on_interrupt(board::now()); }
+void on_tick() { line.on_tick(board::now()); }
 
 int main()
 {
     // An emulated UART delivers in lumps, as a host's does; a real board takes line_timing{...}.
     server node{address, line_timing::host(19'200, character_format::even_8_1), profile};
     bank<setpoint, actual, bearing> registers;
-    board::transmitter out;
     registers.set<bearing>(celsius{-5});
+    board::start_interrupts();
     board::print("ready\n");
     for (;;) {
-        board::serve_line(node, out);
-        node.serve(registers, board::now());
+        instant const now = board::now();
+        line.serve(node, now);
+        node.serve(registers, now);
         if (registers.take_written<setpoint>()) {
             registers.set<actual>(registers.get<setpoint>());
         }
-        board::sleep();
+        board::sleep(line);
     }
 }

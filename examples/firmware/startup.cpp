@@ -14,7 +14,10 @@ extern std::uint32_t data_source, data_begin, data_end, bss_begin, bss_end, stac
 void reset();
 void hang();
 void systick();
-void line_receive();
+
+// A program without a line defines neither.
+[[gnu::weak]] void on_line_interrupt() {}
+[[gnu::weak]] void on_tick() {}
 
 int main();
 // A start-up has to call it, which a program may not.
@@ -25,24 +28,29 @@ namespace {
 using handler = void (*)();
 
 constexpr unsigned core_vectors = 16;
+constexpr unsigned line_vectors = 16;
 constexpr unsigned systick_vector = 15;
 
 consteval auto make_handlers()
 {
     // The stack's end comes before them.
-    std::array<handler, core_vectors + 15> all{};
+    std::array<handler, core_vectors + line_vectors - 1> all{};
     for (handler& each : all) {
         each = hang;
     }
     all[0] = reset;
     all[systick_vector - 1] = systick;
-    all[core_vectors + board::line_interrupt - 1] = line_receive;
+    for (unsigned number = 0; number < line_vectors; ++number) {
+        if ((board::line_interrupts >> number & 1U) != 0) {
+            all[core_vectors + number - 1] = on_line_interrupt;
+        }
+    }
     return all;
 }
 
 struct vector_table {
     std::uint32_t* stack;
-    std::array<handler, core_vectors + 15> handlers;
+    std::array<handler, core_vectors + line_vectors - 1> handlers;
 };
 
 } // namespace
@@ -65,6 +73,8 @@ void reset()
 
 void hang() { board::end(70); }
 
-void systick() { board::milliseconds_gone = board::milliseconds_gone + 1; }
-
-void line_receive() { board::receive(); }
+void systick()
+{
+    board::milliseconds_gone = board::milliseconds_gone + 1;
+    on_tick();
+}

@@ -20,6 +20,7 @@
 #include <rtuwire/wire/errc_name.hpp>
 
 #include "drive_panel.hpp"
+#include "emergency_stop.hpp"
 #include "plot.hpp"
 
 namespace examples {
@@ -42,6 +43,10 @@ template <rtuwire::device_type Device> class demonstration {
     static constexpr rtuwire::client_options patience{.response_timeout = milliseconds(300)};
 
 public:
+    demonstration(demonstration const&) = delete;
+    demonstration& operator=(demonstration const&) = delete;
+    ~demonstration() { emergency = {}; }
+
     demonstration(rtuwire::posix_serial& port, rtuwire::line_timing const& timing,
                   rtuwire::station<Device> const& drive, rtuwire::duration drive_timeout)
         : port_{port}, drive_{drive}, link_{timing, patience, {.silent_share = 50}},
@@ -104,6 +109,7 @@ public:
     bool take_command()
     {
         is_commanding_ = true;
+        emergency.arm(port_, drive_);
         return until(
             "first exchange", [this] { return not loop_.link_lost(); }, milliseconds(5'000));
     }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <rtuwire/rtu/receive_from.hpp>
 #include <rtuwire/sim/unit.hpp>
 
 #include "command_line.hpp"
@@ -24,6 +25,7 @@ public:
     virtual ~simulated_drive() = default;
 
     virtual void receive(rtuwire::byte_view octets, rtuwire::instant now) = 0;
+    virtual void receive_error(rtuwire::instant now) = 0;
     virtual void sent(rtuwire::instant now) = 0;
     virtual void advance(rtuwire::instant now) = 0;
     virtual rtuwire::byte_view poll_transmit() = 0;
@@ -47,6 +49,12 @@ public:
     {
         if (not is_cut_) {
             unit_.receive(octets, now);
+        }
+    }
+    void receive_error(rtuwire::instant now) override
+    {
+        if (not is_cut_) {
+            unit_.receive_error(now);
         }
     }
     void sent(rtuwire::instant now) override { unit_.sent(now); }
@@ -140,16 +148,29 @@ public:
             return octets.error();
         }
         // Nothing came until then; whatever came since is read in the next pass, however late that is.
-        rtuwire::instant const now = octets->empty() ? *until : port_.now();
+        bool const is_damaged = has_receive_error();
+        rtuwire::instant const now = octets->empty() and not is_damaged ? *until : port_.now();
         last_ = rtuwire::reached(now, last_) ? now : last_;
         for (auto const& each : drives_) {
             each->receive(*octets, last_);
+            if (is_damaged) {
+                each->receive_error(last_);
+            }
             each->advance(last_);
         }
         return answer();
     }
 
 private:
+    bool has_receive_error()
+    {
+        if constexpr (rtuwire::reports_receive_errors<Port>) {
+            return port_.take_receive_error();
+        } else {
+            return false;
+        }
+    }
+
     rtuwire::result<void> answer()
     {
         constexpr rtuwire::duration write_limit = rtuwire::milliseconds(1'000);

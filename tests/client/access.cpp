@@ -67,8 +67,8 @@ PROOF("an answer of another size is no value", refuses_another_size)
 
 constexpr bool asks_only_what_fits()
 {
-    framed_question<10> const question{unit_id{2},
-                                       write_multiple_registers{1, register_view{"00 01"_hex}}};
+    framed_question<10, 5> const question{unit_id{2},
+                                          write_multiple_registers{1, register_block{1}}};
     return question.settled() and not question.next() and
            question.outcome() == errc::buffer_too_small;
 }
@@ -86,7 +86,7 @@ constexpr bool polls()
     unit.transmit();
     unit.say("01 03 06 01 F4 00 00 00 0F D1 75"_hex);
     unit.link.converse(talk, unit.now);
-    unit.run(milliseconds(10));
+    unit.run(talk, milliseconds(10));
     bool const waits =
         talk.outcome() == errc::pending and talk.latest().get<atv12::rfr>() == signed_decihertz{};
     unit.say("01 03 02 00 0D 79 81"_hex);

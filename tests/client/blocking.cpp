@@ -144,7 +144,7 @@ TEST_CASE("a port that fails ends the question, and the next one can be asked")
 namespace {
 
 /// Pauses before its one question.
-class patient_question {
+class patient_question : public asker {
 public:
     void advance(instant now)
     {
@@ -158,11 +158,11 @@ public:
     std::optional<request> next() const { return is_due_ ? talk_.next() : std::nullopt; }
     void accept(result<response> const& outcome) { talk_.accept(outcome); }
     bool settled() const { return talk_.settled(); }
-    auto outcome() const { return talk_.outcome(); }
+    auto outcome() const& { return talk_.outcome(); }
 
 private:
     single_question<read_holding_registers> talk_{unit_id{1}, question};
-    instant start_{};
+    instant start_{0};
     bool begun_{false};
     bool is_due_{false};
 };

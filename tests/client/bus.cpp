@@ -7,6 +7,7 @@
 
 #include "support/proof.hpp"
 
+#include <rtuwire/client/single_question.hpp>
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 #include <rtuwire/wire/pdu/write_single_register.hpp>
@@ -18,7 +19,7 @@ namespace {
 constexpr line_timing line{19'200, character_format::even_8_1};
 
 /// Asks the same for ever, and counts.
-struct endless {
+struct endless : asker {
     single_question<read_holding_registers> question;
     unsigned answers{0};
     unsigned failures{0};

@@ -47,10 +47,10 @@ PROOF("it may come in parts, and before the transmission is reported to be over"
 constexpr bool ends_at_a_difference()
 {
     echo_check echo;
-    echo.expect(read_eta.size());
-    bool const agrees = echo.take(read_eta[0], read_eta) and echo.is_due();
+    echo.begin();
+    bool const agrees = echo.take(read_eta[0], read_eta) and echo.is_open();
     bool const differs = not echo.take(read_eta[0], read_eta);
-    return agrees and differs and not echo.is_due();
+    return agrees and differs and not echo.is_open();
 }
 PROOF("no octet behind one that differs belongs to the echo", ends_at_a_difference)
 

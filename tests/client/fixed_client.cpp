@@ -27,8 +27,8 @@ constexpr std::array<byte_view, 4> said{test::answer_1234, busy, damaged, noise}
 
 /// Two clients on one line that hear and are told the same.
 struct twins {
-    client told{test::line, patient};
-    fixed_client<test::line, patient> fixed{};
+    test::asking<client> told{test::line, patient};
+    test::asking<fixed_client<test::line, patient>> fixed{};
     instant now{0xFFFF'FFFFU - 2'000'000U};
     unsigned outcomes{0};
     unsigned sent{0};
@@ -109,14 +109,16 @@ TEST_CASE("a fixed client goes on like one that was told, for long")
 TEST_CASE("a fixed client starts as zeros and works")
 {
     auto& link = ready_before_any_code_runs;
-    instant now{};
+    single_question ask{unit_id{1}, read_holding_registers{3201, 1}};
+    instant now{0};
     link.advance(now);
     now = now + milliseconds(10);
-    REQUIRE(link.start(request{test::read_eta}, now));
+    link.advance(now);
+    link.converse(ask, now);
     CHECK(same_bytes(link.poll_transmit(), test::read_eta));
     link.sent(now);
     link.receive(test::answer_1234, now + milliseconds(5));
-    auto const outcome = link.poll_outcome();
-    REQUIRE(outcome);
-    CHECK(outcome->has_value());
+    link.converse(ask, now + milliseconds(5));
+    REQUIRE(ask.outcome());
+    CHECK(same_bytes(ask.outcome()->pdu(), "03 02 12 34"_hex));
 }

@@ -28,7 +28,7 @@ constexpr bool writes_both_requests()
     unit.say("02 10 23 29 00 02 9B B7"_hex);
     unit.link.converse(talk, unit.now);
     bool const waits = talk.outcome() == errc::pending and talk.written() == 1;
-    unit.run(milliseconds(10));
+    unit.run(talk, milliseconds(10));
     unit.say("02 10 23 34 00 01 4B B0"_hex);
     unit.link.converse(talk, unit.now);
     return first and waits and talk.outcome() and talk.written() == 2;

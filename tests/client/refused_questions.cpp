@@ -18,7 +18,7 @@ using namespace rtuwire::altivar;
 namespace {
 
 /// Asks with a frame that is none.
-struct bad_question {
+struct bad_question : asker {
     errc told{errc::pending};
 
     static std::optional<request> next() { return request{byte_view{}}; }
@@ -33,7 +33,7 @@ using plan = read_plan<atv12::device, atv12::eta, atv12::acc>;
 TEST_CASE("a frame that is none is refused, by a client and by a bus")
 {
     client link{test::line};
-    instant now{};
+    instant now{0};
     link.advance(now);
     now = now + milliseconds(10);
     link.advance(now);
@@ -121,7 +121,7 @@ TEST_CASE("statistics start again")
 {
     line_statistics counts;
     counts.note(line_event::jam, 1);
-    counts.note_answered(instant{} + milliseconds(1), 1);
+    counts.note_answered(instant{0} + milliseconds(1), 1);
     counts.note_exception(errc::illegal_function, 1);
     counts.note_asked(instant{5});
     counts.reset();

@@ -76,11 +76,11 @@ constexpr bool counts_good_and_bad()
     unit.say("01 03 02 12 34 B4 33"_hex);
     unit.run(milliseconds(10));
     ok = ok and unit.fault() == errc::crc_mismatch;
-    unit.say(answer_1234); // too late
-    unit.run(milliseconds(200));
+    unit.pass(milliseconds(5));
     unit.ask(read_eta);
-    unit.run(milliseconds(200));
+    unit.run(milliseconds(100));
     ok = ok and unit.fault() == errc::timed_out;
+    unit.say(answer_1234); // too late
     auto const& line = unit.link.statistics().line();
     return ok and of_unit(unit, line_event::request) == 4 and
            of_unit(unit, line_event::reply) == 1 and of_unit(unit, line_event::exception) == 1 and

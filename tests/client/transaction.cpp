@@ -52,8 +52,9 @@ PROOF("a request is sent after t3.5 of silence, and once", waits_before_sending)
 
 constexpr bool power_up()
 {
-    client link{line};
+    test::asking<client> link{line};
     instant now{77};
+    link.advance(now);
     static_cast<void>(link.start(request{read_eta}, now));
     bool const silent =
         link.poll_transmit().empty() and link.poll_deadline() == deadline{now + line.t3_5()};

@@ -45,7 +45,7 @@ PROOF("the forms agree on frames of every length up to 72", agree_on_short_frame
 STATIC_CHECK(crc16_carryless::is_available);
 #endif
 
-#ifndef RTUWIRE_CRC_FORM
+#ifdef RTUWIRE_CRC_FORM_IS_DEFAULT
 // Where nobody chooses: carry-less multiplication if there is any, then by the size of a pointer.
 STATIC_CHECK(default_crc_form == (crc16_carryless::is_available ? crc_form::carryless
                                   : sizeof(void*) == 8          ? crc_form::host

@@ -5,6 +5,7 @@
 
 #include <type_traits>
 
+#include "support/death.hpp"
 #include "support/proof.hpp"
 
 #include <rtuwire/wire/errc.hpp>
@@ -77,3 +78,14 @@ STATIC_CHECK(checked(true).has_value() and static_cast<bool>(checked(true)));
 STATIC_CHECK(checked(false) == errc::timed_out and not(checked(true) == errc::timed_out));
 
 } // namespace
+
+// This program has no hook.
+TEST_CASE("without a hook, reading a value that is not there ends the program all the same")
+{
+    test::end const end = test::end_of([] {
+        int const volatile got = *half(7);
+        static_cast<void>(got);
+    });
+    CHECK(end.is_trap);
+    CHECK(end.left == -1);
+}

@@ -3,6 +3,9 @@
 // Wrapping time: every test stands across the wrap of the counter.
 #include <rtuwire/core/time.hpp>
 
+#include <cstdint>
+#include <type_traits>
+
 #include "support/proof.hpp"
 
 using namespace rtuwire;
@@ -11,6 +14,12 @@ namespace {
 
 // Five seconds before the counter wraps.
 constexpr instant late{0xFFFF'FFFFU - 5'000'000U};
+
+// An instant is always made from a count, in so many words: 0 is a time like any other.
+STATIC_CHECK(not std::is_default_constructible_v<instant>);
+STATIC_CHECK(not std::is_convertible_v<std::uint32_t, instant>);
+STATIC_CHECK(std::is_constructible_v<instant, std::uint32_t>);
+STATIC_CHECK(std::is_trivially_copyable_v<instant> and sizeof(instant) == 4);
 
 STATIC_CHECK((late + milliseconds(10'000)).microseconds < late.microseconds);
 STATIC_CHECK(late + milliseconds(10'000) - late == milliseconds(10'000));
@@ -25,8 +34,8 @@ STATIC_CHECK(milliseconds(2) + microseconds(5) == microseconds(2'005));
 STATIC_CHECK(microseconds(7) * 3 == microseconds(21));
 
 // Half the counter's range is the horizon: one microsecond less is past, half of it is to come.
-STATIC_CHECK(reached(late + microseconds(0x7FFF'FFFF), late));
-STATIC_CHECK(not reached(late + microseconds(0x8000'0000), late));
+STATIC_CHECK(reached(late + duration{0x7FFF'FFFF}, late));
+STATIC_CHECK(not reached(late + duration{0x8000'0000}, late));
 STATIC_CHECK(reached(instant{0}, instant{0xFFFF'FFFF}));
 STATIC_CHECK(not reached(instant{0xFFFF'FFFF}, instant{0}));
 STATIC_CHECK(instant{4} - instant{0xFFFF'FFFE} == microseconds(6));

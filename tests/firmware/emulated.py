@@ -3,9 +3,13 @@
 """Builds a firmware example, runs it on an emulated board, and lets somebody talk to it.
 
     python3 emulated.py BOARD controller SIMULATE DRIVE    it runs a simulated drive
-    python3 emulated.py BOARD server                       mbpoll and pymodbus ask it
-    python3 emulated.py BOARD simulated_drive              the same, and pymodbus runs it
+    python3 emulated.py BOARD server [lossy]               mbpoll and pymodbus ask it
+    python3 emulated.py BOARD frame_server [lossy]         the same, with DMA and an idle-line interrupt
+    python3 emulated.py BOARD simulated_drive [lossy]      the same, and pymodbus runs it
+
+With "lossy" every second request is lost on its way, and the run has to fail.
 """
+import contextlib
 import pathlib
 import re
 import subprocess
@@ -17,7 +21,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 FIRMWARE = HERE.parents[1] / "examples" / "firmware"
 sys.path.insert(0, str(HERE.parent / "interop"))
 
-from simulator import Checks, Simulator, asked  # noqa: E402
+from lossy_line import LossyLine  # noqa: E402
+from simulator import Checks, Simulator, asked, repetitions  # noqa: E402
 
 MACHINES = {"mps2_an385": "mps2-an385", "lm3s6965evb": "lm3s6965evb"}
 
@@ -72,20 +77,19 @@ def run_controller(place, board, simulate, drive):
         check(frequency == 300, "the motor turns at 30 Hz", frequency)
         check(line[3] == "done", "it stops the drive", line[3])
         check(firmware.process.wait(10) == 0, "it ends well")
-    return check.failures
+    return check.status()
 
 
-def mbpoll(device, *words, times=3):
-    """What mbpoll prints; what got no answer is asked again."""
-    for _ in range(times):
+def mbpoll(device, *words):
+    """What mbpoll prints; what got no answer is asked again, which counts."""
+    while True:
         text = subprocess.run(
             ["mbpoll", "-m", "rtu", "-b", "19200", "-P", "even", "-0", "-1", "-o", "1", "-a", "1",
              *words[:-1], device, *words[-1:]], text=True, stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT, timeout=20, check=False).stdout
         if "timed out" not in text:
-            break
-        print("     asked again:", text)
-    return text
+            return text
+        repetitions.note(text)
 
 
 class Unit:
@@ -114,7 +118,7 @@ def ask_server(device, check):
     text = mbpoll(device, "-r", "10", "-c", "3", "-q")
     words = re.findall(r"\[(\d+)\]: \t(\d+)", text)
     check(words[:2] == [("10", "475"), ("11", "475")], "mbpoll reads the pump", words)
-    with ModbusSerialClient(device, baudrate=19200, timeout=2) as client:
+    with ModbusSerialClient(device, baudrate=19200, timeout=2, retries=0) as client:
         pump = Unit(client)
         check(pump.read(12) == [65531], "-5 degrees")
         check(pump.write(10, 601) == 3, "601 is above its limit")
@@ -125,7 +129,7 @@ def ask_server(device, check):
 
 def run_drive(device, check):
     from pymodbus.client import ModbusSerialClient
-    with ModbusSerialClient(device, baudrate=19200, timeout=2) as client:
+    with ModbusSerialClient(device, baudrate=19200, timeout=2, retries=0) as client:
         drive = Unit(client)
 
         def status():
@@ -140,22 +144,24 @@ def run_drive(device, check):
     check(words[1:] == [("3202", "300")], "mbpoll reads 30 Hz", words)
 
 
-def run_unit(place, board, program):
+def run_unit(place, board, program, *how):
     check = Checks()
-    with Emulator(board, build(place, board, program), "pty") as firmware:
+    elf = build(place, board, program)
+    with Emulator(board, elf, "pty") as firmware, contextlib.ExitStack() as between:
         device = firmware.wait_for("redirected to (\\S+)")[1]
         firmware.wait_for("^ready")
-        {"server": ask_server, "simulated_drive": run_drive}[program](device, check)
-    return check.failures
+        if how == ("lossy",):
+            device = between.enter_context(LossyLine(device))
+        {"server": ask_server, "frame_server": ask_server,
+         "simulated_drive": run_drive}[program](device, check)
+    return check.status()
 
 
 def main(board, program, *rest):
     with tempfile.TemporaryDirectory() as place:
         if program == "controller":
-            failures = run_controller(place, board, *rest)
-        else:
-            failures = run_unit(place, board, program)
-    return 1 if failures else 0
+            return run_controller(place, board, *rest)
+        return run_unit(place, board, program, *rest)
 
 
 if __name__ == "__main__":

@@ -34,7 +34,7 @@ def main(program):
                 is_right = is_whole and status[at.eta] & 0x4F == 0x40
                 check(is_right, f"{name} at unit {unit}", words)
         check(mbpoll(device, 9, 3201, 1) == {}, "nobody at unit 9")
-    return 1 if check.failures else 0
+    return check.status()
 
 
 if __name__ == "__main__":

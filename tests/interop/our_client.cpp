@@ -41,11 +41,11 @@ void check_registers(blocking_client<posix_serial>& line)
     auto const two = line.ask(unit_id{1}, write_multiple_registers{111, register_block{7, 8}});
     expect(two and two->count == 2, "16 writes", two.error());
     auto const back = line.ask(unit_id{1}, read_holding_registers{110, 3});
-    expect(back and back->registers == register_block{0xBEEF, 7, 8}.view(), "all was written",
+    expect(back and back->registers == register_block{0xBEEF, 7, 8}, "all was written",
            back.error());
     auto const both =
         line.ask(unit_id{1}, read_write_multiple_registers{111, 3, 112, register_block{0x1234}});
-    expect(both and both->registers == register_block{7, 0x1234, 113}.view(),
+    expect(both and both->registers == register_block{7, 0x1234, 113},
            "23 writes, then reads", both.error());
 }
 

@@ -2,12 +2,16 @@
 # SPDX-License-Identifier: BSL-1.0
 """pymodbus takes a simulated drive through its manual's words, from power-on to running and back.
 
-    python3 pymodbus_drives.py SIMULATE DRIVE
+    python3 pymodbus_drives.py SIMULATE DRIVE [lossy]
+
+With "lossy" every second request is lost on its way, and the run has to fail.
 """
+import contextlib
 import sys
 
 from pymodbus.client import ModbusSerialClient
 
+from lossy_line import LossyLine
 from simulator import Checks, Registers, Simulator, asked
 
 UNIT = 7
@@ -67,24 +71,28 @@ def trips(drive, simulator, check):
     check(drive.read(drive.at.lft) == OVERCURRENT and drive.frequency() == 0, "LFT: overcurrent")
     check(drive.write(drive.at.cmd, RESET) and drive.state() == "fault", "its cause is still there")
     simulator.suffer(f"{UNIT} clear")
-    check.soon(lambda: drive.write(drive.at.cmd, 0) and drive.write(drive.at.cmd, RESET)
-               and drive.state() == "disabled", "an edge of bit 7 resets it")
+    # The simulator has read its input when it has answered another request.
+    check(drive.state() == "fault", "its cause is gone: the fault stays")
+    check(drive.write(drive.at.cmd, 0) and drive.write(drive.at.cmd, RESET), "an edge of bit 7")
+    check.soon(lambda: drive.state() == "disabled", "resets the fault")
 
 
-def main(program, name):
+def main(program, name, *how):
     check = Checks()
     simulator = Simulator(program, f"{name}:{UNIT}")
-    with simulator as device:
+    with simulator as device, contextlib.ExitStack() as between:
+        if how == ("lossy",):
+            device = between.enter_context(LossyLine(device))
         # A pseudo-terminal keeps no parity, and pyserial takes that for an error.
         line = ModbusSerialClient(device, baudrate=19200, parity="N", stopbits=1, timeout=1,
-                                  retries=2)
+                                  retries=0)
         if not line.connect():
             print("pymodbus cannot open the device")
             return 2
         drive = Drive(line, Registers(name))
         runs(drive, check)
         trips(drive, simulator, check)
-    return 1 if check.failures else 0
+    return check.status()
 
 
 if __name__ == "__main__":

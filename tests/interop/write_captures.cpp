@@ -17,7 +17,7 @@ namespace {
 
 using octet_list = std::vector<std::byte>;
 
-struct transaction {
+struct pair_of_frames {
     octet_list request;
     octet_list answer;
 };
@@ -27,14 +27,14 @@ constexpr device_object objects[] = {{vendor_name, "Schneider Electric"},
                                      {major_minor_revision, "0201"}};
 constexpr server_profile profile{.identity = identity_of<objects>};
 
-template <typename Request> transaction ask(Request const& question)
+template <typename Request> pair_of_frames ask(Request const& question)
 {
     auto const frame = encode(unit_id{2}, question);
     word_bank<100> bank{3100};
     static_cast<void>(bank.set(3102, 40));
     std::array<std::byte, max_pdu_size> place{};
     auto const asked = decode_adu(*frame);
-    auto const said = raw_pdu::decode(respond(asked->pdu(), bank, profile, place));
+    auto const said = raw_pdu<>::decode(respond(asked->pdu(), bank, profile, place));
     octet_list answer;
     if (said) {
         auto const sent = encode(unit_id{2}, *said);
@@ -47,7 +47,7 @@ template <typename Request> transaction ask(Request const& question)
     return {{frame->view().begin(), frame->view().end()}, answer};
 }
 
-std::vector<transaction> conversation_of_all()
+std::vector<pair_of_frames> conversation_of_all()
 {
     return {
         ask(read_holding_registers{3102, 4}),
@@ -151,7 +151,7 @@ int main(int argc, char** argv)
     }
     capture udp{folder + "/udp.pcap", 101};
     capture serial{folder + "/serial.pcap", 250};
-    for (transaction const& each : exchanges) {
+    for (pair_of_frames const& each : exchanges) {
         udp.record(as_udp(each.request, true));
         udp.record(as_udp(each.answer, false));
         serial.record(as_serial(each.request, true, serial.seconds()));

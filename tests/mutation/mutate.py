@@ -42,7 +42,7 @@ TARGETS = {
     "wire/pdu/read_write_multiple_registers.hpp": ["wire", "server"],
     "wire/pdu/write_multiple_registers.hpp": ["wire", "server"],
     "wire/pdu/write_single_register.hpp": ["wire", "server"],
-    "rtu/exchange_of_others.hpp": ["rtu", "server"],
+    "rtu/exchange_of_others.hpp": ["rtu", "server", "defect"],
     "rtu/framer.hpp": ["rtu", "client", "server"],
     "rtu/line.hpp": ["rtu", "client"],
     "client/attempts.hpp": ["client"],
@@ -50,11 +50,13 @@ TARGETS = {
     "client/echo.hpp": ["client"],
     "client/quarantine.hpp": ["client", "scenario"],
     "server/answer_frame.hpp": ["server"],
+    "server/bank.hpp": ["server", "defect"],
     "server/identification.hpp": ["server", "wire"],
     "server/request.hpp": ["server", "scenario"],
     "server/respond.hpp": ["server", "scenario"],
     "server/serial_diagnostics.hpp": ["server"],
-    "server/server.hpp": ["server", "scenario"],
+    "server/server.hpp": ["server", "scenario", "defect"],
+    "server/typed_bank.hpp": ["server", "defect"],
 }
 # Flags for what only some processors have.
 EXTRA = {"core/crc16_carryless.hpp": ["-mpclmul", "-DRTUWIRE_TEST_CARRYLESS"]}

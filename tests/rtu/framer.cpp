@@ -207,21 +207,24 @@ constexpr bool the_edge_of_silence()
 }
 PROOF("a lump starts a new frame when its own time and t3.5 have passed", the_edge_of_silence)
 
+constexpr auto asks_2 = "02 03 0C 81 00 01 D7 41"_hex;
+constexpr auto writes_2 = "02 06 21 35 00 00 93 CB"_hex;
+
 constexpr bool claims()
 {
     listener<direction::response> ear;
-    bool const nobody =
-        not ear.receiver.claims(0) and not listener<direction::request>{}.receiver.is_overheard();
+    bool const nobody = not listener<direction::request>{}.receiver.is_overheard();
     ear.hear("02 03 00"_hex);
     ear.pause(milliseconds(10));
-    bool const too_short = ear.fault() == errc::frame_too_short and not ear.receiver.claims(2);
+    bool const too_short = ear.fault() == errc::frame_too_short and not ear.receiver.claims(asks_2);
     ear.hear("02 03 00 00"_hex);
     bool const starts = not ear.receiver.is_at_start();
     ear.pause(milliseconds(10));
     return nobody and too_short and starts and ear.fault() == errc::crc_mismatch and
-           ear.receiver.claims(2) and ear.receiver.is_at_start();
+           ear.receiver.claims(asks_2) and not ear.receiver.claims(writes_2) and
+           ear.receiver.is_at_start();
 }
-PROOF("what has a frame's size claims to be a unit's", claims)
+PROOF("what has a frame's size and begins like an answer claims to be one", claims)
 
 constexpr bool host_gaps()
 {

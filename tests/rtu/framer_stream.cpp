@@ -86,14 +86,14 @@ template <direction Way> struct tally {
 
     tally()
     {
-        receiver.advance({0});
-        receiver.advance({1'000'000});
+        receiver.advance(instant{0});
+        receiver.advance(instant{1'000'000});
     }
 
     void hear(byte_view octets)
     {
         while (not octets.empty()) {
-            octets = octets.subspan(receiver.receive(octets, {1'000'000}));
+            octets = octets.subspan(receiver.receive(octets, instant{1'000'000}));
             auto const frame = receiver.poll_frame();
             if (not frame) {
                 continue;

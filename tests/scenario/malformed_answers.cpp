@@ -61,10 +61,10 @@ constexpr row rows[] = {
 constexpr client_options impatient{.response_timeout = milliseconds(300), .retries = 0};
 constexpr patience once{.response_timeout = milliseconds(300), .retries = 0, .busy_retries = 0};
 
-struct asker : far_end {
+struct questioner : far_end {
     octets question;
 
-    explicit asker(client_options const& options = impatient) : far_end{options} {}
+    explicit questioner(client_options const& options = impatient) : far_end{options} {}
 
     /// What came of a question after these octets in lumps of a size; valid until the next question.
     result<byte_view> outcome_of(exchange const& what, byte_view heard, std::size_t lump)
@@ -112,7 +112,7 @@ TEST_CASE("every malformed answer gets its error, whole and octet by octet")
     for (row const& each : rows) {
         for (std::size_t const lump : {std::size_t{300}, std::size_t{1}}) {
             INFO(each.id << " in lumps of " << lump);
-            asker unit;
+            questioner unit;
             CHECK(is_expected(unit.outcome_of(each.asked, octets_of(each.heard), lump), each));
             octets const good = octets_of(one_word.answer);
             CHECK(is_good(unit.outcome_of(one_word, good, lump), one_word));
@@ -125,10 +125,10 @@ TEST_CASE("glued to a good answer it is an error still, or the good answer")
     for (row const& each : rows) {
         INFO(each.id);
         octets const good = octets_of(each.asked.answer);
-        asker behind;
+        questioner behind;
         auto const outcome = behind.outcome_of(each.asked, glued(octets_of(each.heard), good), 300);
         CHECK((is_good(outcome, each.asked) or not outcome));
-        asker before;
+        questioner before;
         CHECK(is_good(before.outcome_of(each.asked, glued(good, octets_of(each.heard)), 300),
                       each.asked));
     }
@@ -136,7 +136,7 @@ TEST_CASE("glued to a good answer it is an error still, or the good answer")
 
 TEST_CASE("C19 with one octet of noise allowed is the answer")
 {
-    asker unit{{.response_timeout = milliseconds(300), .retries = 0, .skip_noise = 1}};
+    questioner unit{{.response_timeout = milliseconds(300), .retries = 0, .skip_noise = 1}};
     for (std::size_t const lump : {std::size_t{300}, std::size_t{1}}) {
         CHECK(is_good(unit.outcome_of(one_word, octets_of("00 01 03 02 12 34 B5 33"), lump),
                       one_word));
@@ -149,7 +149,7 @@ TEST_CASE("C19 with one octet of noise allowed is the answer")
 
 TEST_CASE("C32: what comes while nothing is asked is nobody's answer")
 {
-    asker unit;
+    questioner unit;
     octets const good = octets_of(one_word.answer);
     unit.say(good);
     unit.run(milliseconds(10));

@@ -24,6 +24,7 @@ struct line_of_two {
     word_bank<64> bank{3100};
     instant now{0xFFFF'FFFFU - 50'000U};
     test::random chunks{1};
+    std::array<std::byte, max_pdu_size> answer{};
 
     template <typename End> constexpr void carry(byte_view octets, End& to)
     {
@@ -62,7 +63,9 @@ struct line_of_two {
         if (not talk.outcome()) {
             return talk.outcome().error();
         }
-        return talk.outcome()->template to<Request>();
+        byte_view const pdu = talk.outcome()->pdu();
+        byte_writer{answer}.bytes(pdu);
+        return response{byte_view{answer}.first(pdu.size())}.template to<Request>();
     }
 };
 

@@ -21,7 +21,7 @@ constexpr std::uint16_t nothing = 0xFFFF;
 template <typename Server = counting_server> struct counted {
     Server node;
     word_bank<1> bank{};
-    instant now{};
+    instant now{0};
 
     constexpr counted() : node{one, line} { pass(milliseconds(10)); }
 
@@ -161,6 +161,42 @@ constexpr bool loops_back()
     return ok and unit.is_refused(listen_only, errc::illegal_function);
 }
 PROOF("a plain server loops back, and cannot be silenced", loops_back)
+
+constexpr auto read_0 = "01 03 00 00 00 01 84 0A"_hex;
+
+constexpr bool counts_what_was_dropped()
+{
+    counted<> unit;
+    unit.node.receive(read_0, unit.now); // dropped before it was served
+    unit.node.receive(read_0, unit.now); // its response is dropped
+    unit.node.serve(unit.bank, unit.now);
+    unit.node.receive_error(unit.now); // behind a request: counts nowhere
+    unit.node.receive(read_0, unit.now);
+    unit.pass(milliseconds(5));
+    bool const ok = unit.word(0x0F) == 1 and unit.word(0x0C) == 0;
+    return ok and unit.word(0x0B) == 5 and unit.word(0x0E) == 5;
+}
+PROOF("a dropped request is a message only, a dropped response a silence", counts_what_was_dropped)
+
+constexpr bool counts_a_response_that_is_too_late()
+{
+    counted<> unit;
+    unit.node.receive(read_0, unit.now);
+    unit.node.serve(unit.bank, unit.now);
+    unit.pass(milliseconds(500)); // nobody took it
+    return unit.node.poll_transmit().empty() and unit.word(0x0F) == 1;
+}
+PROOF("a response that nobody takes in time is a silence", counts_a_response_that_is_too_late)
+
+constexpr bool counts_in_listen_only()
+{
+    counted<> unit;
+    static_cast<void>(unit.ask(listen_only));
+    static_cast<void>(unit.ask("03 00 09 00 01"_hex));
+    static_cast<void>(unit.ask("08 00 01 00 00"_hex));
+    return unit.word(0x0F) == 1 and unit.word(0x0D) == 0 and unit.word(0x0E) == 3;
+}
+PROOF("a restart out of the listen-only mode is itself not answered", counts_in_listen_only)
 
 constexpr auto naks = "08 00 10 00 00"_hex;
 constexpr auto busies = "08 00 11 00 00"_hex;

@@ -25,7 +25,7 @@ struct two_units {
     server other{unit_id{2}, line};
     word_bank<16> bank{};
     word_bank<16> others{};
-    instant now{};
+    instant now{0};
 
     constexpr two_units()
     {
@@ -118,22 +118,28 @@ constexpr bool not_after_a_lost_question()
 PROOF("an answer without its question silences the ear until the line is quiet",
       not_after_a_lost_question)
 
+/// The pause of a client between its frames: far from the silence that ends a frame on a host.
+constexpr duration pause = milliseconds(5);
+
 constexpr bool never_answered()
 {
     two_units it;
     auto const question = *encode(unit_id{2}, read_holding_registers{0, 4});
-    it.hear(question);
-    it.pass(milliseconds(3));
-    bool ok = it.obeys(1);
-    it.hear(question);
-    it.pass(milliseconds(500));
-    it.hear(question); // the client's second try
-    it.pass(milliseconds(500));
-    ok = it.obeys(2) and ok;
-    it.hear(question);
-    it.pass(milliseconds(500));
-    it.hear(*encode(unit_id{2}, write_single_register{0, 7})); // another question to the same unit
-    return it.obeys(3) and ok;
+    bool ok = true;
+    for (std::uint16_t i = 1; i <= 3; ++i) {
+        it.hear(question);
+        it.pass(pause);
+        it.hear(question); // the client's second try
+        it.pass(pause);
+        it.hear(
+            *encode(unit_id{2}, read_holding_registers{3201, 6})); // another, of the same function
+        it.pass(pause);
+        it.hear(*encode(unit_id{2}, write_single_register{0, 7}));
+        it.pass(pause);
+        ok = it.obeys(i) and ok;
+        it.pass(pause);
+    }
+    return ok;
 }
 PROOF("a unit that never answers keeps nobody from hearing", never_answered)
 
@@ -141,12 +147,84 @@ constexpr bool repeated_then_answered()
 {
     two_units it;
     it.hear(*encode(unit_id{2}, read_holding_registers{0, 4}));
-    it.pass(milliseconds(500));
+    it.pass(pause);
     it.between_others(read_holding_registers{0, 4});
-    it.pass(line.frame_end());
+    it.pass(pause);
+    bool const ok = it.obeys(1);
+    it.hear(*encode(unit_id{2}, read_holding_registers{99, 4}));
+    it.pass(pause);
+    it.between_others(read_holding_registers{99, 4}); // an exception
+    it.pass(pause);
+    return ok and it.obeys(2);
+}
+PROOF("a question that is repeated and then answered keeps nobody from hearing",
+      repeated_then_answered)
+
+/// Frames whose first part has a right CRC as well, because the last byte is 00 (bus-faults rule 7): the
+/// first 8 of 9 bytes could be a request, or the first 4 of 5.
+constexpr auto asks_for_two = "02 03 00 00 00 02 C4 38"_hex;
+constexpr auto two_that_end_with_00 = "02 03 04 00 00 00 44 C9 00"_hex;
+constexpr auto asks_for_status = "04 07 42 B2"_hex;
+constexpr auto status_that_ends_with_00 = "04 07 42 B2 00"_hex;
+constexpr auto request_that_ends_with_00 = "04 03 02 00 00 74 44 00"_hex;
+constexpr auto one_word_of_4 = "04 03 02 00 00 74 44"_hex;
+
+constexpr bool hears_behind(byte_view question, byte_view answer, duration before, duration behind)
+{
+    two_units it;
+    it.hear(question);
+    it.pass(before);
+    it.hear(answer);
+    it.pass(behind);
     return it.obeys(1);
 }
-PROOF("a question that is repeated and answered is over with the silence", repeated_then_answered)
+
+constexpr bool ends_with_00()
+{
+    bool ok = true;
+    for (duration const before : {duration{}, pause}) {
+        for (duration const behind : {duration{}, pause}) {
+            ok = ok and hears_behind(asks_for_two, two_that_end_with_00, before, behind);
+            ok = ok and hears_behind(asks_for_status, status_that_ends_with_00, before, behind);
+            ok = ok and
+                 hears_behind(request_that_ends_with_00, request_that_ends_with_00, before, behind);
+            ok = ok and hears_behind(request_that_ends_with_00, one_word_of_4, before, behind);
+            ok = ok and hears_behind(asks_for_two, asks_for_two, before, behind);
+            ok = ok and hears_behind(asks_for_status, asks_for_status, before, behind);
+        }
+    }
+    return ok;
+}
+PROOF("a response whose last byte is 00 ends whole, and so does a request in its place",
+      ends_with_00)
+
+constexpr bool broadcast_behind()
+{
+    // Its size is that of a response, and one byte less than that of a request.
+    constexpr auto asks_for_one = "07 03 00 00 00 01 84 6C"_hex;
+    constexpr auto one_word = "07 03 02 00 00 30 44"_hex;
+    constexpr auto everyone_writes_3 = "00 06 00 01 00 03 99 DA"_hex;
+    two_units it;
+    it.hear(asks_for_one);
+    it.hear(one_word);
+    it.pass(line.t3_5());
+    it.hear(everyone_writes_3);
+    return it.bank.get(1) == 3;
+}
+PROOF("a byte 00 after a silence of t3.5 begins a broadcast", broadcast_behind)
+
+constexpr bool broadcast_glued()
+{
+    // As the start of a response it would be 17 bytes long: it ends here, and no byte behind it is its own.
+    auto const question = *encode(unit_id{2}, read_holding_registers{3201, 6});
+    two_units it;
+    it.hear(question);
+    it.hear(question);
+    bool const ends = not it.ours.poll_deadline();
+    it.hear("00 06 00 01 00 03 99 DA"_hex);
+    return ends and it.bank.get(1) == 3;
+}
+PROOF("a repeated request ends at once where the response would be far longer", broadcast_glued)
 
 constexpr bool damaged_answer()
 {

@@ -62,4 +62,39 @@ constexpr bool takes_written()
 }
 PROOF("a client's write is told once, the device's own is not", takes_written)
 
+constexpr auto two_words = "01 F4 FF 9C"_hex;
+constexpr auto full_word = "FF FF"_hex;
+
+constexpr bool writes_and_reads_all()
+{
+    pump_bank registers;
+    register_view const two{two_words};
+    bool ok = registers.get<actual>() == decihertz{0} and registers.get<apart>() == plain{0} and
+              registers.check_write(10, two) == errc::none and
+              registers.write(10, two) == errc::none;
+    ok = ok and registers.get<setpoint>() == decihertz{500} and
+         registers.get<speed>() == signed_rpm{-100} and registers.take_written<setpoint>() and
+         registers.take_written<speed>() and not registers.take_written<actual>();
+    std::array<std::byte, 6> place{};
+    byte_writer out{place};
+    ok = ok and registers.read(10, 3, out) == errc::none;
+    return ok and same_bytes(out.written(), "01 F4 FF 9C 00 00"_hex);
+}
+PROOF("all words of a range are written and read, in their order", writes_and_reads_all)
+
+constexpr bool the_last_address()
+{
+    // Behind it there is neither a register nor a byte: the compiler refuses what reaches for them.
+    pump_bank registers;
+    register_view const one{full_word};
+    bool const ok = registers.check_write(65535, one) == errc::none and
+                    registers.write(65535, one) == errc::none and
+                    registers.get<apart>() == plain{65535};
+    std::array<std::byte, 2> place{};
+    byte_writer out{place};
+    return ok and registers.read(65535, 1, out) == errc::none and
+           same_bytes(out.written(), full_word);
+}
+PROOF("a register without limits takes any word, at the last address too", the_last_address)
+
 } // namespace

@@ -20,7 +20,7 @@ namespace {
 
 /// A drive, its clock, and words by their addresses.
 template <typename Device> struct workbench {
-    instant now{};
+    instant now{0};
     sim::drive<Device> drive{now};
 
     workbench() { wait(10); }
@@ -214,7 +214,7 @@ TEST_CASE("a scanner drops what its target would refuse")
 TEST_CASE("a line forgets what its memory has no room for")
 {
     sim::line wire{19'200, character_format::odd_8_1, 1};
-    instant now{};
+    instant now{0};
     for (unsigned i = 0; i < 300; ++i) {
         wire.talk(i % 8, frame, now + milliseconds(5 * i)); // and nobody listens
     }
@@ -239,7 +239,7 @@ TEST_CASE("an adapter that nobody empties keeps what it has room for")
 {
     sim::usb_adapter adapter;
     for (unsigned i = 0; i < 100; ++i) {
-        adapter.take(std::byte{2}, instant{});
+        adapter.take(std::byte{2}, instant{0});
     }
-    CHECK(adapter.give(instant{}).size() == 62);
+    CHECK(adapter.give(instant{0}).size() == 62);
 }

@@ -116,7 +116,7 @@ TEST_CASE("a frame arrives, each octet at the end of its stop bit")
 TEST_CASE("two talkers at once make one signal, and it is both of theirs")
 {
     sim::line wire{19'200, character_format::even_8_1, 1};
-    instant const start{};
+    instant const start{0};
     wire.talk(0, frame, start);
     instant const end = wire.talk(1, ones, start + microseconds(300));
     auto const all = heard_of(wire, end + milliseconds(5));
@@ -157,8 +157,8 @@ TEST_CASE("the same seed makes the same faults")
         sim::line other{19'200, character_format::even_8_1, seed};
         one.set_faults(faults);
         other.set_faults(faults);
-        one.talk(0, frame, instant{});
-        other.talk(0, frame, instant{});
+        one.talk(0, frame, instant{0});
+        other.talk(0, frame, instant{0});
         auto const first = heard_of(one, instant{100'000});
         auto const second = heard_of(other, instant{100'000});
         REQUIRE(first.size() == second.size());
@@ -171,7 +171,7 @@ TEST_CASE("the same seed makes the same faults")
 TEST_CASE("an adapter keeps octets until its timer ends or its buffer is full")
 {
     sim::usb_adapter adapter;
-    instant now{};
+    instant now{0};
     adapter.take(std::byte{1}, now);
     CHECK(adapter.give(now + milliseconds(15)).empty());
     CHECK(adapter.give(now + milliseconds(16)).size() == 1);

@@ -43,9 +43,10 @@ struct tally {
 };
 
 constexpr patience steady{.response_timeout = milliseconds(60), .retries = 2};
-/// Quarantine; then, for each attempt, silence on the line, the request, its answer's time and its
-/// answer.
-constexpr std::uint32_t longest_us = 60'000 + 3 * (60'000 + 60'000 + 2 * 256 * 573 + 60'000);
+/// For each attempt, silence on the line, the request, its answer's time and its answer; before it, twice as
+/// long where two sendings of the question before were not answered, and late answers.
+constexpr std::uint32_t attempts_us = 3 * (60'000 + 60'000 + 2 * 256 * 573 + 60'000);
+constexpr std::uint32_t longest_us = 3 * attempts_us + 2 * 60'000;
 
 /// One question of any kind, and what is right for it.
 struct question {

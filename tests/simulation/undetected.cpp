@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "../support/asking.hpp"
+
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/core/crc16.hpp>
 #include <rtuwire/sim/line.hpp>
@@ -68,8 +70,8 @@ struct interval {
 /// A client that asks, and a line that damages what it gets.
 struct listener {
     sim::line wire;
-    client link{line_timing{19'200, character_format::none_8_1}, {.retries = 0}};
-    instant now{};
+    test::asking<client> link{line_timing{19'200, character_format::none_8_1}, {.retries = 0}};
+    instant now{0};
     frame_of<read_holding_registers> question =
         *encode(*unit_id::checked(1), read_holding_registers{0, 8});
 
@@ -84,7 +86,7 @@ struct listener {
     /// Whether a damaged answer was accepted.
     bool is_fooled(byte_view answer)
     {
-        now = now + milliseconds(400); // over any quarantine
+        now = now + milliseconds(1'500); // over any quarantine
         link.advance(now);
         static_cast<void>(link.start(request{question}, now));
         link.advance(now);

@@ -9,6 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include "../support/asking.hpp"
+
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/sim/line.hpp>
@@ -293,7 +295,7 @@ private:
 
     line_timing timing_;
     sim::line wire_;
-    basic_client<line_statistics> link_;
+    test::asking<basic_client<line_statistics>> link_;
     std::array<server, servers> nodes_;
     std::array<telling_bank, servers> banks_{};
     sim::usb_adapter adapter_;

@@ -4,7 +4,9 @@
 // what a unit, noise or nobody would say.
 #pragma once
 
-#include <rtuwire/client/client.hpp>
+#include "support/asking.hpp"
+
+#include <rtuwire/client/single_question.hpp>
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 #include <rtuwire/wire/pdu/write_single_register.hpp>
@@ -16,7 +18,7 @@ inline constexpr line_timing line{19'200, character_format::even_8_1};
 /// A client whose line was silent for a second, and its clock, which starts five seconds before it
 /// wraps.
 template <typename Client> struct basic_far_end {
-    Client link;
+    asking<Client> link;
     instant now{0xFFFF'FFFFU - 5'000'000U};
     unsigned transmissions{0};
 
@@ -38,6 +40,23 @@ template <typename Client> struct basic_far_end {
     {
         instant const end = now + length;
         while (true) {
+            transmit();
+            deadline const next = link.poll_deadline();
+            if (not next or not reached(end, *next)) {
+                break;
+            }
+            now = reached(now, *next) ? now : *next;
+            link.advance(now);
+        }
+        pass(end - now);
+    }
+
+    /// The same for a conversation that comes by in each pass.
+    template <conversation Talk> constexpr void run(Talk& talk, duration length)
+    {
+        instant const end = now + length;
+        while (true) {
+            link.converse(talk, now);
             transmit();
             deadline const next = link.poll_deadline();
             if (not next or not reached(end, *next)) {

@@ -18,13 +18,14 @@ namespace rtuwire::test {
 /// value that is its own answer stands for both. The query of function 08 may have any size.
 template <pdu P> constexpr bool is_told_as(P const& value, byte_view frame)
 {
-    if constexpr (std::same_as<P, diagnostics>) {
+    if constexpr (requires { requires std::same_as<typename P::response, diagnostics<>>; }) {
         if (value.what == subfunction::return_query_data) {
             return is_ended_by_silence(direction::request, frame, 4) and
                    is_ended_by_silence(direction::response, frame, 4);
         }
     }
-    if constexpr (requires { requires std::same_as<typename P::response, P>; }) {
+    if constexpr (requires { requires std::same_as<decltype(P::decode(frame)),
+                                                   result<typename P::response>>; }) {
         return is_told(direction::request, frame) and is_told(direction::response, frame);
     } else if constexpr (requires { typename P::response; }) {
         return is_told(direction::request, frame);

@@ -18,7 +18,7 @@ inline constexpr line_timing party_timing{19'200, character_format::even_8_1};
 /// The wire. `Link` is a client or a bus. `converse` is what its owner does in each pass.
 template <typename Link, typename Device> class party_line {
 public:
-    explicit party_line(Link link, instant start = {}) : link_{link}, now_{start} {}
+    explicit party_line(Link link, instant start = instant{0}) : link_{link}, now_{start} {}
 
     Link& link() { return link_; }
     instant now() const { return now_; }

@@ -8,7 +8,8 @@ import re
 import subprocess
 import sys
 
-FORBIDDEN = re.compile(r"_Zn[wa]|_Zd[la]|__cxa_throw|__cxa_guard|_ZT[ISV]|\bmalloc\b|\bfree\b")
+FORBIDDEN = re.compile(r"_Zn[wa]|_Zd[la]|__cxa_throw|__cxa_guard|_ZT[ISV]|\bmalloc\b|\bfree\b"
+                       r"|__(atomic|sync)_")
 
 
 def main(target, source, compiler, *flags):

@@ -17,6 +17,18 @@ std::size_t ask(rtuwire::client& link, Request const& question, rtuwire::instant
     return link.poll_transmit().size();
 }
 
+/// Shared with interrupts.
+constinit rtuwire::interrupt_queue<> line_events;
+constinit rtuwire::interrupt_queue<256> many_events;
+
+void interrupt(rtuwire::byte_view octets, rtuwire::instant now)
+{
+    line_events.receive(octets, now);
+    line_events.receive_error(now);
+    line_events.sent(now);
+    many_events.receive(octets, now);
+}
+
 } // namespace
 
 std::size_t exercise(rtuwire::byte_view octets, rtuwire::instant now);
@@ -34,6 +46,9 @@ std::size_t exercise(rtuwire::byte_view octets, rtuwire::instant now)
     node.receive_error(now);
     node.serve(bank, now);
     node.sent(now);
+    interrupt(octets, now);
+    line_events.deliver_to(link, now);
+    many_events.deliver_to(node, now);
     register_block<2> const values{1, 2};
     return ask(link, read_holding_registers{0, 4}, now) +
            ask(link, write_single_register{0, 1}, now) +

@@ -66,6 +66,9 @@ STATIC_CHECK(verdict(loop, "08 00 0B A5 37"_hex) == errc::wrong_echo);
 STATIC_CHECK(verdict(loop, "08 00 00"_hex) == errc::wrong_length);
 constexpr auto count = "02 08 00 0B 00 00 00 00"_hex;
 STATIC_CHECK(verdict(count, "08 00 0B 12 34"_hex) == errc::none);
+constexpr auto restart = "02 08 00 01 FF 00 00 00"_hex;
+STATIC_CHECK(verdict(restart, "08 00 01 FF 00"_hex) == errc::none);
+STATIC_CHECK(verdict(restart, "08 00 01 00 00"_hex) == errc::wrong_echo);
 
 constexpr auto identify = "02 2B 0E 01 00 34 77"_hex;
 STATIC_CHECK(verdict(identify, "2B 0E 01 01 00 00 01 00 01 41"_hex) == errc::none);

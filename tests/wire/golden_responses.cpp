@@ -58,9 +58,9 @@ constexpr bool object_is(byte_view frame, std::uint8_t id, text expected)
 }
 
 // fc03_rsp
-STATIC_CHECK(encodes(
-    unit_id{2}, read_holding_registers_response{register_block{0x0028, 0x0258, 0x01F4, 0x0000}},
-    "02 03 08 00 28 02 58 01 F4 00 00 52 B0"_hex));
+constexpr register_block four{0x0028, 0x0258, 0x01F4, 0x0000};
+STATIC_CHECK(encodes(unit_id{2}, read_holding_registers_response{four},
+                     "02 03 08 00 28 02 58 01 F4 00 00 52 B0"_hex));
 // fc16_rsp
 STATIC_CHECK(encodes(unit_id{2}, write_multiple_registers_response{9001, 2},
                      "02 10 23 29 00 02 9B B7"_hex));
@@ -114,8 +114,8 @@ STATIC_CHECK(encodes(unit_id{2}, write_multiple_registers_response{400, 2},
 STATIC_CHECK(encodes(unit_id{3}, write_multiple_registers_response{12761, 4},
                      "03 10 31 D9 00 04 1F 2F"_hex));
 // fc23_rsp
-STATIC_CHECK(encodes(unit_id{2},
-                     read_write_multiple_registers_response{register_block{0x0237, 0x05DC, 0x0000}},
+constexpr register_block three{0x0237, 0x05DC, 0x0000};
+STATIC_CHECK(encodes(unit_id{2}, read_write_multiple_registers_response{three},
                      "02 17 06 02 37 05 DC 00 00 00 6A"_hex));
 
 } // namespace

@@ -17,16 +17,16 @@ using namespace rtuwire;
 STATIC_CHECK(read_holding_registers::max_size == 5);
 STATIC_CHECK(read_holding_registers_response::max_size == 252);
 STATIC_CHECK(write_single_register::max_size == 5);
-STATIC_CHECK(write_multiple_registers::max_size == 252);
-STATIC_CHECK(read_write_multiple_registers::max_size == 252);
+STATIC_CHECK(write_multiple_registers<>::max_size == 252);
+STATIC_CHECK(read_write_multiple_registers<>::max_size == 252);
 STATIC_CHECK(read_write_multiple_registers_response::max_size == 252);
 STATIC_CHECK(read_device_identification::max_size == 4);
 STATIC_CHECK(device_identification::max_size == 253);
 
 STATIC_CHECK(broadcastable<write_single_register>);
-STATIC_CHECK(broadcastable<write_multiple_registers>);
+STATIC_CHECK(broadcastable<write_multiple_registers<>>);
 STATIC_CHECK(not broadcastable<read_holding_registers>);
-STATIC_CHECK(not broadcastable<read_write_multiple_registers>);
+STATIC_CHECK(not broadcastable<read_write_multiple_registers<>>);
 STATIC_CHECK(not broadcastable<read_device_identification>);
 
 // Another type within function 43, and one that is cut off.

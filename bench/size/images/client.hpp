@@ -7,20 +7,32 @@
 
 #include <rtuwire/client/client.hpp>
 
+/// The five questions, one after the other without end.
+class five_questions : public rtuwire::asker {
+public:
+    std::optional<rtuwire::request> next() const
+    {
+        return rtuwire::request{known::questions[number_]};
+    }
+    void accept(rtuwire::result<rtuwire::response> const& outcome)
+    {
+        if (outcome) {
+            board::put(static_cast<std::byte>(value_in(outcome->pdu(), number_)));
+        }
+        number_ = ::next(number_);
+    }
+    static bool settled() { return false; }
+
+private:
+    unsigned number_{0};
+};
+
 /// Asks question after question; apart from `main`, as if in a file of its own.
 template <typename Client> [[noreturn, gnu::noipa]] void ask_on(Client& link)
 {
-    for (unsigned number = 0;;) {
+    for (five_questions talk;;) {
         board::pass(link);
-        if (auto const outcome = link.poll_outcome()) {
-            if (*outcome) {
-                board::put(static_cast<std::byte>(value_in((*outcome)->pdu(), number)));
-            }
-            number = next(number);
-        }
-        if (not link.is_busy()) {
-            static_cast<void>(link.start(rtuwire::request{known::questions[number]}, board::now()));
-        }
+        link.converse(talk, board::now());
     }
 }
 

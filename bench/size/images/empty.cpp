@@ -7,9 +7,11 @@ namespace {
 
 struct nothing {
     static void receive(std::span<std::byte const> octets, rtuwire::instant) { board::put(octets); }
+    static void receive_error(rtuwire::instant) {}
     static void advance(rtuwire::instant) {}
     static void sent(rtuwire::instant) {}
     static std::span<std::byte const> poll_transmit() { return {}; }
+    static rtuwire::deadline poll_deadline() { return {}; }
 };
 
 } // namespace

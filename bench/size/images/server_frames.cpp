@@ -30,7 +30,7 @@ int main()
 {
     std::array<std::byte, max_adu_size> frame;
     std::size_t size = 0;
-    instant last{};
+    instant last{0};
     for (;;) {
         if (board::has_octet()) {
             std::byte const octet = board::octet();

@@ -11,13 +11,20 @@ namespace board {
 inline constexpr std::uint32_t core_clock = 12'500'000;
 inline constexpr char const* name = "lm3s6965evb";
 
-/// The interrupt of the line's UART, by its number in the vector table behind the core's 16.
-inline constexpr unsigned line_interrupt = 5;
+/// The interrupt of the line's UART, a bit by its number in the vector table behind the core's 16.
+inline constexpr std::uint32_t line_interrupts = 1U << 5U;
 
 inline std::uint32_t volatile& at(std::uintptr_t address)
 {
     return *reinterpret_cast<std::uint32_t volatile*>(address);
 }
+
+/// A byte from the receiver.
+struct received {
+    std::byte value;
+    bool is_damaged;    ///< by its parity or its stop bit
+    bool is_after_loss; ///< one before it was lost
+};
 
 /// One PL011: 8 data bits, even parity.
 template <std::uintptr_t Base> struct uart {
@@ -26,24 +33,23 @@ template <std::uintptr_t Base> struct uart {
         std::uint32_t const divisor = (core_clock * 4 + baud / 2) / baud; // in 64ths
         at(Base + 0x24) = divisor / 64;
         at(Base + 0x28) = divisor % 64;
-        at(Base + 0x2C) = 0x60 | 0x6; // 8 bits, even parity; no FIFO: an interrupt for each octet
+        at(Base + 0x2C) = 0x60 | 0x6; // 8 bits, even parity; no FIFO: an interrupt for each byte
         at(Base + 0x30) = 0x301;
-        at(Base + 0x38) = 0x10;
+        at(Base + 0x38) = 0x30;
     }
-    static bool has_octet() { return (at(Base + 0x18) & 0x10) == 0; }
-    static std::byte octet() { return static_cast<std::byte>(at(Base) & 0xFF); }
+    static bool has_byte() { return (at(Base + 0x18) & 0x10) == 0; }
+    static received take()
+    {
+        std::uint32_t const word = at(Base);
+        return {static_cast<std::byte>(word & 0xFFU), (word & 0x700U) != 0, (word & 0x800U) != 0};
+    }
     static bool has_room() { return (at(Base + 0x18) & 0x20) == 0; }
-    static void put(std::byte octet) { at(Base) = static_cast<std::uint32_t>(octet); }
+    static void put(std::byte value) { at(Base) = static_cast<std::uint32_t>(value); }
     /// The last stop bit has left.
     static bool is_idle() { return (at(Base + 0x18) & 0x8) == 0 and has_room(); }
-    /// An octet was lost or arrived damaged since the last call.
-    static bool take_damage()
-    {
-        bool const is_damaged = (at(Base + 0x04) & 0xF) != 0;
-        at(Base + 0x04) = 0;
-        return is_damaged;
-    }
-    static void clear_interrupt() { at(Base + 0x44) = 0x10; }
+    static void clear_interrupts() { at(Base + 0x44) = 0x30; }
+    /// As if the UART had: the next interrupt is its.
+    static void request_interrupt() { at(0xE000'E200) = line_interrupts; }
 };
 
 using line_uart = uart<0x4000'C000>;

@@ -10,10 +10,11 @@
 #include <rtuwire/altivar/compact_values.hpp>
 #include <rtuwire/altivar/profile.hpp>
 #include <rtuwire/altivar/words.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/table/device.hpp>
 
-namespace rtuwire::altivar::atv12 {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv12 {
 
 using namespace compact;
 

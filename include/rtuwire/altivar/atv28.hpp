@@ -11,11 +11,12 @@
 #include <rtuwire/altivar/atv28_values.hpp>
 #include <rtuwire/altivar/atv28_words.hpp>
 #include <rtuwire/altivar/profile.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/read_plan.hpp>
 
-namespace rtuwire::altivar::atv28 {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv28 {
 
 // clang-format off
 inline constexpr reg<plain> cod{.code = "COD", .address = 2, .mode = access::configuration, .min = {0}, .max = {9999},

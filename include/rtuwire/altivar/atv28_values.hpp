@@ -7,9 +7,10 @@
 
 #include <cstdint>
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
 
-namespace rtuwire::altivar::atv28 {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv28 {
 
 // clang-format off
 /// How the terminals command.
@@ -108,7 +109,7 @@ enum class profile_fault : std::uint16_t {
 
 } // namespace rtuwire::altivar::atv28
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 // clang-format off
 template <>

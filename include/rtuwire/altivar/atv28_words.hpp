@@ -7,9 +7,10 @@
 
 #include <cstdint>
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/flags.hpp>
 
-namespace rtuwire::altivar::atv28 {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv28 {
 
 /// CMD and CMDD.
 enum class command_bit : std::uint8_t {

@@ -11,10 +11,11 @@
 #include <rtuwire/altivar/compact_values.hpp>
 #include <rtuwire/altivar/profile.hpp>
 #include <rtuwire/altivar/words.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/table/device.hpp>
 
-namespace rtuwire::altivar::atv310 {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv310 {
 
 using namespace compact;
 

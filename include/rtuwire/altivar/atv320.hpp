@@ -11,10 +11,11 @@
 #include <rtuwire/altivar/atv320_values.hpp>
 #include <rtuwire/altivar/profile.hpp>
 #include <rtuwire/altivar/words.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/table/device.hpp>
 
-namespace rtuwire::altivar::atv320 {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<rating> ncv{.code = "NCV", .address = 3011, .mode = access::read_only, .name = "Drive rating"};

@@ -6,9 +6,10 @@
 
 #include <cstdint>
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
 
-namespace rtuwire::altivar::atv320 {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
 
 // clang-format off
 /// The line's bit rate.
@@ -97,7 +98,7 @@ enum class ramp_step : std::uint16_t {
 
 } // namespace rtuwire::altivar::atv320
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 // clang-format off
 template <>

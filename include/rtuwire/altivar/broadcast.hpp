@@ -6,12 +6,13 @@
 #pragma once
 
 #include <rtuwire/cia402/command.hpp>
-#include <rtuwire/client/conversation.hpp>
+#include <rtuwire/client/single_question.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/wire/pdu/write_single_register.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
-namespace rtuwire::altivar {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Stops every drive whose control word stands where that of `Device` does: by "disable voltage" unless
 /// a quick stop is asked for. A line with ATV28 and later drives needs one of each.

@@ -9,8 +9,9 @@
 
 #include <rtuwire/altivar/drive_talk.hpp>
 #include <rtuwire/altivar/reference.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire::altivar {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Decides a change of the reference, word by word.
 class reference_script : public script {

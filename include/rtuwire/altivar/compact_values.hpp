@@ -6,9 +6,10 @@
 
 #include <cstdint>
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
 
-namespace rtuwire::altivar::compact {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar::compact {
 
 // clang-format off
 /// The line's bit rate.
@@ -83,7 +84,7 @@ enum class mains : std::uint16_t {
 
 } // namespace rtuwire::altivar::compact
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 // clang-format off
 template <>

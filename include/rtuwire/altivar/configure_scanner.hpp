@@ -12,9 +12,10 @@
 
 #include <rtuwire/altivar/drive_talk.hpp>
 #include <rtuwire/client/access.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 
-namespace rtuwire::altivar {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Registers that the scanner reads, in the order of its input words.
 template <auto const&... Registers> struct scanner_inputs {

@@ -16,12 +16,13 @@
 #include <rtuwire/altivar/reference.hpp>
 #include <rtuwire/client/conversation.hpp>
 #include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 #include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
 #include <rtuwire/wire/pdu/write_multiple_registers.hpp>
 
-namespace rtuwire::altivar {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// How often, and against which time-out of the drive.
 struct cyclic_options {
@@ -72,7 +73,7 @@ template <device_type Device> struct cycle_words {
 /// two slots as delivered, or set so by `configure_scanner`, and no output slots beyond but those that
 /// `set_output` names. Before the first exchange, and after each loss, it reads the scanner's addresses;
 /// where they are others it writes nothing, and says `misconfigured`.
-template <device_type Device> class cyclic {
+template <device_type Device> class cyclic : public asker {
     using words = cycle_words<Device>;
 
 public:
@@ -316,9 +317,9 @@ private:
     cyclic_control control_{};
     cyclic_options options_;
     duration period_;
-    instant now_{};
-    instant due_{};
-    instant climb_end_{};
+    instant now_{0};
+    instant due_{0};
+    instant climb_end_{0};
     std::array<std::byte, frame_size> frame_{};
     std::array<std::uint16_t, words::outputs> outputs_{};
     std::array<std::uint16_t, words::inputs> inputs_{};

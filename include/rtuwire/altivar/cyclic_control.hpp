@@ -11,8 +11,9 @@
 #include <rtuwire/altivar/reason.hpp>
 #include <rtuwire/altivar/script.hpp>
 #include <rtuwire/cia402/way.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire::altivar {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// The law of one drive in a cycle. Not a safety function.
 class cyclic_control {

@@ -12,14 +12,15 @@
 #include <rtuwire/altivar/script.hpp>
 #include <rtuwire/client/conversation.hpp>
 #include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 #include <rtuwire/wire/pdu/write_single_register.hpp>
 
-namespace rtuwire::altivar {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// The conversation of a script. It ends by its limit, counted from the first `advance`, or at the end
 /// of the one question that is then under way or still has to be asked to leave the drive safe.
-template <typename Script> class drive_talk {
+template <typename Script> class drive_talk : public asker {
 public:
     constexpr drive_talk(unit_id unit, Script const& script, duration limit) noexcept
         : script_{script}, limit_{limit}, unit_{unit}
@@ -44,6 +45,8 @@ public:
             take(script_.step({event::kind::pause_over}));
         }
     }
+
+    [[nodiscard]] constexpr unit_id unit() const noexcept { return unit_; }
 
     constexpr std::optional<request> next() noexcept
     {
@@ -133,9 +136,9 @@ private:
     Script script_;
     wish wish_{wish::kind::pause};
     duration limit_;
-    instant now_{};
-    instant late_at_{};
-    instant pause_end_{};
+    instant now_{0};
+    instant late_at_{0};
+    instant pause_end_{0};
     std::array<std::byte, 8> frame_{};
     unit_id unit_;
     bool has_begun_{false};

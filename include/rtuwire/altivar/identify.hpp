@@ -12,10 +12,11 @@
 #include <rtuwire/client/conversation.hpp>
 #include <rtuwire/client/poller.hpp>
 #include <rtuwire/core/fixed_buffer.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/wire/pdu/device_identification.hpp>
 
-namespace rtuwire::altivar {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// The basic objects, as text. An object of more than 48 characters is an error, not a shorter text.
 struct identity {
@@ -26,7 +27,7 @@ struct identity {
 
 /// Reads the basic objects page by page. Errors: those of the client; `malformed` for pages that do not
 /// come to an end; `buffer_too_small` for a text over 48 characters.
-template <device_type Device> class identify {
+template <device_type Device> class identify : public asker {
 public:
     explicit constexpr identify(station<Device> const& drive) noexcept : unit_{drive.unit()}
     {

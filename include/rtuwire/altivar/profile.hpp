@@ -9,8 +9,9 @@
 
 #include <rtuwire/cia402/transition.hpp>
 #include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire::altivar {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Status bits that all Altivars share, beside those of the state.
 inline constexpr std::uint16_t remote_bit = 0x0200; ///< 0 in local control

@@ -8,9 +8,10 @@
 
 #include <rtuwire/cia402/state.hpp>
 #include <rtuwire/core/text.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::altivar {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// How it ended.
 enum class ending : std::uint8_t {

@@ -7,10 +7,11 @@
 #include <concepts>
 #include <cstdint>
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/setting.hpp>
 
-namespace rtuwire::altivar {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Which way the motor turns.
 enum class heading : std::uint8_t { forward, reverse };

@@ -8,9 +8,10 @@
 #include <cstdint>
 
 #include <rtuwire/altivar/drive_talk.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 
-namespace rtuwire::altivar {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Decides a reset, word by word.
 class reset_script : public script {

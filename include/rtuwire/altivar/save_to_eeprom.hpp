@@ -8,9 +8,10 @@
 #include <cstdint>
 
 #include <rtuwire/altivar/drive_talk.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 
-namespace rtuwire::altivar {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Decides a save, word by word.
 class save_script : public script {

@@ -12,8 +12,9 @@
 #include <rtuwire/altivar/drive_talk.hpp>
 #include <rtuwire/altivar/reference.hpp>
 #include <rtuwire/cia402/way.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire::altivar {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Decides a start, word by word.
 class start_script : public script {

@@ -7,9 +7,10 @@
 
 #include <cstdint>
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/flags.hpp>
 
-namespace rtuwire::altivar {
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// CMD and CMDD.
 enum class command_bit : std::uint8_t {

@@ -7,8 +7,9 @@
 #include <cstdint>
 
 #include <rtuwire/core/text.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire::cia402 {
+namespace rtuwire::inline RTUWIRE_BUILD::cia402 {
 
 /// What a control word asks for. "Switch on" and "disable operation" are one word, which the state
 /// tells apart.

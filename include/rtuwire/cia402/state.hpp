@@ -9,8 +9,9 @@
 #include <cstdint>
 
 #include <rtuwire/core/text.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire::cia402 {
+namespace rtuwire::inline RTUWIRE_BUILD::cia402 {
 
 /// Where a drive stands.
 enum class state : std::uint8_t {

@@ -11,8 +11,9 @@
 #include <rtuwire/cia402/command.hpp>
 #include <rtuwire/cia402/state.hpp>
 #include <rtuwire/core/text.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire::cia402 {
+namespace rtuwire::inline RTUWIRE_BUILD::cia402 {
 
 /// The number of a transition. 3B is the short way of some drives from "ready" to "operation enabled";
 /// the profile's 16, from "quick stop active" back to operation, is one that a drive may lack.

@@ -7,8 +7,9 @@
 
 #include <rtuwire/cia402/command.hpp>
 #include <rtuwire/cia402/state.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire::cia402 {
+namespace rtuwire::inline RTUWIRE_BUILD::cia402 {
 
 /// The next command toward "operation enabled"; `none` in it, and where only the drive or a fault
 /// reset leads on.

@@ -12,7 +12,9 @@
 #include <optional>
 
 #include <rtuwire/client/conversation.hpp>
+#include <rtuwire/client/single_question.hpp>
 #include <rtuwire/core/result.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/setting.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
@@ -20,14 +22,21 @@
 #include <rtuwire/wire/pdu/write_multiple_registers.hpp>
 #include <rtuwire/wire/pdu/write_single_register.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Reads one register as a word. The plain engine of `reading`, whatever the word stands for.
-class word_reading {
+class word_reading : public asker {
 public:
     constexpr word_reading(unit_id unit, std::uint16_t address) noexcept
     {
         static_cast<void>(encode_into(frame_, unit, read_holding_registers{address, 1}));
+    }
+
+    /// Reads once more; the outcome is then `pending` again.
+    constexpr void begin() noexcept
+    {
+        forget();
+        outcome_ = errc::pending;
     }
 
     constexpr std::optional<request> next() const noexcept
@@ -103,6 +112,8 @@ template <typename Step, auto const& R, device_type Device>
 [[nodiscard]] constexpr auto read_in_steps_of(station<Device> const& of) noexcept
 {
     static_assert(Device::registers::template contains<R>, "this device has no such register");
+    static_assert(implements<Device>(function_code::read_holding_registers),
+                  "this device does not implement function 03");
     return reading<Step>{of.unit(), R.address};
 }
 
@@ -132,42 +143,10 @@ template <typename Step, auto const& R, device_type Device>
                                                setting<restepped<Step, R>> value) noexcept
 {
     static_assert(is_writable<R, Device>());
+    static_assert(implements<Device>(function_code::write_single_register),
+                  "this device does not implement function 06");
     return single_question{to.unit(), write_single_register{R.address, value.word()}};
 }
-
-/// A question whose frame is of a size known when compiling, and that keeps its values in it.
-template <std::size_t FrameSize> class framed_question {
-public:
-    template <pdu Request> constexpr framed_question(unit_id unit, Request const& question) noexcept
-    {
-        auto const written = encode_into(frame_, unit, question);
-        if (not written) {
-            outcome_ = written.error();
-        }
-    }
-
-    constexpr std::optional<request> next() const noexcept
-    {
-        if (settled()) {
-            return std::nullopt;
-        }
-        return request{frame_};
-    }
-    constexpr void accept(result<response> outcome) noexcept { outcome_ = outcome; }
-
-    /// Whether the outcome is there.
-    [[nodiscard]] constexpr bool settled() const noexcept
-    {
-        return outcome_.error() != errc::pending;
-    }
-
-    /// What came of it, `pending` until it is settled.
-    [[nodiscard]] constexpr result<response> outcome() const noexcept { return outcome_; }
-
-private:
-    std::array<std::byte, FrameSize> frame_{};
-    result<response> outcome_{errc::pending};
-};
 
 /// Registers that follow one another without a gap.
 template <auto const& First, auto const&... Rest> struct registers {
@@ -198,7 +177,7 @@ template <auto const&... Registers, device_type Device>
     static_assert(sizeof...(Registers) <= Device::limits.write,
                   "this device takes fewer registers in one write");
     register_block<sizeof...(Registers)> const words{values.word()...};
-    return framed_question<9 + 2 * sizeof...(Registers)>{
+    return framed_question<9 + 2 * sizeof...(Registers), 5>{
         to.unit(), write_multiple_registers{registers<Registers...>::start, words}};
 }
 
@@ -218,7 +197,7 @@ template <typename Read, auto const&... Written, device_type Device>
                       sizeof...(Written) <= Device::limits.exchange_write,
                   "this device takes fewer registers in one exchange");
     register_block<sizeof...(Written)> const words{values.word()...};
-    return framed_question<13 + 2 * sizeof...(Written)>{
+    return framed_question<13 + 2 * sizeof...(Written), 2 + 2 * Read::count>{
         with.unit(), read_write_multiple_registers{Read::start, Read::count,
                                                    registers<Written...>::start, words}};
 }

@@ -8,9 +8,10 @@
 
 #include <rtuwire/client/options.hpp>
 #include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The attempts at one question.
 class attempts {
@@ -22,6 +23,7 @@ public:
         busy_retries_ = may_repeat ? with.busy_retries : std::uint8_t{0};
         failures_ = 0;
         pauses_ = 0;
+        unanswered_ = 0;
         response_timeout_ = with.response_timeout;
         busy_pause_ = with.busy_pause;
     }
@@ -41,17 +43,50 @@ public:
         return asks and pauses_ < busy_retries_;
     }
 
-    /// Takes one repetition after a pause; how long it is.
+    /// Takes one repetition after a pause; how long it is. The next one is twice as long.
     constexpr duration take_pause() noexcept
     {
         constexpr std::uint8_t most_doublings = 6;
-        unsigned const doublings = pauses_ < most_doublings ? pauses_ : most_doublings;
+        duration const pause = busy_pause_;
+        if (pauses_ < most_doublings and pause < duration{longest_duration.microseconds / 2}) {
+            busy_pause_.microseconds *= 2;
+        }
         ++pauses_;
-        return busy_pause_ * (1U << doublings);
+        return pause;
     }
 
-    /// Whether an attempt failed without an answer, which may then still come.
-    [[nodiscard]] constexpr bool has_failed() const noexcept { return failures_ != 0; }
+    /// The question has left once more. Its unit answers it at most `each` after it could begin: from here on, or
+    /// when it has answered what is under way.
+    constexpr void note_sent(instant at, duration each) noexcept
+    {
+        if (is_first()) {
+            first_sent_ = at;
+        }
+        duration const before = unanswered_ == 0 or reached(at, owed_until_) ? duration{} : owed_until_ - at;
+        owed_until_ = at + (before + each);
+        ++unanswered_;
+    }
+
+    /// Until when answers may come, where none has come.
+    [[nodiscard]] constexpr instant owed_until() const noexcept { return owed_until_; }
+
+    /// An answer to one of the sendings has come, whole or damaged.
+    constexpr void note_answered() noexcept { --unanswered_; }
+
+    /// How long the answers to all other sendings may take, once one has come at `now`: each as long as the first
+    /// may have taken, and `late` more.
+    [[nodiscard]] constexpr duration all_that_follow(instant now, duration late) const noexcept
+    {
+        duration length{};
+        for (unsigned i = 0; i < unanswered_; ++i) {
+            length = length + (now - first_sent_) + late;
+        }
+        return length;
+    }
+
+    /// How many sendings were not answered.
+    [[nodiscard]] constexpr std::uint16_t unanswered() const noexcept { return unanswered_; }
+
     [[nodiscard]] constexpr bool is_first() const noexcept { return failures_ + pauses_ == 0; }
 
     [[nodiscard]] constexpr duration response_timeout() const noexcept { return response_timeout_; }
@@ -61,8 +96,11 @@ private:
     std::uint8_t busy_retries_{0};
     std::uint8_t failures_{0};
     std::uint8_t pauses_{0};
+    std::uint16_t unanswered_{0};
     duration response_timeout_{};
-    duration busy_pause_{};
+    duration busy_pause_{}; ///< the next one
+    instant first_sent_{0};
+    instant owed_until_{0};
 };
 
 } // namespace rtuwire

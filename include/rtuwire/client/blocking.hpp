@@ -10,12 +10,15 @@
 #include <cstddef>
 
 #include <rtuwire/client/client.hpp>
-#include <rtuwire/client/conversation.hpp>
+#include <rtuwire/client/single_question.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/rtu/receive_from.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// A serial port as seen from here: it has a clock, takes all it is given before a deadline and sends it
-/// at the line's pace, and reads what is there or arrives before a deadline (none: an empty span).
+/// at the line's pace, and reads what is there or arrives before a deadline (none: an empty span). It may
+/// also report damaged bytes: see `reports_receive_errors`.
 template <typename T>
 concept serial_port = requires(T& port, byte_view out, byte_span in, instant until)
 {
@@ -45,12 +48,7 @@ result<void> pump(Engine& engine, Port& port, byte_span place, instant until,
         // Asking the driver until when costs a call, and adapters do not know.
         engine.sent(port.now() + engine.line().characters(frame.size()));
     }
-    auto const octets = port.read(place, *earlier(engine.poll_deadline(), until));
-    if (not octets) {
-        return octets.error();
-    }
-    engine.receive(*octets, port.now());
-    return {};
+    return receive_from(port, engine, place, *earlier(engine.poll_deadline(), until));
 }
 
 /// Asks and waits. Borrows its port, which must outlive it.
@@ -61,7 +59,7 @@ public:
         : port_{port}, client_{line, options}, write_limit_{options.response_timeout}
     {}
 
-    /// Asks one question and waits for its outcome. The answer is valid until the next call. Errors:
+    /// Asks one question and waits for its outcome. The answer is valid until the next `ask`. Errors:
     /// those of encoding, an exception of the unit, those of the client, those of the port.
     template <typename To, pdu Request>
     result<typename Request::response> ask(To to, Request const& question)
@@ -71,7 +69,9 @@ public:
         if (not outcome) {
             return outcome.error();
         }
-        return outcome->template to<Request>();
+        byte_view const pdu = outcome->pdu();
+        byte_writer{answer_}.bytes(pdu);
+        return response{byte_view{answer_}.first(pdu.size())}.template to<Request>();
     }
 
     /// Tells everyone on the line and waits out the turnaround delay. Errors: those of encoding, of
@@ -86,10 +86,18 @@ public:
         return {};
     }
 
-    /// Runs a conversation until it is settled. Errors: those of the port; the question under way is
-    /// then cancelled and the conversation told so.
+    /// Runs a conversation until it is settled; one that is settled already begins anew where it can. Errors:
+    /// `finished` where it can't; those of the port: the question under way is then cancelled and the
+    /// conversation told so.
     template <conversation Talk> result<void> run(Talk& talk)
     {
+        if (talk.settled()) {
+            if constexpr (requires { talk.begin(); }) {
+                talk.begin();
+            } else {
+                return errc::finished;
+            }
+        }
         auto passed = drop_stale_input();
         while (passed) {
             instant const now = port_.now();
@@ -100,17 +108,26 @@ public:
             } else if (talk.settled()) {
                 return {};
             } else {
-                passed = wait_for(talk);
+                passed = wait_for(talk, now);
             }
         }
-        client_.cancel(port_.now());
-        if (auto const outcome = client_.poll_outcome()) {
-            talk.accept(*outcome);
-        }
+        give_up(talk, port_.now());
         return passed.error();
     }
 
 private:
+    /// Ends what is under way: of a port that failed, nothing more is known.
+    template <typename Talk> void give_up(Talk& talk, instant now)
+    {
+        client_.cancel(talk, now);
+        client_.sent(now);
+        bool const is_asked = client_.is_asked_by(talk);
+        if (client_.deliver(talk, false, now) == errc::pending and is_asked) {
+            talk.forget();
+            talk.accept(errc::cancelled);
+        }
+    }
+
     template <typename Talk> result<response> outcome_of(Talk& talk)
     {
         auto const ended = run(talk);
@@ -120,14 +137,18 @@ private:
         return talk.outcome();
     }
 
-    /// Waits until a conversation that pauses has something to ask again.
-    template <typename Talk> result<void> wait_for(Talk& talk)
+    /// Waits until a conversation that paused at `now` may have something to ask again. A deadline that was
+    /// over by then has had its effect; where none is left, the conversation is looked at again soon.
+    template <typename Talk> result<void> wait_for(Talk& talk, instant now)
     {
-        deadline next{};
+        auto const ahead = [now](deadline const& next) {
+            return next and not reached(now, *next) ? next : deadline{};
+        };
+        deadline next = ahead(client_.poll_deadline());
         if constexpr (timed_conversation<Talk>) {
-            next = talk.poll_deadline();
+            next = earlier(next, ahead(talk.poll_deadline()));
         }
-        return receive_until(next ? *next : port_.now());
+        return receive_until(next ? *next : now + longest_pause);
     }
 
     /// What the operating system kept from before the question must not pass for its answer. Where the
@@ -141,18 +162,17 @@ private:
 
     result<void> receive_until(instant until)
     {
-        auto const octets = port_.read(input_, until);
-        if (not octets) {
-            return octets.error();
-        }
-        client_.receive(*octets, port_.now());
-        return {};
+        return receive_from(port_, client_, input_, until);
     }
 
+    /// How long a conversation is left alone that pauses and does not say until when.
+    static constexpr duration longest_pause = milliseconds(10);
+
     Port& port_;
-    client client_;
+    host_client client_;
     duration write_limit_;
     std::array<std::byte, max_adu_size> input_{};
+    std::array<std::byte, max_pdu_size> answer_{};
 };
 
 } // namespace rtuwire

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Many conversations on one line, taking turns question by question. A unit that does not answer is
-// asked again only now and then, so that it costs the others no more than a share of the line.
+// Many conversations on one line, taking turns question by question. A unit that does not answer is asked
+// again only now and then, each silent one in its turn, so that all of them together cost the others no more
+// than a share of the line.
 #pragma once
 
 #include <array>
@@ -10,14 +11,16 @@
 #include <cstdint>
 
 #include <rtuwire/client/client.hpp>
+#include <rtuwire/core/filled.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// How a bus treats units that do not answer.
 struct bus_options {
     /// How much of the line's time all silent units together may cost, in percent, 1 to 100.
     std::uint8_t silent_share{10};
-    /// After how many questions without an answer a unit counts as silent.
+    /// After how many questions without an answer a unit counts as silent; one that never answered, after one.
     std::uint8_t silent_after{2};
 };
 
@@ -26,11 +29,15 @@ struct slot_options {
     patience with{};
     /// From the end of a transaction with this unit to the next question to it.
     duration least_idle{};
+    /// From one question to this unit to the next, at most; zero where it does not matter. A silent unit is asked
+    /// only where its whole time-out ends before any such time does. It does not speed up the conversation.
+    duration longest_gap{};
 };
 
 /// A client for `Slots` conversations. In each pass call `receive`, `sent` and `advance` as for a
-/// client; then `converse` once for every slot in use, in any order; then send what `poll_transmit`
-/// gives. Sleep no longer than `poll_deadline` says.
+/// client; then `converse` once for every slot in use, in the same order; then send what `poll_transmit`
+/// gives. Sleep no longer than `poll_deadline` says. For the lifetimes of conversations see `basic_client`; a
+/// slot that nobody calls `converse` for any more costs the others nothing, or its time-out once.
 template <std::size_t Slots, typename Statistics = no_statistics> class bus {
     static_assert(Slots > 0 and Slots < 0xFF, "a bus has 1 to 254 slots");
 
@@ -61,12 +68,16 @@ public:
     /// Lets time pass.
     constexpr void advance(instant now) noexcept
     {
-        now_ = now;
-        passed_ = 0;
         for (slot& each : slots_) {
             each.is_resting = each.is_resting and not reached(now, each.not_before);
+            each.is_present = each.is_present and (each.is_here or not is_new_pass_);
+            each.is_here = each.is_here and not is_new_pass_;
+            each.wake = {};
         }
+        is_new_pass_ = false;
         is_probe_limited_ = is_probe_limited_ and not reached(now, probe_at_);
+        is_urgent_ = false;
+        urgent_wake_ = {};
         client_.advance(now);
     }
 
@@ -77,48 +88,64 @@ public:
         if (index >= Slots) {
             return;
         }
-        deliver(index, talk, now);
-        advance_talk(talk, now);
         slot& own = slots_[index];
-        own.wake = wake_of(talk);
-        if (client_.is_busy() or is_urgent_ or not client_.is_quiet()) {
+        is_new_pass_ = true;
+        own.is_here = true;
+        own.is_present = not talk.settled();
+        bool const wants_turn = not talk.settled() and not is_urgent_ and not is_held_back(index, now);
+        if (errc const came = client_.deliver(talk, wants_turn, now); came != errc::pending) {
+            note_health(own, came, now);
+        }
+        advance_talk(talk, now);
+        wake_at(own.wake, wake_of(talk), now);
+        if (is_urgent_ or is_held_back(index, now)) {
             return;
         }
-        skip_the_absent(index);
-        if (index != turn_) {
+        if (errc const asked = client_.ask(talk, now, own_patience(own)); asked != errc::none) {
+            if (asked != errc::busy) {
+                last_probed_ = is_silent(own) ? index : last_probed_; // it had its turn
+            }
             return;
         }
-        if (is_held_back(own) or not ask(index, talk, own_patience(own), now)) {
-            pass_turn();
+        own.last_asked = now;
+        asked_at_ = now;
+        if (std::uint8_t const unit = client_.asked_unit(); unit != own.unit and unit != 0) {
+            own.unit = unit;
+            own.failures = 0;
+            own.has_answered = false;
         }
+        last_probed_ = is_silent(own) ? index : last_probed_;
     }
 
-    /// The same for a conversation that comes before all slots: a broadcast that stops everyone.
+    /// The same for a conversation that comes before all slots: a broadcast that stops everyone. To be called
+    /// before theirs; while it is not settled, they ask nothing.
     template <conversation Talk> constexpr void converse_first(Talk& talk, instant now) noexcept
     {
-        deliver(urgent, talk, now);
+        static_cast<void>(client_.deliver(talk, not talk.settled(), now));
         advance_talk(talk, now);
         is_urgent_ = not talk.settled();
-        if (is_urgent_ and not client_.is_busy()) {
-            static_cast<void>(ask(urgent, talk, slots_[0].options.with, now));
+        wake_at(urgent_wake_, wake_of(talk), now);
+        if (is_urgent_) {
+            static_cast<void>(client_.ask(talk, now, slots_[0].options.with));
         }
     }
 
+    /// As for a client.
+    constexpr void cancel(instant now) noexcept { client_.cancel(now); }
+    constexpr void cancel(asker const& whose, instant now) noexcept { client_.cancel(whose, now); }
+    constexpr void hold(unit_id unit, instant end) noexcept { client_.hold(unit, end); }
+    [[nodiscard]] constexpr bool is_held(unit_id unit) const noexcept { return client_.is_held(unit); }
     [[nodiscard]] constexpr byte_view poll_transmit() noexcept { return client_.poll_transmit(); }
 
     /// When the next pass has something to do.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
-        if (client_.is_busy()) {
-            return client_.poll_deadline();
-        }
-        if (passed_ < Slots and has_passed_ and client_.is_quiet()) {
-            return now_;
-        }
-        deadline next = client_.poll_deadline();
+        earliest next;
+        client_.add_to(next);
         for (slot const& each : slots_) {
-            next = earlier(next, each.wake);
+            next.add(each.wake);
         }
+        next.add(urgent_wake_);
         return next;
     }
 
@@ -137,55 +164,16 @@ public:
 private:
     struct slot {
         slot_options options{};
-        instant not_before{};
+        instant not_before{0}; ///< the end of the rest
+        instant last_asked{0};
         deadline wake{};
-        bool is_resting{false};
+        std::uint8_t unit{0}; ///< the one asked last; health is its
         std::uint8_t failures{0};
+        bool is_resting{false};
+        bool is_here{false};    ///< came by in this pass
+        bool is_present{false}; ///< came by in this pass or the one before, not settled
+        bool has_answered{false};
     };
-
-    static constexpr std::size_t nobody = 0xFF;
-    static constexpr std::size_t urgent = Slots;
-
-    template <typename Talk>
-    constexpr void deliver(std::size_t index, Talk& talk, instant now) noexcept
-    {
-        if (owner_ != index) {
-            return;
-        }
-        auto const outcome = client_.poll_outcome();
-        if (not outcome) {
-            return;
-        }
-        owner_ = nobody;
-        if (index < Slots) {
-            note_health(slots_[index], outcome->error(), now);
-        }
-        talk.accept(*outcome);
-    }
-
-    constexpr void note_health(slot& own, errc error, instant now) noexcept
-    {
-        bool const is_failure = error != errc::none and not is_exception(error);
-        own.failures = not is_failure        ? std::uint8_t{0}
-                       : own.failures < 0xFF ? static_cast<std::uint8_t>(own.failures + 1)
-                                             : own.failures;
-        own.not_before = now + own.options.least_idle;
-        own.is_resting = own.options.least_idle.microseconds != 0;
-        if (is_silent(own)) {
-            // The cost of silence, times what the others get for it.
-            std::uint64_t const cost = (now - asked_at_).microseconds;
-            std::uint64_t const rest = cost * (100U - share_.silent_share) / share_.silent_share;
-            constexpr std::uint64_t longest = 600'000'000;
-            probe_at_ =
-                now + microseconds(static_cast<std::uint32_t>(rest < longest ? rest : longest));
-            is_probe_limited_ = true;
-        }
-    }
-
-    constexpr bool is_silent(slot const& own) const noexcept
-    {
-        return own.failures >= share_.silent_after;
-    }
 
     template <typename Talk> static constexpr deadline wake_of(Talk const& talk) noexcept
     {
@@ -196,7 +184,50 @@ private:
         }
     }
 
-    /// A known-silent unit is asked without repetitions.
+    /// Notes a time at which a conversation is to come by again; a time that has come needs no note, because it
+    /// is here.
+    static constexpr void wake_at(deadline& wake, deadline const& next, instant now) noexcept
+    {
+        if (next and not reached(now, *next)) {
+            wake = earlier(wake, next);
+        }
+    }
+
+    constexpr void note_health(slot& own, errc error, instant now) noexcept
+    {
+        own.not_before = now + own.options.least_idle;
+        own.is_resting = own.options.least_idle.microseconds != 0;
+        if (client_.asked_unit() == 0) {
+            return; // nobody answers a broadcast
+        }
+        if (error == errc::none or is_exception(error)) {
+            own.failures = 0;
+            own.has_answered = true;
+        } else if (error != errc::cancelled) {
+            own.failures = static_cast<std::uint8_t>(own.failures + (own.failures < 0xFF ? 1 : 0));
+            charge(now - asked_at_, now);
+        }
+    }
+
+    /// Puts the next question to a silent unit off by what the others get for this loss of time.
+    constexpr void charge(duration cost, instant now) noexcept
+    {
+        constexpr std::uint32_t longest_rest = 600'000'000;
+        constexpr std::uint32_t longest = 1'800'000'000;
+        std::uint32_t const others = 100U - share_.silent_share;
+        std::uint32_t const part = cost.microseconds / share_.silent_share + 1;
+        std::uint32_t const rest = part < longest_rest / 100U ? part * others : longest_rest;
+        std::uint32_t const all = rest + (is_probe_limited_ ? (probe_at_ - asked_at_).microseconds : 0);
+        probe_at_ = now + microseconds(all < longest ? all : longest);
+        is_probe_limited_ = true;
+    }
+
+    constexpr bool is_silent(slot const& own) const noexcept
+    {
+        return own.failures != 0 and (own.failures >= share_.silent_after or not own.has_answered);
+    }
+
+    /// A silent unit is asked without repetitions.
     constexpr patience own_patience(slot const& own) const noexcept
     {
         patience with = own.options.with;
@@ -205,74 +236,72 @@ private:
     }
 
     /// Whether a slot must wait; its wake-up then says until when.
-    constexpr bool is_held_back(slot& own) noexcept
+    constexpr bool is_held_back(std::size_t index, instant now) noexcept
     {
+        slot& own = slots_[index];
         if (own.is_resting) {
-            own.wake = earlier(own.wake, own.not_before);
+            wake_at(own.wake, own.not_before, now);
             return true;
         }
-        if (is_silent(own) and is_probe_limited_) {
-            own.wake = earlier(own.wake, probe_at_);
+        if (not is_silent(own)) {
+            return false;
+        }
+        if (is_probe_limited_) {
+            wake_at(own.wake, probe_at_, now);
             return true;
         }
-        return false;
+        std::size_t const first = next_to_probe(index);
+        if (first != index) {
+            // In a pass without it, it counts as gone.
+            wake_at(own.wake, now + own.options.with.response_timeout, now);
+            return true;
+        }
+        return not fits(index, now);
     }
 
-    template <typename Talk>
-    constexpr bool ask(std::size_t index, Talk& talk, patience with, instant now) noexcept
+    /// The silent slot whose turn it is: the first that somebody calls `converse` for, behind the last that was
+    /// asked; `own` is one.
+    constexpr std::size_t next_to_probe(std::size_t own) const noexcept
     {
-        auto const question = client_.is_free_for(talk) ? talk.next() : std::nullopt;
-        if (not question) {
-            return false;
-        }
-        auto const started = client_.start(*question, now, with);
-        if (not started) {
-            talk.accept(started.error());
-            return false;
-        }
-        owner_ = index;
-        asked_at_ = now;
-        if (index < Slots) {
-            pass_turn();
-            passed_ = 0;
+        std::size_t at = last_probed_;
+        do {
+            at = at + 1 == Slots ? 0 : at + 1;
+        } while (at != own and not is_candidate(slots_[at]));
+        return at;
+    }
+
+    constexpr bool is_candidate(slot const& each) const noexcept
+    {
+        return each.is_present and not each.is_resting and is_silent(each) and
+               not client_.is_held(each.unit);
+    }
+
+    /// Whether the time-out of a silent unit is over before any other unit has to be asked.
+    constexpr bool fits(std::size_t index, instant now) const noexcept
+    {
+        instant const end = now + slots_[index].options.with.response_timeout +
+                            line().characters(2 * max_adu_size);
+        for (std::size_t i = 0; i < Slots; ++i) {
+            slot const& other = slots_[i];
+            bool const matters =
+                i != index and other.is_present and other.options.longest_gap.microseconds != 0;
+            if (matters and not reached(other.last_asked + other.options.longest_gap, end)) {
+                return false;
+            }
         }
         return true;
     }
 
-    constexpr void pass_turn() noexcept
-    {
-        turn_ = turn_ + 1 == Slots ? 0 : turn_ + 1;
-        waiting_ = nobody;
-        has_passed_ = true;
-        ++passed_;
-    }
-
-    /// A slot that nobody calls `converse` for loses its turn once another came by twice.
-    constexpr void skip_the_absent(std::size_t index) noexcept
-    {
-        if (index == turn_) {
-            return;
-        }
-        if (waiting_ == index) {
-            pass_turn();
-        } else if (waiting_ == nobody) {
-            waiting_ = index;
-        }
-    }
-
-    basic_client<Statistics> client_;
+    basic_client<Statistics, held<line_timing>, held<client_options>, quarantine<Slots>> client_;
     bus_options share_;
-    std::array<slot, Slots> slots_{};
-    instant now_{};
-    instant asked_at_{};
-    instant probe_at_{};
-    std::size_t turn_{0};
-    std::size_t owner_{nobody};
-    std::size_t waiting_{nobody};
-    std::size_t passed_{0};
-    bool has_passed_{false};
+    std::array<slot, Slots> slots_{filled<Slots>(slot{})};
+    deadline urgent_wake_{};
+    instant asked_at_{0};
+    instant probe_at_{0};
+    std::size_t last_probed_{Slots - 1};
     bool is_probe_limited_{false};
     bool is_urgent_{false};
+    bool is_new_pass_{false}; ///< somebody came by since the last `advance`
 };
 
 } // namespace rtuwire

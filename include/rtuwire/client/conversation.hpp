@@ -6,28 +6,38 @@
 // runs it need not know which.
 #pragma once
 
+#include <array>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/fixed_buffer.hpp>
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Whether a client may send a question again by itself. A command that somebody may take back meanwhile
 /// is sent once.
 enum class repetition : std::uint8_t { allowed, never };
 
-/// A question: the octets of a frame that `encode` made. Whoever asks keeps them unchanged until the
-/// outcome is there, so that a repetition is the same question.
+/// A question: the octets of a frame that `encode` made. The client copies them when it takes the question,
+/// so they have to live no longer than the call that returned them.
 class request {
 public:
     explicit constexpr request(byte_view frame, repetition again = repetition::allowed) noexcept
         : frame_{frame}, again_{again}
     {}
+
+    /// Octets that die at the end of the statement cannot be asked.
+    template <std::size_t Size>
+    request(std::array<std::byte, Size> const&&, repetition = repetition::allowed) = delete;
+    template <std::size_t Size>
+    request(fixed_buffer<Size> const&&, repetition = repetition::allowed) = delete;
 
     [[nodiscard]] constexpr byte_view frame() const noexcept { return frame_; }
     [[nodiscard]] constexpr bool may_be_repeated() const noexcept
@@ -41,14 +51,15 @@ private:
 };
 
 /// An answer that belongs to its question: same unit, function, length and echoed fields. Empty after
-/// a broadcast. A view, valid until the next request is started.
+/// a broadcast. A view of the client's memory, valid until the client takes the next request.
 class response {
 public:
     constexpr response() noexcept = default;
     explicit constexpr response(byte_view pdu) noexcept : pdu_{pdu} {}
 
-    /// By reference, because GCC calls memcpy for a copy where it optimises for size.
-    [[nodiscard]] constexpr byte_view const& pdu() const noexcept { return pdu_; }
+    /// The PDU. By value, so that no loop over it holds a reference into a response that is gone; made anew,
+    /// because GCC calls memcpy for a copy where it optimises for size (4 bytes).
+    [[nodiscard]] constexpr byte_view pdu() const noexcept { return {pdu_.data(), pdu_.size()}; }
 
     /// The answer to a request of type `Request`; the errors are those of its decoder.
     template <typename Request>
@@ -61,11 +72,33 @@ private:
     byte_view pdu_;
 };
 
-/// Whatever has questions and takes answers: `next` gives the next question, or nothing when there is
-/// none now; `accept` takes the outcome of the last one before `next` is called again; `settled` tells
-/// that no question follows.
+class turns;
+
+/// What every conversation derives from: it holds the number of the request that this conversation has under
+/// way, and on which client, so that an outcome reaches nobody else. A conversation may be destroyed, moved,
+/// copied or begun anew at any time: the outcome then goes to whichever object holds the number, or to nobody.
+class asker {
+public:
+    /// Gives up what was asked last: its outcome is dropped, never delivered. Whoever makes a conversation
+    /// start anew calls it. The request itself may have left and have its effect.
+    constexpr void forget() noexcept { ticket_ |= given_up; }
+
+private:
+    friend class turns;
+
+    /// Tickets are multiples of 8, and what turns.hpp makes of them; this one still tells who asked last.
+    static constexpr std::uint32_t given_up = 7;
+
+    std::uint32_t ticket_{0};
+    turns const* turns_{nullptr}; ///< whose number it is; null where there is none
+};
+
+/// An asker with questions. `next` gives the next question, or nothing when there is none now; it may be
+/// called again before an outcome came, where the question could not be sent. `accept` takes the outcome of
+/// the question that this conversation asked last, and of no other; it comes before `next` is called again, or
+/// never where the conversation was given up. `settled` tells that no question follows.
 template <typename T>
-concept conversation = requires(T& talk, result<response> outcome)
+concept conversation = std::derived_from<T, asker> and requires(T& talk, result<response> outcome)
 {
     {
         talk.next()
@@ -104,46 +137,5 @@ template <conversation Talk> constexpr void advance_talk(Talk& talk, instant now
         talk.advance(now);
     }
 }
-
-/// The conversation of one question, which it owns.
-template <pdu Request> class single_question {
-public:
-    /// Encodes the question; where that fails, nothing is asked and `outcome()` says why.
-    template <typename To> constexpr single_question(To to, Request const& question) noexcept
-    {
-        auto const frame = encode(to, question);
-        if (frame) {
-            frame_ = *frame;
-        } else {
-            outcome_ = frame.error();
-        }
-    }
-
-    constexpr std::optional<request> next() const noexcept
-    {
-        if (settled()) {
-            return std::nullopt;
-        }
-        return request{frame_};
-    }
-
-    constexpr void accept(result<response> outcome) noexcept { outcome_ = outcome; }
-
-    /// Whether the outcome is there.
-    [[nodiscard]] constexpr bool settled() const noexcept
-    {
-        return outcome_.error() != errc::pending;
-    }
-
-    /// What came of it, `pending` until it is settled; the answer is valid until the client's next
-    /// request.
-    [[nodiscard]] constexpr result<response> outcome() const noexcept { return outcome_; }
-
-private:
-    frame_of<Request> frame_{};
-    result<response> outcome_{errc::pending};
-};
-
-template <typename To, pdu Request> single_question(To, Request) -> single_question<Request>;
 
 } // namespace rtuwire

@@ -8,32 +8,40 @@
 #include <cstdint>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Takes the octets of one transmission out of what is received.
+/// Holds what is received against the octets of one transmission, in their order.
 class echo_check {
 public:
-    /// So many octets are sent.
-    constexpr void expect(std::size_t size) noexcept { left_ = static_cast<std::uint16_t>(size); }
+    /// A transmission begins.
+    constexpr void begin() noexcept { next_ = 1; }
 
-    /// Takes nothing from here on.
-    constexpr void forget() noexcept { left_ = 0; }
+    /// Expects nothing from here on.
+    constexpr void end() noexcept { next_ = 0; }
 
-    /// Whether the next octet belongs to the echo.
-    [[nodiscard]] constexpr bool is_due() const noexcept { return left_ != 0; }
+    /// Whether the next octet may belong to the echo.
+    [[nodiscard]] constexpr bool is_open() const noexcept { return next_ != 0; }
 
-    /// Takes an octet of the echo. Whether it is the one that was sent; after one that is not, none is
-    /// due.
+    /// Whether half of so many octets have come, and more are to come.
+    [[nodiscard]] constexpr bool is_half(std::size_t size) const noexcept
+    {
+        return next_ > size / 2;
+    }
+
+    /// Takes an octet, where the echo is open. Whether it is the one that was sent; after one that is not, and
+    /// after the last one, the echo is over.
     constexpr bool take(std::byte octet, byte_view sent) noexcept
     {
-        bool const is_same = octet == sent[sent.size() - left_];
-        left_ = is_same ? static_cast<std::uint16_t>(left_ - 1) : std::uint16_t{0};
+        bool const is_same = octet == sent[next_ - 1U];
+        bool const is_last = next_ == sent.size();
+        next_ = is_same and not is_last ? static_cast<std::uint16_t>(next_ + 1) : std::uint16_t{0};
         return is_same;
     }
 
 private:
-    std::uint16_t left_{0};
+    std::uint16_t next_{0}; ///< the next octet's number, from 1; 0 where none is expected
 };
 
 } // namespace rtuwire

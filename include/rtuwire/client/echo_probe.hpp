@@ -6,33 +6,24 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
-#include <rtuwire/client/conversation.hpp>
+#include <rtuwire/client/access.hpp>
 #include <rtuwire/core/result.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Asks a unit for one register and looks at what comes back first. For a client without `has_echo`.
-class echo_probe {
+/// Asks a unit for one register and looks whether the question comes back, while it is sent or before the
+/// answer. For a client without `has_echo`.
+class echo_probe : public word_reading {
 public:
-    explicit constexpr echo_probe(unit_id unit) noexcept : question_{unit, {address, 1}} {}
-
-    [[nodiscard]] constexpr std::optional<request> next() const noexcept
-    {
-        return question_.next();
-    }
-
-    constexpr void accept(result<response> const& outcome) noexcept { question_.accept(outcome); }
-
-    [[nodiscard]] constexpr bool settled() const noexcept { return question_.settled(); }
+    explicit constexpr echo_probe(unit_id unit) noexcept : word_reading{unit, address} {}
 
     /// Whether the line echoes; `pending` until it is settled. Errors: those of the client, where the
     /// unit did not answer at all. A refusal is an answer.
     [[nodiscard]] constexpr result<bool> outcome() const noexcept
     {
-        errc const wrong = question_.outcome().error();
+        errc const wrong = word().error();
         if (wrong == errc::echoed) {
             return true;
         }
@@ -46,8 +37,6 @@ private:
     /// Any address whose high octet is 3: as an answer, the question then has the length it claims, so
     /// that it is told from an answer that follows at once.
     static constexpr std::uint16_t address = 0x0300;
-
-    single_question<read_holding_registers> question_;
 };
 
 } // namespace rtuwire

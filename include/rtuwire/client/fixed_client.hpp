@@ -5,8 +5,9 @@
 #pragma once
 
 #include <rtuwire/client/client.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// What a client does that is told nothing.
 inline constexpr client_options default_client_options{};

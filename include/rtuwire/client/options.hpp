@@ -7,8 +7,9 @@
 #include <cstdint>
 
 #include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// How patient a client is with one unit.
 struct patience {
@@ -31,13 +32,16 @@ struct client_options {
     duration response_timeout{milliseconds(1000)};
     /// From the end of a broadcast to the next request; units need it to act (SL 2.4.1).
     duration turnaround{milliseconds(100)};
-    /// How long after the end of a transaction an answer that came too late may still arrive. Until
-    /// then the unit is asked nothing new, because an answer does not say which question it is to.
+    /// How much longer than `response_timeout` any unit on the line may take to answer. A unit that failed to
+    /// answer in time is asked nothing new until all that it may still owe has come: client/quarantine.hpp
+    /// derives how long that is. An answer that takes longer than both together may pass for another one's:
+    /// RTU answers carry no number.
     duration late_answer{milliseconds(200)};
     /// As in `patience`.
     std::uint8_t retries{2};
     /// Whether the line gives back what is sent (two wires without receiver disable). Each octet is
-    /// then held against the one sent; a difference is a `collision`. `echo_probe` finds out.
+    /// then held against the one sent; a difference is a `collision`. Without it, a request that comes back
+    /// ends as `echoed` wherever it can be told from an answer; `echo_probe` finds out.
     bool has_echo{false};
     /// How many octets of noise before an answer are skipped: only octets that are not the unit's, and
     /// the answer must then be whole. Each one adds 1.5e-5 to the share of noise that passes a CRC, so

@@ -6,20 +6,36 @@
 
 #include <cstdint>
 
-namespace rtuwire {
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// What leaves each phase of a client.
 enum class client_phase : std::uint8_t {
-    idle,         ///< start -> waiting
-    waiting,      ///< t3.5 of silence, quarantine over -> ready; none in time -> settled (bus_jam)
-    ready,        ///< poll_transmit -> transmitting; octets -> waiting, or settled where the question
+    idle,         ///< a conversation's question -> waiting
+    waiting,      ///< t3.5 of silence, and its asker comes by -> ready; not in time -> settled (bus_jam)
+    ready,        ///< poll_transmit -> handed_out; octets -> waiting, or settled where the question
                   ///< may not wait; too late -> settled
-    transmitting, ///< sent -> awaiting, or turnaround after a broadcast; too late -> settled
+    handed_out,   ///< advance -> transmitting, whose time counts from here; sent as there
+    transmitting, ///< sent -> awaiting, or turnaround after a broadcast, or settled where it was cancelled
+                  ///< or came back; too late -> settled
     awaiting,     ///< the answer -> settled; time over or our answer damaged -> waiting, or settled;
                   ///< exception 05 or 06 -> pausing, or settled
     pausing,      ///< time over -> waiting
     turnaround,   ///< time over -> settled
-    settled,      ///< poll_outcome -> idle
+    settled,      ///< its asker takes the outcome, or another conversation comes by twice -> idle
 };
+
+/// Whether a request is between its start and its outcome.
+[[nodiscard]] constexpr bool is_under_way(client_phase at) noexcept
+{
+    return at != client_phase::idle and at != client_phase::settled;
+}
+
+/// Whether the request is with the transmitter.
+[[nodiscard]] constexpr bool is_leaving(client_phase at) noexcept
+{
+    return at == client_phase::handed_out or at == client_phase::transmitting;
+}
 
 } // namespace rtuwire

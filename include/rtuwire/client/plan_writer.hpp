@@ -10,14 +10,15 @@
 #include <optional>
 
 #include <rtuwire/client/conversation.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/write_plan.hpp>
 #include <rtuwire/wire/pdu/write_multiple_registers.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The conversation of a write plan with one unit; owns the values and the frame under way.
-template <typename Plan> class plan_writer {
+template <typename Plan> class plan_writer : public asker {
     using device = typename Plan::device;
     static_assert(implements<device>(function_code::write_multiple_registers),
                   "this device does not implement function 16");

@@ -10,15 +10,16 @@
 #include <optional>
 
 #include <rtuwire/client/conversation.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/read_plan.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The conversation of a read plan with one unit; owns its frames and the snapshot. Each `begin` is one
 /// round.
-template <typename Plan> class poller {
+template <typename Plan> class poller : public asker {
 public:
     using snapshot = typename Plan::snapshot;
 
@@ -26,9 +27,10 @@ public:
         : frames_{Plan::frames(of.unit().octet())}
     {}
 
-    /// Starts a round; one under way starts again.
+    /// Starts a round; one under way starts again, and what it asked last is dropped.
     constexpr void begin() noexcept
     {
+        forget();
         at_ = 0;
         outcome_ = errc::pending;
     }
@@ -41,7 +43,7 @@ public:
         return request{frames_[at_]};
     }
 
-    constexpr void accept(result<response> outcome) noexcept
+    constexpr void accept(result<response> const& outcome) noexcept
     {
         if (not outcome) {
             return end(outcome.error());

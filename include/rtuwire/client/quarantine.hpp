@@ -1,53 +1,110 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The time in which an answer that came too late may still arrive: until it is over, its unit is asked
-// nothing new, because an answer does not say which question it is to.
+// Until when a unit is asked nothing new, because an answer that it still owes could pass for the answer to
+// the new question: RTU answers carry no number.
+//
+// The rule, for a unit that answers its requests in their order and each within W = R + L of the moment at
+// which it could begin (R: response time-out with the answer's own characters, L: late_answer).
+//
+//   ended by                             owed until       why
+//   the answer to the only sending       nothing          there is no other
+//   an answer at s, while k sendings     s + k (s-f+L)    whichever was answered, k may follow, each within what
+//   are not answered, the first at f                      the first may have taken, s - f, and L
+//   no answer, or given up               b                at each sending at t: b = max(b, t) + W, for the unit
+//                                                         begins when it has answered all before it
+//
+// A damaged answer, an exception that asks for time, is an answer. A unit that is slower than W and never answered
+// in time can be told from nothing by no rule of time.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
+#include <rtuwire/core/filled.hpp>
 #include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// One unit's time, or everybody's once two units owe an answer.
-class quarantine {
+/// One unit, or none where it is 0, and until when it is asked nothing new.
+struct quarantine_entry {
+    instant end;
+    std::uint8_t unit;
+};
+
+/// The times of up to `Units` units at once; where more owe an answer, the last place stands for every unit.
+template <std::size_t Units> class quarantine {
 public:
-    /// An answer of `unit` may come until then.
+    /// A unit is asked nothing new until `end`, or until the later end that it has already.
     constexpr void begin(std::uint8_t unit, instant end) noexcept
     {
-        unit_ = is_on_ and unit_ != unit ? any_unit : unit;
-        is_on_ = true;
-        end_ = end;
+        quarantine_entry& own = place_of(unit);
+        if (own.unit == nobody) {
+            own.unit = unit;
+            own.end = end;
+            return;
+        }
+        own.unit = own.unit == unit ? unit : everybody;
+        own.end = reached(end, own.end) ? end : own.end;
     }
 
-    constexpr void advance(instant now) noexcept { is_on_ = is_on_ and not reached(now, end_); }
-
-    /// Whether a unit may not be asked yet.
-    [[nodiscard]] constexpr bool covers(std::uint8_t unit) const noexcept
+    /// Lets time pass. Whether a time was over.
+    constexpr bool advance(instant now) noexcept
     {
-        return is_on_ and (unit_ == any_unit or unit_ == unit);
+        bool is_over = false;
+        for (quarantine_entry& each : entries_) {
+            if (each.unit != nobody and reached(now, each.end)) {
+                each.unit = nobody;
+                is_over = true;
+            }
+        }
+        return is_over;
     }
 
-    [[nodiscard]] constexpr deadline end() const noexcept
+    /// Whether a unit may not be asked yet; never for 0, which is everyone and answers nothing. Inlined: 56 bytes
+    /// less on a Cortex-M0+.
+    [[nodiscard, gnu::always_inline]] constexpr bool covers(std::uint8_t unit) const noexcept
     {
-        return is_on_ ? deadline{end_} : deadline{};
+        for (quarantine_entry const& each : entries_) {
+            if (unit != nobody and (each.unit == unit or each.unit == everybody)) {
+                return true;
+            }
+        }
+        return false;
     }
 
-    /// Whose answer is owed, where it is one unit's; 0 where none is.
-    [[nodiscard]] constexpr std::uint8_t unit() const noexcept
+    /// When the next time is over.
+    constexpr void add_to(earliest& next) const noexcept
     {
-        return is_on_ ? unit_ : std::uint8_t{0};
+        for (quarantine_entry const& each : entries_) {
+            if (each.unit != nobody) {
+                next.add(each.end);
+            }
+        }
     }
 
 private:
-    /// Stands for several units; no unit has it.
-    static constexpr std::uint8_t any_unit = 0xFF;
+    static constexpr std::uint8_t nobody = 0;
+    /// Stands for all units; no unit has it.
+    static constexpr std::uint8_t everybody = 0xFF;
 
-    instant end_{};
-    std::uint8_t unit_{0};
-    bool is_on_{false};
+    /// The unit's own place, or a free one, or the last.
+    constexpr quarantine_entry& place_of(std::uint8_t unit) noexcept
+    {
+        std::size_t found = Units - 1;
+        for (std::size_t i = Units; i-- > 0;) {
+            if (entries_[i].unit == unit) {
+                return entries_[i];
+            }
+            found = entries_[i].unit == nobody ? i : found;
+        }
+        return entries_[found];
+    }
+
+    std::array<quarantine_entry, Units> entries_{
+        filled<Units>(quarantine_entry{instant{0}, nobody})};
 };
 
 } // namespace rtuwire

@@ -11,9 +11,10 @@
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// What can be counted.
 enum class line_event : std::uint8_t {
@@ -98,6 +99,7 @@ struct no_statistics {
     static constexpr void note_exception(errc, std::uint8_t) noexcept {}
     static constexpr void note_asked(instant) noexcept {}
     static constexpr void note_answered(instant, std::uint8_t) noexcept {}
+    static constexpr void note_stray(std::size_t, bool, std::uint8_t) noexcept {}
 };
 
 /// Counts for the line as a whole.
@@ -115,29 +117,51 @@ public:
         return latency;
     }
 
+    /// So many octets belong to no answer; the first of them came after silence, or did not. What begins with
+    /// the address of a unit that owes an answer (`owing`, or 0) is one late answer up to the next silence;
+    /// anything else is noise, octet by octet. Whether a late answer began here.
+    constexpr bool note_stray(std::size_t octets, bool is_start, std::uint8_t owing) noexcept
+    {
+        if (is_start) {
+            is_late_ = owing != 0;
+        }
+        for (std::size_t i = 0; i < octets and not is_late_; ++i) {
+            line_.note(line_event::noise);
+        }
+        bool const begins = is_start and is_late_;
+        if (begins) {
+            line_.note(line_event::late);
+        }
+        return begins;
+    }
+
     [[nodiscard]] constexpr counters const& line() const noexcept { return line_; }
     constexpr void reset() noexcept { line_ = {}; }
 
 private:
-    instant asked_{};
+    bool is_late_{false};
+    instant asked_{0};
     counters line_{};
 };
 
 /// Counts for the line and for the first `Units` units that are asked. Of a frame that names no unit for
-/// sure, the unit asked is charged.
+/// sure, the unit asked is charged; octets outside of transactions are the line's alone.
 template <std::size_t Units> class unit_statistics {
 public:
     constexpr void note(line_event what, std::uint8_t unit) noexcept
     {
         line_.note(what, unit);
-        if (counters* const own = find_or_add(unit)) {
+        if (what == line_event::request) {
+            add(unit);
+        }
+        if (counters* const own = find(unit)) {
             own->note(what);
         }
     }
     constexpr void note_exception(errc code, std::uint8_t unit) noexcept
     {
         line_.note_exception(code, unit);
-        if (counters* const own = find_or_add(unit)) {
+        if (counters* const own = find(unit)) {
             own->note_exception(code);
         }
     }
@@ -145,8 +169,16 @@ public:
     constexpr void note_answered(instant at, std::uint8_t unit) noexcept
     {
         duration const latency = line_.note_answered(at, unit);
-        if (counters* const own = find_or_add(unit)) {
+        if (counters* const own = find(unit)) {
             own->note_latency(latency);
+        }
+    }
+
+    constexpr void note_stray(std::size_t octets, bool is_start, std::uint8_t owing) noexcept
+    {
+        counters* const own = find(owing);
+        if (line_.note_stray(octets, is_start, owing) and own != nullptr) {
+            own->note(line_event::late);
         }
     }
 
@@ -156,7 +188,7 @@ public:
     [[nodiscard]] constexpr counters const* unit(std::uint8_t number) const noexcept
     {
         for (row const& each : rows_) {
-            if (each.is_used and each.unit == number) {
+            if (each.unit == number and number != 0) {
                 return &each.counts;
             }
         }
@@ -172,22 +204,27 @@ public:
 private:
     struct row {
         counters counts{};
-        std::uint8_t unit{0};
-        bool is_used{false};
+        std::uint8_t unit{0}; ///< 0 where the row is free; a broadcast has none
     };
 
-    constexpr counters* find_or_add(std::uint8_t unit) noexcept
+    constexpr counters* find(std::uint8_t unit) noexcept
     {
         for (row& each : rows_) {
-            if (not each.is_used) {
-                each.is_used = true;
-                each.unit = unit;
-            }
-            if (each.unit == unit) {
+            if (each.unit == unit and unit != 0) {
                 return &each.counts;
             }
         }
         return nullptr;
+    }
+
+    constexpr void add(std::uint8_t unit) noexcept
+    {
+        for (row& each : rows_) {
+            if (each.unit == 0 or each.unit == unit) {
+                each.unit = unit;
+                return;
+            }
+        }
     }
 
     line_statistics line_{};
@@ -206,21 +243,6 @@ constexpr void note_frame(Statistics& to, line_event what, errc found, std::uint
         to.note_answered(now, unit);
     }
     to.note(what, unit);
-}
-
-/// Notes octets, one at least, that belong to no answer: one event for a frame that starts where the
-/// answer of `owing` may still come, one for each octet elsewhere.
-template <typename Statistics>
-constexpr void note_noise(Statistics& to, byte_view octets, std::uint8_t owing) noexcept
-{
-    bool const is_late = owing != 0 and to_u8(octets[0]) == owing;
-    if (is_late) {
-        to.note(line_event::late, owing);
-        return;
-    }
-    for (std::size_t i = 0; i < octets.size(); ++i) {
-        to.note(line_event::noise, 0);
-    }
 }
 
 } // namespace rtuwire

@@ -9,7 +9,9 @@
 #include <cstdint>
 #include <span>
 
-namespace rtuwire {
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Octets that somebody else owns and keeps alive, to be read. Handed on by value; by reference only on a
 /// client's deepest path, because a small processor puts each copy on its stack.

@@ -13,8 +13,9 @@
 #include <rtuwire/core/crc16_algebra.hpp>
 #include <rtuwire/core/crc16_carryless.hpp>
 #include <rtuwire/core/crc16_tables.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// How the CRC is computed, and what tables that needs.
 enum class crc_form : std::uint8_t {
@@ -30,14 +31,9 @@ enum class crc_form : std::uint8_t {
     carryless,     ///< 4 KiB for up to 16 octets; beyond, carry-less multiplication; else as `host`
 };
 
-/// What is used where nobody chooses. `-DRTUWIRE_CRC_FORM=byte_table` chooses, in all of a program.
-#ifdef RTUWIRE_CRC_FORM
+/// The form in use: what the program chose by `-DRTUWIRE_CRC_FORM=byte_table`, or carry-less multiplication
+/// where the processor has it, the form without tables on 32 bits, `host` elsewhere.
 inline constexpr crc_form default_crc_form = crc_form::RTUWIRE_CRC_FORM;
-#else
-inline constexpr crc_form default_crc_form = crc16_carryless::is_available ? crc_form::carryless
-                                             : sizeof(void*) < 8           ? crc_form::octet_algebra
-                                                                           : crc_form::host;
-#endif
 
 /// A CRC that grows an octet at a time, so that a receiver has it when the last octet arrives. Over a
 /// whole frame, its two CRC octets included, the value is zero exactly when the CRC is right.

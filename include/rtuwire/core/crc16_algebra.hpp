@@ -14,8 +14,9 @@
 #include <utility>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire::crc16_algebra {
+namespace rtuwire::inline RTUWIRE_BUILD::crc16_algebra {
 
 /// Whether a word has an odd number of bits set: 1 or 0.
 [[nodiscard]] constexpr std::uint32_t parity_of(std::uint32_t word) noexcept

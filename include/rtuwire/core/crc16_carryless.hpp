@@ -14,17 +14,15 @@
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/crc16_algebra.hpp>
 #include <rtuwire/core/crc16_tables.hpp>
+#include <rtuwire/core/version.hpp>
 
-#if defined(__PCLMUL__)
+#ifdef RTUWIRE_CARRYLESS_X86
 #include <wmmintrin.h>
-#define RTUWIRE_CARRYLESS_X86
-#elif defined(__ARM_NEON) && !defined(__ARM_BIG_ENDIAN) &&                                         \
-    (defined(__ARM_FEATURE_AES) || defined(__ARM_FEATURE_CRYPTO))
+#elif defined(RTUWIRE_CARRYLESS_ARM)
 #include <arm_neon.h>
-#define RTUWIRE_CARRYLESS_ARM // PMULL, or VMULL.P64 on a 32-bit Arm
 #endif
 
-namespace rtuwire::crc16_carryless {
+namespace rtuwire::inline RTUWIRE_BUILD::crc16_carryless {
 
 #ifdef RTUWIRE_CARRYLESS_X86
 inline constexpr bool is_available = true;
@@ -250,6 +248,3 @@ inline block folded(block before, std::byte const* at, std::size_t count) noexce
 #endif
 
 } // namespace rtuwire::crc16_carryless
-
-#undef RTUWIRE_CARRYLESS_X86
-#undef RTUWIRE_CARRYLESS_ARM

@@ -9,8 +9,9 @@
 #include <utility>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire::crc16_tables {
+namespace rtuwire::inline RTUWIRE_BUILD::crc16_tables {
 
 /// The polynomial, reflected, without its highest power.
 inline constexpr std::uint32_t polynomial = 0xA001;

@@ -7,7 +7,9 @@
 
 #include <type_traits>
 
-namespace rtuwire {
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// A setting that is told when the object is made.
 template <typename T> class held {

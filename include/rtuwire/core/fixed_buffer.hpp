@@ -10,8 +10,9 @@
 #include <cstdint>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Up to `Capacity` octets, stored in place.
 template <std::size_t Capacity> class fixed_buffer {

@@ -10,8 +10,9 @@
 #include <span>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The text of a hexadecimal literal, as a template argument.
 template <std::size_t Size> struct hex_literal {

@@ -1,19 +1,50 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// A value or the reason why there is none, with the member names of std::expected. Knows of errc
-// only that its zero is no error; what the codes mean is written in wire/errc.hpp.
+// A value or the reason why there is none, with the member names of std::expected. Reading a value that is
+// not there does not compile in a constant expression; when the program runs, and RTUWIRE_CHECKED is 1, it
+// stops the program. Knows of errc only that its zero is no error; wire/errc.hpp says what the codes mean.
 #pragma once
 
 #include <cstdint>
 #include <type_traits>
 
-namespace rtuwire {
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 enum class errc : std::uint8_t;
 
-/// A value, or an errc. The value may be read only where `has_value()`; reading it elsewhere does not
-/// compile in a constant expression.
+/// The program's hook, for a program to define: called once before the program traps because it read the value
+/// of a result that failed with `why`. A program that runs a motor defines it, and stops the motor in it:
+///
+///     void rtuwire::on_missing_value(rtuwire::errc) noexcept { board::motor_off(); }
+///
+/// A program without it only traps. All builds of rtuwire in one program share it, so that none misses it.
+[[gnu::weak]] void on_missing_value(errc why) noexcept __asm__("rtuwire_on_missing_value");
+
+/// The end of a program that misuses a result: reads a value which is not there, or fails without an error.
+/// Not constexpr, so that the compiler refuses a constant expression with one of these names.
+[[noreturn, gnu::cold, gnu::noinline]] inline void a_failed_result_has_no_value(errc why) noexcept
+{
+    if (on_missing_value != nullptr) {
+        on_missing_value(why);
+    }
+    __builtin_trap();
+}
+[[noreturn]] inline void a_failed_result_has_an_error() noexcept
+{
+    a_failed_result_has_no_value(errc{});
+}
+
+/// Whether misuse is looked for here: always in a constant expression.
+[[nodiscard, gnu::always_inline]] constexpr bool is_misuse_caught() noexcept
+{
+    return RTUWIRE_CHECKED or __builtin_is_constant_evaluated();
+}
+
+/// A value, or an errc. The value may be read only where `has_value()`; what happens elsewhere is told at
+/// the top of this file.
 template <typename T> class [[nodiscard]] result {
     static_assert(std::is_trivially_copyable_v<T> and std::is_trivially_destructible_v<T>,
                   "a result holds trivially copyable values only");
@@ -22,13 +53,28 @@ public:
     using value_type = T;
 
     constexpr result(T const& value) noexcept : value_{value} {}
-    constexpr result(errc error) noexcept : nothing_{}, error_{error} {}
+
+    /// A failure; `error` is not zero.
+    constexpr result(errc error) noexcept : nothing_{}, error_{error}
+    {
+        if (is_misuse_caught() and has_value()) {
+            a_failed_result_has_an_error();
+        }
+    }
 
     [[nodiscard]] constexpr bool has_value() const noexcept { return error_ == errc{}; }
     explicit constexpr operator bool() const noexcept { return has_value(); }
 
-    [[nodiscard]] constexpr T const& operator*() const noexcept { return value_; }
-    [[nodiscard]] constexpr T const* operator->() const noexcept { return &value_; }
+    [[nodiscard]] constexpr T const& operator*() const noexcept
+    {
+        require_value();
+        return value_;
+    }
+    [[nodiscard]] constexpr T const* operator->() const noexcept
+    {
+        require_value();
+        return &value_;
+    }
 
     /// Why there is no value; zero when there is one.
     [[nodiscard]] constexpr errc error() const noexcept { return error_; }
@@ -51,7 +97,8 @@ public:
     /// Equal when both hold equal values or the same error.
     friend constexpr bool operator==(result const& left, result const& right)
     {
-        return left.error_ == right.error_ and (not left.has_value() or *left == *right);
+        return left.error_ == right.error_ and
+               (not left.has_value() or left.value_ == right.value_);
     }
 
     /// Equal to a value when it holds one that is.
@@ -59,7 +106,7 @@ public:
         requires(not std::is_same_v<U, errc>)
     friend constexpr bool operator==(result const& left, U const& right)
     {
-        return left.has_value() and *left == right;
+        return left.has_value() and left.value_ == right;
     }
 
     /// Equal to an error when it holds that one.
@@ -69,6 +116,13 @@ public:
     }
 
 private:
+    constexpr void require_value() const noexcept
+    {
+        if (is_misuse_caught() and not has_value()) {
+            a_failed_result_has_no_value(error_);
+        }
+    }
+
     struct nothing {};
     union {
         nothing nothing_;

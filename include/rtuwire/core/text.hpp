@@ -7,7 +7,9 @@
 
 #include <cstddef>
 
-namespace rtuwire {
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Characters that live as long as the program, without a terminating zero.
 class text {

@@ -7,12 +7,17 @@
 #pragma once
 
 #include <compare>
+#include <concepts>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
-namespace rtuwire {
+#include <rtuwire/core/version.hpp>
 
-/// A span of time in whole microseconds, up to 35 minutes where it is used as a deadline.
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// A span of time in whole microseconds. One that is made here is at most `longest_duration`; the
+/// distance of two instants may be more.
 struct duration {
     std::uint32_t microseconds{0};
 
@@ -21,35 +26,81 @@ struct duration {
     {
         return left.microseconds <=> right.microseconds;
     }
-    friend constexpr duration operator+(duration left, duration right) noexcept
-    {
-        return {left.microseconds + right.microseconds};
-    }
-    friend constexpr duration operator*(duration left, std::uint32_t times) noexcept
-    {
-        return {left.microseconds * times};
-    }
+
+    /// The sum, or `longest_duration` where it is longer.
+    friend constexpr duration operator+(duration left, duration right) noexcept;
+
+    /// The multiple, or `longest_duration` where it is longer.
+    friend constexpr duration operator*(duration left, std::uint32_t times) noexcept;
 };
 
-[[nodiscard]] constexpr duration microseconds(std::uint32_t count) noexcept { return {count}; }
+/// The longest time that can be told: 35 minutes. Half the counter's range is 47 s more, so that an engine
+/// may add the time of its frame before a deadline looks like one that is over.
+inline constexpr duration longest_duration{35U * 60U * 1'000'000U};
 
-[[nodiscard]] constexpr duration milliseconds(std::uint32_t count) noexcept
+constexpr duration operator+(duration left, duration right) noexcept
 {
-    return {count * 1000U};
+    std::uint32_t const sum = left.microseconds + right.microseconds;
+    bool const is_too_long = sum < left.microseconds or sum > longest_duration.microseconds;
+    return is_too_long ? longest_duration : duration{sum};
 }
 
-/// A point in time: the value of a free-running microsecond counter.
+constexpr duration operator*(duration left, std::uint32_t times) noexcept
+{
+    std::uint64_t const product = std::uint64_t{left.microseconds} * times;
+    return product > longest_duration.microseconds ? longest_duration
+                                                   : duration{static_cast<std::uint32_t>(product)};
+}
+
+/// Not constexpr, so that the compiler refuses a constant expression with this name. When the program runs
+/// they do nothing.
+inline void a_duration_is_at_most_35_minutes() noexcept {}
+inline void a_duration_is_not_negative() noexcept {}
+
+/// So many times `Size` microseconds; when the program runs, the nearest duration.
+template <std::uint32_t Size, std::integral Count>
+[[nodiscard]] constexpr duration duration_of(Count count) noexcept
+{
+    if (std::cmp_less(count, 0)) {
+        a_duration_is_not_negative();
+        return duration{};
+    }
+    if (std::cmp_greater(count, longest_duration.microseconds / Size)) {
+        a_duration_is_at_most_35_minutes();
+        return longest_duration;
+    }
+    return duration{static_cast<std::uint32_t>(count) * Size};
+}
+
+/// So many microseconds, 0 to `longest_duration`. Outside, a constant expression does not compile, and
+/// a number known only when running becomes the nearest duration.
+template <std::integral Count> [[nodiscard]] constexpr duration microseconds(Count count) noexcept
+{
+    return duration_of<1>(count);
+}
+
+/// So many milliseconds, 0 to `longest_duration`, as for `microseconds`.
+template <std::integral Count> [[nodiscard]] constexpr duration milliseconds(Count count) noexcept
+{
+    return duration_of<1'000>(count);
+}
+
+/// A point in time: the value of a free-running microsecond counter. Always made from a count: no value
+/// of the counter means "never", and 0 may lie up to 35 minutes in the future.
 struct instant {
-    std::uint32_t microseconds{0};
+    std::uint32_t microseconds;
+
+    /// The time at which the counter shows `count`.
+    explicit constexpr instant(std::uint32_t count) noexcept : microseconds{count} {}
 
     friend constexpr bool operator==(instant, instant) noexcept = default;
     friend constexpr instant operator+(instant start, duration length) noexcept
     {
-        return {start.microseconds + length.microseconds};
+        return instant{start.microseconds + length.microseconds};
     }
     friend constexpr instant operator-(instant end, duration length) noexcept
     {
-        return {end.microseconds - length.microseconds};
+        return instant{end.microseconds - length.microseconds};
     }
 
     /// The time from `start` to `end`, across a wrap of the counter.
@@ -67,6 +118,31 @@ struct instant {
 
 /// When something has to happen next, or never.
 using deadline = std::optional<instant>;
+
+/// The earliest of several times, gathered one by one: what `deadline` says, without one for each.
+class earliest {
+public:
+    constexpr void add(instant at) noexcept
+    {
+        at_ = not is_set_ or reached(at_, at) ? at : at_;
+        is_set_ = true;
+    }
+    constexpr void add(deadline const& at) noexcept
+    {
+        if (at) {
+            add(*at);
+        }
+    }
+
+    [[nodiscard]] constexpr operator deadline() const noexcept
+    {
+        return is_set_ ? deadline{at_} : deadline{};
+    }
+
+private:
+    instant at_{0};
+    bool is_set_{false};
+};
 
 /// The one of two deadlines that comes first.
 [[nodiscard]] constexpr deadline earlier(deadline left, deadline right) noexcept

@@ -15,7 +15,9 @@
 #include <ratio>
 #include <utility>
 
-namespace rtuwire {
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// What is measured. Each is a type without values.
 struct frequency {
@@ -102,14 +104,35 @@ private:
     Rep count_{};
 };
 
-/// The amount in steps of `Target`, what is left over cut off.
+/// Not constexpr, so that the compiler refuses a constant expression with this name. When the program runs
+/// it does nothing.
+inline void this_amount_does_not_fit_the_target() noexcept {}
+
+/// The amount in steps of `Target`, what is left over cut off. What does not fit does not compile in a
+/// constant expression; when the program runs it becomes the nearest amount that fits.
 template <typename Target, std::integral Rep, typename Scale>
 [[nodiscard]] constexpr Target
 truncated_to(quantity<typename Target::dimension, Rep, Scale> amount) noexcept
 {
     using factor = std::ratio_divide<Scale, typename Target::scale>;
-    return Target{static_cast<typename Target::rep>(std::int64_t{amount.count()} * factor::num /
-                                                    factor::den)};
+    using target_rep = typename Target::rep;
+    using to = std::numeric_limits<target_rep>;
+    using wide = std::numeric_limits<std::int64_t>;
+    std::int64_t const count = amount.count();
+    bool const is_above = count > wide::max() / factor::num;
+    bool const is_below = count < wide::min() / factor::num;
+    std::int64_t const steps = is_above   ? wide::max()
+                               : is_below ? wide::min()
+                                          : count * factor::num / factor::den;
+    if (is_above or std::cmp_greater(steps, to::max())) {
+        this_amount_does_not_fit_the_target();
+        return Target{to::max()};
+    }
+    if (is_below or std::cmp_less(steps, to::min())) {
+        this_amount_does_not_fit_the_target();
+        return Target{to::min()};
+    }
+    return Target{static_cast<target_rep>(steps)};
 }
 
 /// Register types, named by the step they count.

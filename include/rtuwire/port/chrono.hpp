@@ -8,16 +8,17 @@
 #include <cstdint>
 
 #include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// A std::chrono duration as ours: whole microseconds, rounded down; below zero it is zero, and from
-/// 71.6 minutes on it wraps.
+/// A std::chrono duration as ours: whole microseconds, rounded down; below zero it is zero, and one that is
+/// too long is refused or becomes the longest, as by `microseconds`.
 template <typename Rep, typename Period>
 [[nodiscard]] constexpr duration to_duration(std::chrono::duration<Rep, Period> length) noexcept
 {
     auto const whole = std::chrono::duration_cast<std::chrono::microseconds>(length).count();
-    return microseconds(whole < 0 ? 0U : static_cast<std::uint32_t>(whole));
+    return microseconds(whole < 0 ? 0 : whole);
 }
 
 /// Our duration as std::chrono's.
@@ -31,7 +32,7 @@ template <typename Rep, typename Period>
 {
     auto const since_start = std::chrono::steady_clock::now().time_since_epoch();
     auto const whole = std::chrono::duration_cast<std::chrono::microseconds>(since_start).count();
-    return {static_cast<std::uint32_t>(whole)};
+    return instant{static_cast<std::uint32_t>(whole)};
 }
 
 } // namespace rtuwire

@@ -15,10 +15,11 @@
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/port/chrono.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The error for a failed system call on a device.
 [[nodiscard]] inline errc device_error(int system_error) noexcept
@@ -57,7 +58,10 @@ public:
     descriptor(descriptor&& other) noexcept : number_{std::exchange(other.number_, -1)} {}
     descriptor& operator=(descriptor&& other) noexcept
     {
-        std::swap(number_, other.number_);
+        if (this != &other) {
+            close();
+            number_ = std::exchange(other.number_, -1);
+        }
         return *this;
     }
     ~descriptor() { close(); }
@@ -73,9 +77,12 @@ public:
     [[nodiscard]] int number() const noexcept { return number_; }
 
     /// Sends all octets. Errors: `timed_out` when the deadline passes first, part of them sent;
-    /// `device_vanished`, `device_failed`.
+    /// `device_not_open`, `device_vanished`, `device_failed`.
     result<void> write(byte_view octets, instant until) const noexcept
     {
+        if (not is_open()) {
+            return errc::device_not_open;
+        }
         while (not octets.empty()) {
             ssize_t const count = ::write(number_, octets.data(), octets.size());
             if (count > 0) {
@@ -100,9 +107,13 @@ public:
     }
 
     /// Waits until there is at least one octet or the deadline has passed, and reads what is there: an
-    /// empty part of `place` when there was nothing. Errors: `device_vanished`, `device_failed`.
+    /// empty part of `place` when there was nothing. Errors: `device_not_open`, `device_vanished`,
+    /// `device_failed`.
     result<byte_span> read(byte_span place, instant until) const noexcept
     {
+        if (not is_open()) {
+            return errc::device_not_open;
+        }
         for (;;) {
             auto const ready = wait(POLLIN, until);
             if (not ready) {

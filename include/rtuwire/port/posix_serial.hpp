@@ -2,25 +2,28 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // A serial device of a POSIX host: opened exclusively, set up for Modbus, read and written with
-// deadlines. Every failure is an errc for programs and a sentence with the device's name for people.
+// deadlines. Says which bytes arrived damaged. Every failure is an errc for programs and a sentence with the device's name for people.
 #pragma once
 
+#include <array>
 #include <cerrno>
+#include <cstddef>
 #include <cstring>
 #include <string>
 #include <utility>
 
 #include <fcntl.h>
-#include <sys/file.h>
-#include <sys/ioctl.h>
 #include <termios.h>
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/port/chrono.hpp>
 #include <rtuwire/port/descriptor.hpp>
+#include <rtuwire/port/error_marks.hpp>
+#include <rtuwire/port/exclusive_device.hpp>
 #include <rtuwire/port/serial_settings.hpp>
 #include <rtuwire/wire/errc_name.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// A serial device. Can be moved; closes when it goes and leaves the device as it was set up.
 class posix_serial {
@@ -32,18 +35,18 @@ public:
     {
         close();
         device_ = device;
-        descriptor opened{::open(device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)};
+        exclusive_device opened{
+            descriptor{::open(device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)}};
         if (not opened.is_open()) {
             return failed(device_error(errno), errno);
         }
         if (::isatty(opened.number()) == 0) {
             return failed(errc::device_not_serial);
         }
-        if (::flock(opened.number(), LOCK_EX | LOCK_NB) != 0 or
-            ::ioctl(opened.number(), TIOCEXCL) != 0) {
-            return failed(device_error(errno), errno);
+        if (auto const locked = opened.lock(); not locked) {
+            return failed(locked.error(), errno);
         }
-        if (auto const set = apply_line(opened.number(), settings); not set) {
+        if (auto const set = apply_line(opened.number(), settings, marks_errors); not set) {
             return failed(set.error());
         }
         if (auto const set = apply_rs485(opened.number(), settings.rs485); not set) {
@@ -51,20 +54,20 @@ public:
         }
         request_low_latency(opened.number());
         ::tcflush(opened.number(), TCIOFLUSH);
-        descriptor_ = std::move(opened);
+        opened.keep_settings();
+        opened_ = std::move(opened);
         return {};
     }
 
     void close() noexcept
     {
-        if (not descriptor_.is_open()) {
-            return;
-        }
-        static_cast<void>(::ioctl(descriptor_.number(), TIOCNXCL));
-        descriptor_.close();
+        opened_.close();
+        marks_.restart();
+        first_ = last_ = 0;
+        has_receive_error_ = false;
     }
 
-    [[nodiscard]] bool is_open() const noexcept { return descriptor_.is_open(); }
+    [[nodiscard]] bool is_open() const noexcept { return opened_.is_open(); }
 
     /// The device's name as it was given to `open`.
     [[nodiscard]] std::string const& device() const noexcept { return device_; }
@@ -73,25 +76,48 @@ public:
     [[nodiscard]] std::string const& failure() const noexcept { return failure_; }
 
     /// Hands all octets to the driver, which sends them at the line's pace. Errors: `timed_out`,
-    /// `device_vanished`, `device_failed`.
+    /// `device_not_open`, `device_vanished`, `device_failed`.
     result<void> write(byte_view octets, instant until)
     {
-        auto const written = descriptor_.write(octets, until);
+        auto const written = opened_.line().write(octets, until);
         if (not written) {
             return failed(written.error());
         }
         return written;
     }
 
-    /// Waits for at least one octet until the deadline and reads what is there; empty when there was
-    /// none. Errors: `device_vanished`, `device_failed`.
+    /// Waits for at least one octet until the deadline and reads what is there, up to the first damaged
+    /// one, of which `take_receive_error` then tells; empty when there was none. Errors:
+    /// `device_not_open`, `device_vanished`, `device_failed`.
     result<byte_span> read(byte_span place, instant until)
     {
-        auto const octets = descriptor_.read(place, until);
-        if (not octets) {
-            return failed(octets.error()).error();
+        if (not is_open()) {
+            return failed(errc::device_not_open).error();
         }
-        return octets;
+        while (not place.empty()) {
+            error_marks::part const part = unmark(place);
+            has_receive_error_ = has_receive_error_ or part.has_error;
+            if (part.size > 0 or part.has_error) {
+                return place.first(part.size);
+            }
+            auto const octets = opened_.line().read(input_, until);
+            if (not octets) {
+                return failed(octets.error()).error();
+            }
+            if (octets->empty()) {
+                return place.first(0);
+            }
+            first_ = 0;
+            last_ = octets->size();
+        }
+        return place;
+    }
+
+    /// Whether a byte arrived damaged (parity, framing, break) right behind what was read last; says so
+    /// once. That byte is left out.
+    [[nodiscard]] bool take_receive_error() noexcept
+    {
+        return std::exchange(has_receive_error_, false);
     }
 
     /// Now, on the clock that deadlines are of.
@@ -107,7 +133,21 @@ private:
         return error;
     }
 
-    descriptor descriptor_;
+    /// The next bytes of what the device handed over.
+    error_marks::part unmark(byte_span place) noexcept
+    {
+        byte_view const unread = byte_view{input_}.subspan(first_, last_ - first_);
+        error_marks::part const part = marks_.take(unread, place);
+        first_ += part.taken;
+        return part;
+    }
+
+    exclusive_device opened_;
+    std::array<std::byte, 512> input_{}; ///< from `first_` to `last_` not handed on yet
+    std::size_t first_{0};
+    std::size_t last_{0};
+    error_marks marks_{};
+    bool has_receive_error_{false};
     std::string device_;
     std::string failure_;
 };

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // A serial line without hardware: a pseudo-terminal whose far end any program can open by name. Keeps
-// the far end open itself, so that programs may come and go on it.
+// the far end open itself, so that programs may come and go on it, and unlocks it behind a program that
+// was killed.
 #pragma once
 
 #include <cerrno>
@@ -12,13 +13,16 @@
 
 #include <fcntl.h>
 #include <stdlib.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
 #include <termios.h>
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/port/chrono.hpp>
 #include <rtuwire/port/descriptor.hpp>
 #include <rtuwire/port/serial_settings.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The near end of a pseudo-terminal. Can be moved; the far end vanishes with it.
 class pseudo_terminal {
@@ -60,23 +64,44 @@ public:
     /// The name under which the far end can be opened as a serial device.
     [[nodiscard]] std::string const& path() const noexcept { return path_; }
 
-    /// Sends all octets. Errors: `timed_out` when nobody reads the far end, `device_failed`.
+    /// Sends all octets. Errors: `timed_out` when nobody reads the far end, `device_not_open`,
+    /// `device_failed`.
     result<void> write(byte_view octets, instant until) const { return near_.write(octets, until); }
 
     /// Waits for at least one octet until the deadline and reads what is there; empty when there was
-    /// none. Error: `device_failed`.
-    result<byte_span> read(byte_span place, instant until) const
+    /// none. Errors: `device_not_open`, `device_failed`.
+    result<byte_span> read(byte_span place, instant until)
     {
-        return near_.read(place, until);
+        auto const octets = near_.read(place, until);
+        if (octets and octets->empty() and reached(now(), next_look_)) {
+            next_look_ = now() + milliseconds(1'000);
+            unlock_far_end();
+        }
+        return octets;
     }
 
     /// Now, on the clock that deadlines are of.
     [[nodiscard]] static instant now() noexcept { return steady_now(); }
 
 private:
+    /// A program that was killed while it had the far end for itself (TIOCEXCL) cannot give it back, and
+    /// the far end is never closed. It still belongs to somebody where it is locked (flock).
+    void unlock_far_end() const noexcept
+    {
+#ifdef TIOCGEXCL
+        int is_exclusive = 0;
+        if (::ioctl(far_.number(), TIOCGEXCL, &is_exclusive) == 0 and is_exclusive != 0 and
+            ::flock(far_.number(), LOCK_EX | LOCK_NB) == 0) {
+            static_cast<void>(::ioctl(far_.number(), TIOCNXCL));
+            static_cast<void>(::flock(far_.number(), LOCK_UN));
+        }
+#endif
+    }
+
     descriptor near_;
     descriptor far_;
     std::string path_;
+    instant next_look_{steady_now()};
 };
 
 } // namespace rtuwire

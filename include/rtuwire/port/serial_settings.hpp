@@ -14,14 +14,14 @@
 #ifdef __linux__
 #include <linux/serial.h>
 #include <sys/stat.h>
-#include <sys/sysmacros.h>
 #endif
 
 #include <rtuwire/core/result.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Whether the kernel's driver shall switch the RS-485 transceiver's direction.
 enum class rs485_mode : std::uint8_t {
@@ -106,6 +106,14 @@ struct serial_settings {
     return common;
 }
 
+/// What a device number says of its driver, as Linux puts it together. <sys/sysmacros.h> has a function for
+/// it, but gives the names `major` and `minor` to macros.
+[[nodiscard]] constexpr unsigned device_major(std::uint64_t number) noexcept
+{
+    return static_cast<unsigned>(number >> 8U & 0xFFFU) |
+           static_cast<unsigned>(number >> 32U & 0xFFFF'F000U);
+}
+
 /// Whether a device is a pseudo-terminal, which has no wire and so no parity.
 [[nodiscard]] inline bool is_pseudo_terminal([[maybe_unused]] int device) noexcept
 {
@@ -116,16 +124,21 @@ struct serial_settings {
     if (::fstat(device, &info) != 0) {
         return false;
     }
-    unsigned const number = major(info.st_rdev);
+    unsigned const number = device_major(info.st_rdev);
     return number >= first_unix98_major and number <= last_unix98_major;
 #else
     return false;
 #endif
 }
 
-/// Sets an open device up. Errors: `device_not_serial`, `device_setting_refused` when the device does
-/// not keep the bit rate or the character format.
-[[nodiscard]] inline result<void> apply_line(int device, serial_settings const& settings) noexcept
+/// Input flags that let a device mark the bytes that arrived damaged; `error_marks` reads the marks.
+inline constexpr tcflag_t marks_errors = INPCK | PARMRK;
+
+/// Sets an open device up; bytes come as they are, but for what the input flags say. Errors:
+/// `device_not_serial`, `device_setting_refused` when the device does not keep the bit rate, the character
+/// format or the input flags.
+[[nodiscard]] inline result<void> apply_line(int device, serial_settings const& settings,
+                                             tcflag_t input_flags = 0) noexcept
 {
     auto const speed = speed_code(settings.bits_per_second);
     if (not speed) {
@@ -135,7 +148,7 @@ struct serial_settings {
     if (::tcgetattr(device, &line) != 0) {
         return errc::device_not_serial;
     }
-    line.c_iflag = 0;
+    line.c_iflag = input_flags;
     line.c_oflag = 0;
     line.c_lflag = 0;
     line.c_cflag = control_flags(settings.format);
@@ -153,8 +166,9 @@ struct serial_settings {
     tcflag_t const compared = is_pseudo_terminal(device)
                                   ? tcflag_t{CSIZE | CSTOPB}
                                   : tcflag_t{CSIZE | CSTOPB | PARENB | PARODD};
-    bool const is_kept =
-        ::cfgetospeed(&kept) == *speed and (kept.c_cflag & compared) == (line.c_cflag & compared);
+    bool const is_kept = ::cfgetospeed(&kept) == *speed and
+                         (kept.c_cflag & compared) == (line.c_cflag & compared) and
+                         kept.c_iflag == line.c_iflag;
     if (not is_kept) {
         return errc::device_setting_refused;
     }

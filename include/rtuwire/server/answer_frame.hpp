@@ -6,11 +6,12 @@
 // apart from requests, and an answer from being late, is in server.hpp.
 #pragma once
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/server/respond.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Answers the request that lies in the first `size` octets of `place`, which has at least 256. The
 /// answer is written in its place; empty where none is due: for another unit, to everyone, damaged.

@@ -10,15 +10,17 @@
 #include <cstdint>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/register_view.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Registers that can be checked before they are touched. `check_read` and `check_write` change
 /// nothing and return none, `illegal_data_address` or `illegal_data_value`; `read` appends `count`
 /// words and `write` stores all values, after the check of the same range returned none. Their error
-/// is `server_device_failure` or any other exception.
+/// is `server_device_failure` or any other exception. A request may name a range that runs past address
+/// 65535: the checks refuse it with `illegal_data_address`, and do not go on at 0.
 template <typename T>
 concept register_bank = requires(T& bank, T const& constant, std::uint16_t start, std::size_t count,
                                  register_view values, byte_writer& out)
@@ -37,7 +39,8 @@ concept register_bank = requires(T& bank, T const& constant, std::uint16_t start
         } -> std::same_as<errc>;
 };
 
-/// `Count` plain words from address `first` on, all readable and writable.
+/// `Count` plain words from address `first` on, up to 65535, all readable and writable. A range that is not
+/// wholly inside is `illegal_data_address`.
 template <std::size_t Count> class word_bank {
     static_assert(Count > 0 and Count <= 0x1'0000, "a bank holds 1 to 65536 registers");
 
@@ -70,17 +73,20 @@ public:
         return {};
     }
 
+    /// Whether all of these registers exist; any number may be asked for.
     [[nodiscard]] constexpr errc check_read(std::uint16_t start, std::size_t count) const noexcept
     {
         return holds(start, count) ? errc::none : errc::illegal_data_address;
     }
 
+    /// The same for registers to be written; every value is allowed.
     [[nodiscard]] constexpr errc check_write(std::uint16_t start,
                                              register_view values) const noexcept
     {
         return check_read(start, values.size());
     }
 
+    /// Appends words that `check_read` allows; `server_device_failure`, and none, where `out` has no room.
     constexpr errc read(std::uint16_t start, std::size_t count, byte_writer& out) noexcept
     {
         std::byte* at = out.take(2 * count);
@@ -95,6 +101,7 @@ public:
         return errc::none;
     }
 
+    /// Stores words that `check_write` allows.
     constexpr errc write(std::uint16_t start, register_view values) noexcept
     {
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -104,15 +111,15 @@ public:
     }
 
 private:
-    constexpr std::size_t offset(std::uint16_t address) const noexcept
+    constexpr std::uint32_t offset(std::uint16_t address) const noexcept
     {
-        return static_cast<std::size_t>(address) - first_;
+        return std::uint32_t{address} - first_;
     }
 
     constexpr bool holds(std::uint16_t start, std::size_t count) const noexcept
     {
-        // Before the first, the offset is more than any count.
-        return offset(start) <= Count and count <= Count - offset(start);
+        return start >= first_ and is_address_range(start, count) and
+               count + offset(start) <= Count;
     }
 
     std::uint16_t first_{0};

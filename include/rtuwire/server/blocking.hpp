@@ -8,9 +8,11 @@
 #include <array>
 #include <cstddef>
 
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/rtu/receive_from.hpp>
 #include <rtuwire/server/server.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Reads what has arrived, or arrives before `patience` is over; answers what is asked. The port must not
 /// give back what is sent: the answer to function 06 looks like its question. Errors: those of the port.
@@ -22,11 +24,10 @@ result<void> serve_once(basic_server<Diagnostics>& node, Port& port, Bank& bank,
     instant const start = port.now();
     node.advance(start);
     instant const until = *earlier(node.poll_deadline(), start + patience);
-    auto const octets = port.read(input, until);
-    if (not octets) {
-        return octets.error();
+    auto const received = receive_from(port, node, input, until);
+    if (not received) {
+        return received;
     }
-    node.receive(*octets, port.now());
     node.advance(port.now());
     node.serve(bank, port.now());
     byte_view const frame = node.poll_transmit();

@@ -11,11 +11,12 @@
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/text.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/server/pdu_place.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/pdu/device_identification.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// One object of a device's identification; its text has at most 244 characters.
 struct device_object {
@@ -128,8 +129,10 @@ inline constexpr device_objects identity_of = [] {
 {
     constexpr std::size_t request_size = read_device_identification::max_size;
     auto const octets = pdu.octets;
-    bool const is_other_type = pdu.size >= 2 and to_u8(octets[1]) != identification_mei_type;
-    if (objects.empty() or is_other_type) {
+    if (objects.empty()) {
+        return errc::illegal_function;
+    }
+    if (pdu.size >= 2 and to_u8(octets[1]) != identification_mei_type) {
         return errc::illegal_function;
     }
     if (pdu.size != request_size or not is_quantity(to_u8(octets[2]), 4)) {

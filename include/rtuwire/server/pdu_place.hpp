@@ -9,9 +9,10 @@
 #include <span>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/limits.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Where a request PDU lies, and then its answer. Whoever answers writes into `octets`, after it has
 /// read what it needs of them, and sets `size`; an error leaves that to `respond_in_place`.

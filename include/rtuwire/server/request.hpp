@@ -7,13 +7,14 @@
 
 #include <cstdint>
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/server/identification.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/register_view.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// What a server can do. The specification's limits and every function that rtuwire answers, unless
 /// a device's manual says less.
@@ -70,9 +71,9 @@ struct register_access {
     }
 };
 
-/// Decodes a request of functions 03, 06, 16 and 23 into `access`. `illegal_data_value` when quantity,
-/// byte count and size do not agree or a limit of the device is exceeded, `illegal_function` for any other
-/// function; `access` is then undefined. Inlined by force, so that small processors keep it in registers.
+/// Decodes a request of functions 03, 06, 16 and 23 into `access`. `illegal_function` for any other function
+/// and for one with a limit of 0; `illegal_data_value` when quantity, byte count and size do not agree or a
+/// limit of the device is exceeded; `access` is then undefined. Inlined by force, so that small processors keep it in registers.
 [[nodiscard, gnu::always_inline]] inline constexpr errc
 decode_access(byte_view pdu, device_limits const& limits, register_access& access) noexcept
 {
@@ -85,18 +86,26 @@ decode_access(byte_view pdu, device_limits const& limits, register_access& acces
         return access.take_value(fields) ? errc::none : errc::illegal_data_value;
     }
     if (is_read or function == function_code::read_write_multiple_registers) {
-        if (not access.take_read(fields, is_read ? limits.read : limits.exchange_read)) {
+        std::size_t limit = limits.read;
+        if (not is_read) {
+            write_limit = limits.exchange_write;
+            limit = write_limit == 0 ? 0 : limits.exchange_read;
+        }
+        if (limit == 0) {
+            return errc::illegal_function;
+        }
+        if (not access.take_read(fields, limit)) {
             return errc::illegal_data_value;
         }
         fields = fields.subspan(register_access::read_half_size);
         if (is_read) {
             return fields.empty() ? errc::none : errc::illegal_data_value;
         }
-        write_limit = limits.exchange_write;
-    } else if (function == function_code::write_multiple_registers) {
-        write_limit = limits.write;
     } else {
-        return errc::illegal_function;
+        write_limit = function == function_code::write_multiple_registers ? limits.write : 0;
+        if (write_limit == 0) {
+            return errc::illegal_function;
+        }
     }
     return access.take_written(fields, write_limit) ? errc::none : errc::illegal_data_value;
 }

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/server/bank.hpp>
 #include <rtuwire/server/identification.hpp>
 #include <rtuwire/server/pdu_place.hpp>
@@ -15,7 +16,7 @@
 #include <rtuwire/server/serial_diagnostics.hpp>
 #include <rtuwire/wire/pdu/diagnostics.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Does what functions 03, 06, 16 and 23 ask: both halves are checked before the write is done, and
 /// the write is done before the read. What is read goes to `out`.
@@ -86,8 +87,20 @@ template <register_bank Bank, typename Diagnostics>
     return answer_access(pdu, bank, profile);
 }
 
-/// Answers a request PDU that was sent to one unit, by an answer or an exception. None, with nothing
-/// done, to a PDU without a function below 80, and where function 08 wants none.
+/// Answers a request PDU that was sent to one unit, in its place, with a response or an exception (function
+/// + 80, code). In this order:
+/// - no PDU, or a function of 80 or above: no response (size 0), and nothing is done;
+/// - 01: the function is not in `profile.functions`, or is none of 03, 06, 08, 16, 23 and 43, or its limit in
+///   `profile.limits` is 0 (for 23: either of its two);
+/// - 08: what `Diagnostics` answers; 43: what `write_identification` answers;
+/// - 03: the PDU's size, its byte count (which is twice the quantity) and its quantity (1 to the limit) do
+///   not agree. Sizes: functions 03 and 06: 5; 16: 6 + byte count; 23: 10 + byte count;
+/// - what `check_read` of the bank returns for functions 03 and 23, then `check_write` for 06, 16 and 23: both
+///   are asked before anything is written;
+/// - what `write` returns, then `read`: function 23 writes before it reads. Where `read` did not append the
+///   words asked for, 04.
+/// An error of a bank that is no exception code below 7F is answered as 04. A normal response holds the words
+/// read (03, 23), or the first five bytes of the request (06, 16).
 template <register_bank Bank, typename Diagnostics>
 constexpr void respond_in_place(pdu_place& pdu, Bank& bank, server_profile const& profile,
                                 Diagnostics& line) noexcept

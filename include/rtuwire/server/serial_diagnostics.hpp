@@ -9,11 +9,12 @@
 #include <cstdint>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/server/pdu_place.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/pdu/diagnostics.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// What a server notes that counts nothing.
 struct no_counts {
@@ -26,7 +27,7 @@ struct no_counts {
     [[nodiscard]] static constexpr bool is_listen_only() noexcept { return false; }
 };
 
-/// A server without function 08.
+/// A server without function 08: exception 01.
 struct no_diagnostics : no_counts {
     [[nodiscard]] static constexpr errc answer(pdu_place&) noexcept
     {
@@ -34,7 +35,8 @@ struct no_diagnostics : no_counts {
     }
 };
 
-/// A server that counts nothing: sub-function 0.
+/// A server that counts nothing: sub-function 00 is answered with its own data of 1 to 125 words, 03 for other
+/// sizes; any other sub-function is exception 01.
 struct loop_back : no_counts {
     [[nodiscard]] static constexpr errc answer(pdu_place& pdu) noexcept
     {
@@ -42,22 +44,45 @@ struct loop_back : no_counts {
         if (request_pdu.size() >= 3 and u16_at(request_pdu, 1) != 0) {
             return errc::illegal_function;
         }
-        if (not diagnostics::decode(request_pdu)) {
+        if (not diagnostics<>::decode(request_pdu)) {
             return errc::illegal_data_value;
         }
         return errc::none;
     }
 };
 
-/// A server that counts what it sees, each modulo 65 536, and can be told to listen only.
+/// Counters of a server, each modulo 65 536, and the listen-only mode. With the server's phases
+/// (server.hpp) each counts at this moment:
+///
+/// | sub | counts | when |
+/// |-----|--------|------|
+/// | 02  | nothing: the diagnostic register is 0 | |
+/// | 0B  | good frames, of and to any unit | when they end |
+/// | 0C  | frames with a wrong CRC, a damaged byte, below 4 or above 256 bytes | at the silence that ends them |
+/// | 0D  | exceptions, those to broadcasts too; a broadcast of any function but 06 and 16 is one | in `serve` |
+/// | 0E  | requests to this unit or everyone | in `serve`, where they are executed or refused |
+/// | 0F  | requests of 0E that get no response: broadcasts, those in listen-only mode, 08/04 | in `serve` |
+/// |     | responses that were dropped before they left | when dropped |
+/// | 10  | exceptions 07 among those of 0D | in `serve` |
+/// | 11  | exceptions 06 among those of 0D | in `serve` |
+/// | 12  | calls of `receive_overrun`, in any phase | at once |
+///
+/// A request that is dropped before `serve` counts in 0B only. Damaged bytes count in 0C by their frame,
+/// and not at all after a request or while a response leaves. A response to 0B..12 counts its own request
+/// in 0B and 0E. Sub-functions 01 (data 0000 or FF00) and 0A (0000) set all counters to 0, after their
+/// own request was counted; 14 (0000) sets 12 to 0. 04 (0000) begins the listen-only mode: no response to
+/// it, and after it only a sub-function 01 with allowed data to this unit is executed, and not answered either
+/// (0F is 1 after it). In listen-only mode nothing is an exception.
 class serial_diagnostics {
 public:
-    /// Answers function 08, or not. Exceptions: 01 for a reserved sub-function, 03 for
-    /// data that it does not allow.
+    /// Answers function 08 in its place: 00 with its own data; 02 and 0B to 12 with a word; 01, 03, 0A and 14
+    /// with what they were sent. Exceptions, in this order: 01 for the sub-functions 05 to 09, 13, 15 and
+    /// above; 03 for data that is not one word (00: 1 to 125 words), and for another word than 0000 (01: 0000
+    /// or FF00; 03: any with a low byte of 00). In listen-only mode, and to 04, the size is 0: no response.
     [[nodiscard]] constexpr errc answer(pdu_place& pdu) noexcept
     {
         byte_view const request_pdu = pdu.view();
-        auto const asked = diagnostics::decode(request_pdu);
+        auto const asked = diagnostics<>::decode(request_pdu);
         if (is_listen_only_) {
             if (asked and asked->what == subfunction::restart_communications and is_legal(*asked)) {
                 *this = {};
@@ -110,7 +135,7 @@ private:
                number == clear_overrun;
     }
 
-    static constexpr bool is_legal(diagnostics const& asked) noexcept
+    static constexpr bool is_legal(diagnostics<> const& asked) noexcept
     {
         constexpr std::uint16_t clear_log = 0xFF00, low_octet = 0x00FF;
         std::uint16_t const data = asked.data[0];

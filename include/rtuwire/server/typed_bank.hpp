@@ -10,16 +10,18 @@
 #include <cstdint>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/setting.hpp>
 #include <rtuwire/table/table.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/register_view.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// The values of some registers, at their factory values first (0 where none is known). An address
-/// that is none of theirs is exception 02, a write to a read-only register too; a value outside a
-/// register's limits is 03.
+/// The values of some registers, at their factory values first (0 where none is known). Reading an address
+/// that is none of theirs, or writing one or a read-only register, is exception 02; only if there is none of
+/// these among all that are written, a value outside its register's limits is 03. A signed register's words
+/// are compared as signed. Nothing is written in part.
 template <auto const&... Registers> class bank {
     using registers = table<Registers...>;
     static constexpr std::size_t none = sizeof...(Registers);
@@ -118,7 +120,7 @@ private:
 
     static constexpr std::size_t place_after(std::uint16_t start, std::size_t offset) noexcept
     {
-        return place_of(static_cast<std::uint32_t>(start + offset));
+        return place_of(std::uint32_t{start} + static_cast<std::uint32_t>(offset));
     }
 
     static constexpr bool fits(rule const& limits, std::uint16_t word) noexcept

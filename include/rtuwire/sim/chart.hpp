@@ -8,8 +8,9 @@
 #include <cstdint>
 
 #include <rtuwire/cia402/transition.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire::sim {
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// A state chart that follows commands.
 class chart {

@@ -6,7 +6,9 @@
 
 #include <cstdint>
 
-namespace rtuwire::sim {
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// A xorshift generator (Marsaglia 2003).
 class dice {

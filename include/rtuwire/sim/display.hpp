@@ -8,12 +8,13 @@
 
 #include <rtuwire/altivar/profile.hpp>
 #include <rtuwire/cia402/state.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/image.hpp>
 #include <rtuwire/sim/motor.hpp>
 #include <rtuwire/sim/parameters.hpp>
 #include <rtuwire/sim/places.hpp>
 
-namespace rtuwire::sim {
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// A drive at one moment, as its registers have to tell it.
 struct appearance {

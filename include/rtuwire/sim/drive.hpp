@@ -13,6 +13,7 @@
 #include <rtuwire/altivar/profile.hpp>
 #include <rtuwire/cia402/command.hpp>
 #include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/server/bank.hpp>
 #include <rtuwire/sim/chart.hpp>
 #include <rtuwire/sim/display.hpp>
@@ -24,7 +25,7 @@
 #include <rtuwire/sim/scanner.hpp>
 #include <rtuwire/sim/supervision.hpp>
 
-namespace rtuwire::sim {
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// One simulated drive; a register bank. Call `advance` in each pass before the bank is served, and
 /// `note_contact` for each request to this unit.
@@ -386,7 +387,7 @@ private:
     sim::chart chart_{profile.chart};
     sim::motor motor_{};
     supervision supervision_{};
-    instant now_{};
+    instant now_{0};
     std::uint32_t saves_{0};
     std::uint16_t last_command_{0};
     std::uint16_t fault_{0};

@@ -9,8 +9,9 @@
 #include <cstdint>
 
 #include <rtuwire/core/text.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire::sim {
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// The raw count of a register as delivered.
 struct factory_value {

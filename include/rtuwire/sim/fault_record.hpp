@@ -8,9 +8,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/image.hpp>
 
-namespace rtuwire::sim {
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// LFT of a lost serial link, on every Altivar.
 inline constexpr std::uint16_t link_fault = 5;

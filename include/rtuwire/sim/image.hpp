@@ -9,13 +9,14 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/factory.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/key_index.hpp>
 #include <rtuwire/table/setting.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire::sim {
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// What an image has to know of one register.
 struct register_rule {

@@ -14,12 +14,13 @@
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/sim/dice.hpp>
 #include <rtuwire/sim/uart.hpp>
 #include <rtuwire/sim/waveform.hpp>
 
-namespace rtuwire::sim {
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// How often something goes wrong, in a million.
 struct line_faults {
@@ -138,11 +139,12 @@ private:
         begin_ = at;
     }
 
-    /// Rounded up to whole microseconds, so that nothing is heard before it ended.
+    /// Rounded up to whole microseconds, so that nothing is heard before it ended. Wraps as instants do,
+    /// because a line that is never silent may run for longer than any duration.
     constexpr duration time_of(std::size_t bits) const noexcept
     {
         std::uint64_t const ns = std::uint64_t{bits} * bit_ns_;
-        return microseconds(static_cast<std::uint32_t>((ns + 999) / 1'000));
+        return duration{static_cast<std::uint32_t>((ns + 999) / 1'000)};
     }
 
     constexpr std::size_t place_of(instant at) const noexcept
@@ -231,7 +233,7 @@ private:
     std::array<part, 8> parts_{};
     std::array<line_faults, talkers> faults_{};
     dice dice_;
-    instant begin_{};
+    instant begin_{0};
     std::size_t cursor_{0};
     std::size_t next_part_{0};
     std::uint32_t bit_ns_;

@@ -8,8 +8,9 @@
 #include <cstdint>
 
 #include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire::sim {
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// What the ramp and the load are set to.
 struct motor_settings {

@@ -9,11 +9,12 @@
 #include <cstdint>
 
 #include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/image.hpp>
 #include <rtuwire/sim/motor.hpp>
 #include <rtuwire/sim/places.hpp>
 
-namespace rtuwire::sim {
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// A look at the settings in an image, which outlives it.
 template <device_type Device> class parameters {

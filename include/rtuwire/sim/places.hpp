@@ -6,9 +6,10 @@
 
 #include <cstddef>
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/image.hpp>
 
-namespace rtuwire::sim {
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// Places in a device's image by mnemonic; `nowhere` for what the device does not have.
 template <device_type Device> struct places {

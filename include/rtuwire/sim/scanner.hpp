@@ -8,9 +8,10 @@
 #include <cstdint>
 
 #include <rtuwire/altivar/configure_scanner.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/image.hpp>
 
-namespace rtuwire::sim {
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// One half of a device's scanner, inputs or outputs.
 template <device_type Device> class scanner {

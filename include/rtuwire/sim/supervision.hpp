@@ -5,8 +5,9 @@
 #pragma once
 
 #include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire::sim {
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// Whether requests keep coming.
 class supervision {
@@ -30,7 +31,7 @@ public:
     }
 
 private:
-    instant last_{};
+    instant last_{0};
     bool is_armed_{false};
 };
 

@@ -10,9 +10,10 @@
 #include <optional>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>
 
-namespace rtuwire::sim {
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// What a receiver made of a character.
 struct received_octet {

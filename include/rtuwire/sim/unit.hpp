@@ -6,10 +6,11 @@
 
 #include <array>
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/sim/drive.hpp>
 
-namespace rtuwire::sim {
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// The functions, limits and identification of a device, as a server answers them.
 template <device_type Device> struct line_profile {

@@ -10,8 +10,9 @@
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire::sim {
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// One direction of an adapter.
 class usb_adapter {
@@ -53,7 +54,7 @@ public:
 private:
     std::array<std::byte, 62> buffer_{}; ///< as much as one USB packet of 64 octets carries
     duration latency_;
-    instant release_at_{};
+    instant release_at_{0};
     std::size_t size_{0};
 };
 

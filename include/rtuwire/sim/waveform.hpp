@@ -8,7 +8,9 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace rtuwire::sim {
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// The bits of one busy period. What lies beyond its end is idle.
 class waveform {

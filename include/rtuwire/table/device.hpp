@@ -14,6 +14,7 @@
 
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/table/table.hpp>
 #include <rtuwire/wire/errc.hpp>
@@ -21,7 +22,7 @@
 #include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The unit addresses that a device can be given.
 struct unit_range {

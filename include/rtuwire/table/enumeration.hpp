@@ -9,8 +9,9 @@
 #include <cstdint>
 
 #include <rtuwire/core/text.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// A value and the mnemonic that the manual gives it.
 struct named_value {

@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace rtuwire {
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// One word whose bits are named by an enumeration of bit numbers 0..15.
 template <typename Bit>

@@ -11,8 +11,9 @@
 #include <cstdint>
 
 #include <rtuwire/core/text.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Two places in a list; none when both are 0.
 struct index_pair {

@@ -12,12 +12,13 @@
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/crc16.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/request_plan.hpp>
 #include <rtuwire/table/setting.hpp>
 #include <rtuwire/table/table.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The addresses of some registers, rising.
 template <auto const&... Registers> [[nodiscard]] constexpr auto rising_addresses() noexcept
@@ -68,8 +69,7 @@ public:
     static constexpr std::span<address_block const> requests() noexcept { return plan.view(); }
 
     template <auto const& R>
-    static constexpr bool
-        contains = ((static_cast<void const*>(&R) == static_cast<void const*>(&Registers)) or ...);
+    static constexpr bool contains = (is_same_register<R, Registers> or ...);
 
     /// The values of one round of reading, in address order.
     class snapshot {

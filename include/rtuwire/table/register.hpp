@@ -8,13 +8,15 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <type_traits>
 
 #include <rtuwire/core/text.hpp>
 #include <rtuwire/core/units.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Who may write a register, and when.
 enum class access : std::uint8_t {
@@ -68,14 +70,28 @@ public:
     [[nodiscard]] constexpr std::uint16_t denominator() const noexcept { return denominator_; }
 
     /// The limit in raw counts, when the other register holds `other` (and the second `multiplier`);
-    /// rounded towards zero.
+    /// rounded towards zero, and the nearest number of 32 bits where it has more.
     [[nodiscard]] constexpr std::int32_t with(std::int32_t other,
                                               std::int32_t multiplier = 1) const noexcept
     {
-        return is_number() ? raw_ : other * multiplier * numerator_ / denominator_;
+        if (is_number()) {
+            return raw_;
+        }
+        // A product beyond 47 bits is beyond 32 bits also behind the fraction, whose parts have 16.
+        constexpr std::int64_t most = std::int64_t{1} << 47U;
+        std::int64_t const product = within(std::int64_t{other} * multiplier, -most, most);
+        using raw_limits = std::numeric_limits<std::int32_t>;
+        return static_cast<std::int32_t>(
+            within(product * numerator_ / denominator_, raw_limits::min(), raw_limits::max()));
     }
 
 private:
+    static constexpr std::int64_t within(std::int64_t number, std::int64_t least,
+                                         std::int64_t most) noexcept
+    {
+        return number < least ? least : number > most ? most : number;
+    }
+
     text code_{};
     text factor_{};
     std::int32_t raw_{0};
@@ -177,6 +193,11 @@ template <register_value T>
         return word;
     }
 }
+
+/// Whether two references name one register. Not by address: GCC with -fsanitize=undefined does not compare
+/// the addresses of two objects in a constant expression.
+template <auto const& Left, auto const& Right> inline constexpr bool is_same_register = false;
+template <auto const& R> inline constexpr bool is_same_register<R, R> = true;
 
 /// The type of a register's values.
 template <auto const& R> using value_of = typename std::remove_cvref_t<decltype(R)>::value_type;

@@ -10,7 +10,9 @@
 #include <cstdint>
 #include <span>
 
-namespace rtuwire {
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// One request: `count` registers from `start` on.
 struct address_block {

@@ -11,10 +11,11 @@
 
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/units.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Never defined: reached only in a constant expression, so that the compiler prints the name.
 void value_is_above_the_register_maximum();

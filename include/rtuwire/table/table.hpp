@@ -10,10 +10,11 @@
 #include <cstdint>
 
 #include <rtuwire/core/text.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/key_index.hpp>
 #include <rtuwire/table/register.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Never defined: their names are the message, their arguments the culprits.
 template <auto const& A, auto const& B> struct these_registers_overlap;

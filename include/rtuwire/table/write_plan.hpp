@@ -10,10 +10,11 @@
 #include <cstdint>
 #include <span>
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/table/read_plan.hpp>
 #include <rtuwire/table/setting.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The requests that write `Registers` of `Device`, and the words of their settings.
 template <device_type Device, auto const&... Registers> class write_plan {

@@ -14,12 +14,13 @@
 #include <rtuwire/core/crc16.hpp>
 #include <rtuwire/core/fixed_buffer.hpp>
 #include <rtuwire/core/result.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// What can be encoded: it says whether it is allowed on the wire, how long it is, and writes itself.
 template <typename T>

@@ -6,11 +6,13 @@
 // quantity and value.
 #pragma once
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
+#include <rtuwire/wire/frame_length.hpp>
 #include <rtuwire/wire/pdu/device_identification.hpp>
 #include <rtuwire/wire/pdu/diagnostics.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Whether the first octets of the answer, which has so many, are those of the question.
 [[nodiscard]] constexpr bool repeats(byte_view question_pdu, byte_view answer_pdu,
@@ -20,25 +22,35 @@ namespace rtuwire {
            same_bytes(question_pdu.first(size), answer_pdu.first(size));
 }
 
-/// The size of the answer that a question asks for, or the largest possible where the question does
-/// not tell.
+/// The size of the longest answer to a question, an ADU; final where its octets tell its end, so that it needs
+/// no silence behind it. Where the question does not tell the size it is the largest possible.
+[[nodiscard]] constexpr length_so_far longest_answer(byte_view question_adu) noexcept
+{
+    std::uint8_t const code = to_u8(question_adu[1]);
+    std::uint8_t const rule = length_rules::of(direction::response, code);
+    auto const kind = static_cast<length_rule>(rule & length_rules::kind_bits);
+    std::size_t size = max_adu_size;
+    bool tells_end = kind != length_rule::none;
+    if (kind == length_rule::fixed) {
+        size = rule & ~length_rules::kind_bits & 0xFF;
+    } else if (kind == length_rule::subfunction) {
+        size = question_adu.size();
+        tells_end = u16_at(question_adu, 2) != 0;
+    } else if (kind == length_rule::mei) {
+        tells_end = to_u8(question_adu[2]) == identification_mei_type;
+    } else if (question_adu.size() >= 8 and
+               (code == to_u8(function_code::read_holding_registers) or
+                code == to_u8(function_code::read_write_multiple_registers))) {
+        std::size_t const told = 5U + 2U * u16_at(question_adu, 4);
+        size = told < max_adu_size ? told : max_adu_size;
+    }
+    return {size, tells_end};
+}
+
+/// Its size alone.
 [[nodiscard]] constexpr std::size_t answer_size(byte_view question_adu) noexcept
 {
-    switch (static_cast<function_code>(to_u8(question_adu[1]))) {
-    case function_code::read_holding_registers:
-    case function_code::read_write_multiple_registers: {
-        if (question_adu.size() < 8) {
-            return max_adu_size;
-        }
-        std::size_t const size = 5U + 2U * u16_at(question_adu, 4);
-        return size < max_adu_size ? size : max_adu_size;
-    }
-    case function_code::write_single_register:
-    case function_code::write_multiple_registers: return 8;
-    case function_code::diagnostics: return question_adu.size();
-    case function_code::encapsulated_interface: return max_adu_size;
-    }
-    return max_adu_size;
+    return longest_answer(question_adu).size();
 }
 
 /// Holds a page of identification against its question.
@@ -81,7 +93,7 @@ namespace rtuwire {
     case function_code::write_multiple_registers: break;
     case function_code::diagnostics:
         size = question_pdu.size();
-        same = u16_at(question_pdu, 1) == 0 ? size : 3;
+        same = repeats_data(static_cast<subfunction>(u16_at(question_pdu, 1))) ? size : 3;
         break;
     case function_code::encapsulated_interface:
         return to_u8(question_pdu[1]) == identification_mei_type

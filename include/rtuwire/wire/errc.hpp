@@ -9,8 +9,9 @@
 #include <cstdint>
 
 #include <rtuwire/core/result.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Why there is no value. Exceptions keep the number they have on the wire.
 enum class errc : std::uint8_t {
@@ -37,6 +38,7 @@ enum class errc : std::uint8_t {
     not_for_broadcast,       ///< a question that nobody may answer
     busy,                    ///< a transaction is under way
     pending,                 ///< a conversation has not ended yet
+    finished,                ///< a conversation has ended already, and cannot begin anew
 
     // What came in is not what it should be; nothing of it was handed on.
     frame_too_short, ///< fewer than 4 octets
@@ -64,6 +66,7 @@ enum class errc : std::uint8_t {
     device_not_serial,      ///< not a serial device
     device_setting_refused, ///< the device does not support the bit rate or character format
     device_vanished,        ///< the device was unplugged
+    device_not_open,        ///< the port is not open
     device_failed,          ///< any other failure of the operating system's call
 };
 

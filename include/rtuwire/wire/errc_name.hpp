@@ -6,9 +6,10 @@
 
 #include <string_view>
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The error in words; "exception" for an exception code that has no name.
 [[nodiscard]] constexpr std::string_view name(errc error) noexcept
@@ -34,6 +35,7 @@ namespace rtuwire {
     case errc::not_for_broadcast: return "not possible as a broadcast";
     case errc::busy: return "a transaction is under way";
     case errc::pending: return "not ended yet";
+    case errc::finished: return "ended already";
     case errc::frame_too_short: return "frame too short";
     case errc::frame_too_long: return "frame too long";
     case errc::wrong_length: return "wrong length";
@@ -55,6 +57,7 @@ namespace rtuwire {
     case errc::device_not_serial: return "not a serial device";
     case errc::device_setting_refused: return "the device refuses the line settings";
     case errc::device_vanished: return "the device vanished";
+    case errc::device_not_open: return "the device is not open";
     case errc::device_failed: return "the device failed";
     }
     return is_exception(error) ? "exception" : "unknown error";

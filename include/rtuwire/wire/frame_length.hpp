@@ -9,10 +9,11 @@
 #include <cstdint>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/limits.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Which way a frame travels.
 enum class direction : std::uint8_t { request, response };
@@ -47,6 +48,9 @@ private:
 
 /// Rules with their sizes, CRC included, for function codes up to 24: one octet each.
 namespace length_rules {
+
+/// The bits of a rule that tell its kind; the others are its size.
+inline constexpr std::uint8_t kind_bits = 0xE0;
 
 [[nodiscard]] constexpr std::uint8_t rule(length_rule counts, unsigned size = 0) noexcept
 {
@@ -131,10 +135,9 @@ inline constexpr std::uint8_t responses[] = {
     if (adu.size() < 2) {
         return {2, false};
     }
-    constexpr std::uint8_t size_bits = 0x1F;
     std::uint8_t const rule = length_rules::of(way, to_u8(adu[1]));
-    auto const counts = static_cast<length_rule>(rule & ~size_bits);
-    std::size_t const size = rule & size_bits;
+    auto const counts = static_cast<length_rule>(rule & length_rules::kind_bits);
+    std::size_t const size = rule & ~length_rules::kind_bits & 0xFF;
     std::size_t counted = size - 2; // what stands before the CRC
     switch (counts) {
     case length_rule::none: return {};

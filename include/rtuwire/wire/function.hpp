@@ -8,8 +8,9 @@
 #include <cstdint>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/version.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// A function code (AP 5.1). Any code in 1..127 is possible; those that rtuwire speaks have names.
 enum class function_code : std::uint8_t {

@@ -8,7 +8,9 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace rtuwire {
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 inline constexpr std::size_t min_adu_size = 4;       ///< unit, function, CRC (SL 2.5.1.1)
 inline constexpr std::size_t max_adu_size = 256;     ///< SL 2.5.1.1

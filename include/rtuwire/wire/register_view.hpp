@@ -14,11 +14,12 @@
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/result.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/limits.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// A view of big-endian 16-bit registers; valid as long as the octets beneath it.
 class register_view {
@@ -57,6 +58,10 @@ public:
         }
         return size();
     }
+
+    /// Not of octets that are gone behind the expression.
+    template <std::size_t Size>
+    explicit register_view(std::array<std::byte, Size> const&& temporary) = delete;
 
     /// The octets, two for each register.
     [[nodiscard]] constexpr byte_view bytes() const noexcept { return bytes_; }
@@ -111,15 +116,34 @@ public:
         byte_writer{byte_span{bytes_}.subspan(index * 2, 2)}.u16(value);
     }
 
-    /// The registers, valid while the block lives.
-    [[nodiscard]] constexpr register_view view() const noexcept { return register_view{bytes_}; }
-    constexpr operator register_view() const noexcept { return view(); }
+    /// The registers, valid while the block lives: a block that ends with its expression gives no view.
+    [[nodiscard]] constexpr register_view view() const& noexcept { return register_view{bytes_}; }
+    [[nodiscard]] register_view view() const&& = delete;
+    constexpr operator register_view() const& noexcept { return view(); }
+    operator register_view() const&& = delete;
+
+    /// The octets, two for each register, valid while the block lives.
+    [[nodiscard]] constexpr byte_view bytes() const& noexcept { return bytes_; }
+    [[nodiscard]] byte_view bytes() const&& = delete;
+
+    friend constexpr bool operator==(register_block const&, register_block const&) = default;
+    friend constexpr bool operator==(register_view left, register_block const& right) noexcept
+    {
+        return left == right.view();
+    }
 
 private:
     std::array<std::byte, Count * 2> bytes_{};
 };
 
 template <typename... Values> register_block(Values...) -> register_block<sizeof...(Values)>;
+
+/// The octets of a request's words at most, where its function allows `Most` registers. A request owns its words,
+/// a `register_block`, or has a `register_view` of words that live elsewhere.
+template <typename Words, std::size_t Most> inline constexpr std::size_t octets_at_most = 2 * Most;
+template <std::size_t Count, std::size_t Most>
+inline constexpr std::size_t octets_at_most<register_block<Count>, Most> =
+    2 * (Count < Most ? Count : Most);
 
 /// The answer of function 03 or 23 that lies in a PDU: a byte count and as many octets, two for each of
 /// 1..125 registers. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.

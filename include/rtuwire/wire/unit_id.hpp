@@ -9,9 +9,10 @@
 #include <cstdint>
 
 #include <rtuwire/core/result.hpp>
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Never defined: reached only in a constant expression, so that the compiler prints the name.
 void a_unit_address_is_1_to_247();

@@ -52,7 +52,7 @@ STATIC_CHECK(fault<fc06>("06 00 01 00 03"_hex) == errc::none);
 STATIC_CHECK(fault<fc06>("06 00 01 00 03 00"_hex) == errc::wrong_length);
 STATIC_CHECK(fault<fc06>("06 00 01 00"_hex) == errc::wrong_length);
 
-using fc16 = write_multiple_registers;
+using fc16 = write_multiple_registers<>;
 STATIC_CHECK(fault<fc16>("10 00 00 00 01 02 00 05"_hex) == errc::none);
 STATIC_CHECK(fault<fc16>("10 00 00 00 7B 06 00 01 00 02 00 03"_hex) == errc::wrong_length);
 STATIC_CHECK(fault<fc16>("10 00 00 00 01 02 00 05 AA BB"_hex) == errc::wrong_length);
@@ -64,7 +64,7 @@ STATIC_CHECK(fault<fc16_answer>("10 00 00 00 7B"_hex) == errc::none);
 STATIC_CHECK(fault<fc16_answer>("10 00 00 00 7C"_hex) == errc::invalid_quantity);
 STATIC_CHECK(fault<fc16_answer>("10 00 00 00"_hex) == errc::wrong_length);
 
-using fc23 = read_write_multiple_registers;
+using fc23 = read_write_multiple_registers<>;
 STATIC_CHECK(fault<fc23>("17 00 00 00 01 00 00 00 01 02 00 05"_hex) == errc::none);
 STATIC_CHECK(fault<fc23>("17 00 00 00 01 00 00 00 01 02"_hex) == errc::wrong_length);
 STATIC_CHECK(fault<fc23>("17 00 00 00 00 00 00 00 01 02 00 05"_hex) == errc::invalid_quantity);
@@ -72,11 +72,11 @@ STATIC_CHECK(fault<fc23>("17 00 00 00 7E 00 00 00 01 02 00 05"_hex) == errc::inv
 STATIC_CHECK(fault<fc23>("17 00 00 00 01 00 00 00 00 00"_hex) == errc::invalid_quantity);
 STATIC_CHECK(fault<fc23>("17 00 00 00 01 00 00 00 02 02 00 05"_hex) == errc::wrong_length);
 
-STATIC_CHECK(fault<diagnostics>("08 00 00 A5 37"_hex) == errc::none);
-STATIC_CHECK(fault<diagnostics>("08 00 00 A5 37 00 01"_hex) == errc::none);
-STATIC_CHECK(fault<diagnostics>("08 00 0B 00 00 00 01"_hex) == errc::invalid_quantity);
-STATIC_CHECK(fault<diagnostics>("08 00 00 A5"_hex) == errc::wrong_length);
-STATIC_CHECK(fault<diagnostics>("08 00 00"_hex) == errc::invalid_quantity);
+STATIC_CHECK(fault<diagnostics<>>("08 00 00 A5 37"_hex) == errc::none);
+STATIC_CHECK(fault<diagnostics<>>("08 00 00 A5 37 00 01"_hex) == errc::none);
+STATIC_CHECK(fault<diagnostics<>>("08 00 0B 00 00 00 01"_hex) == errc::invalid_quantity);
+STATIC_CHECK(fault<diagnostics<>>("08 00 00 A5"_hex) == errc::wrong_length);
+STATIC_CHECK(fault<diagnostics<>>("08 00 00"_hex) == errc::invalid_quantity);
 
 STATIC_CHECK(fault<exception_response>("83 02"_hex) == errc::none);
 STATIC_CHECK(fault<exception_response>("03 02"_hex) == errc::wrong_function);
@@ -150,9 +150,9 @@ constexpr unsigned changed(std::uint32_t seed, unsigned rounds)
                           is_identity<fc06>(part) and is_identity<fc16>(part) and
                           is_identity<fc16_answer>(part) and is_identity<fc23>(part) and
                           is_identity<read_write_multiple_registers_response>(part) and
-                          is_identity<diagnostics>(part) and
+                          is_identity<diagnostics<>>(part) and
                           is_identity<exception_response>(part) and is_identity<identify>(part) and
-                          is_identity<page>(part) and is_identity<raw_pdu>(part);
+                          is_identity<page>(part) and is_identity<raw_pdu<>>(part);
         wrong += same ? 0U : 1U;
     }
     return wrong;

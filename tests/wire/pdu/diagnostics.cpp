@@ -31,7 +31,7 @@ constexpr bool takes_one_word()
         diagnostics const ask{what, one};
         bool const is_query = what == subfunction::return_query_data;
         errc const with_two = is_query ? errc::none : errc::invalid_quantity;
-        if (not survives(ask, [&](diagnostics const& read) { return read == ask; }) or
+        if (not survives(ask, [&](diagnostics<> const& read) { return read == ask; }) or
             diagnostics{what, two}.check() != with_two or
             not is_refused(diagnostics{what, {}}, errc::invalid_quantity, 16)) {
             return false;
@@ -69,6 +69,6 @@ TEST_CASE("function 08 is read in whole words only")
         errc const expected = size < 3 or size % 2 == 0 ? errc::wrong_length
                               : size == 3 or size > 253 ? errc::invalid_quantity
                                                         : errc::none;
-        CHECK(diagnostics::decode(pdu.view()).error() == expected);
+        CHECK(diagnostics<>::decode(pdu.view()).error() == expected);
     }
 }

@@ -25,7 +25,7 @@ constexpr bool has_a_code_of_1_to_127()
                                   : test::is_refused(some, errc::invalid_function, 16);
         test::exact_octets pdu{1};
         pdu.span()[0] = to_byte(number);
-        bool const is_read = raw_pdu::decode(pdu.view()).has_value();
+        bool const is_read = raw_pdu<>::decode(pdu.view()).has_value();
         if (not is_right or is_read != (number >= 1 and number <= 127)) {
             return false;
         }
@@ -38,7 +38,7 @@ constexpr bool needs_its_room()
 {
     constexpr auto data = "04 18"_hex;
     return test::needs_room(raw_pdu{static_cast<function_code>(24), data}, 6) and
-           raw_pdu::decode({}) == errc::wrong_length;
+           raw_pdu<>::decode({}) == errc::wrong_length;
 }
 PROOF("a raw frame needs all of its octets", needs_its_room)
 

@@ -73,7 +73,8 @@ PROOF("a request of function 03 needs a place of eight octets", needs_eight_octe
 
 constexpr bool answer_needs_its_room()
 {
-    return needs_room(read_holding_registers_response{register_block{0x0237, 0x05DC}}, 9);
+    register_block const words{0x0237, 0x05DC};
+    return needs_room(read_holding_registers_response{words}, 9);
 }
 PROOF("an answer of function 03 needs five octets and two for each register", answer_needs_its_room)
 

@@ -44,7 +44,7 @@ constexpr bool keeps_its_fields_apart()
 {
     register_block const values{0x0506, 0x0708};
     read_write_multiple_registers const both{0x0102, 3, 0x0304, values};
-    return survives(both, [](read_write_multiple_registers const& read) {
+    return survives(both, [](read_write_multiple_registers<> const& read) {
         return read.read_start == 0x0102 and read.read_count == 3 and read.write_start == 0x0304 and
                read.values.size() == 2 and read.values[0] == 0x0506 and read.values[1] == 0x0708;
     });
@@ -86,7 +86,7 @@ TEST_CASE("neither half of function 23 runs past register 65535")
         auto const past = static_cast<std::uint16_t>(last + 1);
         auto const quantity = static_cast<std::uint16_t>(count);
         auto const values = some.registers(count);
-        using both = read_write_multiple_registers;
+        using both = read_write_multiple_registers<>;
         CHECK(both{last, quantity, last, values}.check() == errc::none);
         CHECK(is_refused(both{past, quantity, last, values}, errc::invalid_address_range));
         CHECK(is_refused(both{last, quantity, past, values}, errc::invalid_address_range));
@@ -113,7 +113,7 @@ TEST_CASE("a request of function 23 is read only when quantity, byte count and s
                                           : octet_count != 2 * writes ? errc::wrong_length
                                                                       : errc::none;
                     test::exact_octets const part{byte_view{pdu.octets}.first(size)};
-                    auto const read = read_write_multiple_registers::decode(part.view());
+                    auto const read = read_write_multiple_registers<>::decode(part.view());
                     wrong += read.error() == expected ? 0U : 1U;
                 }
             }

@@ -98,7 +98,7 @@ TEST_CASE("a request of function 16 is read only when quantity, byte count and s
                                       : quantity == 0 or quantity > 123   ? errc::invalid_quantity
                                       : octet_count != 2 * quantity       ? errc::wrong_length
                                                                           : errc::none;
-                auto const read = write_multiple_registers::decode(part.view());
+                auto const read = write_multiple_registers<>::decode(part.view());
                 wrong += read.error() == expected ? 0U : 1U;
             }
         }

@@ -7,9 +7,10 @@
 
 #include <optional>
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Which objects are asked for.
 enum class identification_access : std::uint8_t {

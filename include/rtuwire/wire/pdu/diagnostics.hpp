@@ -4,10 +4,11 @@
 // Function 08, diagnostics (AP 6.8). Request and answer have one form: a sub-function and data words.
 #pragma once
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/register_view.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The sub-functions of AP 6.8.1.
 enum class subfunction : std::uint16_t {
@@ -28,19 +29,29 @@ enum class subfunction : std::uint16_t {
     clear_overrun_counter = 0x14,
 };
 
-/// A diagnostics question or its answer.
-struct diagnostics {
-    using response = diagnostics;
-    static constexpr std::size_t max_size = max_pdu_size;
+/// Whether the data of a normal response are those of its request (AP 6.8.1); the others count or report.
+[[nodiscard]] constexpr bool repeats_data(subfunction what) noexcept
+{
+    return what == subfunction::return_query_data or what == subfunction::restart_communications or
+           what == subfunction::change_ascii_delimiter or what == subfunction::clear_counters or
+           what == subfunction::clear_overrun_counter;
+}
+
+/// A diagnostics question or its answer. It owns the block it is made of; made of a view, its words live
+/// elsewhere.
+template <typename Words = register_view> struct diagnostics {
+    using response = diagnostics<>;
+    static constexpr std::size_t max_words = 125;
+    static constexpr std::size_t max_size = 3U + octets_at_most<Words, max_words>;
 
     subfunction what;
     /// One word for every sub-function but `return_query_data`, which takes 1..125 and has them
     /// returned; after decoding, a view of the received octets.
-    register_view data;
+    Words data;
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
-        std::size_t const most = what == subfunction::return_query_data ? 125 : 1;
+        std::size_t const most = what == subfunction::return_query_data ? max_words : 1;
         return is_quantity(data.size(), most) ? errc::none : errc::invalid_quantity;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 3 + data.bytes().size(); }
@@ -52,7 +63,7 @@ struct diagnostics {
     }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
-    [[nodiscard]] static constexpr result<diagnostics> decode(byte_view pdu) noexcept
+    [[nodiscard]] static constexpr result<diagnostics<>> decode(byte_view pdu) noexcept
     {
         constexpr std::size_t head = 3;
         if (not is_pdu_of(pdu, function_code::diagnostics)) {
@@ -61,15 +72,23 @@ struct diagnostics {
         if (pdu.size() < head or (pdu.size() - head) % 2 != 0) {
             return errc::wrong_length;
         }
-        diagnostics const read{static_cast<subfunction>(u16_at(pdu, 1)),
-                               register_view{pdu.subspan(head)}};
+        diagnostics<> const read{static_cast<subfunction>(u16_at(pdu, 1)),
+                                 register_view{pdu.subspan(head)}};
         if (errc const wrong = read.check(); wrong != errc::none) {
             return wrong;
         }
         return read;
     }
-
-    friend constexpr bool operator==(diagnostics const&, diagnostics const&) = default;
 };
+
+diagnostics(subfunction, register_view)->diagnostics<>;
+template <std::size_t Count>
+diagnostics(subfunction, register_block<Count>) -> diagnostics<register_block<Count>>;
+
+template <typename Left, typename Right>
+constexpr bool operator==(diagnostics<Left> const& left, diagnostics<Right> const& right) noexcept
+{
+    return left.what == right.what and same_bytes(left.data.bytes(), right.data.bytes());
+}
 
 } // namespace rtuwire

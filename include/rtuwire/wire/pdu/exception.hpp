@@ -4,9 +4,10 @@
 // The exception response (AP 7): a server's refusal, with its number.
 #pragma once
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// A refusal of `function`, 0 too, since a server refuses that one like any other; `code` is any
 /// number, listed in errc.hpp or not.

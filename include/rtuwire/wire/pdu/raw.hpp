@@ -4,18 +4,39 @@
 // Any other function: a code and octets that mean nothing here.
 #pragma once
 
+#include <array>
+#include <concepts>
+#include <cstddef>
+
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// The octets of a raw PDU at most.
+template <typename Octets> inline constexpr std::size_t raw_octets_at_most = max_pdu_size - 1U;
+template <std::size_t Size>
+inline constexpr std::size_t raw_octets_at_most<std::array<std::byte, Size>> =
+    Size < max_pdu_size - 1U ? Size : max_pdu_size - 1U;
 
 /// A request or response of a function that rtuwire does not know. It goes to one unit, because only
-/// its sender knows whether it asks a question.
-struct raw_pdu {
-    using response = raw_pdu;
-    static constexpr std::size_t max_size = max_pdu_size;
+/// its sender knows whether it asks a question. It owns the array it is made of; made of a view, its octets live
+/// elsewhere.
+template <typename Octets = byte_view> struct raw_pdu {
+    using response = raw_pdu<>;
+    static constexpr std::size_t max_size = 1U + raw_octets_at_most<Octets>;
 
     function_code function; ///< 1..127
-    byte_view data;         ///< up to 252 octets, owned by somebody else
+    Octets data;            ///< up to 252
+
+    constexpr raw_pdu(function_code code, Octets const& octets) noexcept
+        : function{code}, data{octets}
+    {}
+
+    /// Not a view of octets that are gone behind the expression.
+    template <std::size_t Size>
+    raw_pdu(function_code code, std::array<std::byte, Size> const&& temporary) requires(
+        std::same_as<Octets, byte_view>) = delete;
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
@@ -32,22 +53,27 @@ struct raw_pdu {
     }
 
     /// Reads a PDU. Errors: `wrong_length` when empty, `invalid_function` outside 1..127.
-    [[nodiscard]] static constexpr result<raw_pdu> decode(byte_view pdu) noexcept
+    [[nodiscard]] static constexpr result<raw_pdu<>> decode(byte_view pdu) noexcept
     {
         if (pdu.empty()) {
             return errc::wrong_length;
         }
-        raw_pdu const read{static_cast<function_code>(to_u8(pdu[0])), pdu.subspan(1)};
+        raw_pdu<> const read{static_cast<function_code>(to_u8(pdu[0])), pdu.subspan(1)};
         if (errc const wrong = read.check(); wrong != errc::none) {
             return wrong;
         }
         return read;
     }
-
-    friend constexpr bool operator==(raw_pdu const& left, raw_pdu const& right) noexcept
-    {
-        return left.function == right.function and same_bytes(left.data, right.data);
-    }
 };
+
+raw_pdu(function_code, byte_view)->raw_pdu<>;
+template <std::size_t Size>
+raw_pdu(function_code, std::array<std::byte, Size>) -> raw_pdu<std::array<std::byte, Size>>;
+
+template <typename Left, typename Right>
+constexpr bool operator==(raw_pdu<Left> const& left, raw_pdu<Right> const& right) noexcept
+{
+    return left.function == right.function and same_bytes(left.data, right.data);
+}
 
 } // namespace rtuwire

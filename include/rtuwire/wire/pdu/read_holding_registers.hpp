@@ -4,10 +4,11 @@
 // Function 03, read holding registers (AP 6.3).
 #pragma once
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/register_view.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The answer to function 03: as many registers as were asked for.
 struct read_holding_registers_response {

@@ -4,10 +4,11 @@
 // Function 23, read/write multiple registers (AP 6.17): the server writes first, then reads.
 #pragma once
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/register_view.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The answer to function 23: the registers read after the write.
 struct read_write_multiple_registers_response {
@@ -41,16 +42,18 @@ struct read_write_multiple_registers_response {
     }
 };
 
-/// Writes registers of one unit from `write_start`, then reads `read_count` from `read_start`.
-struct read_write_multiple_registers {
+/// Writes registers of one unit from `write_start`, then reads `read_count` from `read_start`. It owns the block
+/// it is made of; made of a view, its words live elsewhere.
+template <typename Words = register_view> struct read_write_multiple_registers {
     using response = read_write_multiple_registers_response;
-    static constexpr std::size_t max_size = 10U + 2U * max_exchange_write_quantity;
+    static constexpr std::size_t max_size =
+        10U + octets_at_most<Words, max_exchange_write_quantity>;
 
     std::uint16_t read_start;
     std::uint16_t read_count; ///< 1..125
     std::uint16_t write_start;
-    /// 1..121 in wire order, owned by somebody else; after decoding, a view of the received octets.
-    register_view values;
+    /// 1..121 in wire order; after decoding, a view of the received octets.
+    Words values;
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
@@ -75,7 +78,7 @@ struct read_write_multiple_registers {
 
     /// Reads a PDU; both quantities, byte count and size must all agree. Errors: `wrong_function`,
     /// `wrong_length`, `invalid_quantity`.
-    [[nodiscard]] static constexpr result<read_write_multiple_registers>
+    [[nodiscard]] static constexpr result<read_write_multiple_registers<>>
     decode(byte_view pdu) noexcept
     {
         constexpr std::size_t head = 10;
@@ -94,12 +97,24 @@ struct read_write_multiple_registers {
         if (pdu.size() != head + 2 * write_count) {
             return errc::wrong_length;
         }
-        return read_write_multiple_registers{u16_at(pdu, 1), read_count, u16_at(pdu, 5),
-                                             register_view{pdu.subspan(head)}};
+        return read_write_multiple_registers<>{u16_at(pdu, 1), read_count, u16_at(pdu, 5),
+                                               register_view{pdu.subspan(head)}};
     }
-
-    friend constexpr bool operator==(read_write_multiple_registers const&,
-                                     read_write_multiple_registers const&) = default;
 };
+
+read_write_multiple_registers(std::uint16_t, std::uint16_t, std::uint16_t, register_view)
+    ->read_write_multiple_registers<>;
+template <std::size_t Count>
+read_write_multiple_registers(std::uint16_t, std::uint16_t, std::uint16_t, register_block<Count>)
+    -> read_write_multiple_registers<register_block<Count>>;
+
+template <typename Left, typename Right>
+constexpr bool operator==(read_write_multiple_registers<Left> const& left,
+                          read_write_multiple_registers<Right> const& right) noexcept
+{
+    return left.read_start == right.read_start and left.read_count == right.read_count and
+           left.write_start == right.write_start and
+           same_bytes(left.values.bytes(), right.values.bytes());
+}
 
 } // namespace rtuwire

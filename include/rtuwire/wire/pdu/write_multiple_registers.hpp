@@ -4,10 +4,11 @@
 // Function 16, write multiple registers (AP 6.12).
 #pragma once
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/register_view.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The answer to function 16: what was written where, without the values.
 struct write_multiple_registers_response {
@@ -47,15 +48,16 @@ struct write_multiple_registers_response {
                                      write_multiple_registers_response const&) = default;
 };
 
-/// Writes registers from address `start` on, of one unit or of all.
-struct write_multiple_registers {
+/// Writes registers from address `start` on, of one unit or of all. It owns the block it is made of; made of a
+/// view, its words live elsewhere.
+template <typename Words = register_view> struct write_multiple_registers {
     using response = write_multiple_registers_response;
-    static constexpr std::size_t max_size = 6U + 2U * max_write_quantity;
+    static constexpr std::size_t max_size = 6U + octets_at_most<Words, max_write_quantity>;
     static constexpr bool may_be_broadcast = true;
 
     std::uint16_t start;
-    /// 1..123 in wire order, owned by somebody else; after decoding, a view of the received octets.
-    register_view values;
+    /// 1..123 in wire order; after decoding, a view of the received octets.
+    Words values;
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
@@ -75,7 +77,7 @@ struct write_multiple_registers {
 
     /// Reads a PDU; quantity, byte count and size must all agree. Errors: `wrong_function`,
     /// `wrong_length`, `invalid_quantity`.
-    [[nodiscard]] static constexpr result<write_multiple_registers> decode(byte_view pdu) noexcept
+    [[nodiscard]] static constexpr result<write_multiple_registers<>> decode(byte_view pdu) noexcept
     {
         constexpr std::size_t head = 6;
         if (not is_pdu_of(pdu, function_code::write_multiple_registers)) {
@@ -91,11 +93,20 @@ struct write_multiple_registers {
         if (pdu.size() != head + 2 * count) {
             return errc::wrong_length;
         }
-        return write_multiple_registers{u16_at(pdu, 1), register_view{pdu.subspan(head)}};
+        return write_multiple_registers<>{u16_at(pdu, 1), register_view{pdu.subspan(head)}};
     }
-
-    friend constexpr bool operator==(write_multiple_registers const&,
-                                     write_multiple_registers const&) = default;
 };
+
+write_multiple_registers(std::uint16_t, register_view)->write_multiple_registers<>;
+template <std::size_t Count>
+write_multiple_registers(std::uint16_t, register_block<Count>)
+    -> write_multiple_registers<register_block<Count>>;
+
+template <typename Left, typename Right>
+constexpr bool operator==(write_multiple_registers<Left> const& left,
+                          write_multiple_registers<Right> const& right) noexcept
+{
+    return left.start == right.start and same_bytes(left.values.bytes(), right.values.bytes());
+}
 
 } // namespace rtuwire

@@ -4,9 +4,10 @@
 // Function 06, write single register (AP 6.6). Request and answer are the same octets.
 #pragma once
 
+#include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
 
-namespace rtuwire {
+namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Writes one register of one unit or of all; the answer repeats it.
 struct write_single_register {

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Whole transactions of the engines, so that their instructions can be counted. Apart from the single
+// operations: where a compiler sees both, it inlines neither as it would alone.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <rtuwire/client/client.hpp>
+#include <rtuwire/core/hex.hpp>
+#include <rtuwire/server/server.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+
+namespace operations {
+
+using namespace rtuwire;
+
+inline constexpr unit_id address{1};
+inline constexpr auto read_4 = "01 03 00 01 00 04 15 C9"_hex;
+
+struct memory {
+    std::array<std::byte, 13> answer_4{};
+    std::array<std::byte, 131> answer_63{};
+    word_bank<16> bank{};
+    std::size_t sum{0};
+};
+inline memory all;
+
+/// An answer of function 03 with as many registers as fit.
+template <std::size_t Size> void fill(std::array<std::byte, Size>& answer)
+{
+    answer[0] = std::byte{1};
+    answer[1] = std::byte{3};
+    answer[2] = static_cast<std::byte>(Size - 5);
+    static_cast<void>(seal(answer, Size - adu_overhead));
+}
+
+/// Nothing: what a call costs.
+[[gnu::noinline]] inline void nothing() { asm volatile("" ::: "memory"); }
+
+/// Engines with a line of their own, whose clock goes on from one transaction to the next.
+struct engines {
+    client asks_4{line_timing{19'200, character_format::even_8_1}};
+    client asks_63{line_timing{19'200, character_format::even_8_1}};
+    server node{address, line_timing{19'200, character_format::even_8_1}};
+    instant now{0};
+    std::size_t values{0};
+};
+inline engines* line = nullptr; ///< made when it is first needed: nothing runs before `main`
+
+/// A read of so many registers, without end.
+template <std::uint16_t Count> class read_again : public asker {
+public:
+    constexpr std::optional<request> next() const noexcept { return request{frame_}; }
+    constexpr void accept(result<response> const& outcome) noexcept
+    {
+        line->values += outcome ? outcome->pdu().size() - 2 : 0;
+    }
+    static constexpr bool settled() noexcept { return false; }
+
+private:
+    frame_of<read_holding_registers> frame_ = *encode(address, read_holding_registers{1, Count});
+};
+constinit inline read_again<4> read_of_4;
+constinit inline read_again<63> read_of_63;
+
+inline void let_pass(duration length) { line->now = line->now + length; }
+
+/// One transaction of a client, its answer fed octet by octet as a receiver's interrupt would. Ends by
+/// taking the outcome and asking again.
+template <typename Talk>
+[[gnu::noinline]] void transact(client& link, Talk& talk, byte_view answer)
+{
+    let_pass(milliseconds(4));
+    link.advance(line->now);
+    link.converse(talk, line->now);
+    all.sum = all.sum + link.poll_transmit().size();
+    link.sent(line->now);
+    for (std::byte const& each : answer) {
+        let_pass(microseconds(573));
+        link.receive({&each, 1}, line->now);
+    }
+    link.advance(line->now);
+    link.converse(talk, line->now);
+    all.sum = all.sum + (link.poll_deadline() ? 1 : 0);
+}
+inline void client_read_4() { transact(line->asks_4, read_of_4, all.answer_4); }
+inline void client_read_63() { transact(line->asks_63, read_of_63, all.answer_63); }
+
+/// One transaction of the server, fed the same way.
+[[gnu::noinline]] inline void server_read_4()
+{
+    let_pass(milliseconds(4));
+    line->node.advance(line->now);
+    for (std::byte const& each : read_4) {
+        let_pass(microseconds(573));
+        line->node.receive({&each, 1}, line->now);
+    }
+    line->node.serve(all.bank, line->now);
+    let_pass(milliseconds(4));
+    line->node.advance(line->now);
+    all.sum = all.sum + line->node.poll_transmit().size();
+    line->node.sent(line->now);
+    all.sum = all.sum + (line->node.poll_deadline() ? 1 : 0);
+}
+
+/// Whether the engines do what their names say.
+inline bool are_right()
+{
+    fill(all.answer_4);
+    fill(all.answer_63);
+    static engines made;
+    line = &made;
+    line->asks_4.advance(line->now);
+    line->asks_4.converse(read_of_4, line->now);
+    line->asks_63.advance(line->now);
+    line->asks_63.converse(read_of_63, line->now);
+    line->node.advance(line->now);
+    client_read_4();
+    client_read_63();
+    client_read_4();
+    all.sum = 0;
+    server_read_4();
+    server_read_4();
+    return line->values == 8 + 126 + 8 and all.sum == 2 * 13;
+}
+
+struct operation {
+    char const* name;
+    void (*run)();
+    void (*less)(); ///< what is measured with it and does not count
+};
+
+inline constexpr operation list[] = {
+    {"client_read_4", client_read_4, nothing},
+    {"client_read_63", client_read_63, nothing},
+    {"server_read_4", server_read_4, nothing},
+};
+
+} // namespace operations

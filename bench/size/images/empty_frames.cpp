@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The board alone, for images that cut frames by themselves and never sleep.
+#include "board.hpp"
+
+namespace {
+
+/// What arrives goes back; a function of its own, as a pass is.
+[[gnu::noinline]] void pass_back()
+{
+    rtuwire::instant const now = board::now();
+    if (board::has_octet()) {
+        std::byte const octet = board::octet();
+        board::put({&octet, 1});
+    }
+    static_cast<void>(now);
+}
+
+} // namespace
+
+int main()
+{
+    for (;;) {
+        pass_back();
+    }
+}

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// One client with constant times and two conversations: a poll of eight registers, then a start.
+#include "board.hpp"
+
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/start.hpp>
+#include <rtuwire/client/fixed_client.hpp>
+#include <rtuwire/client/poller.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+
+namespace {
+
+using panel = read_plan<atv320::device, atv320::eta, atv320::rfr, atv320::frh, atv320::lcr,
+                        atv320::otr, atv320::eti, atv320::uln, atv320::uop>;
+constexpr station<atv320::device> drive{unit_id{1}};
+constexpr line_timing timing{19'200, character_format::even_8_1};
+constinit fixed_client<timing> link;
+
+} // namespace
+
+int main()
+{
+    poller<panel> talk{drive};
+    altivar::start go{drive, 50_Hz};
+    for (;;) {
+        board::pass(link);
+        if (not go.settled()) {
+            link.converse(go, board::now());
+        } else {
+            link.converse(talk, board::now());
+        }
+        if (talk.settled()) {
+            board::put(static_cast<std::byte>(talk.latest().get<atv320::lcr>().count()));
+            talk.begin();
+        }
+    }
+}

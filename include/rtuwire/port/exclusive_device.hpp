@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// A serial device that other programs are kept out of. Answers for giving back what it took, on whatever
+// way it ends: the kernel keeps the flag of TIOCEXCL as long as any process has the device open.
+#pragma once
+
+#include <cerrno>
+#include <utility>
+
+#include <sys/file.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/port/descriptor.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// The descriptor of a serial device, and what was changed on that device. Can be moved. When it closes, is
+/// assigned to or goes, the device is unlocked, and has its old settings again unless `keep_settings` was
+/// called. A process that is killed gives nothing back: a device that another process has open then stays
+/// locked for everyone but root.
+class exclusive_device {
+public:
+    exclusive_device() noexcept = default;
+    explicit exclusive_device(descriptor opened) noexcept : descriptor_{std::move(opened)} {}
+    exclusive_device(exclusive_device&& other) noexcept
+        : descriptor_{std::move(other.descriptor_)}, before_{other.before_},
+          is_locked_{std::exchange(other.is_locked_, false)}, restores_{other.restores_}
+    {}
+    exclusive_device& operator=(exclusive_device&& other) noexcept
+    {
+        if (this != &other) {
+            close();
+            descriptor_ = std::move(other.descriptor_);
+            before_ = other.before_;
+            is_locked_ = std::exchange(other.is_locked_, false);
+            restores_ = other.restores_;
+        }
+        return *this;
+    }
+    ~exclusive_device() { close(); }
+
+    /// Keeps out programs that ask for a lock (flock) and those of users other than root that do not
+    /// (TIOCEXCL). Errors: `device_in_use` and the others of `device_error`.
+    result<void> lock() noexcept
+    {
+        if (::flock(number(), LOCK_EX | LOCK_NB) != 0) {
+            return device_error(errno);
+        }
+        is_locked_ = true;
+        restores_ = ::tcgetattr(number(), &before_) == 0;
+        if (::ioctl(number(), TIOCEXCL) != 0) {
+            return device_error(errno);
+        }
+        return {};
+    }
+
+    /// The settings that the device has now stay when it closes.
+    void keep_settings() noexcept { restores_ = false; }
+
+    void close() noexcept
+    {
+        if (is_locked_) {
+            is_locked_ = false;
+            if (restores_) {
+                static_cast<void>(::tcsetattr(number(), TCSANOW, &before_));
+            }
+            // The flag first: once the lock is gone, the next owner may have set it.
+            static_cast<void>(::ioctl(number(), TIOCNXCL));
+            static_cast<void>(::flock(number(), LOCK_UN));
+        }
+        descriptor_.close();
+    }
+
+    [[nodiscard]] bool is_open() const noexcept { return descriptor_.is_open(); }
+    [[nodiscard]] int number() const noexcept { return descriptor_.number(); }
+    [[nodiscard]] descriptor const& line() const noexcept { return descriptor_; }
+
+private:
+    descriptor descriptor_{};
+    termios before_{};
+    bool is_locked_{false};
+    bool restores_{false};
+};
+
+} // namespace rtuwire

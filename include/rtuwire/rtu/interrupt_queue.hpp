@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What the interrupts of a UART see, handed to the loop: bytes, receive errors and "sent", each with its
+// time, in the order in which they happened. One side writes, the other reads; there are no locks and
+// nothing is masked. Knows no frame, no clock and no UART.
+//
+// Atomic loads and stores, nothing more: a Cortex-M0+ has no other atomic instruction. They are the
+// compiler's built-in functions, because <atomic> takes longer to compile than all else this header needs
+// and its objects cannot be used in a constant expression.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// Hands over what happened on a line, from interrupts to a loop. The interrupts call `receive`,
+/// `receive_error`, `receive_overrun` and `sent`; they all have one priority, so that none of them
+/// interrupts another. The loop calls `deliver_to`. Both take their times from the same clock.
+///
+/// When the queue is full, what does not fit is dropped. The loop then gets a receive error in its place,
+/// so that the frame under way is refused, and the error is counted. "Sent" always has a place, as long as
+/// the loop calls `deliver_to` once between two transmissions.
+///
+/// The capacity is a power of two, and two places less are for bytes. It must hold what arrives in the
+/// longest pass of the loop: 64 are enough for 35 ms at 19 200 bit/s and for 5.9 ms at 115 200 bit/s
+/// (characters of 11 bits). A place takes 6 bytes of RAM. On an 8-bit processor 128 is the most.
+template <std::size_t Capacity = 64> class interrupt_queue {
+    static_assert(std::has_single_bit(Capacity) and Capacity >= 8 and Capacity <= 32'768,
+                  "the capacity of an interrupt_queue is a power of two from 8 to 32 768");
+
+    /// Runs on past the capacity and wraps, so that full and empty differ. One byte where that is enough, which
+    /// every processor loads and stores at once.
+    using index = std::conditional_t<(Capacity <= 128), std::uint8_t, std::uint16_t>;
+
+public:
+    /// All zero: a `constinit` queue takes no flash.
+    constexpr interrupt_queue() noexcept = default;
+
+    interrupt_queue(interrupt_queue const&) = delete;
+    interrupt_queue& operator=(interrupt_queue const&) = delete;
+
+    /// In the interrupt: a byte had arrived by `at`.
+    constexpr void receive(std::byte value, instant at) noexcept
+    {
+        put(kind::byte, value, at);
+        publish();
+    }
+
+    /// In the interrupt: all bytes of the UART's buffer had arrived by `at`. The loop gets them at once.
+    constexpr void receive(byte_view bytes, instant at) noexcept
+    {
+        for (std::byte const each : bytes) {
+            put(kind::byte, each, at);
+        }
+        publish();
+    }
+
+    /// In the interrupt: a byte arrived damaged (parity, framing). Call it in place of `receive`.
+    constexpr void receive_error(instant at) noexcept
+    {
+        put(kind::error, {}, at);
+        publish();
+    }
+
+    /// In the interrupt: the UART lost a byte. Call it before `receive` of the byte that comes next.
+    constexpr void receive_overrun(instant at) noexcept
+    {
+        put(kind::overrun, {}, at);
+        publish();
+    }
+
+    /// In the interrupt: the last stop bit of a transmission left at `at`. Where one interrupt tells of both,
+    /// hand over the bytes that were received first.
+    constexpr void sent(instant at) noexcept
+    {
+        put(kind::sent, {}, at);
+        publish();
+    }
+
+    /// In the loop: gives a client, a bus or a server what happened up to `now`, which the loop read before.
+    /// What happens from now on waits for the next call, so that time never steps back.
+    template <typename Engine> constexpr void deliver_to(Engine& engine, instant now) noexcept
+    {
+        index const end = load(in_);
+        while (out_ != end) {
+            if (not reached(now, time_of(out_))) {
+                return;
+            }
+            deliver_next(engine, end);
+        }
+        // Bytes were dropped and nothing has come after them. Their times are not known here: the line was
+        // busy until now, as far as anybody can tell.
+        if (load(has_dropped_) != 0 and not has_told_ and load(in_) == end) {
+            has_told_ = true;
+            told_at_ = now;
+            tell_drop(engine, now);
+        }
+    }
+
+    /// In the loop: whether there is nothing to deliver. A loop that sleeps masks interrupts, looks here,
+    /// sleeps only when it is true, and unmasks: then no interrupt comes between the look and the sleep.
+    [[nodiscard]] constexpr bool is_empty() const noexcept
+    {
+        bool const has_drop_to_tell = load(has_dropped_) != 0 and not has_told_;
+        return load(in_) == out_ and not has_drop_to_tell;
+    }
+
+    /// In the loop: how often bytes were dropped because the queue was full; the receive errors that
+    /// `deliver_to` gave for it.
+    [[nodiscard]] constexpr std::uint32_t overflows() const noexcept { return overflows_; }
+
+private:
+    enum class kind : std::uint8_t { byte, error, overrun, sent, drop };
+
+    /// Two events are always kept free for "sent": the second is for a drop that has to stand before it.
+    static constexpr std::size_t kept_for_sent = 2;
+
+    // An acquiring load sees all that was written before the releasing store it reads.
+    template <typename T> static constexpr T load(T const& from) noexcept
+    {
+        return std::is_constant_evaluated() ? from : __atomic_load_n(&from, __ATOMIC_ACQUIRE);
+    }
+    template <typename T> static constexpr void store(T& to, T value) noexcept
+    {
+        if (std::is_constant_evaluated()) {
+            to = value;
+        } else {
+            __atomic_store_n(&to, value, __ATOMIC_RELEASE);
+        }
+    }
+
+    static constexpr std::size_t place_of(index position) noexcept { return position % Capacity; }
+
+    constexpr instant time_of(index position) const noexcept
+    {
+        return instant{times_[place_of(position)]};
+    }
+
+    static constexpr index next(index position) noexcept
+    {
+        return static_cast<index>(position + 1U);
+    }
+
+    constexpr void put(kind what, std::byte value, instant at) noexcept
+    {
+        std::size_t const free = Capacity - static_cast<index>(written_ - load(out_));
+        std::size_t const wanted = 1U + has_dropped_;
+        bool const is_sent = what == kind::sent;
+        if (free < (is_sent ? 1U : wanted + kept_for_sent)) {
+            dropped_at_ = at;
+            // In this order: the loop that sees the drop also sees all that came before it.
+            publish();
+            store(has_dropped_, std::uint8_t{1});
+            return;
+        }
+        if (has_dropped_ != 0 and free >= wanted) {
+            write(kind::drop, {}, dropped_at_);
+            store(has_dropped_, std::uint8_t{0});
+        }
+        write(what, value, at);
+    }
+
+    constexpr void publish() noexcept { store(in_, written_); }
+
+    constexpr void write(kind what, std::byte value, instant at) noexcept
+    {
+        std::size_t const place = place_of(written_);
+        times_[place] = at.microseconds;
+        kinds_[place] = what;
+        values_[place] = value;
+        written_ = next(written_);
+    }
+
+    template <typename Engine> constexpr void deliver_next(Engine& engine, index end) noexcept
+    {
+        kind const what = kinds_[place_of(out_)];
+        instant const at = time_of(out_);
+        if (what == kind::byte) {
+            deliver_bytes(engine, end, at);
+            return;
+        }
+        store(out_, next(out_));
+        switch (what) {
+        case kind::byte: break;
+        case kind::error: engine.receive_error(at); break;
+        case kind::overrun: tell_overrun(engine, at); break;
+        case kind::sent: engine.sent(at); break;
+        case kind::drop:
+            // Not again, when it was told before anything came after it.
+            if (not has_told_ or not reached(told_at_, at)) {
+                tell_drop(engine, at);
+            }
+            has_told_ = false;
+            break;
+        }
+    }
+
+    /// Gives together what one interrupt received together, and nothing else: an engine takes the bytes of
+    /// one call as having arrived back to back. They are copied, so that they are in one piece and their
+    /// places are free while the engine works.
+    template <typename Engine>
+    constexpr void deliver_bytes(Engine& engine, index end, instant at) noexcept
+    {
+        std::array<std::byte, Capacity> bytes;
+        std::size_t count = 0;
+        index out = out_;
+        do {
+            bytes[count++] = values_[place_of(out)];
+            out = next(out);
+        } while (out != end and kinds_[place_of(out)] == kind::byte and time_of(out) == at);
+        store(out_, out);
+        engine.receive(byte_view{bytes.data(), count}, at);
+    }
+
+    template <typename Engine> constexpr void tell_drop(Engine& engine, instant at) noexcept
+    {
+        ++overflows_;
+        tell_overrun(engine, at);
+    }
+
+    /// A server that counts overruns has a call of its own for it.
+    template <typename Engine>
+    static constexpr void tell_overrun(Engine& engine, instant at) noexcept
+    {
+        if constexpr (requires { engine.receive_overrun(at); }) {
+            engine.receive_overrun(at);
+        } else {
+            engine.receive_error(at);
+        }
+    }
+
+    // Written by the interrupt.
+    index written_{0}; ///< the loop does not read it
+    index in_{0};
+    std::uint8_t has_dropped_{0}; ///< and no event tells of it yet
+    instant dropped_at_{0};       ///< the last one; the loop does not read it
+    // Written by the loop.
+    index out_{0};
+    bool has_told_{false}; ///< of a drop whose event has not come yet
+    instant told_at_{0};
+    std::uint32_t overflows_{0};
+    // Written by the interrupt from `written_` on, read by the loop from `out_` to `in_`.
+    std::array<std::uint32_t, Capacity> times_{}; ///< of instants
+    std::array<kind, Capacity> kinds_{};
+    std::array<std::byte, Capacity> values_{};
+};
+
+} // namespace rtuwire::inline RTUWIRE_BUILD

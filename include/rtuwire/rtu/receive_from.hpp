@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// From a host's port to a client, a bus or a server: bytes, and the receiver's errors in their place.
+#pragma once
+
+#include <concepts>
+
+#include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/result.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// A port that knows which bytes arrived damaged: `read` then ends before one, leaves it out, and
+/// `take_receive_error` says so, once. Other ports just read.
+template <typename T>
+concept reports_receive_errors = requires(T& port)
+{
+    {
+        port.take_receive_error()
+        } -> std::same_as<bool>;
+};
+
+/// Hands to an engine what has arrived at a port, or arrives until `until`. `place` is working memory.
+/// Errors: those of the port.
+template <typename Engine, typename Port>
+result<void> receive_from(Port& port, Engine& engine, byte_span place, instant until)
+{
+    auto const bytes = port.read(place, until);
+    if (not bytes) {
+        return bytes.error();
+    }
+    engine.receive(*bytes, port.now());
+    if constexpr (reports_receive_errors<Port>) {
+        if (port.take_receive_error()) {
+            engine.receive_error(port.now());
+        }
+    }
+    return {};
+}
+
+} // namespace rtuwire

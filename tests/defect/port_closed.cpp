@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A port that is not open says so at once, whatever it is asked.
+#include <rtuwire/port/posix_serial.hpp>
+
+#include <array>
+#include <utility>
+
+#include "support/catch.hpp"
+
+#include <rtuwire/port/pseudo_terminal.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+template <typename Port> void check_is_closed(Port& port)
+{
+    std::array<std::byte, 8> place{};
+    instant const until = steady_now() + milliseconds(5'000);
+    CHECK(port.read(place, until) == errc::device_not_open);
+    CHECK(port.write(place, until) == errc::device_not_open);
+    CHECK(port.write({}, until) == errc::device_not_open);
+    CHECK_FALSE(reached(steady_now(), until));
+}
+
+} // namespace
+
+TEST_CASE("defect: (i) a port that was never opened says so at once")
+{
+    posix_serial port;
+    check_is_closed(port);
+    CHECK_FALSE(port.failure().empty());
+    pseudo_terminal line;
+    check_is_closed(line);
+}
+
+TEST_CASE("defect: (i) a port that was closed, or moved from, says so at once")
+{
+    pseudo_terminal line;
+    REQUIRE(line.open());
+    posix_serial port;
+    REQUIRE(port.open(line.path()));
+    // Something is there to read, which goes with the port.
+    std::array<std::byte, 3> const bytes{std::byte{1}, std::byte{0xFF}, std::byte{2}};
+    REQUIRE(line.write(bytes, steady_now() + milliseconds(1'000)));
+    std::array<std::byte, 1> place{};
+    REQUIRE(port.read(place, steady_now() + milliseconds(1'000)));
+    posix_serial moved{std::move(port)};
+    check_is_closed(port); // NOLINT(bugprone-use-after-move)
+    auto const rest = moved.read(place, steady_now() + milliseconds(1'000));
+    REQUIRE(rest);
+    CHECK(to_u8((*rest)[0]) == 0xFF);
+    moved.close();
+    check_is_closed(moved);
+    line.close();
+    check_is_closed(line);
+}

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A client of a host that has nothing to send sleeps, whatever its conversation says of its deadlines.
+#include <rtuwire/client/blocking.hpp>
+
+#include <vector>
+
+#include <sys/resource.h>
+
+#include "support/catch.hpp"
+
+#include <rtuwire/core/hex.hpp>
+#include <rtuwire/port/posix_serial.hpp>
+#include <rtuwire/port/pseudo_terminal.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr line_timing timing{19'200, character_format::even_8_1};
+constexpr read_holding_registers registers{0x0C81, 1};
+constexpr auto answer_of_unit_1 = "01 03 02 12 34 B5 33"_hex;
+
+/// A port whose clock jumps to each deadline, and that counts how often it is read. A pass that takes no
+/// time takes 10 us, as a fast host's does.
+struct counted_port {
+    instant clock{0xFFFF'0000U};
+    unsigned reads{0};
+    bool is_answered{true};
+    bool has_answer{false};
+
+    instant now() const { return clock; }
+    result<void> write(byte_view, instant)
+    {
+        has_answer = is_answered;
+        return {};
+    }
+    result<byte_span> read(byte_span place, instant until)
+    {
+        ++reads;
+        clock = reached(clock, until) ? clock + microseconds(10) : until;
+        std::size_t const count = has_answer ? answer_of_unit_1.size() : 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            place[i] = answer_of_unit_1[i];
+        }
+        has_answer = false;
+        return place.first(count);
+    }
+};
+
+/// Asks when something outside says so, here a time that it tells nobody.
+template <typename Port> class question_on_demand : public asker {
+public:
+    question_on_demand(Port const& port, instant at) : port_{port}, at_{at} {}
+
+    std::optional<request> next() const
+    {
+        return reached(port_.now(), at_) ? asks_.next() : std::nullopt;
+    }
+    void accept(result<response> const& outcome) { asks_.accept(outcome); }
+    bool settled() const { return asks_.settled(); }
+    auto outcome() const& { return asks_.outcome(); }
+
+private:
+    single_question<read_holding_registers> asks_{unit_id{1}, registers};
+    Port const& port_;
+    instant at_;
+};
+
+/// The same, with a deadline that is over all the time.
+template <typename Port> class overdue_question : public question_on_demand<Port> {
+public:
+    overdue_question(Port const& port, instant at) : question_on_demand<Port>{port, at} {}
+    void advance(instant now) { now_ = now; }
+    deadline poll_deadline() const { return now_; }
+
+private:
+    instant now_{0};
+};
+
+/// Wants to be asked for its question only when the line is free for its unit.
+class prompt_question : public asker {
+public:
+    explicit prompt_question(instant due) : due_{due} {}
+
+    unit_id unit() const { return unit_id{1}; }
+    void advance(instant) {}
+    deadline poll_deadline() const { return due_; }
+    std::optional<request> next() const { return asks_.next(); }
+    void accept(result<response> const& outcome) { asks_.accept(outcome); }
+    bool settled() const { return asks_.settled(); }
+
+private:
+    single_question<read_holding_registers> asks_{unit_id{1}, registers};
+    instant due_;
+};
+
+} // namespace
+
+TEST_CASE("defect: (k) a conversation that pauses without a deadline lets the client sleep")
+{
+    counted_port port;
+    blocking_client line{port, timing};
+    question_on_demand talk{port, port.clock + milliseconds(1'000)};
+    instant const before = port.clock;
+    REQUIRE(line.run(talk));
+    CHECK(talk.outcome());
+    CHECK(port.reads <= 110);
+    CHECK((port.clock - before).microseconds < 1'050'000);
+}
+
+TEST_CASE("defect: (k) a deadline that stays over lets the client sleep")
+{
+    counted_port port;
+    blocking_client line{port, timing};
+    overdue_question talk{port, port.clock + milliseconds(1'000)};
+    REQUIRE(line.run(talk));
+    CHECK(talk.outcome());
+    CHECK(port.reads <= 110);
+}
+
+TEST_CASE("defect: (k) a unit that may not be asked yet lets the client sleep")
+{
+    counted_port port;
+    blocking_client line{port, timing, {.late_answer = milliseconds(2'000), .retries = 0}};
+    port.is_answered = false;
+    CHECK(line.ask(unit_id{1}, registers) == errc::timed_out);
+    port.is_answered = true;
+    port.reads = 0;
+    instant const before = port.clock;
+    prompt_question talk{port.clock};
+    REQUIRE(line.run(talk));
+    CHECK((port.clock - before).microseconds >= 1'900'000);
+    CHECK(port.reads <= 300);
+}
+
+TEST_CASE("defect: (k) a pause costs a host's processor next to nothing")
+{
+    pseudo_terminal far;
+    REQUIRE(far.open());
+    posix_serial port;
+    REQUIRE(port.open(far.path()));
+    blocking_client line{port, timing, {.response_timeout = milliseconds(20), .retries = 0}};
+    question_on_demand talk{port, port.now() + milliseconds(1'000)};
+    rusage before{};
+    rusage after{};
+    ::getrusage(RUSAGE_SELF, &before);
+    REQUIRE(line.run(talk));
+    ::getrusage(RUSAGE_SELF, &after);
+    // Each sleep gives the processor up by itself; a loop that spins hardly ever does.
+    CHECK(after.ru_nvcsw - before.ru_nvcsw >= 50);
+    auto const used = [](rusage const& at) {
+        return (at.ru_utime.tv_sec + at.ru_stime.tv_sec) * 1'000'000 + at.ru_utime.tv_usec +
+               at.ru_stime.tv_usec;
+    };
+    CHECK(used(after) - used(before) < 300'000);
+}

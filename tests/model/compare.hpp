@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What the programs that hold a model against the library share: dice, the clock that wraps, how a difference
+// is told.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/time.hpp>
+
+#include "model_line.hpp"
+
+namespace compare {
+
+/// Repeatable dice.
+class dice {
+public:
+    explicit dice(std::uint64_t seed)
+        : state_{seed * 0x9E37'79B9'7F4A'7C15U + 0x1234'5678'9ABC'DEFU}
+    {}
+    std::uint64_t next()
+    {
+        state_ += 0x9E37'79B9'7F4A'7C15U;
+        std::uint64_t value = state_;
+        value = (value ^ (value >> 30U)) * 0xBF58'476D'1CE4'E5B9U;
+        value = (value ^ (value >> 27U)) * 0x94D0'49BB'1331'11EBU;
+        return value ^ (value >> 31U);
+    }
+    std::uint32_t below(std::uint64_t limit) { return static_cast<std::uint32_t>(next() % limit); }
+    bool chance(unsigned percent) { return below(100) < percent; }
+    std::uint8_t byte() { return static_cast<std::uint8_t>(next()); }
+    template <typename T> T any(std::initializer_list<T> of)
+    {
+        return of.begin()[below(of.size())];
+    }
+
+private:
+    std::uint64_t state_;
+};
+
+/// The model's time as the library's clock shows it.
+struct clock {
+    std::uint32_t start;
+
+    rtuwire::instant at(model::time time) const
+    {
+        return rtuwire::instant{start + static_cast<std::uint32_t>(time)};
+    }
+};
+
+inline rtuwire::byte_view view(model::bytes const& of) { return std::as_bytes(std::span{of}); }
+inline model::bytes copy(rtuwire::byte_view of)
+{
+    model::bytes out;
+    for (std::byte const each : of) {
+        out.push_back(std::to_integer<std::uint8_t>(each));
+    }
+    return out;
+}
+inline rtuwire::duration length(model::time of) { return rtuwire::microseconds(of); }
+
+inline std::string hex(model::bytes const& of)
+{
+    std::string out;
+    char place[4];
+    for (std::uint8_t const each : of) {
+        std::snprintf(place, sizeof place, "%02X ", each);
+        out += place;
+    }
+    return out;
+}
+
+/// One schedule: what was done, and the first difference.
+struct report {
+    bool is_told{false}; ///< whether the steps are written down
+    std::vector<std::string> steps{};
+    std::string difference{};
+
+    bool failed() const { return not difference.empty(); }
+    template <typename... Args> void step(char const* format, Args... args)
+    {
+        if (is_told and not failed()) {
+            char place[1200];
+            std::snprintf(place, sizeof place, format, args...);
+            steps.emplace_back(place);
+        }
+    }
+    void same(char const* what, long long engine, long long model)
+    {
+        if (engine != model and not failed()) {
+            difference = std::string{what} + ": library " + std::to_string(engine) + ", model " +
+                         std::to_string(model);
+        }
+    }
+    void same(char const* what, model::bytes const& engine, model::bytes const& model)
+    {
+        if (engine != model and not failed()) {
+            difference = std::string{what} + ": library " + hex(engine) + ", model " + hex(model);
+        }
+    }
+};
+
+/// Runs `COUNT [SEED]` schedules; each is `run(dice, report)`. The exit status.
+template <typename Run> int main(int argc, char** argv, Run run)
+{
+    unsigned long const count = argc > 1 ? std::strtoul(argv[1], nullptr, 0) : 1000;
+    unsigned long const first = argc > 2 ? std::strtoul(argv[2], nullptr, 0) : 1;
+    for (unsigned long seed = first; seed < first + count; ++seed) {
+        report quick;
+        dice rolled{seed};
+        run(rolled, quick);
+        if (quick.failed()) {
+            report whole{.is_told = true};
+            dice again{seed};
+            run(again, whole);
+            for (std::string const& step : whole.steps) {
+                std::printf("%s\n", step.c_str());
+            }
+            std::printf("seed %lu, step %zu: %s\n", seed, whole.steps.size(),
+                        whole.difference.c_str());
+            return 1;
+        }
+    }
+    std::printf("%lu schedules from seed %lu: equal\n", count, first);
+    return 0;
+}
+
+} // namespace compare

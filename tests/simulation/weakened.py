@@ -1,0 +1,177 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Weakens one constant of the engines at a time, and looks whether the simulation reports it.
+
+    python3 tests/simulation/weakened.py [--questions N] [--seed S] [--bad B] [--jobs J] [--compiler C] [--headers H]
+                                       [--anyway] [NAME...]
+
+Each weakening is an exact change of one text in a copy of the headers. It fails where that text is not there
+exactly once, where the simulation finds nothing wrong within N questions, or where nothing of what it finds
+is of the kind that this weakening must show; and where there are faults without it.
+"""
+import argparse
+import concurrent.futures
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from typing import NamedTuple
+
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = PROJECT / "tests" / "simulation" / "slow_units.cpp"
+
+
+class Weakening(NamedTuple):
+    name: str
+    header: str  # below include/rtuwire
+    text: str    # stands there once
+    becomes: str
+    shows: set   # one of these has to be reported
+
+
+WEAKENINGS = [
+    Weakening("response time-out without the response's own characters", "client/transaction.hpp",
+              "duration const limit = attempts_.response_timeout() + this->time_to_answer();",
+              "duration const limit = attempts_.response_timeout();",
+              {"early time-outs", "refused responses"}),
+    Weakening("response time-out counted from the start of the request", "client/transaction.hpp",
+              "deadline_ = at + note_sent(at);",
+              "deadline_ = at - this->time_to_send() + note_sent(at);",
+              {"early time-outs", "refused responses"}),
+    Weakening("response time-out counted from when the request was handed out",
+              "client/transaction.hpp",
+              "deadline_ = at + note_sent(at);", "static_cast<void>(note_sent(at));",
+              {"early time-outs", "late time-outs", "refused responses"}),
+    Weakening("late_answer halved where there was no answer", "client/transaction.hpp",
+              "attempts_.note_sent(at, limit + options().late_answer);",
+              "attempts_.note_sent(at, limit + microseconds(options().late_answer.microseconds / 2));",
+              {"wrong answers"}),
+    Weakening("a debt without an answer halved", "client/transaction.hpp",
+              ": attempts_.owed_until());",
+              ": now + microseconds((attempts_.owed_until() - now).microseconds / 2));",
+              {"wrong answers"}),
+    Weakening("a debt without an answer as if each sending began at once", "client/attempts.hpp",
+              "owed_until_ = at + (before + each);",
+              "owed_until_ = at + (microseconds(0 * before.microseconds) + each);",
+              {"wrong answers"}),
+    Weakening("a debt after an answer halved", "client/transaction.hpp",
+              "now + attempts_.all_that_follow(now, late)",
+              "now + microseconds(attempts_.all_that_follow(now, late).microseconds / 2)",
+              {"wrong answers"}),
+    Weakening("a debt after an answer does not count the time-outs", "client/attempts.hpp",
+              "for (unsigned i = 0; i < unanswered_; ++i) {",
+              "for (unsigned i = 0; i < (unanswered_ > 0 ? 1U : 0U); ++i) {",
+              {"wrong answers"}),
+    Weakening("a debt after an answer counted from the last sending", "client/attempts.hpp",
+              "        if (is_first()) {\n            first_sent_ = at;",
+              "        {\n            first_sent_ = at;", {"wrong answers"}),
+    Weakening("t3.5 as t1.5 before a frame", "rtu/framer.hpp",
+              "if (reached(now, last_ + line().t3_5())) {",
+              "if (reached(now, last_ + line().t1_5())) {",
+              {"short silences"}),
+    Weakening("t3.5 of 2.5 characters", "rtu/line.hpp", "bit_times(7,", "bit_times(5,",
+              {"short silences"}),
+    Weakening("t3.5 of 1.25 ms on a fast line", "rtu/line.hpp", "? microseconds(1750)",
+              "? microseconds(1250)", {"short silences"}),
+    Weakening("turnaround ignored", "client/transaction.hpp",
+              "deadline_ = at + options().turnaround;", "deadline_ = at;",
+              {"short turnarounds"}),
+    Weakening("frame_end of a host halved", "rtu/line.hpp",
+              "duration frame_end = milliseconds(50)", "duration frame_end = milliseconds(25)",
+              {"refused responses"}),
+    Weakening("silent share ignored", "client/bus.hpp",
+              "std::uint32_t const others = 100U - share_.silent_share;",
+              "std::uint32_t const others = 0;", {"shares exceeded"}),
+    Weakening("silent share doubled", "client/bus.hpp",
+              "std::uint32_t const others = 100U - share_.silent_share;",
+              "std::uint32_t const others = (100U - share_.silent_share) / 2;",
+              {"shares exceeded"}),
+    Weakening("one retry too many", "client/attempts.hpp",
+              "bool const is_left = failures_ < retries_;",
+              "bool const is_left = failures_ <= retries_;", {"too many transmissions"}),
+    Weakening("one retry too few", "client/attempts.hpp",
+              "bool const is_left = failures_ < retries_;",
+              "bool const is_left = failures_ + 1 < retries_;", {"too few transmissions"}),
+    Weakening("one retry too many for a busy unit", "client/attempts.hpp",
+              "return asks and pauses_ < busy_retries_;",
+              "return asks and pauses_ <= busy_retries_;", {"too many transmissions"}),
+    Weakening("pause for a busy unit ignored", "client/transaction.hpp",
+              "deadline_ = now + attempts_.take_pause();",
+              "deadline_ = now + attempts_.take_pause() * 0;", {"short pauses"}),
+]
+
+
+def weakened_copy(weakening, headers, folder):
+    """A copy of the headers with the change; a message where it cannot be made."""
+    shutil.copytree(headers, folder)
+    header = folder / "rtuwire" / weakening.header
+    text = header.read_text(encoding="utf-8")
+    found = text.count(weakening.text)
+    if found != 1:
+        return f"{weakening.header} has the text {found} times, not once: {weakening.text}"
+    header.write_text(text.replace(weakening.text, weakening.becomes), encoding="utf-8")
+    return None
+
+
+def simulate(headers, place, options):
+    """The simulation with these headers: what it printed and whether it was content."""
+    program = pathlib.Path(place, "simulation")
+    made = subprocess.run([options.compiler, "-std=c++20", "-O2", f"-I{headers}", str(PROGRAM),
+                           "-o", str(program)], capture_output=True, text=True, check=False)
+    if made.returncode != 0:
+        return made
+    return subprocess.run([program, str(options.questions), str(options.seed), "any", str(options.bad)],
+                          capture_output=True, text=True, check=False)
+
+
+def attempt(weakening, options):
+    """What became of a weakening: whether it was reported, and a line that says how."""
+    with tempfile.TemporaryDirectory() as place:
+        headers = pathlib.Path(place, "include")
+        if wrong := weakened_copy(weakening, options.headers, headers):
+            return False, wrong
+        run = simulate(headers, place, options)
+        if run.stderr:
+            return False, run.stderr
+    found = {name: int(after) for name, after in
+             re.findall(r"^\d+ (.+), the first after (\d+) questions$", run.stdout, re.MULTILINE)}
+    shown = {name: after for name, after in found.items() if name in weakening.shows}
+    if run.returncode == 0 or not shown:
+        return False, "not reported; found were " + (", ".join(found) or "no faults") + "\n" + run.stdout
+    name = min(shown, key=shown.get)
+    return True, f"{name} after {shown[name]} questions"
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    arguments.add_argument("--questions", type=int, default=1_000_000)
+    arguments.add_argument("--seed", type=int, default=1)
+    arguments.add_argument("--bad", type=int, default=200, help="seeds with a fault that are enough")
+    arguments.add_argument("--jobs", type=int, default=2)
+    arguments.add_argument("--compiler", default="g++")
+    arguments.add_argument("--headers", type=pathlib.Path, default=PROJECT / "include")
+    arguments.add_argument("--anyway", action="store_true", help="even where nothing weakened has faults")
+    arguments.add_argument("names", nargs="*", help="parts of the names of those to try")
+    options = arguments.parse_args()
+    wanted = [each for each in WEAKENINGS
+              if not options.names or any(name in each.name for name in options.names)]
+    if not wanted:
+        sys.exit("no weakening has such a name")
+    with tempfile.TemporaryDirectory() as place:
+        run = simulate(options.headers, place, options)
+    if run.returncode != 0 and not options.anyway:
+        sys.exit("without any weakening there are faults already:\n" + run.stdout + run.stderr)
+    missed = 0
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for weakening, (is_reported, says) in zip(wanted, pool.map(lambda each: attempt(each, options),
+                                                                   wanted)):
+            print(f"{'reported' if is_reported else 'MISSED'}: {weakening.name}: {says}", flush=True)
+            missed += not is_reported
+    print(f"{len(wanted) - missed} of {len(wanted)} weakenings were reported")
+    return 1 if missed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
