@@ -121,6 +121,7 @@ int demonstrate(options const& chosen, station<Device> const& drive, posix_seria
     if (svg_plot{demo.seen()}.write(chosen.svg)) {
         std::printf("\nThe same as a drawing: %s\n", chosen.svg.c_str());
     }
+    demo.print_counts();
     std::puts(ok ? "All went as it should." : "Not all went as it should.");
     return ok ? 0 : interruptions > 0 ? 130 : 1;
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Any octets in any chunking and any pauses to a client that keeps asking: every question ends by its
-// deadline, and is sent no more often than it may be.
+// deadline, is sent no more often than it may be, and waits for its unit no longer than rules 17 to 19 of
+// docs/engine-rules.md say.
 #include <rtuwire/rtuwire.hpp>
 
 #include "input.hpp"
@@ -11,22 +12,68 @@
 using namespace rtuwire;
 using fuzz::require;
 
+namespace {
+
+constexpr line_timing line{19'200, character_format::even_8_1};
+constexpr unsigned retries = 2, busy_retries = 3;
+constexpr std::size_t longest_answer = 7; ///< a value of one register
+
+/// What the sendings of one question leave behind, at most.
+class debt {
+public:
+    explicit debt(client_options const& options) : late_{options.late_answer}
+    {
+        each_ = options.response_timeout + line.characters(longest_answer) + late_;
+    }
+
+    void forget() { sendings_ = 0; }
+    void note_sent(instant at)
+    {
+        first_ = sendings_ == 0 ? at : first_;
+        last_ = at;
+        ++sendings_;
+        require(sendings_ <= 1 + retries + busy_retries);
+    }
+
+    /// When its unit may be asked again at the latest, where this was the outcome at `now`: one answer has come, and
+    /// each other may take as long as all did so far; or none has, and each takes its time behind the last.
+    instant end(bool is_answered, instant now) const
+    {
+        if (sendings_ == 0) {
+            return now;
+        }
+        return is_answered ? now + ((now - first_) + late_) * (sendings_ - 1) : last_ + each_ * sendings_;
+    }
+
+private:
+    duration late_;
+    duration each_{};
+    unsigned sendings_{0};
+    instant first_{0};
+    instant last_{0};
+};
+
+} // namespace
+
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
-    // From the first sending on; how long a unit is held before it is the simulation's to judge.
-    constexpr std::uint32_t longest_us = 30'000'000;
-    constexpr unsigned retries = 2, busy_retries = 3;
-    static auto const frame = *encode(unit_id{1}, read_holding_registers{3201, 1});
+    constexpr std::uint32_t longest_us = 30'000'000; // with passes up to a second apart
+    constexpr unit_id unit{1};
+    static auto const frame = *encode(unit, read_holding_registers{3201, 1});
     fuzz::input in{data, size};
     std::uint8_t const flags = in.u8();
     client_options options{.response_timeout = milliseconds(100), .retries = retries};
     options.has_echo = (flags & 1U) != 0;
     options.skip_noise = (flags & 2U) != 0 ? 3 : 0;
-    test::asking<basic_client<unit_statistics<2>>> link{line_timing{19'200, character_format::even_8_1}, options};
+    using engine = basic_client<unit_statistics<2>>;
+    test::asking<engine> link{line, options};
+    engine const& under_way = link;
     instant now{0xFFFF'0000U};
     link.advance(now);
     instant started = now;
-    unsigned transmissions = 0;
+    instant held_until = now;
+    unsigned visits = 0;
+    debt owed{options};
     while (not in.is_empty()) {
         std::uint8_t const what = in.u8();
         now = now + microseconds(std::uint32_t{in.u8()} * ((what & 0x40U) != 0 ? 4'000U : 40U));
@@ -35,22 +82,31 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         }
         fuzz::frame const heard{in.some(what & 0x1FU), (what & 0x80U) != 0};
         link.receive(heard.view(), now);
+        bool is_same = under_way.is_busy();
         link.advance(now);
         if (auto const outcome = link.poll_outcome()) {
-            transmissions = 0;
+            bool const is_answered = outcome->has_value() or is_exception(outcome->error());
+            held_until = owed.end(is_answered, now);
+            owed.forget();
+            is_same = false;
         }
         if (not link.is_busy()) {
             require(link.start(request{frame}, now).has_value());
-            started = now;
         }
+        // Its unit is held no longer than for the debt; then it is asked on a quiet line, where the first visit may
+        // be for whoever asked last.
+        require(not under_way.is_held(unit) or not reached(now, held_until));
+        bool const might_ask = not under_way.is_held(unit) and under_way.is_quiet();
+        visits = under_way.is_busy() ? 0 : visits + (might_ask ? 1U : 0U);
+        require(visits <= 1);
+        started = is_same ? started : now;
         if (not link.poll_transmit().empty()) {
-            require(++transmissions <= 1 + retries + busy_retries);
-            started = transmissions == 1 ? now : started;
             now = now + milliseconds(5);
             link.sent(now);
+            owed.note_sent(now);
         }
         require(link.poll_deadline().has_value());
-        require(transmissions == 0 or (now - started).microseconds < longest_us);
+        require((now - started).microseconds < longest_us);
     }
     return 0;
 }

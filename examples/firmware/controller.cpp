@@ -1,16 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A controller: brings a drive up, polls it and prints a line each second, and brings it down again.
-// Which drive is chosen when compiling: -DRTUWIRE_DRIVE=atv320.
+// A controller: brings a drive up, polls it and prints a line each second, and brings it down again. An error of
+// this program stops the motor first. Which drive is chosen when compiling: -DRTUWIRE_DRIVE=atv320.
 #include "board.hpp"
+#include "last_words.hpp"
 #include "line.hpp"
 
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/start.hpp>
 #include <rtuwire/altivar/stop.hpp>
+#include <rtuwire/cia402/command.hpp>
 #include <rtuwire/client/fixed_client.hpp>
 #include <rtuwire/client/poller.hpp>
+#include <rtuwire/client/statistics.hpp>
+#include <rtuwire/wire/pdu/write_single_register.hpp>
 
 #ifndef RTUWIRE_DRIVE
 #define RTUWIRE_DRIVE atv320
@@ -25,6 +29,11 @@ namespace {
 using monitor = read_plan<model::device, model::eta, model::rfr, model::lcr, model::uln>;
 
 constexpr station<model::device> drive{unit_id{1}};
+constexpr auto no_voltage = constant_frame([] {
+    return encode(drive.unit(),
+                  write_single_register{model::device::profile.cmd,
+                                        cia402::word_of(cia402::command::disable_voltage)});
+});
 constexpr client_options patient{.response_timeout = milliseconds(500)};
 // An emulated UART delivers in lumps, as a host's does; on a real board the times of
 // line_timing{19'200, character_format::even_8_1} are the right ones.
@@ -36,7 +45,7 @@ constinit board::half_duplex_line<board::line_uart, board::driver_enable> line;
 
 /// The client and what it does in each pass.
 struct controller {
-    fixed_client<timing, patient> link{};
+    fixed_client<timing, patient, line_statistics> link{};
 
     template <conversation Talk> void pass(Talk& talk)
     {
@@ -72,6 +81,16 @@ void print_values(monitor::snapshot const& seen)
     board::print(" dV\n");
 }
 
+/// How often the line made the client ask once more.
+void print_counts(counters const& seen)
+{
+    board::print("requests ");
+    board::print(static_cast<std::int32_t>(seen[line_event::request]));
+    board::print(", repeated ");
+    board::print(static_cast<std::int32_t>(seen[line_event::repetition]));
+    board::print("\n");
+}
+
 /// One round of the plan each second; false when one failed.
 bool watch(controller& it, unsigned seconds)
 {
@@ -101,6 +120,14 @@ constinit controller it;
 void on_line_interrupt() { line.on_interrupt(board::now()); }
 void on_tick() { line.on_tick(board::now()); }
 
+/// An error of this program must not leave the motor running. On bare metal the check that calls this is built with
+/// -DRTUWIRE_CHECKED=1 only; without it the linker leaves this out.
+void rtuwire::on_missing_value(rtuwire::errc) noexcept
+{
+    board::send_last(no_voltage);
+    board::print("read a value that is not there; the motor was told to stop\n");
+}
+
 int main()
 {
     board::start_interrupts();
@@ -116,6 +143,7 @@ int main()
     bool const is_seen = is_up and watch(it, 4);
     stop down{drive};
     it.run(down);
+    print_counts(it.link.statistics().line());
     bool const is_down = report("stop: ", down.reason());
     return is_up and is_seen and is_down ? 0 : 1;
 }

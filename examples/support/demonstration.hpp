@@ -16,6 +16,7 @@
 #include <rtuwire/client/blocking.hpp>
 #include <rtuwire/client/bus.hpp>
 #include <rtuwire/client/poller.hpp>
+#include <rtuwire/client/statistics.hpp>
 #include <rtuwire/port/posix_serial.hpp>
 #include <rtuwire/wire/errc_name.hpp>
 
@@ -199,6 +200,16 @@ public:
             milliseconds(60'000));
     }
 
+    /// How often the line made the client ask once more, and how often in vain.
+    void print_counts() const
+    {
+        using rtuwire::line_event;
+        rtuwire::counters const& line = link_.statistics().line();
+        std::printf("%u requests, %u of them repeated; %u time-outs, %u damaged frames\n",
+                    unsigned{line[line_event::request]}, unsigned{line[line_event::repetition]},
+                    unsigned{line[line_event::timeout]}, unsigned{line[line_event::crc]});
+    }
+
     /// Tells, and marks where the states of the next step begin.
     void step(char const* what)
     {
@@ -358,7 +369,7 @@ private:
 
     rtuwire::posix_serial& port_;
     rtuwire::station<Device> drive_;
-    rtuwire::bus<2> link_;
+    rtuwire::bus<2, rtuwire::line_statistics> link_;
     rtuwire::altivar::cyclic<Device> loop_;
     rtuwire::poller<plan> panel_;
     rtuwire::instant begin_;

@@ -365,7 +365,7 @@ private:
         for (std::size_t i = 0; i < seats_.size() and not world_.has_fault(); ++i) {
             seat& at = seats_[i];
             at.away_until = 0;
-            run_until(world_.now() + 100'000); // a host parts some frames by silence only
+            world_.await_silence();
             begin(i);
             world_.wake();
             moment const bound = world_.now() + longest_wait() + 1'000'000;

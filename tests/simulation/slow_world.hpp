@@ -127,23 +127,26 @@ public:
         line_.transmit(noise, now_);
     }
 
-    /// Nothing goes wrong any more; returns once all that was on its way is over.
+    /// Nothing goes wrong any more, once all that was on its way is over.
     void calm_down()
     {
         is_calm_ = true;
-        bool is_busy = true;
-        while (is_busy and not has_fault()) {
-            step(now_ + 100'000);
-            is_busy = line_.next() != never;
-            for (slow_unit const& each : units_) {
-                is_busy = is_busy or not each.is_idle();
-            }
-            for (server_end const& each : servers_) {
-                is_busy = is_busy or each.is_busy(now_);
-            }
-        }
+        await_silence();
         for (slow_unit& each : units_) {
             each.be_fast();
+        }
+    }
+
+    /// Returns once nobody has had anything to say, or to catch up with, for twice the time after which a host
+    /// ends a frame: a server that hears an answer of function 08, which has no length, or the rest of a request
+    /// after its loop was busy, begins a frame with it that only this silence ends.
+    void await_silence()
+    {
+        constexpr moment parting = 100'000;
+        moment silent_from = now_;
+        while (now_ < silent_from + parting and not has_fault()) {
+            step(silent_from + parting);
+            silent_from = is_anybody_busy() ? now_ : std::max(silent_from, line_.last_end());
         }
     }
 
@@ -165,6 +168,18 @@ public:
     bool is_calm() const { return is_calm_; }
 
 private:
+    bool is_anybody_busy() const
+    {
+        bool is_busy = line_.next() != never;
+        for (slow_unit const& each : units_) {
+            is_busy = is_busy or not each.is_idle();
+        }
+        for (server_end const& each : servers_) {
+            is_busy = is_busy or each.is_busy(now_);
+        }
+        return is_busy;
+    }
+
     static constexpr unsigned client_sender = 0;
     static constexpr unsigned first_unit = 1;
     static constexpr unsigned first_server = 16;

@@ -140,8 +140,8 @@ public:
     }
 
 private:
-    /// A conversation comes by. Whether the outcome is there and its own. Another that finds the asker missing
-    /// twice takes its place: between the two visits the asker had its chance.
+    /// A conversation comes by. Whether the outcome is there and its own. Where the next in turn finds the asker
+    /// missing twice, its request is dropped.
     constexpr bool comes_by(asker& who, bool wants_turn, instant now) noexcept
     {
         if (base::phase_now() == client_phase::idle) {
@@ -157,10 +157,10 @@ private:
         if (not wants_turn) {
             return false;
         }
-        turns_.note_waiting();
+        bool const is_next = turns_.waits(who);
         if (base::awaits_asker()) {
             base::wake(now);
-            if (turns_.misses_asker(who)) {
+            if (is_next and turns_.takes_over(who)) {
                 base::cancel(now);
                 static_cast<void>(base::take_outcome());
             }
@@ -176,9 +176,7 @@ private:
             return false;
         }
         if ((is_prompt or turns_.others_wait()) and not base::is_quiet()) {
-            if (not turns_.is_last(who)) {
-                turns_.note_waiting();
-            }
+            static_cast<void>(turns_.waits(who));
             return false;
         }
         bool const may = turns_.take(who);

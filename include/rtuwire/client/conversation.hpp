@@ -86,8 +86,9 @@ public:
 private:
     friend class turns;
 
-    /// Tickets are multiples of 8, and what turns.hpp makes of them; this one still tells who asked last.
-    static constexpr std::uint32_t given_up = 7;
+    /// Tickets are multiples of 16, and what turns.hpp makes of them; this one still tells who asked last.
+    static constexpr std::uint32_t tickets = 16;
+    static constexpr std::uint32_t given_up = 1;
 
     std::uint32_t ticket_{0};
     turns const* turns_{nullptr}; ///< whose number it is; null where there is none

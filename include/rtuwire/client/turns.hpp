@@ -20,13 +20,13 @@ public:
     constexpr void begin(asker& who) noexcept
     {
         others_wait_ = false;
-        number_ += step;
-        give(who, number_);
+        renew(who);
     }
 
     /// Gives who asked last another number: whoever was marked so far counts as not marked.
     constexpr void renew(asker& who) noexcept
     {
+        is_missed_ = false;
         number_ += step;
         give(who, number_);
     }
@@ -61,48 +61,74 @@ public:
         return is_lost;
     }
 
-    /// Somebody came by who could not ask.
+    /// Others than the one that asked last wait for their turn.
     constexpr void note_waiting() noexcept { others_wait_ = true; }
     [[nodiscard]] constexpr bool others_wait() const noexcept { return others_wait_; }
 
-    /// Somebody else comes by where the one who asked is waited for. Whether it is for the second time: then the
-    /// other one had its chance in between.
-    constexpr bool misses_asker(asker& who) noexcept
+    /// Somebody comes by who cannot ask now. Whether it is the one that asked last, or the next in turn.
+    constexpr bool waits(asker& who) noexcept
     {
-        std::uint32_t const mark = number_ + 1 + mark_;
-        bool const is_second = who.ticket_ == mark and who.turns_ == this;
-        if (not is_second) {
-            give(who, mark);
+        others_wait_ = others_wait_ or not is_last(who);
+        return is_next(who);
+    }
+
+    /// Such a one finds that only the one that asked is missing. Whether it takes that one's place: at once where it
+    /// is its own request, which it has given up; else for the second time, and the other had its chance in between.
+    constexpr bool takes_over(asker& who) noexcept
+    {
+        bool const is_sure = is_missed_ or is_last(who);
+        is_missed_ = true;
+        if (is_sure and not is_last(who)) {
+            number_ += step;
+            give(who, mark());
         }
-        return is_second;
+        return is_sure;
     }
 
     /// Whether this conversation may ask now, where the line is free. Where others wait, the one that was served
-    /// last opens the turn for those that come by after it; where it does not come, the first who comes twice.
+    /// last opens the turn for those that come by after it; where it does not come, it is that of the next.
     constexpr bool take(asker& who) noexcept
     {
         if (not others_wait_) {
             return true;
         }
-        bool const is_first = not is_last(who);
-        bool const opens = not is_first or misses_asker(who);
-        others_wait_ = not opens;
-        return opens and is_first;
+        others_wait_ = not is_next(who);
+        return not others_wait_ and not is_last(who);
     }
 
 private:
+    /// The next in turn is the first that comes by twice, beginning behind the one that asked, so that nobody is
+    /// next who is gone in the next pass. It stays so while it comes by; where it does not, the first that comes by
+    /// twice meanwhile is.
+    constexpr bool is_next(asker& who) noexcept
+    {
+        if (is_last(who)) {
+            return true;
+        }
+        bool const is_second = who.ticket_ == mark() and who.turns_ == this;
+        if (is_second) {
+            void_marks();
+        }
+        give(who, mark());
+        return is_second;
+    }
+
     constexpr void give(asker& who, std::uint32_t number) const noexcept
     {
         who.ticket_ = number;
         who.turns_ = this;
     }
 
-    static constexpr std::uint32_t step = asker::given_up + 1;
-    static constexpr std::uint8_t marks = asker::given_up - 1;
+    /// An odd number, so that a conversation that is given up keeps it.
+    constexpr std::uint32_t mark() const noexcept { return number_ + 3U + 2U * mark_; }
 
-    std::uint32_t number_{0}; ///< of a question, in steps; one of those behind it marks who missed the asker
+    static constexpr std::uint32_t step = asker::tickets;
+    static constexpr std::uint8_t marks = (step - 2) / 2;
+
+    std::uint32_t number_{0}; ///< of a question, in steps; one of those behind it marks who came by since
     std::uint8_t mark_{0};
     bool others_wait_{false};
+    bool is_missed_{false};
 };
 
 } // namespace rtuwire
