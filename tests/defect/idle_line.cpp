@@ -21,9 +21,9 @@ constexpr std::uint64_t wrap = std::uint64_t{1} << 32U;
 
 /// On both sides of each edge: 35 minutes, half the counter, the whole counter, and one and a half.
 constexpr std::array<std::uint64_t, 12> idle_times{
-    34 * minute, 35 * minute + 1,   wrap / 2 - 1,    wrap / 2 + 1,    wrap / 2 + minute, 50 * minute,
-    wrap - 1,    wrap + 1,          wrap + 5 * minute, wrap + wrap / 2 + minute, 107 * minute + 1,
-    2 * wrap + minute};
+    34 * minute,      35 * minute + 1,  wrap / 2 - 1, wrap / 2 + 1,      wrap / 2 + minute,
+    50 * minute,      wrap - 1,         wrap + 1,     wrap + 5 * minute, wrap + wrap / 2 + minute,
+    107 * minute + 1, 2 * wrap + minute};
 
 constexpr client_options once{.response_timeout = milliseconds(100), .retries = 0};
 

@@ -135,7 +135,7 @@ public:
             talk.accept(wrong);
             return wrong;
         }
-        turns_.begin(talk);
+        turns_.renew(talk);
         return errc::none;
     }
 

@@ -23,14 +23,8 @@ enum class standing : std::uint8_t {
 /// The turns on one line.
 class turns {
 public:
-    /// A conversation asks: it has this line's next number, and nobody waits.
-    constexpr void begin(asker& who) noexcept
-    {
-        others_wait_ = false;
-        renew(who);
-    }
-
-    /// Gives who asked last another number: whoever was marked so far counts as not marked.
+    /// A conversation asks, and has this line's next number; or who asked last gets another one: whoever was marked
+    /// so far counts as not marked.
     constexpr void renew(asker& who) noexcept
     {
         is_missed_ = false;
@@ -118,7 +112,7 @@ private:
 
     static constexpr std::uint8_t marks_step = 4;
 
-    std::uint32_t number_{0}; ///< of a question, in steps; one of those behind it marks who came by since
+    std::uint32_t number_{0}; ///< of a question, in steps; one behind it marks who came by since
     std::uint8_t mark_{0};
     bool others_wait_{false};
     bool is_missed_{false};
