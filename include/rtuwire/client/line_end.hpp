@@ -83,7 +83,8 @@ protected:
             return errc::frame_too_long;
         }
         framer_.receive_behind(frame.size());
-        if (answer_size(frame) > framer_.room()) {
+        longest_ = longest_answer(frame);
+        if (longest_.size() > framer_.room()) {
             return errc::buffer_too_small;
         }
         byte_span const place = framer_.storage();
@@ -102,9 +103,8 @@ protected:
     /// How long the longest answer takes on the line; with the silence that ends it, where nothing else does.
     constexpr duration time_to_answer() const noexcept
     {
-        length_so_far const longest = longest_answer(question());
-        duration const silence = longest.is_final() ? duration{} : framer_.line().frame_end();
-        return framer_.line().with_characters(silence, longest.size());
+        duration const silence = longest_.is_final() ? duration{} : framer_.line().frame_end();
+        return framer_.line().with_characters(silence, longest_.size());
     }
 
     /// Whether the question must wait because its unit is asked nothing new now.
