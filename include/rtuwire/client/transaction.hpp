@@ -72,7 +72,7 @@ public:
         } else if (this->skip_left_ > 0 and framer_.is_at_start()) {
             skip_noise();
         } else {
-            framer_.receive_error(now);
+            framer_.spoil();
         }
     }
 
