@@ -48,9 +48,7 @@ public:
             return;
         }
         bool const is_start = framer_.is_quiet();
-        if (framer_.hear(octets.size(), now) and phase_ == phase::awaiting) {
-            take_frame(now);
-        }
+        hear(octets.size(), now);
         std::size_t taken = 0;
         while (taken < octets.size() and take(octets[taken], now)) {
             ++taken;
@@ -64,9 +62,7 @@ public:
     /// Takes the receiver's word that an octet arrived damaged (parity, framing, overrun).
     constexpr void receive_error(instant now) noexcept
     {
-        if (framer_.hear(1, now) and phase_ == phase::awaiting) {
-            take_frame(now);
-        }
+        hear(1, now);
         if (phase_ != phase::awaiting) {
             be_disturbed(now);
         } else if (this->skip_left_ > 0 and framer_.is_at_start()) {
@@ -216,6 +212,14 @@ private:
     {
         phase_ = phase::ready;
         limit_sending(now);
+    }
+
+    /// Octets arrived by `now`: what the silence before them ended is taken first.
+    [[gnu::noinline]] constexpr void hear(std::size_t octets, instant now) noexcept
+    {
+        if (framer_.hear(octets, now) and phase_ == phase::awaiting) {
+            take_frame(now);
+        }
     }
 
     /// Takes an octet of an echo, of an answer or before it; false where none is expected.
