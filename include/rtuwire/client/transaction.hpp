@@ -75,8 +75,8 @@ public:
     /// Takes note that the last stop bit of what `poll_transmit` gave has left at `at`, or will by then.
     constexpr void sent(instant at) noexcept
     {
-        framer_.note_activity(at);
         if (not is_leaving(phase_)) {
+            framer_.note_activity(at);
             return;
         }
         framer_.restart(at);
