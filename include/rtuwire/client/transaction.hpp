@@ -342,7 +342,7 @@ private:
         }
     }
 
-    constexpr void attempt_failed(instant now) noexcept
+    [[gnu::always_inline]] constexpr void attempt_failed(instant now) noexcept
     {
         if (not attempts_.take_retry()) {
             settle(trouble_, now);
