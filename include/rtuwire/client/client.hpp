@@ -144,28 +144,36 @@ private:
     /// twice takes its place: between the two visits the asker had its chance.
     constexpr bool comes_by(asker& who, bool wants_turn, instant now) noexcept
     {
-        if (base::phase_now() == client_phase::idle) {
+        client_phase const at = base::phase_now();
+        bool const is_own = is_asked_by(who);
+        if (at == client_phase::idle or not(is_own or wants_turn)) {
             return false;
         }
-        if (is_asked_by(who)) {
-            if (base::phase_now() == client_phase::waiting) {
-                turns_.renew(who);
-                base::note_asker(now);
-            }
-            return base::phase_now() == client_phase::settled;
+        if (not is_own) {
+            turns_.note_waiting();
+        } else if (at == client_phase::settled) {
+            return true;
+        } else if (at == client_phase::waiting) {
+            turns_.renew(who);
         }
-        if (not wants_turn) {
-            return false;
-        }
-        turns_.note_waiting();
         if (base::awaits_asker()) {
-            base::wake(now);
-            if (turns_.misses_asker(who)) {
-                base::cancel(now);
-                static_cast<void>(base::take_outcome());
+            if (is_own) {
+                base::get_ready(now);
+            } else {
+                replace_asker(who, now);
             }
         }
         return false;
+    }
+
+    /// The asker is missing, and this conversation wants its place: it has it where it came twice.
+    constexpr void replace_asker(asker& who, instant now) noexcept
+    {
+        base::wake(now);
+        if (turns_.misses_asker(who)) {
+            base::cancel(now);
+            static_cast<void>(base::take_outcome());
+        }
     }
 
     /// Whether it is this conversation's turn to ask. While others wait, or for a question that is made at the

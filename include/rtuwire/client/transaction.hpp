@@ -154,7 +154,7 @@ protected:
     using end_of_line::options;
 
     /// Whether the line would let the request leave, or its outcome is there: only its asker is missing.
-    [[gnu::always_inline]] constexpr bool awaits_asker() const noexcept
+    constexpr bool awaits_asker() const noexcept
     {
         return phase_ == phase::settled or
                (phase_ == phase::waiting and framer_.is_quiet() and not quarantine_.covers(unit()));
@@ -179,12 +179,11 @@ protected:
         return errc::none;
     }
 
-    /// Who asked a waiting request came by: where only that was missing, it may leave now.
-    constexpr void note_asker(instant now) noexcept
+    /// Lets the request leave.
+    constexpr void get_ready(instant now) noexcept
     {
-        if (awaits_asker()) {
-            get_ready(now);
-        }
+        phase_ = phase::ready;
+        limit_sending(now);
     }
 
     /// Ends what is settled.
@@ -207,14 +206,8 @@ protected:
 private:
     using phase = client_phase;
 
-    /// Lets the request leave.
-    constexpr void get_ready(instant now) noexcept
-    {
-        phase_ = phase::ready;
-        limit_sending(now);
-    }
-
-    /// Octets arrived by `now`: what the silence before them ended is taken first.
+    /// Octets arrived by `now`: what the silence before them ended is taken first. Once for both ways of arriving,
+    /// 32 bytes less on a Cortex-M0+.
     [[gnu::noinline]] constexpr void hear(std::size_t octets, instant now) noexcept
     {
         if (framer_.hear(octets, now) and phase_ == phase::awaiting) {
@@ -342,6 +335,7 @@ private:
         }
     }
 
+    /// Inlined at both its places: 8 bytes less, and its callers' stack.
     [[gnu::always_inline]] constexpr void attempt_failed(instant now) noexcept
     {
         if (not attempts_.take_retry()) {

@@ -94,7 +94,8 @@ inline constexpr std::uint8_t responses[] = {
 
 } // namespace length_rules
 
-/// The same before it is known to be possible: `size` may be anything.
+/// What a rule says, before a size above 256 is refused. Two numbers: the size may be more than fits
+/// `length_so_far`, and who needs it alone need not have the other.
 struct told_length {
     std::size_t size{0};
     bool is_final{false};
@@ -102,7 +103,7 @@ struct told_length {
 
 /// The rule of function 43: a request is fixed, a response is walked object by object (AP 6.21).
 [[nodiscard, gnu::always_inline]] constexpr told_length identification_length(direction way,
-                                                                                byte_view adu) noexcept
+                                                                              byte_view adu) noexcept
 {
     constexpr std::size_t mei_at = 2;
     constexpr std::size_t count_at = 7;
@@ -128,8 +129,9 @@ struct told_length {
     return {end + 2, left == 0};
 }
 
-/// What the first octets of an ADU say by the table's rule, however long that is.
-[[nodiscard, gnu::always_inline]] constexpr told_length length_by_rule(direction way, byte_view adu) noexcept
+/// What the first octets of an ADU say by their rule in the table.
+[[nodiscard, gnu::always_inline]] constexpr told_length length_by_rule(direction way,
+                                                                       byte_view adu) noexcept
 {
     if (adu.size() < 2) {
         return {2, false};
@@ -171,7 +173,8 @@ struct told_length {
 
 /// Its size alone, for who looks whether so many octets are there. Always inlined: who asks knows the
 /// direction, and half of it falls away.
-[[nodiscard, gnu::always_inline]] constexpr std::size_t told_size(direction way, byte_view adu) noexcept
+[[nodiscard, gnu::always_inline]] constexpr std::size_t told_size(direction way,
+                                                                  byte_view adu) noexcept
 {
     std::size_t const size = length_by_rule(way, adu).size;
     return size > max_adu_size ? 0 : size;
