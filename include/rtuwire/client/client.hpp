@@ -118,8 +118,7 @@ public:
         }
         if constexpr (prompt_conversation<Talk>) {
             if (base::is_held(talk.unit())) {
-                is_held_back_ = is_held_back_ or not turns_.is_last(talk);
-                return errc::pending;
+                return hold_back(talk);
             }
         }
         auto const question = talk.next();
@@ -127,8 +126,7 @@ public:
             return errc::pending;
         }
         if (base::owes(*question)) {
-            is_held_back_ = is_held_back_ or not turns_.is_last(talk);
-            return errc::pending;
+            return hold_back(talk);
         }
         errc const wrong = base::start(*question, now, with);
         if (wrong != errc::none) {
@@ -174,6 +172,14 @@ private:
             base::cancel(now);
             static_cast<void>(base::take_outcome());
         }
+    }
+
+    /// A conversation's unit is asked nothing now. Who asked last has had its turn; any other gets one when that is
+    /// over.
+    constexpr errc hold_back(asker const& who) noexcept
+    {
+        is_held_back_ = is_held_back_ or not turns_.is_last(who);
+        return errc::pending;
     }
 
     /// Whether it is this conversation's turn to ask. While others wait, or for a question that is made at the
