@@ -139,11 +139,10 @@ public:
     {
         framer_.add_to(next);
         quarantine_.add_to(next);
-        if (is_woken_) {
-            // A time that has come already.
-            next.add(phase_ == phase::waiting ? deadline_ - attempts_.response_timeout() : deadline_);
-        } else if (is_under_way(phase_)) {
-            next.add(deadline_);
+        if (is_woken_ or is_under_way(phase_)) {
+            // Where it is woken, a time that has come already.
+            bool const is_past = is_woken_ and phase_ == phase::waiting;
+            next.add(is_past ? deadline_ - attempts_.response_timeout() : deadline_);
         }
     }
 
@@ -324,14 +323,15 @@ private:
             attempt_failed(now);
         } else if (phase_ == phase::pausing) {
             wait_for_silence(now);
-        } else if (is_leaving(phase_) and unit() == 0) {
-            trouble_ = errc::transmit_stalled; // it may have left just now
-            turn_around(now);
         } else {
-            settle(phase_ == phase::waiting      ? errc::bus_jam
-                   : phase_ == phase::turnaround ? trouble_
-                                                 : errc::transmit_stalled,
-                   now);
+            if (phase_ != phase::turnaround) {
+                trouble_ = phase_ == phase::waiting ? errc::bus_jam : errc::transmit_stalled;
+            }
+            if (is_leaving(phase_) and unit() == 0) {
+                turn_around(now); // it may have left just now
+            } else {
+                settle(trouble_, now);
+            }
         }
     }
 
