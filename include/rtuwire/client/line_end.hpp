@@ -11,6 +11,7 @@
 #include <rtuwire/client/client_state.hpp>
 #include <rtuwire/client/conversation.hpp>
 #include <rtuwire/client/options.hpp>
+#include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/fixed.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
@@ -111,6 +112,19 @@ protected:
     constexpr bool owes(request const& asked) const noexcept
     {
         return not asked.frame().empty() and quarantine_.covers(to_u8(asked.frame()[0]));
+    }
+
+    /// Whether an octet before the answer may be left out. Options that are fixed at none leave all of this out.
+    constexpr bool may_skip() const noexcept
+    {
+        bool const is_wanted = not is_fixed<Options> or options().skip_noise != 0;
+        return is_wanted and skip_left_ > 0 and framer_.is_at_start();
+    }
+
+    constexpr void skip_noise() noexcept
+    {
+        --skip_left_;
+        statistics_.note(line_event::noise, asked_unit());
     }
 
     /// Counts octets that belong to no answer, one at least.

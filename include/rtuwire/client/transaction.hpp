@@ -65,8 +65,8 @@ public:
         hear(1, now);
         if (phase_ != phase::awaiting) {
             be_disturbed(now);
-        } else if (this->skip_left_ > 0 and framer_.is_at_start()) {
-            skip_noise();
+        } else if (this->may_skip()) {
+            this->skip_noise();
         } else {
             framer_.spoil();
         }
@@ -227,18 +227,12 @@ private:
             return false;
         }
         // What comes before a unit's first octet is left out, as far as that is wanted.
-        if (this->skip_left_ > 0 and framer_.is_at_start() and to_u8(octet) != unit()) {
-            skip_noise();
+        if (this->may_skip() and to_u8(octet) != unit()) {
+            this->skip_noise();
         } else if (framer_.take(octet)) {
             take_frame(now);
         }
         return true;
-    }
-
-    constexpr void skip_noise() noexcept
-    {
-        --this->skip_left_;
-        statistics_.note(line_event::noise, unit());
     }
 
     /// Holds an octet against the one that was sent. Whether it is accounted for: on a line that echoes it
