@@ -73,8 +73,14 @@ public:
         if (settled() or is_asking_ or not has_begun_) {
             return {};
         }
-        deadline const limit = is_late_ ? deadline{} : deadline{late_at_};
-        return wish_.what == wish::kind::pause ? earlier(limit, pause_end_) : limit;
+        earliest next;
+        if (not is_late_) {
+            next.add(late_at_);
+        }
+        if (wish_.what == wish::kind::pause) {
+            next.add(pause_end_);
+        }
+        return next;
     }
 
     /// Whether the ending is there.

@@ -196,8 +196,8 @@ private:
     /// is here.
     static constexpr void wake_at(deadline& wake, deadline const& next, instant now) noexcept
     {
-        if (next and not reached(now, *next)) {
-            wake = earlier(wake, next);
+        if (next and not reached(now, *next) and not(wake and reached(*next, *wake))) {
+            wake = *next;
         }
     }
 

@@ -118,8 +118,7 @@ public:
         }
         if constexpr (prompt_conversation<Talk>) {
             if (base::is_held(talk.unit())) {
-                is_held_back_ = is_held_back_ or not turns_.is_last(talk);
-                return errc::pending;
+                return hold_back(talk);
             }
         }
         auto const question = talk.next();
@@ -127,8 +126,7 @@ public:
             return errc::pending;
         }
         if (base::owes(*question)) {
-            is_held_back_ = is_held_back_ or not turns_.is_last(talk);
-            return errc::pending;
+            return hold_back(talk);
         }
         errc const wrong = base::start(*question, now, with);
         if (wrong != errc::none) {
@@ -144,29 +142,46 @@ private:
     /// missing twice, or the asker itself has given its request up, it is dropped.
     constexpr bool comes_by(asker& who, bool wants_turn, instant now) noexcept
     {
-        if (base::phase_now() == client_phase::idle) {
+        client_phase const at = base::phase_now();
+        bool const is_own = is_asked_by(who);
+        if (at == client_phase::idle or not(is_own or wants_turn)) {
             return false;
         }
-        if (is_asked_by(who)) {
-            if (base::phase_now() == client_phase::waiting) {
-                turns_.renew(who);
-                base::note_asker(now);
-            }
-            return base::phase_now() == client_phase::settled;
+        standing place = standing::is_last;
+        if (not is_own) {
+            place = turns_.visit(who);
+        } else if (at == client_phase::settled) {
+            return true;
+        } else if (at == client_phase::waiting) {
+            turns_.renew(who);
         }
-        if (not wants_turn) {
-            return false;
-        }
-        standing const at = turns_.visit(who);
         if (base::awaits_asker()) {
-            base::wake(now);
-            bool const takes_over = at == standing::is_next and turns_.misses_asker();
-            if (takes_over or at == standing::is_last) {
-                base::cancel(now);
-                static_cast<void>(base::take_outcome());
+            if (is_own) {
+                base::get_ready(now);
+            } else {
+                replace_asker(place, now);
             }
         }
         return false;
+    }
+
+    /// Only the asker is missing, and another conversation comes by: whether it takes that one's place.
+    constexpr void replace_asker(standing place, instant now) noexcept
+    {
+        base::wake(now);
+        bool const takes_over = place == standing::is_next and turns_.misses_asker();
+        if (takes_over or place == standing::is_last) {
+            base::cancel(now);
+            static_cast<void>(base::take_outcome());
+        }
+    }
+
+    /// A conversation's unit is asked nothing now. Who asked last has had its turn; any other gets one when that is
+    /// over.
+    constexpr errc hold_back(asker const& who) noexcept
+    {
+        is_held_back_ = is_held_back_ or not turns_.is_last(who);
+        return errc::pending;
     }
 
     /// Whether it is this conversation's turn to ask. While others wait, or for a question that is made at the

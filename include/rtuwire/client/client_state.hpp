@@ -14,6 +14,7 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
+#include <rtuwire/wire/frame_length.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
@@ -28,6 +29,7 @@ protected:
     bool is_held_back_{false}; ///< somebody has a question to a unit that is asked nothing now
     std::uint16_t size_{0};    ///< of the request
     echo_check echo_{};
+    length_so_far longest_{}; ///< of its answers
     instant deadline_{0};
     turns turns_{};
     attempts attempts_{};

@@ -11,6 +11,7 @@
 #include <rtuwire/client/client_state.hpp>
 #include <rtuwire/client/conversation.hpp>
 #include <rtuwire/client/options.hpp>
+#include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/fixed.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
@@ -83,7 +84,8 @@ protected:
             return errc::frame_too_long;
         }
         framer_.receive_behind(frame.size());
-        if (answer_size(frame) > framer_.room()) {
+        longest_ = longest_answer(frame);
+        if (longest_.size() > framer_.room()) {
             return errc::buffer_too_small;
         }
         byte_span const place = framer_.storage();
@@ -102,15 +104,27 @@ protected:
     /// How long the longest answer takes on the line; with the silence that ends it, where nothing else does.
     constexpr duration time_to_answer() const noexcept
     {
-        length_so_far const longest = longest_answer(question());
-        duration const silence = longest.is_final() ? duration{} : framer_.line().frame_end();
-        return framer_.line().with_characters(silence, longest.size());
+        duration const silence = longest_.is_final() ? duration{} : framer_.line().frame_end();
+        return framer_.line().with_characters(silence, longest_.size());
     }
 
     /// Whether the question must wait because its unit is asked nothing new now.
     constexpr bool owes(request const& asked) const noexcept
     {
         return not asked.frame().empty() and quarantine_.covers(to_u8(asked.frame()[0]));
+    }
+
+    /// Whether an octet before the answer may be left out. Options that are fixed at none leave all of this out.
+    constexpr bool may_skip() const noexcept
+    {
+        bool const is_wanted = not is_fixed<Options> or options().skip_noise != 0;
+        return is_wanted and skip_left_ > 0 and framer_.is_at_start();
+    }
+
+    constexpr void skip_noise() noexcept
+    {
+        --skip_left_;
+        statistics_.note(line_event::noise, asked_unit());
     }
 
     /// Counts octets that belong to no answer, one at least.

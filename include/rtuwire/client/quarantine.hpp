@@ -63,9 +63,9 @@ public:
         return is_over;
     }
 
-    /// Whether a unit may not be asked yet; never for 0, which is everyone and answers nothing. Inlined: 56 bytes
-    /// less on a Cortex-M0+.
-    [[nodiscard, gnu::always_inline]] constexpr bool covers(std::uint8_t unit) const noexcept
+    /// Whether a unit may not be asked yet; never for 0, which is everyone and answers nothing. Not inlined: it is
+    /// asked in several places, and more for each kind of conversation.
+    [[nodiscard, gnu::noinline]] constexpr bool covers(std::uint8_t unit) const noexcept
     {
         for (quarantine_entry const& each : entries_) {
             if (unit != nobody and (each.unit == unit or each.unit == everybody)) {

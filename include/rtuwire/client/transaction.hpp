@@ -48,9 +48,7 @@ public:
             return;
         }
         bool const is_start = framer_.is_quiet();
-        if (framer_.hear(octets.size(), now) and phase_ == phase::awaiting) {
-            take_frame(now);
-        }
+        hear(octets.size(), now);
         std::size_t taken = 0;
         while (taken < octets.size() and take(octets[taken], now)) {
             ++taken;
@@ -64,23 +62,21 @@ public:
     /// Takes the receiver's word that an octet arrived damaged (parity, framing, overrun).
     constexpr void receive_error(instant now) noexcept
     {
-        if (framer_.hear(1, now) and phase_ == phase::awaiting) {
-            take_frame(now);
-        }
+        hear(1, now);
         if (phase_ != phase::awaiting) {
             be_disturbed(now);
-        } else if (this->skip_left_ > 0 and framer_.is_at_start()) {
-            skip_noise();
+        } else if (this->may_skip()) {
+            this->skip_noise();
         } else {
-            framer_.receive_error(now);
+            framer_.spoil();
         }
     }
 
     /// Takes note that the last stop bit of what `poll_transmit` gave has left at `at`, or will by then.
     constexpr void sent(instant at) noexcept
     {
-        framer_.note_activity(at);
         if (not is_leaving(phase_)) {
+            framer_.note_activity(at);
             return;
         }
         framer_.restart(at);
@@ -143,11 +139,10 @@ public:
     {
         framer_.add_to(next);
         quarantine_.add_to(next);
-        if (is_woken_) {
-            // A time that has come already.
-            next.add(phase_ == phase::waiting ? deadline_ - attempts_.response_timeout() : deadline_);
-        } else if (is_under_way(phase_)) {
-            next.add(deadline_);
+        if (is_woken_ or is_under_way(phase_)) {
+            // Where it is woken, a time that has come already.
+            bool const is_past = is_woken_ and phase_ == phase::waiting;
+            next.add(is_past ? deadline_ - attempts_.response_timeout() : deadline_);
         }
     }
 
@@ -158,7 +153,7 @@ protected:
     using end_of_line::options;
 
     /// Whether the line would let the request leave, or its outcome is there: only its asker is missing.
-    [[gnu::always_inline]] constexpr bool awaits_asker() const noexcept
+    constexpr bool awaits_asker() const noexcept
     {
         return phase_ == phase::settled or
                (phase_ == phase::waiting and framer_.is_quiet() and not quarantine_.covers(unit()));
@@ -183,12 +178,11 @@ protected:
         return errc::none;
     }
 
-    /// Who asked a waiting request came by: where only that was missing, it may leave now.
-    constexpr void note_asker(instant now) noexcept
+    /// Lets the request leave.
+    constexpr void get_ready(instant now) noexcept
     {
-        if (awaits_asker()) {
-            get_ready(now);
-        }
+        phase_ = phase::ready;
+        limit_sending(now);
     }
 
     /// Ends what is settled.
@@ -211,11 +205,13 @@ protected:
 private:
     using phase = client_phase;
 
-    /// Lets the request leave.
-    constexpr void get_ready(instant now) noexcept
+    /// Octets arrived by `now`: what the silence before them ended is taken first. Once for both ways of arriving,
+    /// 32 bytes less on a Cortex-M0+.
+    [[gnu::noinline]] constexpr void hear(std::size_t octets, instant now) noexcept
     {
-        phase_ = phase::ready;
-        limit_sending(now);
+        if (framer_.hear(octets, now) and phase_ == phase::awaiting) {
+            take_frame(now);
+        }
     }
 
     /// Takes an octet of an echo, of an answer or before it; false where none is expected.
@@ -231,18 +227,12 @@ private:
             return false;
         }
         // What comes before a unit's first octet is left out, as far as that is wanted.
-        if (this->skip_left_ > 0 and framer_.is_at_start() and to_u8(octet) != unit()) {
-            skip_noise();
+        if (this->may_skip() and to_u8(octet) != unit()) {
+            this->skip_noise();
         } else if (framer_.take(octet)) {
             take_frame(now);
         }
         return true;
-    }
-
-    constexpr void skip_noise() noexcept
-    {
-        --this->skip_left_;
-        statistics_.note(line_event::noise, unit());
     }
 
     /// Holds an octet against the one that was sent. Whether it is accounted for: on a line that echoes it
@@ -327,18 +317,20 @@ private:
             attempt_failed(now);
         } else if (phase_ == phase::pausing) {
             wait_for_silence(now);
-        } else if (is_leaving(phase_) and unit() == 0) {
-            trouble_ = errc::transmit_stalled; // it may have left just now
-            turn_around(now);
         } else {
-            settle(phase_ == phase::waiting      ? errc::bus_jam
-                   : phase_ == phase::turnaround ? trouble_
-                                                 : errc::transmit_stalled,
-                   now);
+            if (phase_ != phase::turnaround) {
+                trouble_ = phase_ == phase::waiting ? errc::bus_jam : errc::transmit_stalled;
+            }
+            if (is_leaving(phase_) and unit() == 0) {
+                turn_around(now); // it may have left just now
+            } else {
+                settle(trouble_, now);
+            }
         }
     }
 
-    constexpr void attempt_failed(instant now) noexcept
+    /// Inlined at both its places: 8 bytes less, and its callers' stack.
+    [[gnu::always_inline]] constexpr void attempt_failed(instant now) noexcept
     {
         if (not attempts_.take_retry()) {
             settle(trouble_, now);

@@ -119,10 +119,11 @@ struct instant {
 /// When something has to happen next, or never.
 using deadline = std::optional<instant>;
 
-/// The earliest of several times, gathered one by one: what `deadline` says, without one for each.
+/// The earliest of several times, gathered one by one: what `deadline` says, without one for each. Always
+/// inlined, so that it is gathered in registers.
 class earliest {
 public:
-    constexpr void add(instant at) noexcept
+    [[gnu::always_inline]] constexpr void add(instant at) noexcept
     {
         at_ = not is_set_ or reached(at_, at) ? at : at_;
         is_set_ = true;

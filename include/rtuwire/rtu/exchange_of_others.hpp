@@ -30,7 +30,7 @@ template <direction Way> class exchange_of_others {
 public:
     [[gnu::always_inline]] static constexpr told_end apply(byte_view so_far) noexcept
     {
-        std::size_t const size = frame_length(Way, so_far).size();
+        std::size_t const size = told_size(Way, so_far);
         return {size, size == so_far.size()};
     }
     static constexpr void begin_frame() noexcept {}
@@ -74,7 +74,7 @@ public:
     [[gnu::noinline]] static constexpr std::size_t rule_size(direction way,
                                                              byte_view so_far) noexcept
     {
-        return frame_length(way, so_far).size();
+        return told_size(way, so_far);
     }
 
     /// Whether a frame with these first bytes may be a request. Of the data in responses, one in 65 536

@@ -130,6 +130,12 @@ public:
     constexpr void receive_error(instant now) noexcept
     {
         static_cast<void>(hear(1, now));
+        spoil();
+    }
+
+    /// The second part of `receive_error`, after `hear`.
+    constexpr void spoil() noexcept
+    {
         if (state_ == state::synchronising) {
             return;
         }
@@ -329,7 +335,8 @@ private:
 
     constexpr bool waits_for_silence() const noexcept { return state_ < state::idle; }
 
-    constexpr void begin() noexcept
+    /// A frame begins. A function of its own, because two places do it: 24 bytes less on a Cortex-M0+.
+    [[gnu::noinline]] constexpr void begin() noexcept
     {
         state_ = state::receiving;
         others_.begin_frame();

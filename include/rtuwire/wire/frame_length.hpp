@@ -94,14 +94,16 @@ inline constexpr std::uint8_t responses[] = {
 
 } // namespace length_rules
 
-/// A size above 256 is never told: such a frame ends by silence and is refused.
-[[nodiscard]] constexpr length_so_far size_told(std::size_t size, bool is_final) noexcept
-{
-    return size > max_adu_size ? length_so_far{} : length_so_far{size, is_final};
-}
+/// What a rule says, before a size above 256 is refused. Two numbers: the size may be more than fits
+/// `length_so_far`, and who needs it alone need not have the other.
+struct told_length {
+    std::size_t size{0};
+    bool is_final{false};
+};
 
 /// The rule of function 43: a request is fixed, a response is walked object by object (AP 6.21).
-[[nodiscard]] constexpr length_so_far identification_length(direction way, byte_view adu) noexcept
+[[nodiscard, gnu::always_inline]] constexpr told_length identification_length(direction way,
+                                                                              byte_view adu) noexcept
 {
     constexpr std::size_t mei_at = 2;
     constexpr std::size_t count_at = 7;
@@ -124,12 +126,11 @@ inline constexpr std::uint8_t responses[] = {
         --left;
     }
     // Two octets follow: the CRC, or the head of the next object.
-    return size_told(end + 2, left == 0);
+    return {end + 2, left == 0};
 }
 
-/// What the first octets of an ADU say about its size. Always inlined: who asks knows the direction, and
-/// half of it falls away.
-[[nodiscard, gnu::always_inline]] constexpr length_so_far frame_length(direction way,
+/// What the first octets of an ADU say by their rule in the table.
+[[nodiscard, gnu::always_inline]] constexpr told_length length_by_rule(direction way,
                                                                        byte_view adu) noexcept
 {
     if (adu.size() < 2) {
@@ -138,26 +139,45 @@ inline constexpr std::uint8_t responses[] = {
     std::uint8_t const rule = length_rules::of(way, to_u8(adu[1]));
     auto const counts = static_cast<length_rule>(rule & length_rules::kind_bits);
     std::size_t const size = rule & ~length_rules::kind_bits & 0xFF;
-    std::size_t counted = size - 2; // what stands before the CRC
-    switch (counts) {
-    case length_rule::none: return {};
-    case length_rule::fixed: return size_told(size, true);
-    case length_rule::mei: return identification_length(way, adu);
-    case length_rule::subfunction: counted = 4; break;
-    case length_rule::byte_count:
-    case length_rule::word_count: break;
+    if (counts == length_rule::none) {
+        return {};
     }
+    if (counts == length_rule::fixed) {
+        return {size, true};
+    }
+    if (counts == length_rule::mei) {
+        return identification_length(way, adu);
+    }
+    // What stands before the CRC.
+    std::size_t const counted = counts == length_rule::subfunction ? 4 : size - 2;
     if (adu.size() < counted) {
-        return size_told(counted, false);
+        return {counted, false};
     }
     if (counts == length_rule::byte_count) {
-        return size_told(size + to_u8(adu[counted - 1]), true);
+        return {size + to_u8(adu[counted - 1]), true};
     }
     std::size_t const word = u16_at(adu, counted - 2);
     if (counts == length_rule::word_count) {
-        return size_told(size + word, true);
+        return {size + word, true};
     }
-    return word == 0 ? length_so_far{} : size_told(size, true);
+    return word == 0 ? told_length{} : told_length{size, true};
+}
+
+/// What the first octets of an ADU say about its size. A size above 256 is never told: such a frame ends by
+/// silence and is refused.
+[[nodiscard]] constexpr length_so_far frame_length(direction way, byte_view adu) noexcept
+{
+    told_length const told = length_by_rule(way, adu);
+    return told.size > max_adu_size ? length_so_far{} : length_so_far{told.size, told.is_final};
+}
+
+/// Its size alone, for who looks whether so many octets are there. Always inlined: who asks knows the
+/// direction, and half of it falls away.
+[[nodiscard, gnu::always_inline]] constexpr std::size_t told_size(direction way,
+                                                                  byte_view adu) noexcept
+{
+    std::size_t const size = length_by_rule(way, adu).size;
+    return size > max_adu_size ? 0 : size;
 }
 
 } // namespace rtuwire
