@@ -253,7 +253,8 @@ struct device {
                                            .dc_injection = 0xA00A,
                                            .direct_control = 0x8000,
                                            .eeprom_time = milliseconds(2'100),
-                                           .rfrd = 605};
+                                           .rfrd = 605,
+                                           .cmi_orders = 0x0007};
     /// What tells who it is, without function 43.
     struct nameplate {
         template <typename Device> using plan = read_plan<Device, cpu, ncv, vcal, inv>;

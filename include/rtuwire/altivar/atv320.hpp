@@ -232,7 +232,8 @@ struct device {
         .eti = eti.address,
         .rfr = rfr.address,
         .chart = {.enables_from_ready = true, .quick_stop_waits = true},
-        .scanner_words = 8};
+        .scanner_words = 8,
+        .chcf = chcf.address};
     using registers =
         table<ncv, vcal, inv, sfr, tfr, hsp, lsp, eta, rfr, frh, lcr, otr, eti, uln, uop, thd, opr,
               rth, pth, hmis, vdp, add, tbr, tfo, tto, sll, lft, cic, dp0, dp1, dp2, dp3, dp4, dp5,
