@@ -35,6 +35,17 @@ STATIC_CHECK(not std::is_constructible_v<deciamperes, decihertz>);
 STATIC_CHECK(not std::is_convertible_v<std::uint16_t, decihertz>);
 STATIC_CHECK(not std::is_convertible_v<decihertz, std::uint16_t>);
 
+// A count of a type that fits may be known only when running; any other is looked at when compiling.
+constexpr decihertz counted(std::uint8_t steps) { return decihertz(steps); }
+STATIC_CHECK(counted(255).count() == 255);
+STATIC_CHECK(decihertz(65'535).count() == 65'535 and signed_decihertz(-32'768).count() == -32'768);
+// And one that may not fit takes the way of every other amount.
+constexpr signed_decihertz nearest(int steps)
+{
+    return truncated_to<signed_decihertz>(quantity<frequency, int, std::deci>{steps});
+}
+STATIC_CHECK(nearest(-300).count() == -300);
+
 STATIC_CHECK(decihertz{500} == decihertz{500} and decihertz{499} < decihertz{500});
 
 } // namespace

@@ -114,12 +114,14 @@ template <typename Link> void leaves_turns()
 
 } // namespace
 
-TEST_CASE("defect: A1 a client's conversations that are begun anew in each pass leave the others their turns")
+TEST_CASE("defect: A1 a client's conversations that are begun anew in each pass leave the others "
+          "their turns")
 {
     leaves_turns<client>();
 }
 
-TEST_CASE("defect: A1 a bus's conversations that are begun anew in each pass leave the others their turns")
+TEST_CASE("defect: A1 a bus's conversations that are begun anew in each pass leave the others "
+          "their turns")
 {
     leaves_turns<bus<4>>();
 }

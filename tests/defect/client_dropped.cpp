@@ -42,8 +42,7 @@ template <typename Talk> void converse(bus<2>& link, std::size_t index, Talk& ta
 {
     link.converse(index, talk, now);
 }
-template <typename Talk>
-void converse(urgent_bus& link, std::size_t index, Talk& talk, instant now)
+template <typename Talk> void converse(urgent_bus& link, std::size_t index, Talk& talk, instant now)
 {
     if (index == 0) {
         link.converse_first(talk, now);
@@ -82,8 +81,9 @@ template <typename Link> life away_after(std::uint64_t stays, bool answers, bool
             converse(line.link, 1, other, now);
         }
     });
-    auto const sent = std::count_if(line.departures.begin(), line.departures.end(),
-                                    [&](departure const& each) { return each.frame == talk.frame; });
+    auto const sent =
+        std::count_if(line.departures.begin(), line.departures.end(),
+                      [&](departure const& each) { return each.frame == talk.frame; });
     return {talk.told, sent, other.answered};
 }
 
@@ -161,8 +161,9 @@ template <typename Link> life comes_back_alone(bool is_busy_line)
             is_dropped = not line.link.is_busy() or other.number > 0;
         }
     });
-    auto const sent = std::count_if(line.departures.begin(), line.departures.end(),
-                                    [&](departure const& each) { return each.frame == talk.frame; });
+    auto const sent =
+        std::count_if(line.departures.begin(), line.departures.end(),
+                      [&](departure const& each) { return each.frame == talk.frame; });
     return {talk.told, sent, other.number};
 }
 

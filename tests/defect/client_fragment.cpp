@@ -23,8 +23,11 @@ struct stammering {
     unsigned wrong{0};
 
     stammering(frame_bytes const& piece, client_options const& options)
-        : line{client{office_line, options}, office_line},
-          talk{[](unsigned number) { return read_of(1, 3201 + number); }, 2}
+        : line{client{office_line, options}, office_line}, talk{[](unsigned number) {
+                                                                    return read_of(1,
+                                                                                   3201 + number);
+                                                                },
+                                                                2}
     {
         line.heard = [this, piece](frame_bytes const& frame) {
             line.say(5'000, piece);

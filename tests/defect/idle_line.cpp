@@ -21,9 +21,9 @@ constexpr std::uint64_t wrap = std::uint64_t{1} << 32U;
 
 /// On both sides of each edge: 35 minutes, half the counter, the whole counter, and one and a half.
 constexpr std::array<std::uint64_t, 12> idle_times{
-    34 * minute, 35 * minute + 1,   wrap / 2 - 1,    wrap / 2 + 1,    wrap / 2 + minute, 50 * minute,
-    wrap - 1,    wrap + 1,          wrap + 5 * minute, wrap + wrap / 2 + minute, 107 * minute + 1,
-    2 * wrap + minute};
+    34 * minute,      35 * minute + 1,  wrap / 2 - 1, wrap / 2 + 1,      wrap / 2 + minute,
+    50 * minute,      wrap - 1,         wrap + 1,     wrap + 5 * minute, wrap + wrap / 2 + minute,
+    107 * minute + 1, 2 * wrap + minute};
 
 constexpr client_options once{.response_timeout = milliseconds(100), .retries = 0};
 
@@ -170,5 +170,55 @@ TEST_CASE("defect: A3 a framer whose line was quiet ends the next frame by silen
         auto const frame = cutter.poll_frame();
         REQUIRE(frame);
         CHECK(frame->has_value());
+    }
+}
+
+namespace {
+
+/// A bus of two: its first unit needs rest between two requests, its second says nothing.
+struct resting_bus {
+    scripted_line<bus<2>> line{bus<2>{office_line, once}, office_line};
+    series first{[](unsigned) { return read_of(1, 3201); }};
+    series second{[](unsigned) { return read_of(2, 3201); }};
+
+    resting_bus()
+    {
+        line.link.set(0, {.with = {.response_timeout = milliseconds(100), .retries = 0},
+                          .least_idle = milliseconds(300)});
+        line.heard = [this](frame_bytes const& frame) {
+            if (at(frame, 0) == 1) {
+                line.say(5'000, answer_to(frame));
+            }
+        };
+    }
+    void run(std::uint64_t length)
+    {
+        line.run(length, [this](instant now) {
+            line.link.converse(0, first, now);
+            line.link.converse(1, second, now);
+        });
+    }
+};
+
+} // namespace
+
+TEST_CASE("defect: A3 a bus asks a unit that rested, and one that is silent, after any idle time")
+{
+    for (std::uint64_t const idle : idle_times) {
+        // Nobody comes by from some moment of a rest, and of the time between two probes, on.
+        for (std::uint64_t const ran :
+             {2'000'000U, 2'100'000U, 2'200'000U, 2'300'000U, 2'400'000U}) {
+            INFO("idle for " << idle << " us after " << ran << " us");
+            resting_bus it;
+            it.run(ran);
+            REQUIRE(it.line.link.is_silent(1));
+            it.line.run(idle, [](instant) {});
+            unsigned const answered = it.first.answered;
+            unsigned const failed = it.second.number;
+            // At a tenth of the line a time-out of 104 ms is paid within 1.04 s.
+            it.run(1'500'000);
+            CHECK(it.first.answered >= answered + 3);
+            CHECK(it.second.number > failed);
+        }
     }
 }

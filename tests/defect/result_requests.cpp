@@ -5,11 +5,13 @@
 #include <rtuwire/wire/pdu/raw.hpp>
 #include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
 #include <rtuwire/wire/pdu/write_multiple_registers.hpp>
+#include <rtuwire/wire/pdu/write_single_register.hpp>
 
 #include <array>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 #include <rtuwire/client/conversation.hpp>
 #include <rtuwire/core/hex.hpp>
@@ -95,5 +97,26 @@ STATIC_CHECK(encode(unit_id{1}, diagnostics{subfunction::return_query_data,
                                             register_block<126>{}}) == errc::invalid_quantity);
 STATIC_CHECK(encode(unit_id{1}, raw_pdu{static_cast<function_code>(0x41),
                                         std::array<std::byte, 253>{}}) == errc::frame_too_long);
+
+// The value of a result that ends with its expression is as temporary; it may be copied, and named.
+template <typename T> using content_of = decltype(*std::declval<result<T>>());
+template <typename T> using content_of_named = decltype(*std::declval<result<T>&>());
+STATIC_CHECK(std::is_same_v<content_of<fixed_buffer<8>>, fixed_buffer<8>>);
+STATIC_CHECK(std::is_same_v<content_of_named<fixed_buffer<8>>, fixed_buffer<8> const&>);
+STATIC_CHECK(not std::is_constructible_v<request, content_of<fixed_buffer<8>>>);
+STATIC_CHECK(not std::is_constructible_v<request, content_of<std::array<std::byte, 8>>>);
+STATIC_CHECK(std::is_constructible_v<request, content_of_named<fixed_buffer<8>>>);
+STATIC_CHECK(not gives_view<content_of<register_block<2>>>);
+STATIC_CHECK(gives_view<content_of_named<register_block<2>>>);
+
+constexpr bool may_be_kept_by_value()
+{
+    auto const encoded = [] { return encode(unit_id{1}, write_single_register{100, 7}); };
+    auto const copied = *encoded();
+    auto const& named = *encoded(); // lives as long as its name
+    byte_view const same = named;
+    return copied == same and same_bytes(*encoded(), same) and encoded()->size() == 8;
+}
+PROOF("defect: the value of a temporary result may be copied, named and handed on", may_be_kept_by_value)
 
 } // namespace

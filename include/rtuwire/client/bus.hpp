@@ -144,6 +144,14 @@ public:
         client_.add_to(next);
         for (slot const& each : slots_) {
             next.add(each.wake);
+            // Also where nobody comes by any more: a time that `advance` does not see is ahead again when the clock
+            // has gone half way round.
+            if (each.is_resting) {
+                next.add(each.not_before);
+            }
+        }
+        if (is_probe_limited_) {
+            next.add(probe_at_);
         }
         next.add(urgent_wake_);
         return next;
@@ -235,19 +243,17 @@ private:
         return with;
     }
 
-    /// Whether a slot must wait; its wake-up then says until when.
+    /// Whether a slot must wait; its wake-up, or a time that `poll_deadline` knows, then says until when.
     constexpr bool is_held_back(std::size_t index, instant now) noexcept
     {
         slot& own = slots_[index];
         if (own.is_resting) {
-            wake_at(own.wake, own.not_before, now);
             return true;
         }
         if (not is_silent(own)) {
             return false;
         }
         if (is_probe_limited_) {
-            wake_at(own.wake, probe_at_, now);
             return true;
         }
         std::size_t const first = next_to_probe(index);

@@ -90,7 +90,7 @@ public:
     template <conversation Talk>
     constexpr errc deliver(Talk& talk, bool wants_turn, instant now) noexcept
     {
-        if (turns_.was_dropped(talk)) {
+        if (turns_.was_dropped(talk, base::phase_now() == client_phase::idle)) {
             talk.accept(errc::cancelled);
             return errc::cancelled;
         }
@@ -135,13 +135,13 @@ public:
             talk.accept(wrong);
             return wrong;
         }
-        turns_.begin(talk);
+        turns_.renew(talk);
         return errc::none;
     }
 
 private:
     /// A conversation comes by. Whether the outcome is there and its own. Where the next in turn finds the asker
-    /// missing twice, its request is dropped.
+    /// missing twice, or the asker itself has given its request up, it is dropped.
     constexpr bool comes_by(asker& who, bool wants_turn, instant now) noexcept
     {
         if (base::phase_now() == client_phase::idle) {
@@ -157,10 +157,11 @@ private:
         if (not wants_turn) {
             return false;
         }
-        bool const is_next = turns_.waits(who);
+        standing const at = turns_.visit(who);
         if (base::awaits_asker()) {
             base::wake(now);
-            if (is_next and turns_.takes_over(who)) {
+            bool const takes_over = at == standing::is_next and turns_.misses_asker();
+            if (takes_over or at == standing::is_last) {
                 base::cancel(now);
                 static_cast<void>(base::take_outcome());
             }
@@ -175,17 +176,17 @@ private:
         if (base::phase_now() != client_phase::idle) {
             return false;
         }
-        if ((is_prompt or turns_.others_wait()) and not base::is_quiet()) {
-            static_cast<void>(turns_.waits(who));
-            return false;
+        bool const is_quiet = base::is_quiet();
+        if (not turns_.others_wait() and (is_quiet or not is_prompt)) {
+            return true;
         }
-        bool const may = turns_.take(who);
-        if (not may) {
+        standing const at = turns_.visit(who);
+        bool const may = is_quiet and turns_.take(at);
+        if (is_quiet and not may) {
             base::wake(now);
         }
         return may;
     }
-
 };
 
 /// A client that counts nothing.

@@ -86,8 +86,8 @@ public:
 private:
     friend class turns;
 
-    /// Tickets are multiples of 16, and what turns.hpp makes of them; this one still tells who asked last.
-    static constexpr std::uint32_t tickets = 16;
+    /// Tickets are multiples of this, and what turns.hpp makes of them; one more still tells who asked last.
+    static constexpr std::uint32_t step = 16;
     static constexpr std::uint32_t given_up = 1;
 
     std::uint32_t ticket_{0};

@@ -23,7 +23,7 @@ enum class client_phase : std::uint8_t {
                   ///< exception 05 or 06 -> pausing, or settled
     pausing,      ///< time over -> waiting
     turnaround,   ///< time over -> settled
-    settled,      ///< its asker takes the outcome, or another conversation comes by twice -> idle
+    settled,      ///< its asker takes the outcome or has given it up, or the next in turn misses it -> idle
 };
 
 /// Whether a request is between its start and its outcome.

@@ -65,7 +65,14 @@ public:
     [[nodiscard]] constexpr bool has_value() const noexcept { return error_ == errc{}; }
     explicit constexpr operator bool() const noexcept { return has_value(); }
 
-    [[nodiscard]] constexpr T const& operator*() const noexcept
+    [[nodiscard]] constexpr T const& operator*() const& noexcept
+    {
+        require_value();
+        return value_;
+    }
+    /// Of a result that is gone at the end of the statement: the value itself, so that a reference to it lasts, and
+    /// what keeps a view of its octets is refused like a view of any other temporary.
+    [[nodiscard]] constexpr T operator*() const&& noexcept
     {
         require_value();
         return value_;

@@ -73,6 +73,10 @@ template <std::integral From, std::integral To>
            (not has_sign or std::cmp_less_equal(std::intmax_t{to::min()} / factor, from::min()));
 }
 
+/// Not constexpr, so that the compiler refuses a constant expression with this name. When the program runs
+/// it does nothing.
+inline void this_amount_does_not_fit_the_target() noexcept {}
+
 /// `count` steps of `Scale` of a dimension: quantity<frequency, uint16, 1/10> counts tenths of a hertz.
 template <typename Dimension, std::integral Rep, typename Scale = std::ratio<1>> class quantity {
 public:
@@ -82,8 +86,22 @@ public:
 
     constexpr quantity() noexcept = default;
 
-    /// So many steps.
-    explicit constexpr quantity(Rep count) noexcept : count_{count} {}
+    /// So many steps, of a type of which each number fits.
+    template <std::integral Count>
+        requires(holds_all<Count, Rep>(1))
+    explicit constexpr quantity(Count count) noexcept : count_{static_cast<Rep>(count)} {}
+
+    /// So many steps, known when compiling: in braces and in parentheses a number that does not fit is refused, and
+    /// so is one that is known only when running and might not. `truncated_to` takes such an amount.
+    template <std::integral Count>
+        requires(not holds_all<Count, Rep>(1))
+    explicit consteval quantity(Count count) noexcept : count_{static_cast<Rep>(count)}
+    {
+        if (std::cmp_less(count, std::numeric_limits<Rep>::min()) or
+            std::cmp_greater(count, std::numeric_limits<Rep>::max())) {
+            this_amount_does_not_fit_the_target();
+        }
+    }
 
     /// The same amount in finer steps, of a type that can hold all of them.
     template <std::integral OtherRep, typename OtherScale>
@@ -103,10 +121,6 @@ public:
 private:
     Rep count_{};
 };
-
-/// Not constexpr, so that the compiler refuses a constant expression with this name. When the program runs
-/// it does nothing.
-inline void this_amount_does_not_fit_the_target() noexcept {}
 
 /// The amount in steps of `Target`, what is left over cut off. What does not fit does not compile in a
 /// constant expression; when the program runs it becomes the nearest amount that fits.
