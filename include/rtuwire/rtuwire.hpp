@@ -80,6 +80,7 @@
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/server/typed_bank.hpp>
 #include <rtuwire/sim/chart.hpp>
+#include <rtuwire/sim/control.hpp>
 #include <rtuwire/sim/dice.hpp>
 #include <rtuwire/sim/display.hpp>
 #include <rtuwire/sim/drive.hpp>
@@ -87,6 +88,7 @@
 #include <rtuwire/sim/fault_record.hpp>
 #include <rtuwire/sim/image.hpp>
 #include <rtuwire/sim/line.hpp>
+#include <rtuwire/sim/memory.hpp>
 #include <rtuwire/sim/motor.hpp>
 #include <rtuwire/sim/parameters.hpp>
 #include <rtuwire/sim/places.hpp>

@@ -57,6 +57,11 @@ public:
         }
         if (taken.number != cia402::transition::none) {
             go(taken.number, taken.to);
+        } else if (state_ == cia402::state::ready_to_switch_on and
+                   what == cia402::command::enable_operation) {
+            // "Switch on" has an x for bit 3, so the word is that as well, and by level it leads on.
+            go(cia402::transition::t3, cia402::state::switched_on);
+            go(cia402::transition::t4, cia402::state::operation_enabled);
         }
     }
 
@@ -116,4 +121,4 @@ private:
     bool is_leaving_{false};
 };
 
-} // namespace rtuwire::sim
+} // namespace rtuwire::inline RTUWIRE_BUILD::sim

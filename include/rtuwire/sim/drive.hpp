@@ -11,14 +11,15 @@
 
 #include <rtuwire/altivar/configure_scanner.hpp>
 #include <rtuwire/altivar/profile.hpp>
-#include <rtuwire/cia402/command.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/bank.hpp>
 #include <rtuwire/sim/chart.hpp>
+#include <rtuwire/sim/control.hpp>
 #include <rtuwire/sim/display.hpp>
 #include <rtuwire/sim/fault_record.hpp>
 #include <rtuwire/sim/image.hpp>
+#include <rtuwire/sim/memory.hpp>
 #include <rtuwire/sim/motor.hpp>
 #include <rtuwire/sim/parameters.hpp>
 #include <rtuwire/sim/places.hpp>
@@ -42,7 +43,7 @@ public:
     {
         duration const passed = now - now_;
         now_ = now;
-        chart_.initialised();
+        control_.initialised();
         if (supervision_.is_lost(now, set().time_out())) {
             lose_link();
         }
@@ -103,42 +104,38 @@ public:
     /// Somebody takes the command at the keypad, or gives it back.
     constexpr void set_local(bool is_local) noexcept
     {
-        is_local_ = is_local;
-        if (is_local) {
-            chart_.fall_back();
-        }
+        control_.set_local(is_local);
         show();
     }
 
     /// The STOP key: the drive falls back, and says so until it runs again.
     constexpr void press_stop() noexcept
     {
-        is_stopped_by_key_ = true;
-        chart_.fall_back();
+        control_.press_stop();
         show();
     }
 
     /// A fault whose cause stays until `clear_cause`; `code` is its LFT.
     constexpr void inject_fault(std::uint16_t code) noexcept
     {
-        has_cause_ = true;
+        control_.set_cause(true);
         trip(code);
     }
-    constexpr void clear_cause() noexcept { has_cause_ = false; }
+    constexpr void clear_cause() noexcept { control_.set_cause(false); }
 
     /// Off and on again: what was not saved is lost.
     constexpr void power_cycle(instant now) noexcept
     {
         registers_ = registers{};
-        registers_.restore(eeprom_);
+        memory_.recall(registers_);
         power_up(now);
     }
 
     // What can be seen at the drive itself.
 
-    [[nodiscard]] constexpr sim::chart const& chart() const noexcept { return chart_; }
+    [[nodiscard]] constexpr sim::chart const& chart() const noexcept { return control_.chart(); }
     [[nodiscard]] constexpr sim::motor const& motor() const noexcept { return motor_; }
-    [[nodiscard]] constexpr std::uint16_t fault() const noexcept { return fault_; }
+    [[nodiscard]] constexpr std::uint16_t fault() const noexcept { return control_.fault(); }
 
     /// The word of a register by its mnemonic; 0 for one that this device does not have.
     [[nodiscard]] constexpr std::uint16_t word(text code) const noexcept
@@ -153,20 +150,12 @@ private:
     static constexpr scanner<Device> outputs{altivar::scanner_output_words,
                                              altivar::scanner_output_addresses};
 
-    static constexpr std::uint16_t release_link = 0x0100; ///< CMD, with the bit above
-    static constexpr std::uint16_t ramp_stop = 0x1000;
-    static constexpr std::uint16_t dc_stop = 0x2000;
-    static constexpr std::uint16_t fast_stop = 0x4000;
-    static constexpr std::uint16_t restore_bit = 0x0004; ///< CMI, ATV28
-
     constexpr void power_up(instant now) noexcept
     {
         now_ = now;
-        chart_.power_up();
+        control_.power_up();
         motor_ = sim::motor{};
         supervision_ = supervision{};
-        fault_ = 0;
-        has_cause_ = is_stopped_by_key_ = is_local_ = false;
         registers_.put(at.cmd, 0);
         registers_.put(at.lfr, 0);
         registers_.put(at.lfrd, 0);
@@ -180,11 +169,11 @@ private:
     {
         bool const is_command = place == at.cmd or place == at.lfr or place == at.lfrd;
         if (is_command) {
-            bool const is_refused = is_local_ and profile.refuses_commands_in_local;
+            bool const is_refused = control_.is_local() and profile.refuses_commands_in_local;
             return is_refused ? errc::server_device_failure : errc::none;
         }
         if (registers::rule(place).mode == access::configuration and
-            cia402::has_power(chart_.state())) {
+            cia402::has_power(chart().state())) {
             return errc::server_device_failure;
         }
         return registers_.check(place, word);
@@ -234,70 +223,24 @@ private:
 
     constexpr void reconfigured() noexcept
     {
-        if (profile.falls_back_when_configured and chart_.state() == cia402::state::switched_on) {
-            chart_.fall_back();
+        if (profile.falls_back_when_configured and chart().state() == cia402::state::switched_on) {
+            control_.fall_back();
         }
     }
 
     constexpr void obey(std::uint16_t word) noexcept
     {
-        std::uint16_t const before = last_command_;
-        last_command_ = word;
         registers_.put(at.cmdd, word);
-        if (is_local_) {
-            return;
-        }
-        if (is_direct(word)) {
-            obey_directly(word);
-            return;
-        }
-        cia402::command const what = cia402::recognise(before, word);
-        chart_.obey(what, not has_cause_);
-        if (what == cia402::command::fault_reset and not has_fault()) {
-            fault_ = 0;
+        if (control_.obey(word)) {
             supervision_.note_contact(now_);
         }
-        if (chart_.state() == cia402::state::operation_enabled) {
-            is_stopped_by_key_ = false;
-        }
     }
-
-    static constexpr bool is_direct(std::uint16_t word) noexcept
-    {
-        return (word & profile.direct_control) != 0;
-    }
-
-    constexpr void obey_directly(std::uint16_t word) noexcept
-    {
-        constexpr std::uint16_t enabled = 0x000A;
-        if ((word & release_link) != 0) {
-            set_local(true);
-        } else if ((word & enabled) == enabled) {
-            chart_.enable_directly();
-        } else {
-            chart_.fall_back();
-        }
-    }
-
-    constexpr bool has_fault() const noexcept { return cia402::is_in_fault(chart_.state()); }
 
     constexpr void extended_command(std::uint16_t word) noexcept
     {
-        constexpr std::uint16_t factory_bit = 0x0001;
-        constexpr std::uint16_t orders = factory_bit | altivar::save_bit | restore_bit;
-        bool const clears_itself = not profile.shows_eeprom_access;
-        if (cia402::has_power(chart_.state())) {
-            return;
+        if (not cia402::has_power(chart().state())) {
+            memory_.execute(registers_, word);
         }
-        if ((word & factory_bit) != 0) {
-            registers_.restore(registers::factory());
-        } else if ((word & altivar::save_bit) != 0) {
-            eeprom_ = registers_.all();
-            ++saves_;
-        } else if ((word & restore_bit) != 0 and clears_itself) {
-            registers_.restore(eeprom_);
-        }
-        registers_.put(at.cmi, clears_itself ? word & ~orders : word);
     }
 
     // The link and its faults.
@@ -305,7 +248,7 @@ private:
     constexpr void lose_link() noexcept
     {
         trip(link_fault);
-        last_command_ = 0;
+        control_.forget_command();
         registers_.put(at.cmd, 0);
         registers_.put(at.lfr, 0);
         registers_.put(at.lfrd, 0);
@@ -313,13 +256,10 @@ private:
 
     constexpr void trip(std::uint16_t code) noexcept
     {
-        if (has_fault()) {
-            return;
+        if (control_.trip(code)) {
+            record_fault(registers_, code);
+            show();
         }
-        fault_ = code;
-        record_fault(registers_, code);
-        chart_.trip();
-        show();
     }
 
     // The motor.
@@ -330,70 +270,54 @@ private:
     constexpr std::int32_t asked() const noexcept
     {
         std::int32_t const value = registers_.get_signed(at.lfr) * 100;
-        return (last_command_ & altivar::reverse_bit) != 0 ? -value : value;
-    }
-
-    constexpr bool is_stopping() const noexcept
-    {
-        std::uint16_t const stop_bits =
-            is_direct(last_command_) ? ramp_stop | dc_stop | fast_stop : profile.halt;
-        return chart_.is_leaving() or (last_command_ & stop_bits) != 0 or
-               chart_.state() != cia402::state::operation_enabled;
-    }
-
-    constexpr bool is_stopping_fast() const noexcept
-    {
-        bool const is_ordered = is_direct(last_command_) and (last_command_ & fast_stop) != 0;
-        return is_ordered or chart_.state() == cia402::state::quick_stop_active;
+        return control_.is_reversed() ? -value : value;
     }
 
     constexpr std::int32_t target() const noexcept
     {
-        return is_stopping() ? 0 : set().limited(asked());
+        return control_.is_stopping() ? 0 : set().limited(asked());
     }
 
     constexpr void turn(duration passed) noexcept
     {
         constexpr std::int64_t fast = 4; ///< of the ramp, as dCF is delivered
         motor_settings settings = set().motor();
-        if (not cia402::has_power(chart_.state()) or is_freewheeling()) {
+        if (not cia402::has_power(chart().state()) or is_freewheeling()) {
             motor_.coast(passed, settings);
         } else {
-            settings.deceleration /= is_stopping_fast() ? fast : 1;
+            settings.deceleration /= control_.is_stopping_fast() ? fast : 1;
             motor_.drive(target(), passed, settings);
         }
         if (motor_.is_at_rest()) {
-            chart_.at_rest();
+            control_.at_rest();
         }
     }
 
     /// A fault takes the torque away, unless it is a lost link that SLL wants a ramp for.
     constexpr bool is_freewheeling() const noexcept
     {
-        bool const ramps = fault_ == link_fault and set().ramps_on_loss();
-        return chart_.state() == cia402::state::fault_reaction_active and not ramps;
+        bool const ramps = fault() == link_fault and set().ramps_on_loss();
+        return chart().state() == cia402::state::fault_reaction_active and not ramps;
     }
 
     constexpr void show() noexcept
     {
-        appearance const seen{
-            chart_.state(),     asked(),   target(), set().limited(asked()) != asked(), is_local_,
-            is_stopped_by_key_, has_cause_};
+        appearance const seen{chart().state(),
+                              asked(),
+                              target(),
+                              set().limited(asked()) != asked(),
+                              control_.is_local(),
+                              control_.is_stopped_by_key(),
+                              control_.has_cause()};
         display(registers_, seen, motor_);
     }
 
     registers registers_{};
-    typename registers::words eeprom_{registers::factory()};
-    sim::chart chart_{profile.chart};
+    memory<Device> memory_{};
+    control control_{profile};
     sim::motor motor_{};
     supervision supervision_{};
     instant now_{0};
-    std::uint32_t saves_{0};
-    std::uint16_t last_command_{0};
-    std::uint16_t fault_{0};
-    bool has_cause_{false};
-    bool is_local_{false};
-    bool is_stopped_by_key_{false};
 };
 
-} // namespace rtuwire::sim
+} // namespace rtuwire::inline RTUWIRE_BUILD::sim
