@@ -88,4 +88,4 @@ inline constexpr std::uint16_t fault_reset_bit = 0x0080;
     return "none";
 }
 
-} // namespace rtuwire::inline RTUWIRE_BUILD::cia402
+} // namespace rtuwire::cia402

@@ -28,6 +28,12 @@ public:
     /// Whether "disable operation" waits for the motor to come to rest.
     [[nodiscard]] constexpr bool is_leaving() const noexcept { return is_leaving_; }
 
+    /// Whether the fault it is in came during a quick stop.
+    [[nodiscard]] constexpr bool tripped_in_quick_stop() const noexcept
+    {
+        return tripped_in_quick_stop_;
+    }
+
     /// Transitions 0 and 1.
     constexpr void power_up() noexcept
     {
@@ -96,7 +102,7 @@ public:
     constexpr void trip() noexcept
     {
         if (state_ != cia402::state::fault and state_ != cia402::state::fault_reaction_active) {
-            is_leaving_ = false;
+            tripped_in_quick_stop_ = state_ == cia402::state::quick_stop_active;
             go(cia402::transition::t13, cia402::state::fault_reaction_active);
         }
     }
@@ -119,6 +125,7 @@ private:
     cia402::state state_{cia402::state::not_ready_to_switch_on};
     cia402::transition last_{cia402::transition::none};
     bool is_leaving_{false};
+    bool tripped_in_quick_stop_{false};
 };
 
-} // namespace rtuwire::inline RTUWIRE_BUILD::sim
+} // namespace rtuwire::sim

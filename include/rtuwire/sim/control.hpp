@@ -154,4 +154,4 @@ private:
     bool is_stopped_by_key_{false};
 };
 
-} // namespace rtuwire::inline RTUWIRE_BUILD::sim
+} // namespace rtuwire::sim

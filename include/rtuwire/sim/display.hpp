@@ -25,6 +25,7 @@ struct appearance {
     bool is_local;
     bool is_stopped_by_key;
     bool has_cause; ///< the fault's cause is still there
+    bool tripped_in_quick_stop;
 
     [[nodiscard]] constexpr bool is_running() const noexcept
     {
@@ -38,6 +39,9 @@ struct appearance {
 {
     std::uint32_t word = cia402::status_bits(seen.state);
     bool const is_reached = shaft.frequency() == seen.target;
+    if (cia402::is_in_fault(seen.state) and seen.tripped_in_quick_stop) {
+        word &= ~std::uint32_t{cia402::no_quick_stop_bit};
+    }
     word |= profile.mains_bit_is_inverted ? 0U : 0x10U;
     word |= seen.is_local ? 0U : altivar::remote_bit;
     word |= seen.is_running() and is_reached ? altivar::reference_reached_bit : 0U;

@@ -308,7 +308,8 @@ private:
                               set().limited(asked()) != asked(),
                               control_.is_local(),
                               control_.is_stopped_by_key(),
-                              control_.has_cause()};
+                              control_.has_cause(),
+                              chart().tripped_in_quick_stop()};
         display(registers_, seen, motor_);
     }
 
@@ -320,4 +321,4 @@ private:
     instant now_{0};
 };
 
-} // namespace rtuwire::inline RTUWIRE_BUILD::sim
+} // namespace rtuwire::sim

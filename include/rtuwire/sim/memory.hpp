@@ -50,4 +50,4 @@ private:
     std::uint32_t writes_{0};
 };
 
-} // namespace rtuwire::inline RTUWIRE_BUILD::sim
+} // namespace rtuwire::sim
