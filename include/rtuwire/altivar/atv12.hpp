@@ -160,6 +160,7 @@ inline constexpr reg<plain> nc4{.code = "NC4", .address = 12764, .min = {0}, .ma
 /// An ATV12.
 struct device {
     static constexpr text name{"atv12"};
+    static constexpr text reference{"ATV12H075M2"}; ///< one of the family, as function 43 tells it
     static constexpr function_set functions{
         function_code::read_holding_registers, function_code::write_single_register,
         function_code::write_multiple_registers, function_code::read_write_multiple_registers,

@@ -227,6 +227,7 @@ inline constexpr reg<seconds> spdt{.code = "SPDT", .address = 615, .min = {0}, .
 /// An ATV28. Its time-out is fixed, unless CMI bit 14 switches it off.
 struct device {
     static constexpr text name{"atv28"};
+    static constexpr text reference{"ATV28HU29N4"}; ///< one of the family
     static constexpr function_set functions{function_code::read_holding_registers,
                                             function_code::write_single_register,
                                             function_code::write_multiple_registers};

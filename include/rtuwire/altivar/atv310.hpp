@@ -194,6 +194,7 @@ inline constexpr reg<plain> nc8{.code = "NC8", .address = 12768, .min = {0}, .ma
 /// An ATV310 as its manual of 2014 has it.
 struct device {
     static constexpr text name{"atv310"};
+    static constexpr text reference{"ATV310H037N4"}; ///< one of the family, as function 43 tells it
     static constexpr function_set functions{
         function_code::read_holding_registers, function_code::write_single_register,
         function_code::write_multiple_registers, function_code::read_write_multiple_registers,

@@ -210,6 +210,7 @@ inline constexpr reg<plain> nc8{.code = "NC8", .address = 12768, .min = {0}, .ma
 /// An ATV320.
 struct device {
     static constexpr text name{"atv320"};
+    static constexpr text reference{"ATV320U07M2B"}; ///< one of the family, as function 43 tells it
     static constexpr function_set functions{
         function_code::read_holding_registers,   function_code::write_single_register,
         function_code::write_multiple_registers, function_code::read_write_multiple_registers,

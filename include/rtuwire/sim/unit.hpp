@@ -5,21 +5,34 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
+#include <rtuwire/core/text.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/sim/drive.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
-/// The functions, limits and identification of a device, as a server answers them.
+/// What the drives say of their maker, and their conformity level: regular identification, as a stream.
+inline constexpr text maker{"Schneider Electric"};
+inline constexpr std::uint8_t printed_conformity = 0x02;
+
+/// The functions and limits of a device, as a server answers them with these objects; without function 43
+/// they are left out.
+template <device_type Device>
+[[nodiscard]] constexpr server_profile line_profile_with(device_objects const& objects) noexcept
+{
+    bool const tells = Device::functions.contains(function_code::encapsulated_interface);
+    return {Device::functions, Device::limits,
+            tells ? objects.with_conformity(printed_conformity) : device_objects{}};
+}
+
+/// A device that says what its manual prints.
 template <device_type Device> struct line_profile {
     static constexpr std::array<device_object, 3> objects{
-        {{vendor_name, "rtuwire"}, {product_code, Device::name}, {major_minor_revision, "0201"}}};
-    static constexpr server_profile value{
-        Device::functions, Device::limits,
-        Device::functions.contains(function_code::encapsulated_interface) ? identity_of<objects>
-                                                                          : device_objects{}};
+        {{vendor_name, maker}, {product_code, Device::reference}, {major_minor_revision, "0201"}}};
+    static constexpr server_profile value = line_profile_with<Device>(identity_of<objects>);
 };
 
 /// A drive on a line. Call `receive`, `sent` and `advance` as for a server; then send what
@@ -27,7 +40,13 @@ template <device_type Device> struct line_profile {
 template <device_type Device> class unit {
 public:
     constexpr unit(unit_id address, line_timing const& line, instant now) noexcept
-        : node_{address, line, line_profile<Device>::value}, drive_{now}
+        : unit{address, line, now, line_profile<Device>::value}
+    {}
+
+    /// Says something else of itself than its manual prints; the profile outlives the unit.
+    constexpr unit(unit_id address, line_timing const& line, instant now,
+                   server_profile const& profile) noexcept
+        : node_{address, line, profile}, drive_{now}
     {}
 
     constexpr void receive(byte_view octets, instant now) noexcept { node_.receive(octets, now); }
