@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/factory.hpp>
@@ -26,7 +27,9 @@ struct register_rule {
     bound min;
     bound max;
     std::uint16_t factory;
-    std::int32_t steps_per_unit; ///< 10 where it counts tenths; 1 where it is no quantity
+    std::int32_t steps_per_unit;           ///< 10 where it counts tenths; 1 where it is no quantity
+    std::span<std::uint16_t const> listed; ///< the words that mean something, of an enumeration
+    count_range gap;                       ///< raw counts that it does not take
 };
 
 /// How many steps of a register make one whole unit.
@@ -48,7 +51,7 @@ template <auto const&... Registers> struct rules_of<table<Registers...>> {
         Registers.code, Registers.mode, lowest<Registers>() < 0, Registers.min, Registers.max,
         Registers.factory ? static_cast<std::uint16_t>(*Registers.factory)
                           : factory_value_of(Registers.code),
-        steps_per_unit<Registers>()}...};
+        steps_per_unit<Registers>(), listed_words<value_of<Registers>>(), Registers.gap}...};
     static constexpr std::array<text, count> codes{Registers.code...};
     static constexpr std::array<std::uint16_t, count> addresses{Registers.address...};
 };
@@ -113,14 +116,16 @@ public:
         words_[place] = static_cast<std::uint16_t>(cut);
     }
 
-    /// Whether a register takes a word; `illegal_data_value` outside its limits.
+    /// Whether a register takes a word; `illegal_data_value` outside its limits, or without a meaning.
     [[nodiscard]] constexpr errc check(std::size_t place, std::uint16_t word) const noexcept
     {
         register_rule const& known = rule(place);
         std::int32_t const raw = known.is_signed ? static_cast<std::int16_t>(word) : word;
         bool const is_inside = (known.min.is_open() or raw >= limit(known.min)) and
                                (known.max.is_open() or raw <= limit(known.max));
-        return is_inside ? errc::none : errc::illegal_data_value;
+        bool const is_right =
+            is_inside and not known.gap.contains(raw) and has_meaning(known.listed, word);
+        return is_right ? errc::none : errc::illegal_data_value;
     }
 
     [[nodiscard]] constexpr words const& all() const noexcept { return words_; }
