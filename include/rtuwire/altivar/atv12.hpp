@@ -25,11 +25,11 @@ inline constexpr reg<mains> vcal{.code = "VCAL", .address = 3012, .mode = access
     .name = "Drive mains voltage"};
 inline constexpr reg<deciamperes> inv{.code = "INV", .address = 3017, .mode = access::read_only, .min = {0}, .max = {65535},
     .name = "Rated drive current"};
-inline constexpr reg<hectohertz> sfr{.code = "SFR", .address = 3102, .name = "Switching frequency"};
-inline constexpr reg<decihertz> tfr{.code = "TFR", .address = 3103, .mode = access::configuration,
+inline constexpr reg<hectohertz> sfr{.code = "SFR", .address = 3102, .min = {20}, .max = {160}, .factory = 40, .name = "Switching frequency"};
+inline constexpr reg<decihertz> tfr{.code = "TFR", .address = 3103, .mode = access::configuration, .min = {100}, .max = {4000},
     .name = "Maximum output frequency"};
-inline constexpr reg<decihertz> hsp{.code = "HSP", .address = 3104, .name = "High speed"};
-inline constexpr reg<decihertz> lsp{.code = "LSP", .address = 3105, .name = "Low speed"};
+inline constexpr reg<decihertz> hsp{.code = "HSP", .address = 3104, .min = {0}, .max = {4000}, .name = "High speed"};
+inline constexpr reg<decihertz> lsp{.code = "LSP", .address = 3105, .min = {0}, .max = {4000}, .factory = 0, .name = "Low speed"};
 inline constexpr reg<status_word> eta{.code = "ETA", .address = 3201, .mode = access::read_only,
     .name = "Status word"};
 inline constexpr reg<signed_decihertz> rfr{.code = "RFR", .address = 3202, .mode = access::read_only, .min = {-5000}, .max = {5000}, .factory = 0,

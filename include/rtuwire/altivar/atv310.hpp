@@ -100,7 +100,7 @@ inline constexpr reg<status_word> etad{.code = "ETAD", .address = 8603, .mode = 
     .name = "Status word, speed mode", .source = trust::inferred};
 inline constexpr reg<signed_rpm> rfrd{.code = "RFRD", .address = 8604, .mode = access::read_only,
     .name = "Output speed"};
-inline constexpr reg<deciseconds> acc{.code = "ACC", .address = 9001, .name = "Acceleration ramp time"};
+inline constexpr reg<deciseconds> acc{.code = "ACC", .address = 9001, .min = {0}, .max = {9999}, .factory = 30, .name = "Acceleration ramp time"};
 inline constexpr reg<deciseconds> dec{.code = "DEC", .address = 9002, .min = {0}, .max = {9999}, .factory = 30,
     .name = "Deceleration ramp time", .source = trust::inferred};
 inline constexpr reg<deciseconds> ac2{.code = "AC2", .address = 9012, .min = {0}, .max = {9999}, .factory = 50,
