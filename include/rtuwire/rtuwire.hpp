@@ -79,8 +79,10 @@
 #include <rtuwire/server/serial_diagnostics.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/server/typed_bank.hpp>
+#include <rtuwire/sim/channels.hpp>
 #include <rtuwire/sim/chart.hpp>
 #include <rtuwire/sim/control.hpp>
+#include <rtuwire/sim/demand.hpp>
 #include <rtuwire/sim/dice.hpp>
 #include <rtuwire/sim/display.hpp>
 #include <rtuwire/sim/drive.hpp>

@@ -401,12 +401,10 @@ TEST_CASE("the ATV28 obeys direct commands, and shows mains by a low bit 4")
         CHECK(it.drive.word("RFR") == 400);
         it.command(static_cast<std::uint16_t>(stop));
         it.wait(800);
-        CHECK((it.drive.word("RFR") == 0) == (stop == 0xC00A));
+        CHECK((it.drive.word("RFR") == 0) == (stop != 0x900A));
         it.wait(2'200);
         CHECK(it.drive.word("RFR") == 0);
     }
-    it.command(0x8108);
-    CHECK((it.eta() & 0x0200) == 0);
 }
 
 TEST_CASE("a simulated hour is a few calculations")

@@ -251,6 +251,7 @@ struct device {
                                            .chart = {.quick_stop_waits = true},
                                            .mains_bit_is_inverted = true,
                                            .refuses_commands_in_local = true,
+                                           .shows_forced_local_only = true,
                                            .falls_back_when_configured = false,
                                            .shows_eeprom_access = false,
                                            .halt = 0,

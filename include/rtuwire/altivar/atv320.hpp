@@ -56,7 +56,7 @@ inline constexpr reg<product_state> hmis{.code = "HMIS", .address = 3240, .mode 
     .name = "Product state", .source = trust::inferred};
 inline constexpr reg<plain> vdp{.code = "VDP", .address = 3302, .mode = access::read_only, .min = {0}, .max = {65535},
     .name = "Firmware version", .source = trust::inferred};
-inline constexpr reg<plain> add{.code = "ADD", .address = 6001, .mode = access::configuration, .min = {0}, .max = {247},
+inline constexpr reg<plain> add{.code = "ADD", .address = 6001, .mode = access::configuration, .min = {0}, .max = {247}, .factory = 0,
     .name = "Unit address", .source = trust::inferred};
 inline constexpr reg<serial_rate> tbr{.code = "TBR", .address = 6003, .mode = access::configuration,
     .name = "Line bit rate", .source = trust::inferred};

@@ -6,6 +6,7 @@
 // `advance` says. Made from what the manuals tell; of a real drive's habits it knows no more.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -14,8 +15,10 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/bank.hpp>
+#include <rtuwire/sim/channels.hpp>
 #include <rtuwire/sim/chart.hpp>
 #include <rtuwire/sim/control.hpp>
+#include <rtuwire/sim/demand.hpp>
 #include <rtuwire/sim/display.hpp>
 #include <rtuwire/sim/fault_record.hpp>
 #include <rtuwire/sim/image.hpp>
@@ -35,8 +38,12 @@ template <device_type Device> class drive {
     static constexpr altivar::drive_profile const& profile = Device::profile;
 
 public:
-    /// Switched on at `now`, as delivered.
-    explicit constexpr drive(instant now) noexcept { power_up(now); }
+    /// Switched on at `now`, commissioned: Modbus commands it, and it has a unit address.
+    explicit constexpr drive(instant now, std::uint16_t address = 1) noexcept
+    {
+        memory_.commission(registers_, address);
+        power_up(now);
+    }
 
     /// Lets time pass: the motor follows its ramp, the link may be lost.
     constexpr void advance(instant now) noexcept
@@ -44,15 +51,20 @@ public:
         duration const passed = now - now_;
         now_ = now;
         control_.initialised();
+        memory_.advance(now);
+        turn(passed);
         if (supervision_.is_lost(now, set().time_out())) {
             lose_link();
         }
-        turn(passed);
-        show();
+        settle();
     }
 
     /// Takes note of a request to this unit.
-    constexpr void note_contact() noexcept { supervision_.note_contact(now_); }
+    constexpr void note_contact() noexcept
+    {
+        supervision_.note_contact(now_);
+        is_link_lost_ = false;
+    }
 
     [[nodiscard]] constexpr errc check_read(std::uint16_t start, std::size_t count) const noexcept
     {
@@ -94,8 +106,7 @@ public:
         for (std::size_t i = 0; i < values.size(); ++i) {
             store(registers::at_address(start + i), values[i]);
         }
-        turn(duration{});
-        show();
+        settle();
         return errc::none;
     }
 
@@ -105,14 +116,33 @@ public:
     constexpr void set_local(bool is_local) noexcept
     {
         control_.set_local(is_local);
-        show();
+        settle();
     }
 
-    /// The STOP key: the drive falls back, and says so until it runs again.
+    /// The STOP key, pressed and let go, or held: the drive falls back, and says so until it runs again.
     constexpr void press_stop() noexcept
     {
-        control_.press_stop();
-        show();
+        hold_stop(true);
+        hold_stop(false);
+    }
+    constexpr void hold_stop(bool is_held) noexcept
+    {
+        control_.hold_stop(is_held);
+        settle();
+    }
+
+    /// Closes a logic input, or opens it; LI1 is number 1, and runs forward where the terminals command.
+    constexpr void set_input(std::size_t number, bool is_closed) noexcept
+    {
+        terminals_.set(number, is_closed);
+        settle();
+    }
+
+    /// The frequency in mHz that the analog input asks for.
+    constexpr void set_analog_reference(std::int32_t frequency) noexcept
+    {
+        analog_ = frequency;
+        settle();
     }
 
     /// A fault whose cause stays until `clear_cause`; `code` is its LFT.
@@ -123,7 +153,7 @@ public:
     }
     constexpr void clear_cause() noexcept { control_.set_cause(false); }
 
-    /// Off and on again: what was not saved is lost.
+    /// Off and on again: what was not saved is lost, and every order with it.
     constexpr void power_cycle(instant now) noexcept
     {
         registers_ = registers{};
@@ -136,6 +166,27 @@ public:
     [[nodiscard]] constexpr sim::chart const& chart() const noexcept { return control_.chart(); }
     [[nodiscard]] constexpr sim::motor const& motor() const noexcept { return motor_; }
     [[nodiscard]] constexpr std::uint16_t fault() const noexcept { return control_.fault(); }
+
+    /// How often the EEPROM was written.
+    [[nodiscard]] constexpr std::uint32_t eeprom_writes() const noexcept
+    {
+        return memory_.writes();
+    }
+
+    /// Whether it hears nothing at all: an ATV28 at work on its EEPROM.
+    [[nodiscard]] constexpr bool is_silent() const noexcept
+    {
+        return memory_.is_busy() and not profile.shows_eeprom_access;
+    }
+
+    /// The unit address that it listens to; 0 for none, broadcasts aside.
+    [[nodiscard]] constexpr std::uint16_t address() const noexcept
+    {
+        return registers_.get(at.add);
+    }
+
+    /// Rate and format of the line as they are in effect, in the numbers of its registers.
+    [[nodiscard]] constexpr line_setting line() const noexcept { return line_; }
 
     /// The word of a register by its mnemonic; 0 for one that this device does not have.
     [[nodiscard]] constexpr std::uint16_t word(text code) const noexcept
@@ -156,10 +207,26 @@ private:
         control_.power_up();
         motor_ = sim::motor{};
         supervision_ = supervision{};
-        registers_.put(at.cmd, 0);
-        registers_.put(at.lfr, 0);
-        registers_.put(at.lfrd, 0);
-        registers_.put(at.cmi, registers_.get(at.cmi) & parameters<Device>::unsupervised);
+        is_link_lost_ = false;
+        line_ = set().line();
+        arrange();
+        show();
+    }
+
+    /// Settings and inputs, as they are now, decide who commands.
+    constexpr void arrange() noexcept
+    {
+        control_.choose(channels<Device>{registers_}.choose(terminals_));
+        if (not at.has(at.bdr)) { // an ATV28 changes its rate at power-up only
+            line_ = set().line();
+        }
+    }
+
+    /// After anything that may have changed it, without time.
+    constexpr void settle() noexcept
+    {
+        arrange();
+        turn(duration{});
         show();
     }
 
@@ -167,9 +234,11 @@ private:
 
     constexpr errc check_word(std::size_t place, std::uint16_t word) const noexcept
     {
-        bool const is_command = place == at.cmd or place == at.lfr or place == at.lfrd;
-        if (is_command) {
-            bool const is_refused = control_.is_local() and profile.refuses_commands_in_local;
+        bool const is_command =
+            place == at.cmd or place == at.cmdd or place == at.lfr or place == at.lfrd;
+        if (is_command and place != registers::nowhere) {
+            bool const is_refused =
+                control_.is_forced_local() and profile.refuses_commands_in_local;
             return is_refused ? errc::server_device_failure : errc::none;
         }
         if (registers::rule(place).mode == access::configuration and
@@ -188,8 +257,9 @@ private:
     constexpr void store(std::size_t place, std::uint16_t word) noexcept
     {
         registers_.put_word(place, word);
-        if (registers::rule(place).mode == access::configuration) {
-            reconfigured();
+        if (registers::rule(place).mode == access::configuration and
+            profile.falls_back_when_configured and chart().state() == cia402::state::switched_on) {
+            control_.fall_back();
         }
         if (outputs.has(place)) {
             forward(outputs.target_of(place, registers_), word);
@@ -221,15 +291,9 @@ private:
         }
     }
 
-    constexpr void reconfigured() noexcept
-    {
-        if (profile.falls_back_when_configured and chart().state() == cia402::state::switched_on) {
-            control_.fall_back();
-        }
-    }
-
     constexpr void obey(std::uint16_t word) noexcept
     {
+        registers_.put(at.cmd, word);
         registers_.put(at.cmdd, word);
         if (control_.obey(word)) {
             supervision_.note_contact(now_);
@@ -239,7 +303,7 @@ private:
     constexpr void extended_command(std::uint16_t word) noexcept
     {
         if (not cia402::has_power(chart().state())) {
-            memory_.execute(registers_, word);
+            memory_.execute(registers_, word, now_);
         }
     }
 
@@ -247,11 +311,19 @@ private:
 
     constexpr void lose_link() noexcept
     {
-        trip(link_fault);
-        control_.forget_command();
-        registers_.put(at.cmd, 0);
-        registers_.put(at.lfr, 0);
-        registers_.put(at.lfrd, 0);
+        is_link_lost_ = true;
+        loss_reaction const how = set().reaction_to_loss();
+        if (how == loss_reaction::stop_without_fault) {
+            control_.abandon();
+        } else if (is_fault(how)) {
+            trip(link_fault);
+            control_.forget_command();
+        } else {
+            return;
+        }
+        for (std::size_t const order : std::array{at.cmd, at.cmdd, at.lfr, at.lfrd}) {
+            registers_.put(order, 0);
+        }
     }
 
     constexpr void trip(std::uint16_t code) noexcept
@@ -266,51 +338,49 @@ private:
 
     constexpr parameters<Device> set() const noexcept { return parameters<Device>{registers_}; }
 
-    /// What the reference asks for, in mHz, before the limits.
-    constexpr std::int32_t asked() const noexcept
+    constexpr sim::demand<Device> demand() const noexcept
     {
-        std::int32_t const value = registers_.get_signed(at.lfr) * 100;
-        return control_.is_reversed() ? -value : value;
-    }
-
-    constexpr std::int32_t target() const noexcept
-    {
-        return control_.is_stopping() ? 0 : set().limited(asked());
+        return {registers_, control_, analog_, is_link_lost_};
     }
 
     constexpr void turn(duration passed) noexcept
     {
         constexpr std::int64_t fast = 4; ///< of the ramp, as dCF is delivered
         motor_settings settings = set().motor();
-        if (not cia402::has_power(chart().state()) or is_freewheeling()) {
+        stopping const how = demand().how_it_stops();
+        if (not cia402::has_power(chart().state()) or how == stopping::freewheel) {
             motor_.coast(passed, settings);
+        } else if (how == stopping::injection) {
+            motor_.inject(passed, settings);
         } else {
-            settings.deceleration /= control_.is_stopping_fast() ? fast : 1;
-            motor_.drive(target(), passed, settings);
+            settings.deceleration /= how == stopping::fast ? fast : 1;
+            motor_.drive(demand().target(), passed, settings);
         }
         if (motor_.is_at_rest()) {
             control_.at_rest();
         }
     }
 
-    /// A fault takes the torque away, unless it is a lost link that SLL wants a ramp for.
-    constexpr bool is_freewheeling() const noexcept
-    {
-        bool const ramps = fault() == link_fault and set().ramps_on_loss();
-        return chart().state() == cia402::state::fault_reaction_active and not ramps;
-    }
-
     constexpr void show() noexcept
     {
-        appearance const seen{chart().state(),
-                              asked(),
-                              target(),
-                              set().limited(asked()) != asked(),
-                              control_.is_local(),
-                              control_.is_stopped_by_key(),
-                              control_.has_cause(),
-                              chart().tripped_in_quick_stop()};
+        sim::demand<Device> const now = demand();
+        bool const has_power = cia402::has_power(chart().state());
+        bool const is_by_link = control_.is_by_link();
+        appearance const seen{
+            .state = chart().state(),
+            .target = now.target(),
+            .is_backwards = now.is_backwards(),
+            .is_limited = now.is_limited(),
+            .is_local =
+                profile.shows_forced_local_only ? control_.is_forced_local() : not is_by_link,
+            .is_by_link = is_by_link,
+            .is_stopped_by_key = control_.is_stopped_by_key(),
+            .has_cause = control_.has_cause(),
+            .tripped_in_quick_stop = chart().tripped_in_quick_stop(),
+            .is_injecting = has_power and now.how_it_stops() == stopping::injection,
+            .is_memory_busy = memory_.is_busy()};
         display(registers_, seen, motor_);
+        show_active_fault(registers_, fault());
     }
 
     registers registers_{};
@@ -318,7 +388,11 @@ private:
     control control_{profile};
     sim::motor motor_{};
     supervision supervision_{};
+    logic_inputs terminals_{};
+    line_setting line_{};
     instant now_{0};
+    std::int32_t analog_{0};
+    bool is_link_lost_{false};
 };
 
 } // namespace rtuwire::sim

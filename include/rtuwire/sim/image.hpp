@@ -26,7 +26,9 @@ struct register_rule {
     bool is_signed;
     bound min;
     bound max;
-    std::uint16_t factory;
+    std::uint16_t factory;                 ///< as delivered
+    std::uint16_t commissioned;            ///< as it came to the line
+    bool is_order;                         ///< no setting
     std::int32_t steps_per_unit;           ///< 10 where it counts tenths; 1 where it is no quantity
     std::span<std::uint16_t const> listed; ///< the words that mean something, of an enumeration
     count_range gap;                       ///< raw counts that it does not take
@@ -43,20 +45,27 @@ template <auto const& R> [[nodiscard]] constexpr std::int32_t steps_per_unit() n
     }
 }
 
+/// The value as delivered: what the table says, or else what we say.
+template <auto const& R> [[nodiscard]] constexpr std::uint16_t delivered() noexcept
+{
+    return R.factory ? static_cast<std::uint16_t>(*R.factory) : value_in(factory_values, R.code, 0);
+}
+
 /// The rules of a table's registers, in its order.
 template <typename Table> struct rules_of;
 template <auto const&... Registers> struct rules_of<table<Registers...>> {
     static constexpr std::size_t count = sizeof...(Registers);
-    static constexpr std::array<register_rule, count> list{register_rule{
-        Registers.code, Registers.mode, lowest<Registers>() < 0, Registers.min, Registers.max,
-        Registers.factory ? static_cast<std::uint16_t>(*Registers.factory)
-                          : factory_value_of(Registers.code),
-        steps_per_unit<Registers>(), listed_words<value_of<Registers>>(), Registers.gap}...};
+    static constexpr std::array<register_rule, count> list{
+        register_rule{Registers.code, Registers.mode, lowest<Registers>() < 0, Registers.min,
+                      Registers.max, delivered<Registers>(),
+                      value_in(commissioned_values, Registers.code, delivered<Registers>()),
+                      is_order(Registers.code), steps_per_unit<Registers>(),
+                      listed_words<value_of<Registers>>(), Registers.gap}...};
     static constexpr std::array<text, count> codes{Registers.code...};
     static constexpr std::array<std::uint16_t, count> addresses{Registers.address...};
 };
 
-/// The words of all registers of a device, as delivered first.
+/// The words of all registers of a device, as commissioned first.
 template <device_type Device> class image {
     using rules = rules_of<typename Device::registers>;
     static constexpr key_index<text, rules::count> by_code{rules::codes};
@@ -130,11 +139,11 @@ public:
 
     [[nodiscard]] constexpr words const& all() const noexcept { return words_; }
 
-    /// Sets every register that a client may write to what `saved` holds of it.
+    /// Sets every setting that a client may write to what `saved` holds of it.
     constexpr void restore(words const& saved) noexcept
     {
         for (std::size_t i = 0; i < rules::count; ++i) {
-            if (rule(i).mode != access::read_only) {
+            if (rule(i).mode != access::read_only and not rule(i).is_order) {
                 words_[i] = saved[i];
             }
         }
@@ -150,6 +159,16 @@ public:
         return all;
     }
 
+    /// The words of a drive that was commissioned.
+    [[nodiscard]] static constexpr words commissioned() noexcept
+    {
+        words all{};
+        for (std::size_t i = 0; i < rules::count; ++i) {
+            all[i] = rule(i).commissioned;
+        }
+        return all;
+    }
+
 private:
     constexpr std::int32_t limit(bound const& of) const noexcept
     {
@@ -158,7 +177,7 @@ private:
         return of.with(get(at(of.code())), factor);
     }
 
-    words words_{factory()};
+    words words_{commissioned()};
 };
 
 } // namespace rtuwire::sim

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include <rtuwire/core/text.hpp>
 #include <rtuwire/core/version.hpp>
@@ -46,10 +47,15 @@ public:
     /// Says something else of itself than its manual prints; the profile outlives the unit.
     constexpr unit(unit_id address, line_timing const& line, instant now,
                    server_profile const& profile) noexcept
-        : node_{address, line, profile}, drive_{now}
+        : node_{address, line, profile}, drive_{now, address.octet()}, line_{drive_.line()}
     {}
 
-    constexpr void receive(byte_view octets, instant now) noexcept { node_.receive(octets, now); }
+    constexpr void receive(byte_view octets, instant now) noexcept
+    {
+        if (is_hearing()) {
+            node_.receive(octets, now);
+        }
+    }
     constexpr void receive_error(instant now) noexcept { node_.receive_error(now); }
     constexpr void sent(instant now) noexcept { node_.sent(now); }
 
@@ -63,6 +69,8 @@ public:
             ++requests_;
             node_.serve(drive_, now);
         }
+        // The answer to the write that changed it has the old address still.
+        node_.listen_as(checked_unit(drive_.address()));
     }
 
     [[nodiscard]] constexpr byte_view poll_transmit() noexcept { return node_.poll_transmit(); }
@@ -78,8 +86,21 @@ public:
     [[nodiscard]] constexpr drive<Device> const& inside() const noexcept { return drive_; }
 
 private:
+    static constexpr std::optional<unit_id> checked_unit(std::uint16_t number) noexcept
+    {
+        auto const unit = unit_id::checked(number);
+        return unit ? std::optional{*unit} : std::nullopt;
+    }
+
+    /// Not while it is silent, and not where its settings are no longer those of the line.
+    constexpr bool is_hearing() const noexcept
+    {
+        return not drive_.is_silent() and drive_.line() == line_;
+    }
+
     server node_;
     drive<Device> drive_;
+    line_setting line_; ///< as it was put there
     std::uint32_t requests_{0};
 };
 
