@@ -23,6 +23,7 @@
 #include <rtuwire/altivar/reason.hpp>
 #include <rtuwire/altivar/reference.hpp>
 #include <rtuwire/altivar/reset_fault.hpp>
+#include <rtuwire/altivar/restore_factory_settings.hpp>
 #include <rtuwire/altivar/save_to_eeprom.hpp>
 #include <rtuwire/altivar/script.hpp>
 #include <rtuwire/altivar/start.hpp>
