@@ -14,11 +14,12 @@ using namespace rtuwire::altivar;
 using state = cia402::state;
 using test::drive_bench;
 
-/// Writes every writable register back as it was read; how many were refused.
+/// Reads every register and writes the writable ones back as they were read; how often that was refused.
 template <typename Device> static unsigned refusals(drive_bench<Device>& it)
 {
     unsigned refused = 0;
     Device::registers::for_each([&]<auto const & R>() {
+        refused += it.drive().check_read(R.address, 1) == errc::none ? 0U : 1U;
         if (R.mode != access::read_only) {
             std::uint16_t const word = it.word(R.code);
             bool const is_taken = it.tell(R.address, word) == errc::none;
