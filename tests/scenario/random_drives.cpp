@@ -159,6 +159,7 @@ template <typename Device> bool is_explained(reason const& told, life<Device>& i
 {
     switch (told.how) {
     case ending::pending:
+    case ending::executed_unconfirmed:
     case ending::unsupported:
     case ending::misconfigured:
     case ending::refused_while_running:

@@ -35,6 +35,7 @@ struct drive_profile {
     cia402::chart_options chart{};
     bool mains_bit_is_inverted{false};      ///< status bit 4 is 1 without mains
     bool refuses_commands_in_local{false};  ///< with an exception, instead of ignoring them
+    bool shows_forced_local_only{false};    ///< status bit 9 stays 1 for another channel in command
     bool falls_back_when_configured{true};  ///< from "switched on", by transition 10
     bool shows_eeprom_access{true};         ///< ETI bit 0 is 1 while it saves
     std::uint16_t halt{cia402::halt_bit};   ///< or-ed to the control word; 0: has no halt

@@ -17,6 +17,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 enum class ending : std::uint8_t {
     pending, ///< it has not
     succeeded,
+    executed_unconfirmed,  ///< the drive took the order; what it did to the line cannot be asked
     refused,               ///< by an exception, which `error` tells
     silent,                ///< no answer was accepted; `error` tells why
     stuck,                 ///< the state did not change in time, or fell back; a stop: taken, and not obeyed
@@ -48,6 +49,7 @@ struct reason {
     switch (how) {
     case ending::pending: return "under way";
     case ending::succeeded: return "done";
+    case ending::executed_unconfirmed: return "executed, not confirmed";
     case ending::refused: return "refused by the drive";
     case ending::silent: return "no answer";
     case ending::stuck: return "the drive does not follow";
