@@ -28,17 +28,22 @@ template <typename Device> void saves_after_factory_settings()
     it.add(unit_id{3});
     it.idle(milliseconds(20));
     constexpr station<Device> drive{unit_id{3}};
-    constexpr std::uint16_t factory_settings = 0x0001;
-    single_question reset{drive.unit(), write_single_register{Device::profile.cmi, factory_settings}};
-    REQUIRE(it.run(reset));
-    it.idle(milliseconds(2'500));
-
+    // CMI as it stands where somebody ordered factory settings by it.
+    constexpr std::uint8_t factory_settings = 0x01;
+    bool is_reading = false;
     std::vector<std::uint16_t> told;
     it.disturb([&](std::vector<std::byte>& frame, bool is_request) {
-        if (is_request and frame[1] == std::byte{6} and
-            u16_at(byte_view{frame}, 2) == Device::profile.cmi) {
+        bool const is_cmi = is_request and u16_at(byte_view{frame}, 2) == Device::profile.cmi;
+        if (is_cmi and frame[1] == std::byte{6}) {
             told.push_back(u16_at(byte_view{frame}, 4));
         }
+        if (not is_request and is_reading) {
+            frame = {frame[0], frame[1], frame[2], std::byte{0}, std::byte{factory_settings}};
+            std::uint16_t const crc = crc16(frame);
+            frame.push_back(to_byte(crc));
+            frame.push_back(to_byte(crc >> 8U));
+        }
+        is_reading = is_cmi and frame[1] == std::byte{3};
     });
     save_to_eeprom save{drive};
     REQUIRE(it.run(save));
