@@ -89,6 +89,9 @@ template <auto const& R> row row_of()
     if (R.source == trust::doubtful) {
         name += " [doubtful]";
     }
+    if (R.gap.last >= R.gap.first) {
+        name += " [never " + std::to_string(R.gap.first) + ".." + std::to_string(R.gap.last) + "]";
+    }
     if (R.steps_set_by.size() > 0) {
         name += " [steps set by " + words(R.steps_set_by) + "]";
     }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Simulated drives for a PLC, a SCADA system or a script of one's own, on a pseudo-terminal or a real
-// port: simulate --drive atv320:1 --drive atv28:2 [--port P] [--baud B] [--format F]
+// port: simulate --drive atv320:1 --drive atv28:2 [--port P] [--baud B] [--format F] [--vendor NAME]
 #include <csignal>
 #include <cstdio>
 #include <optional>
@@ -28,6 +28,7 @@ struct drive_choice {
 struct options {
     line_choice line{};
     std::vector<drive_choice> drives{};
+    std::string vendor{}; ///< who made them; empty for what their manuals print
 };
 
 std::optional<drive_choice> drive_in(std::string const& word)
@@ -51,6 +52,8 @@ std::optional<options> parse(int argc, char** argv)
                 return std::nullopt;
             }
             chosen.drives.push_back(*drive);
+        } else if (flag == "--vendor" and std::string{argv[i + 1]}.size() < 64) {
+            chosen.vendor = argv[i + 1];
         } else if (not chosen.line.take(flag, argv[i + 1])) {
             return std::nullopt;
         }
@@ -70,17 +73,17 @@ template <typename Line> void obey(Line& line, std::string const& order)
     auto const space = order.find(' ');
     auto const unit = number_in(order.substr(0, space));
     auto* const drive = unit ? line.find(*unit) : nullptr;
-    bool const is_known =
-        drive != nullptr and space != std::string::npos and drive->suffer(order.substr(space + 1));
+    bool const is_known = drive != nullptr and space != std::string::npos and
+                          drive->suffer(order.substr(space + 1), line.now());
     if (not is_known) {
-        std::fputs("simulate understands: UNIT fault|clear|local|remote|stop|cut|join\n", stderr);
+        std::fprintf(stderr, "simulate understands: UNIT %s\n", drive_events);
     }
 }
 
 template <typename Port>
 int serve(Port& port, std::string const& path, line_timing const& timing, options const& chosen)
 {
-    simulated_line<Port> line{port, timing};
+    simulated_line<Port> line{port, timing, chosen.vendor};
     for (auto const& drive : chosen.drives) {
         if (not line.add(drive.name, drive.unit)) {
             std::fprintf(stderr, "simulate: no drive %s at unit %u (the drives are %s)\n",
@@ -94,6 +97,7 @@ int serve(Port& port, std::string const& path, line_timing const& timing, option
     while (failed and not reached(port.now(), listening)) {
         failed = line.pass(timing.frame_end());
     }
+    std::fputs("simulate: what answers here is simulated, whoever it says has made it\n", stderr);
     for (auto const& drive : chosen.drives) {
         std::printf("%s unit %u on %s\n", drive.name.c_str(), drive.unit, path.c_str());
     }
@@ -123,7 +127,7 @@ int main(int argc, char** argv)
     if (not chosen) {
         std::fprintf(stderr,
                      "usage: simulate [--drive %s[:UNIT]]... [--port DEVICE] [--baud RATE] "
-                     "[--format 8E1|8O1|8N1|8N2]\n",
+                     "[--format 8E1|8O1|8N1|8N2] [--vendor NAME]\n",
                      drive_names);
         return 2;
     }

@@ -13,6 +13,7 @@
 #include <rtuwire/sim/unit.hpp>
 
 #include "command_line.hpp"
+#include "drive_events.hpp"
 
 namespace examples {
 
@@ -34,67 +35,66 @@ public:
     virtual rtuwire::unit_id address() const = 0;
     virtual bool is_at_rest() const = 0;
 
-    /// Lets something happen to it: fault, clear, local, remote, stop, cut or join; false for what it
-    /// does not know.
-    virtual bool suffer(std::string const& what) = 0;
+    /// Lets something happen to it, one of `drive_events`; false for what it does not know.
+    virtual bool suffer(std::string const& what, rtuwire::instant now) = 0;
 };
 
 template <rtuwire::device_type Device> class simulated final : public simulated_drive {
 public:
-    simulated(rtuwire::unit_id address, rtuwire::line_timing const& line, rtuwire::instant now)
-        : address_{address}, unit_{address, line, now}
+    simulated(rtuwire::unit_id address, rtuwire::line_timing const& line, rtuwire::instant now,
+              rtuwire::device_objects const& objects)
+        : address_{address}, profile_{rtuwire::sim::line_profile_with<Device>(objects)},
+          unit_{address, line, now, profile_}
     {}
 
     void receive(rtuwire::byte_view octets, rtuwire::instant now) override
     {
-        if (not is_cut_) {
+        if (not is_deaf_) {
             unit_.receive(octets, now);
         }
     }
     void receive_error(rtuwire::instant now) override
     {
-        if (not is_cut_) {
+        if (not is_deaf_) {
             unit_.receive_error(now);
         }
     }
     void sent(rtuwire::instant now) override { unit_.sent(now); }
     void advance(rtuwire::instant now) override { unit_.advance(now); }
-    rtuwire::byte_view poll_transmit() override { return unit_.poll_transmit(); }
+    rtuwire::byte_view poll_transmit() override
+    {
+        return is_mute_ ? rtuwire::byte_view{} : unit_.poll_transmit();
+    }
     rtuwire::deadline poll_deadline() const override { return unit_.poll_deadline(); }
     rtuwire::unit_id address() const override { return address_; }
     bool is_at_rest() const override { return unit_.inside().motor().is_at_rest(); }
 
-    bool suffer(std::string const& what) override
+    bool suffer(std::string const& what, rtuwire::instant now) override
     {
-        constexpr std::uint16_t overcurrent = 9; // LFT
-        auto& drive = unit_.inside();
-        if (what == "fault") {
-            drive.inject_fault(overcurrent);
-        } else if (what == "clear") {
-            drive.clear_cause();
-        } else if (what == "local" or what == "remote") {
-            drive.set_local(what == "local");
-        } else if (what == "stop") {
-            drive.press_stop();
-        } else if (what == "cut" or what == "join") {
-            is_cut_ = what == "cut";
-        } else {
-            return false;
+        if (what == "cut" or what == "join" or what == "deaf" or what == "mute") {
+            is_deaf_ = what == "cut" or what == "deaf";
+            is_mute_ = what == "cut" or what == "mute";
+            return true;
         }
-        return true;
+        return happens(unit_.inside(), words_of(what), now);
     }
 
 private:
     rtuwire::unit_id address_;
+    rtuwire::server_profile profile_;
     rtuwire::sim::unit<Device> unit_;
-    bool is_cut_{false};
+    bool is_deaf_{false};
+    bool is_mute_{false};
 };
 
 /// Drives that hear one line, and each other.
 template <typename Port> class simulated_line {
+    using identity_octets = std::array<std::byte, rtuwire::max_adu_size>;
+
 public:
-    simulated_line(Port& port, rtuwire::line_timing const& timing)
-        : port_{port}, timing_{timing}, last_{port.now()}
+    /// The drives say of themselves what their manuals print, or that `vendor` made them.
+    simulated_line(Port& port, rtuwire::line_timing const& timing, std::string const& vendor = {})
+        : port_{port}, timing_{timing}, last_{port.now()}, vendor_{vendor}
     {}
 
     /// Adds a drive by its name; false where the name is none, or the address taken or out of the
@@ -109,7 +109,8 @@ public:
         with_drive(name, [&](auto device) {
             using type = typename decltype(device)::type;
             if (rtuwire::station<type>::checked(address)) {
-                drives_.push_back(std::make_unique<simulated<type>>(*unit, timing_, last_));
+                drives_.push_back(std::make_unique<simulated<type>>(*unit, timing_, last_,
+                                                                    identity_of_a<type>()));
                 is_added = true;
             }
         });
@@ -161,7 +162,36 @@ public:
         return answer();
     }
 
+    rtuwire::instant now() const { return last_; }
+
 private:
+    /// The objects of a drive; their octets live as long as this line.
+    template <rtuwire::device_type Device> rtuwire::device_objects identity_of_a()
+    {
+        using rtuwire::sim::line_profile;
+        auto const& printed = line_profile<Device>::objects;
+        auto const& octets = identities_.emplace_back(std::make_unique<identity_octets>());
+        rtuwire::byte_writer out{*octets};
+        for (rtuwire::device_object const& each : printed) {
+            if (each.id == rtuwire::vendor_name and not vendor_.empty()) {
+                write_vendor(out);
+            } else {
+                rtuwire::write_object(out, each);
+            }
+        }
+        auto const made = rtuwire::device_objects::from(out.written());
+        return made ? *made : rtuwire::device_objects{};
+    }
+
+    void write_vendor(rtuwire::byte_writer& out) const
+    {
+        out.u8(rtuwire::vendor_name);
+        out.u8(static_cast<std::uint32_t>(vendor_.size()));
+        for (char const letter : vendor_) {
+            out.u8(static_cast<std::uint8_t>(letter));
+        }
+    }
+
     bool has_receive_error()
     {
         if constexpr (rtuwire::reports_receive_errors<Port>) {
@@ -197,6 +227,8 @@ private:
     Port& port_;
     rtuwire::line_timing timing_;
     rtuwire::instant last_;
+    std::string vendor_;
+    std::vector<std::unique_ptr<identity_octets>> identities_{};
     std::vector<std::unique_ptr<simulated_drive>> drives_{};
     std::array<std::byte, rtuwire::max_adu_size> input_{};
 };

@@ -72,7 +72,7 @@ private:
         while (is_good and not(input.has_ended() and line.is_at_rest())) {
             is_good = line.pass(rtuwire::milliseconds(10)).has_value();
             while (auto const order = input.next()) {
-                line.find(unit)->suffer(*order);
+                line.find(unit)->suffer(*order, line.now());
             }
         }
         std::_Exit(is_good ? 0 : 1);

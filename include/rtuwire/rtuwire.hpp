@@ -23,6 +23,7 @@
 #include <rtuwire/altivar/reason.hpp>
 #include <rtuwire/altivar/reference.hpp>
 #include <rtuwire/altivar/reset_fault.hpp>
+#include <rtuwire/altivar/restore_factory_settings.hpp>
 #include <rtuwire/altivar/save_to_eeprom.hpp>
 #include <rtuwire/altivar/script.hpp>
 #include <rtuwire/altivar/start.hpp>
@@ -79,7 +80,10 @@
 #include <rtuwire/server/serial_diagnostics.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/server/typed_bank.hpp>
+#include <rtuwire/sim/channels.hpp>
 #include <rtuwire/sim/chart.hpp>
+#include <rtuwire/sim/control.hpp>
+#include <rtuwire/sim/demand.hpp>
 #include <rtuwire/sim/dice.hpp>
 #include <rtuwire/sim/display.hpp>
 #include <rtuwire/sim/drive.hpp>
@@ -87,6 +91,7 @@
 #include <rtuwire/sim/fault_record.hpp>
 #include <rtuwire/sim/image.hpp>
 #include <rtuwire/sim/line.hpp>
+#include <rtuwire/sim/memory.hpp>
 #include <rtuwire/sim/motor.hpp>
 #include <rtuwire/sim/parameters.hpp>
 #include <rtuwire/sim/places.hpp>

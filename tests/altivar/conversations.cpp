@@ -66,14 +66,16 @@ template <typename Device> void starts_and_stops()
     it.idle(milliseconds(5'000));
     CHECK(it.drive_().motor().frequency() == -30'000);
 
-    CHECK(it.end_of(stop{drive}).how == ending::succeeded);
-    CHECK(it.now_in() == state::ready_to_switch_on);
-    CHECK(it.drive_().chart().last() == transition::t6);
+    constexpr auto known = word_meaning::drive_profile;
+    constexpr duration limit = milliseconds(30'000);
+    CHECK(it.end_of(stop{drive, stop_by::ramp, limit, known}).how == ending::succeeded);
+    CHECK(it.now_in() == state::switch_on_disabled);
+    CHECK(it.drive_().chart().last() == transition::t10);
     CHECK((it.drive_().chart().taken() & (1U << 5U)) != 0);
 
     REQUIRE(it.started());
     it.idle(milliseconds(1'000));
-    CHECK(it.end_of(stop{drive, stop_by::quick_stop}).how == ending::succeeded);
+    CHECK(it.end_of(stop{drive, stop_by::quick_stop, limit, known}).how == ending::succeeded);
     CHECK(it.drive_().chart().last() == transition::t12);
 
     REQUIRE(it.started());
@@ -108,6 +110,7 @@ template <typename Device> void meets_a_fault()
         CHECK(told.how == ending::in_fault);
         CHECK(told.fault == 9);
     }
+    CHECK(it.drive_().word("CMD") == 0);
     it.drive_().clear_cause();
     CHECK(it.end_of(reset_fault{drive}).how == ending::succeeded);
     CHECK(it.drive_().chart().last() == transition::t15);

@@ -340,7 +340,7 @@ TEST_CASE("a drive says who it is")
     identify<atv320::device> who{station<atv320::device>{unit_id{7}}};
     REQUIRE(line.run(who));
     REQUIRE(who.outcome());
-    CHECK(who.outcome()->product == byte_view{"61 74 76 33 32 30"_hex});
+    CHECK(who.outcome()->product == byte_view{"41 54 56 33 32 30 55 30 37 4D 32 42"_hex});
 
     test::party_line<client, atv28::device> old{client{test::party_timing, patient}};
     old.add(unit_id{7});

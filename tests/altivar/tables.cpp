@@ -54,7 +54,8 @@ STATIC_CHECK(not atv28::device::functions.contains(function_code::read_write_mul
 STATIC_CHECK(atv320::device::limits.exchange_read == 20 and
              atv12::device::limits.exchange_read == 4);
 
-using monitor = read_plan<atv320::device, atv320::eta, atv320::rfr, atv320::lcr, atv320::acc>;
+using monitor = read_plan<atv320::device, atv320::eta, atv320::rfr, atv320::lcr,
+                          restepped<deciseconds, atv320::acc>>;
 STATIC_CHECK(monitor::request_count == 2);
 STATIC_CHECK(monitor::requests()[0] == address_block{3201, 4});
 using old_monitor =

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""mbpoll reads the monitoring registers of five simulated drives on one line, in turn.
+"""mbpoll reads the monitoring registers of five simulated drives on one line, in turn, and brings each of
+them to operation and back.
 
     python3 mbpoll_drives.py SIMULATE
 """
@@ -21,6 +22,23 @@ def mbpoll(device, unit, start, count):
     return {int(at): int(word) for at, word in re.findall(r"\[(\d+)\]: \t(\d+)", done.stdout)}
 
 
+def write(device, unit, address, word):
+    done = subprocess.run(["mbpoll", *LINE, "-a", str(unit), "-r", str(address), device, str(word)],
+                          text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=20,
+                          check=False)
+    return done.returncode == 0
+
+
+def goes_up_and_down(device, unit, name, check):
+    at = Registers(name)
+    for word, mask, state in ((0x0006, 0x6F, 0x21), (0x0007, 0x6F, 0x23), (0x000F, 0x6F, 0x27),
+                              (0x0007, 0x6F, 0x23), (0x0006, 0x6F, 0x21), (0x0000, 0x4F, 0x40)):
+        is_written = write(device, unit, at.cmd, word)
+        status = mbpoll(device, unit, at.eta, 1)
+        is_right = is_written and status.get(at.eta, 0) & mask == state
+        check(is_right, f"{name}: CMD {word:04X} leads to xx{state:02X}", status)
+
+
 def main(program):
     check = Checks()
     drives = {unit: name for unit, name in enumerate(DRIVES, 1)}
@@ -33,6 +51,8 @@ def main(program):
                 status = mbpoll(device, unit, at.eta, 1)
                 is_right = is_whole and status[at.eta] & 0x4F == 0x40
                 check(is_right, f"{name} at unit {unit}", words)
+        for unit, name in drives.items():
+            goes_up_and_down(device, unit, name, check)
         check(mbpoll(device, 9, 3201, 1) == {}, "nobody at unit 9")
     return check.status()
 

@@ -10,6 +10,7 @@ import contextlib
 import sys
 
 from pymodbus.client import ModbusSerialClient
+from pymodbus.mei_message import ReadDeviceInformationRequest
 
 from lossy_line import LossyLine
 from simulator import Checks, Registers, Simulator, asked
@@ -64,6 +65,19 @@ def runs(drive, check):
           "CMD 0000: switch on disabled")
 
 
+def says_who_it_is(drive, name, check):
+    """What a master that looks at the maker sees; an ATV28 does not know the function."""
+    who = asked(lambda: drive.line.execute(
+        ReadDeviceInformationRequest(read_code=1, object_id=0, unit=UNIT)))
+    if name == "atv28":
+        check(who.isError() and who.exception_code == 1, "43/14 is no function of it", who)
+        return
+    family = name.partition("_")[0].upper().encode()
+    check(not who.isError() and who.information.get(0) == b"Schneider Electric", "the maker", who)
+    check(who.information.get(1, b"").startswith(family), "a reference of the family")
+    check(who.information.get(2) == b"0201" and who.conformity == 2, "version and conformity")
+
+
 def trips(drive, simulator, check):
     climbs(drive, check)
     simulator.suffer(f"{UNIT} fault")
@@ -90,6 +104,7 @@ def main(program, name, *how):
             print("pymodbus cannot open the device")
             return 2
         drive = Drive(line, Registers(name))
+        says_who_it_is(drive, name, check)
         runs(drive, check)
         trips(drive, simulator, check)
     return check.status()

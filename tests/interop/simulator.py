@@ -23,9 +23,10 @@ class Registers:
 class Simulator:
     """with Simulator(program, "atv320:1") as device: ..."""
 
-    def __init__(self, program, *drives):
+    def __init__(self, program, *drives, vendor=None):
         self.drives = drives
         words = [word for drive in drives for word in ("--drive", drive)]
+        words += ["--vendor", vendor] if vendor else []
         self.process = subprocess.Popen([program, *words], stdin=subprocess.PIPE,
                                         stdout=subprocess.PIPE, text=True)
 

@@ -147,11 +147,9 @@ TEST_CASE("motion law: S2 a poll's answer is not a save's: nothing is written to
         // A ramp that factory settings would take away.
         auto ramp = write_in_steps_of<deciseconds, atv320::acc>(drive, 7.7_s);
         REQUIRE(it.run(ramp));
-        // Stopped, its status is 0231h: bit 0 is the order for factory settings.
-        start go{drive, 50_Hz};
-        REQUIRE(it.run(go));
-        stop rest{drive};
-        REQUIRE(it.run(rest));
+        // Ready to switch on, its status is 0231h: bit 0 is the order for factory settings.
+        single_question get_ready{drive.unit(), write_single_register{device::profile.cmd, 0x0006}};
+        REQUIRE(it.run(get_ready));
         REQUIRE((it.drive().word("ETA") & factory_bit) != 0);
         panel status{drive.unit(), device::profile.eta};
         for (std::uint32_t i = 0; i < after; ++i) {
@@ -188,7 +186,7 @@ TEST_CASE("motion law: S3 a poll's answer is not a stop's: where the line fails 
     panel fault{drive.unit(), device::profile.lft};
     leave_an_outcome(it, [&](instant now) { it.link().converse(*fault.ask, now); });
     it.cut(0, true);
-    stop halt{drive};
+    stop halt{drive, stop_by::ramp, milliseconds(3'000)};
     REQUIRE(it.run(halt));
     // Within a time in which the drive does not stop by itself.
     REQUIRE(it.hertz() == 50);

@@ -159,13 +159,17 @@ template <typename Device> bool is_explained(reason const& told, life<Device>& i
 {
     switch (told.how) {
     case ending::pending:
+    case ending::executed_unconfirmed:
     case ending::unsupported:
     case ending::misconfigured:
     case ending::refused_while_running:
+    case ending::halted:
+    case ending::contradictory:
     case ending::reference_limited: return false;
     case ending::succeeded: return true;
     case ending::refused: return it.was_local;
     case ending::silent: return it.was_cut and told.error != errc::none;
+    case ending::unconfirmed:
     case ending::stuck: return it.was_local or it.was_tripped or it.was_stopped or it.was_cut;
     case ending::in_fault: return (it.was_tripped or it.was_cut) and told.fault != 0;
     case ending::local_control: return it.was_local;
@@ -206,7 +210,8 @@ template <typename Device> bool talks_well(std::uint32_t seed)
         switch (it.random.below(4)) {
         case 0:
         case 1:
-            is_good = ends_well(it, start{drive, 30_Hz, heading::forward, limit}, limit, mishaps);
+            is_good = ends_well(it, start{drive, 30_Hz, heading::forward, limit},
+                                limit + start_script::grace, mishaps);
             break;
         case 2:
             is_good =

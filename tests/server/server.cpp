@@ -111,6 +111,30 @@ constexpr bool broadcast_write()
 }
 PROOF("a broadcast write is obeyed in silence", broadcast_write)
 
+constexpr bool moves_to_another_address()
+{
+    unit_1 unit;
+    unit.hear(write_3);
+    unit.node.listen_as(unit_id{9}); // the answer that waits still has the old one
+    bool const answered = unit.says(write_3);
+    unit.hear("09 03 00 00 00 01 85 42"_hex);
+    bool const moved = unit.says("09 03 02 00 00 59 85"_hex);
+    unit.hear(read_1);
+    return answered and moved and unit.is_silent();
+}
+PROOF("a server listens to another address from the next frame on", moves_to_another_address)
+
+constexpr bool has_no_address()
+{
+    unit_1 unit;
+    unit.node.listen_as(std::nullopt);
+    unit.hear(write_3);
+    bool const ignored = unit.is_silent() and unit.bank.get(1) == 0;
+    unit.hear("00 06 00 00 00 05 48 18"_hex);
+    return ignored and unit.is_silent() and unit.bank.get(0) == 5;
+}
+PROOF("a server without an address obeys broadcasts, and answers nobody", has_no_address)
+
 constexpr bool trailing_noise()
 {
     unit_1 unit;

@@ -12,6 +12,17 @@ using namespace rtuwire;
 
 namespace {
 
+enum class valve : std::uint16_t { closed = 1, open = 4 };
+enum class lamp : std::uint16_t {};
+
+} // namespace
+
+template <>
+inline constexpr auto rtuwire::enumerators<valve> = rtuwire::name_list<valve>({{1, "closed"},
+                                                                               {4, "open"}});
+
+namespace {
+
 constexpr reg<decihertz> setpoint{
     .code = "SET", .address = 10, .min = 100, .max = 600, .factory = 500};
 constexpr reg<signed_rpm> speed{.code = "SPD", .address = 11, .min = -1500, .max = 1500};
@@ -48,6 +59,29 @@ STATIC_CHECK(answers("06 00 0C 00 01"_hex, "86 02"_hex, 500));
 STATIC_CHECK(answers("10 00 0A 00 03 06 FF FF 00 00 00 00"_hex, "90 02"_hex, 500));
 STATIC_CHECK(answers("10 00 0A 00 02 04 00 C8 07 D0"_hex, "90 03"_hex, 500));
 STATIC_CHECK(answers("10 00 0A 00 02 04 00 C8 05 DC"_hex, "10 00 0A 00 02"_hex, 200));
+
+/// How many of all words a register of one's own takes.
+template <auto const& R> constexpr unsigned taken_by()
+{
+    bank<R> registers;
+    unsigned taken = 0;
+    for (std::uint32_t word = 0; word < 0x1'0000; word += word < 16 ? 1 : 0x1FFF) {
+        register_block const value{static_cast<std::uint16_t>(word)};
+        errc const verdict = registers.check_write(R.address, value);
+        taken += verdict == errc::none ? 1U : verdict == errc::illegal_data_value ? 0U : 1'000U;
+    }
+    return taken;
+}
+constexpr reg<valve> inlet{.code = "VAL", .address = 20};
+constexpr reg<lamp> unnamed{.code = "LMP", .address = 21};
+constexpr bool takes_what_means_something()
+{
+    register_block const open{4};
+    return taken_by<inlet>() == 2 and bank<inlet>{}.check_write(20, open) == errc::none;
+}
+PROOF("an enumeration with names takes those values only", takes_what_means_something)
+constexpr bool takes_any_without_names() { return taken_by<unnamed>() == 24; }
+PROOF("an enumeration without names takes any word", takes_any_without_names)
 
 constexpr bool takes_written()
 {

@@ -102,7 +102,7 @@ TEST_CASE("a lost link is answered as SLL says")
     };
     CHECK(after_loss(0) == state::operation_enabled);
     CHECK(after_loss(1) == state::fault);
-    CHECK(after_loss(2) == state::fault_reaction_active);
+    CHECK(after_loss(6) == state::fault_reaction_active);
     CHECK(after_loss(4) == state::operation_enabled);
     CHECK(after_loss(5) == state::operation_enabled);
 }

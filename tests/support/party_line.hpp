@@ -5,7 +5,9 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <rtuwire/client/bus.hpp>
@@ -32,6 +34,11 @@ public:
         answers_.push_back(0);
     }
 
+    using frame_bytes = std::vector<std::byte>;
+
+    /// What becomes of each frame on its way: emptied, it is lost. The second argument tells a request.
+    void disturb(std::function<void(frame_bytes&, bool)> how) { disturb_ = std::move(how); }
+
     /// Takes a unit off the wire, or puts it back.
     void cut(std::size_t index, bool is_cut) { is_cut_[index] = is_cut; }
 
@@ -56,8 +63,9 @@ public:
             keep(frame);
             pass(frame.size());
             link_.sent(now_);
+            frame_bytes const heard = disturbed(frame, true);
             for (std::size_t i = 0; i < units_.size(); ++i) {
-                hear(i, frame);
+                hear(i, heard);
             }
         }
         for (std::size_t talker = 0; talker < units_.size(); ++talker) {
@@ -71,11 +79,15 @@ public:
             if (is_cut_[talker]) {
                 continue;
             }
-            link_.receive(frame, now_);
+            frame_bytes const heard = disturbed(frame, false);
+            if (heard.empty()) {
+                continue;
+            }
+            link_.receive(heard, now_);
             ++answers_[talker];
             for (std::size_t i = 0; i < units_.size(); ++i) {
                 if (i != talker) {
-                    hear(i, frame);
+                    hear(i, heard);
                 }
             }
         }
@@ -115,9 +127,18 @@ public:
     }
 
 private:
+    frame_bytes disturbed(byte_view frame, bool is_request)
+    {
+        frame_bytes bytes{frame.begin(), frame.end()};
+        if (disturb_) {
+            disturb_(bytes, is_request);
+        }
+        return bytes;
+    }
+
     void hear(std::size_t index, byte_view frame)
     {
-        if (not is_cut_[index]) {
+        if (not is_cut_[index] and not frame.empty()) {
             units_[index]->receive(frame, now_);
         }
     }
@@ -151,6 +172,7 @@ private:
     std::array<std::byte, max_adu_size> question_{};
     std::size_t question_size_{0};
     std::size_t questions_{0};
+    std::function<void(frame_bytes&, bool)> disturb_{};
     instant now_;
 };
 

@@ -25,11 +25,11 @@ inline constexpr reg<mains> vcal{.code = "VCAL", .address = 3012, .mode = access
     .name = "Drive mains voltage"};
 inline constexpr reg<deciamperes> inv{.code = "INV", .address = 3017, .mode = access::read_only, .min = {0}, .max = {65535},
     .name = "Rated drive current"};
-inline constexpr reg<hectohertz> sfr{.code = "SFR", .address = 3102, .name = "Switching frequency"};
-inline constexpr reg<decihertz> tfr{.code = "TFR", .address = 3103, .mode = access::configuration,
+inline constexpr reg<hectohertz> sfr{.code = "SFR", .address = 3102, .min = {20}, .max = {160}, .factory = 40, .name = "Switching frequency"};
+inline constexpr reg<decihertz> tfr{.code = "TFR", .address = 3103, .mode = access::configuration, .min = {100}, .max = {4000},
     .name = "Maximum output frequency"};
-inline constexpr reg<decihertz> hsp{.code = "HSP", .address = 3104, .name = "High speed"};
-inline constexpr reg<decihertz> lsp{.code = "LSP", .address = 3105, .name = "Low speed"};
+inline constexpr reg<decihertz> hsp{.code = "HSP", .address = 3104, .min = {0}, .max = {4000}, .name = "High speed"};
+inline constexpr reg<decihertz> lsp{.code = "LSP", .address = 3105, .min = {0}, .max = {4000}, .factory = 0, .name = "Low speed"};
 inline constexpr reg<status_word> eta{.code = "ETA", .address = 3201, .mode = access::read_only,
     .name = "Status word"};
 inline constexpr reg<signed_decihertz> rfr{.code = "RFR", .address = 3202, .mode = access::read_only, .min = {-5000}, .max = {5000}, .factory = 0,
@@ -160,6 +160,7 @@ inline constexpr reg<plain> nc4{.code = "NC4", .address = 12764, .min = {0}, .ma
 /// An ATV12.
 struct device {
     static constexpr text name{"atv12"};
+    static constexpr text reference{"ATV12H075M2"}; ///< one of the family, as function 43 tells it
     static constexpr function_set functions{
         function_code::read_holding_registers, function_code::write_single_register,
         function_code::write_multiple_registers, function_code::read_write_multiple_registers,

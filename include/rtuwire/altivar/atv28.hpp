@@ -25,7 +25,7 @@ inline constexpr reg<tenth_milliamperes> crl{.code = "CRL", .address = 4, .mode 
     .name = "Minimum reference of input AI2"};
 inline constexpr reg<tenth_milliamperes> crh{.code = "CRH", .address = 5, .mode = access::configuration, .min = {40}, .max = {200},
     .name = "Maximum reference of input AI2"};
-inline constexpr reg<control_mode> tcc{.code = "TCC", .address = 6, .mode = access::configuration,
+inline constexpr reg<control_mode> tcc{.code = "TCC", .address = 6, .mode = access::configuration, .min = {0}, .max = {1},
     .name = "2-wire/3-wire control via terminals"};
 inline constexpr reg<plain> add{.code = "ADD", .address = 10, .mode = access::configuration, .min = {1}, .max = {31},
     .name = "Drive address on the serial link"};
@@ -44,7 +44,7 @@ inline constexpr reg<decihertz> tfr{.code = "TFR", .address = 52, .mode = access
 inline constexpr reg<decihertz> frs{.code = "FRS", .address = 53, .mode = access::configuration, .min = {400}, .max = {4000},
     .name = "Nominal motor frequency"};
 inline constexpr reg<volts> uns{.code = "UNS", .address = 55, .mode = access::configuration, .min = {200}, .max = {500},
-    .name = "Nominal motor voltage"};
+    .name = "Nominal motor voltage", .gap = {241, 379}};
 inline constexpr reg<autotune> tun{.code = "TUN", .address = 59, .mode = access::configuration, .name = "Autotune"};
 inline constexpr reg<no_yes> nrd{.code = "NRD", .address = 60, .mode = access::configuration,
     .name = "Motor noise reduction"};
@@ -58,10 +58,10 @@ inline constexpr reg<input_1_function> li1{.code = "LI1", .address = 100, .mode 
     .name = "Assignment of logic input LI1"};
 inline constexpr reg<input_function> li2{.code = "LI2", .address = 101, .mode = access::read_only,
     .name = "Assignment of logic input LI2", .source = trust::inferred};
-inline constexpr reg<input_function> li3{.code = "LI3", .address = 102, .mode = access::configuration,
-    .name = "Assignment of logic input LI3"};
-inline constexpr reg<input_function> li4{.code = "LI4", .address = 103, .mode = access::configuration,
-    .name = "Assignment of logic input LI4"};
+inline constexpr reg<free_input_function> li3{.code = "LI3", .address = 102, .mode = access::configuration,
+    .name = "Assignment of logic input LI3", .source = trust::inferred};
+inline constexpr reg<free_input_function> li4{.code = "LI4", .address = 103, .mode = access::configuration,
+    .name = "Assignment of logic input LI4", .source = trust::inferred};
 inline constexpr reg<analog_input_function> ai2{.code = "AI2", .address = 107, .mode = access::configuration,
     .name = "Assignment of analog input AIC/AI2", .source = trust::doubtful};
 inline constexpr reg<relay_function> r2{.code = "R2", .address = 110, .mode = access::configuration,
@@ -128,7 +128,8 @@ inline constexpr reg<decihertz> jpf{.code = "JPF", .address = 286, .min = {0}, .
 inline constexpr reg<no_yes> pic{.code = "PIC", .address = 287, .name = "Reversal of PI correction direction"};
 inline constexpr reg<direction> rot{.code = "ROT", .address = 340, .mode = access::read_only,
     .name = "Operating direction, local control option"};
-inline constexpr reg<command_word> cmd{.code = "CMD", .address = 400, .name = "DRIVECOM control word"};
+inline constexpr reg<command_word> cmd{.code = "CMD", .address = 400, .factory = 0x00F0, .name = "DRIVECOM control word",
+    .gap = {0x00F0, 0x00F0}};
 inline constexpr reg<signed_decihertz> lfr{.code = "LFR", .address = 401, .min = "LSP", .max = "HSP",
     .name = "Frequency reference (line mode)"};
 inline constexpr reg<extended_command_word> cmi{.code = "CMI", .address = 402, .name = "Internal control register"};
@@ -148,7 +149,8 @@ inline constexpr reg<percent> thr{.code = "THR", .address = 455, .mode = access:
     .name = "Motor thermal state"};
 inline constexpr reg<percent> thd{.code = "THD", .address = 456, .mode = access::read_only,
     .name = "Drive thermal state"};
-inline constexpr reg<fault_code> lft{.code = "LFT", .address = 457, .mode = access::read_only, .name = "Last fault"};
+inline constexpr reg<fault_code> lft{.code = "LFT", .address = 457, .mode = access::read_only, .name = "Last fault",
+    .source = trust::inferred};
 inline constexpr reg<status_word> eta{.code = "ETA", .address = 458, .mode = access::read_only,
     .name = "DRIVECOM status register"};
 inline constexpr reg<extended_status_word> eti{.code = "ETI", .address = 459, .mode = access::read_only,
@@ -158,17 +160,17 @@ inline constexpr reg<extended_status_word_2> eti2{.code = "ETI2", .address = 460
 inline constexpr reg<reserved_word> eti3{.code = "ETI3", .address = 461, .mode = access::read_only,
     .name = "Internal status register 3"};
 inline constexpr reg<fault_code> dp1{.code = "DP1", .address = 462, .mode = access::read_only,
-    .name = "Past fault 1 (most recent)"};
+    .name = "Past fault 1 (most recent)", .source = trust::inferred};
 inline constexpr reg<fault_code> dp2{.code = "DP2", .address = 464, .mode = access::read_only,
-    .name = "Past fault 2"};
+    .name = "Past fault 2", .source = trust::inferred};
 inline constexpr reg<fault_code> dp3{.code = "DP3", .address = 466, .mode = access::read_only,
-    .name = "Past fault 3"};
+    .name = "Past fault 3", .source = trust::inferred};
 inline constexpr reg<fault_code> dp4{.code = "DP4", .address = 468, .mode = access::read_only,
-    .name = "Past fault 4"};
+    .name = "Past fault 4", .source = trust::inferred};
 inline constexpr reg<logic_image> iolr{.code = "IOLR", .address = 478,
     .name = "Image of logic I/O", .source = trust::inferred};
 inline constexpr reg<millivolts> ai1r{.code = "AI1R", .address = 479, .mode = access::read_only,
-    .name = "Image of analog input AI1"};
+    .name = "Image of analog input AI1", .source = trust::doubtful};
 inline constexpr reg<microamperes> ai2r{.code = "AI2R", .address = 480, .mode = access::read_only,
     .name = "Image of analog input AIC/AI2"};
 inline constexpr reg<microamperes> aor{.code = "AOR", .address = 482, .min = {0}, .max = {20000},
@@ -186,14 +188,15 @@ inline constexpr reg<hours> tim{.code = "TIM", .address = 530, .mode = access::r
 inline constexpr reg<firmware_word> cpu{.code = "CPU", .address = 551, .mode = access::read_only,
     .name = "Drive firmware version"};
 inline constexpr reg<rating> ncv{.code = "NCV", .address = 552, .mode = access::read_only,
-    .name = "Drive power rating"};
+    .name = "Drive power rating", .source = trust::inferred};
 inline constexpr reg<mains> vcal{.code = "VCAL", .address = 553, .mode = access::read_only,
     .name = "Drive voltage rating"};
 inline constexpr reg<deciamperes> inv{.code = "INV", .address = 555, .mode = access::read_only,
     .name = "Drive nominal current"};
 inline constexpr reg<profile_fault> errd{.code = "ERRD", .address = 600, .mode = access::read_only,
     .name = "DRIVECOM error code (603Fh)"};
-inline constexpr reg<command_word> cmdd{.code = "CMDD", .address = 601, .name = "Control word (same as W400)"};
+inline constexpr reg<command_word> cmdd{.code = "CMDD", .address = 601, .factory = 0x00F0, .name = "Control word (same as W400)",
+    .gap = {0x00F0, 0x00F0}};
 inline constexpr reg<status_word> etad{.code = "ETAD", .address = 602, .mode = access::read_only,
     .name = "Status word (same as W458)"};
 inline constexpr reg<signed_rpm> lfrd{.code = "LFRD", .address = 603, .min = {-32768}, .max = {32767},
@@ -204,21 +207,21 @@ inline constexpr reg<rpm> rfrd{.code = "RFRD", .address = 605, .mode = access::r
     .name = "Motor speed", .source = trust::inferred};
 inline constexpr reg<rpm> smil{.code = "SMIL", .address = 606, .min = {0}, .max = product_of("HSP", "SDS", 10),
     .name = "Low speed in rpm (LSP)"};
-inline constexpr reg<plain> smih{.code = "SMIH", .address = 607, .min = {0}, .max = {0}, .factory = 0,
+inline constexpr reg<plain> smih{.code = "SMIH", .address = 607, .mode = access::read_only, .min = {0}, .max = {0}, .factory = 0,
     .name = "Reserved (0)"};
 inline constexpr reg<rpm> smal{.code = "SMAL", .address = 608, .min = product_of("LSP", "SDS", 10), .max = product_of("TFR", "SDS", 10),
     .name = "High speed in rpm (HSP)"};
-inline constexpr reg<plain> smah{.code = "SMAH", .address = 609, .min = {0}, .max = {0}, .factory = 0,
+inline constexpr reg<plain> smah{.code = "SMAH", .address = 609, .mode = access::read_only, .min = {0}, .max = {0}, .factory = 0,
     .name = "Reserved (0)"};
 inline constexpr reg<rpm> spal{.code = "SPAL", .address = 610, .min = {1}, .max = {65535},
     .name = "Speed for acceleration ramp"};
-inline constexpr reg<plain> spah{.code = "SPAH", .address = 611, .min = {0}, .max = {0}, .factory = 0,
+inline constexpr reg<plain> spah{.code = "SPAH", .address = 611, .mode = access::read_only, .min = {0}, .max = {0}, .factory = 0,
     .name = "Reserved (0)"};
 inline constexpr reg<seconds> spat{.code = "SPAT", .address = 612, .min = {0}, .max = {65535},
     .name = "Time for acceleration ramp (0 to SPAL)"};
 inline constexpr reg<rpm> spdl{.code = "SPDL", .address = 613, .min = {1}, .max = {65535},
     .name = "Speed for deceleration ramp"};
-inline constexpr reg<plain> spdh{.code = "SPDH", .address = 614, .min = {0}, .max = {0}, .factory = 0,
+inline constexpr reg<plain> spdh{.code = "SPDH", .address = 614, .mode = access::read_only, .min = {0}, .max = {0}, .factory = 0,
     .name = "Reserved (0)"};
 inline constexpr reg<seconds> spdt{.code = "SPDT", .address = 615, .min = {0}, .max = {65535},
     .name = "Time for deceleration ramp (SPDL to 0)"};
@@ -227,6 +230,7 @@ inline constexpr reg<seconds> spdt{.code = "SPDT", .address = 615, .min = {0}, .
 /// An ATV28. Its time-out is fixed, unless CMI bit 14 switches it off.
 struct device {
     static constexpr text name{"atv28"};
+    static constexpr text reference{"ATV28HU29N4"}; ///< one of the family
     static constexpr function_set functions{function_code::read_holding_registers,
                                             function_code::write_single_register,
                                             function_code::write_multiple_registers};
@@ -247,13 +251,15 @@ struct device {
                                            .chart = {.quick_stop_waits = true},
                                            .mains_bit_is_inverted = true,
                                            .refuses_commands_in_local = true,
+                                           .shows_forced_local_only = true,
                                            .falls_back_when_configured = false,
                                            .shows_eeprom_access = false,
                                            .halt = 0,
                                            .dc_injection = 0xA00A,
                                            .direct_control = 0x8000,
                                            .eeprom_time = milliseconds(2'100),
-                                           .rfrd = 605};
+                                           .rfrd = 605,
+                                           .cmi_orders = 0x0007};
     /// What tells who it is, without function 43.
     struct nameplate {
         template <typename Device> using plan = read_plan<Device, cpu, ncv, vcal, inv>;

@@ -59,6 +59,12 @@ enum class input_function : std::uint16_t {
     dci = 13, fst = 14, flo = 17, rst = 18,
 };
 
+/// What one of the inputs 3 and 4 does: the same, but never forward.
+enum class free_input_function : std::uint16_t {
+    no = 0, rrs = 3, rp2 = 4, jog = 5, ps2 = 8, ps4 = 9, ps8 = 10, rfc = 11, nst = 12, dci = 13,
+    fst = 14, flo = 17, rst = 18,
+};
+
 /// What the analog input does; only one number survived.
 enum class analog_input_function : std::uint16_t {
     no = 0,
@@ -147,6 +153,11 @@ inline constexpr auto enumerators<altivar::atv28::input_1_function> = name_list<
 template <>
 inline constexpr auto enumerators<altivar::atv28::input_function> = name_list<altivar::atv28::input_function>({
     {0, "nO"}, {2, "For"}, {3, "rrS"}, {4, "rP2"}, {5, "JOG"}, {8, "PS2"}, {9, "PS4"}, {10, "PS8"},
+    {11, "rFC"}, {12, "nSt"}, {13, "dCI"}, {14, "FSt"}, {17, "FLO"}, {18, "rSt"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv28::free_input_function> = name_list<altivar::atv28::free_input_function>({
+    {0, "nO"}, {3, "rrS"}, {4, "rP2"}, {5, "JOG"}, {8, "PS2"}, {9, "PS4"}, {10, "PS8"},
     {11, "rFC"}, {12, "nSt"}, {13, "dCI"}, {14, "FSt"}, {17, "FLO"}, {18, "rSt"},
 });
 template <>

@@ -100,7 +100,7 @@ inline constexpr reg<status_word> etad{.code = "ETAD", .address = 8603, .mode = 
     .name = "Status word, speed mode", .source = trust::inferred};
 inline constexpr reg<signed_rpm> rfrd{.code = "RFRD", .address = 8604, .mode = access::read_only,
     .name = "Output speed"};
-inline constexpr reg<deciseconds> acc{.code = "ACC", .address = 9001, .name = "Acceleration ramp time"};
+inline constexpr reg<deciseconds> acc{.code = "ACC", .address = 9001, .min = {0}, .max = {9999}, .factory = 30, .name = "Acceleration ramp time"};
 inline constexpr reg<deciseconds> dec{.code = "DEC", .address = 9002, .min = {0}, .max = {9999}, .factory = 30,
     .name = "Deceleration ramp time", .source = trust::inferred};
 inline constexpr reg<deciseconds> ac2{.code = "AC2", .address = 9012, .min = {0}, .max = {9999}, .factory = 50,
@@ -194,6 +194,7 @@ inline constexpr reg<plain> nc8{.code = "NC8", .address = 12768, .min = {0}, .ma
 /// An ATV310 as its manual of 2014 has it.
 struct device {
     static constexpr text name{"atv310"};
+    static constexpr text reference{"ATV310H037N4"}; ///< one of the family, as function 43 tells it
     static constexpr function_set functions{
         function_code::read_holding_registers, function_code::write_single_register,
         function_code::write_multiple_registers, function_code::read_write_multiple_registers,

@@ -18,67 +18,67 @@
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
 
 // clang-format off
-inline constexpr reg<rating> ncv{.code = "NCV", .address = 3011, .mode = access::read_only, .name = "Drive rating"};
+inline constexpr reg<rating> ncv{.code = "NCV", .address = 3011, .mode = access::read_only, .name = "Drive rating", .source = trust::inferred};
 inline constexpr reg<mains> vcal{.code = "VCAL", .address = 3012, .mode = access::read_only,
-    .name = "Drive mains voltage"};
+    .name = "Drive mains voltage", .source = trust::inferred};
 inline constexpr reg<deciamperes> inv{.code = "INV", .address = 3017, .mode = access::read_only,
-    .name = "Rated drive current"};
+    .name = "Rated drive current", .source = trust::inferred};
 inline constexpr reg<hectohertz> sfr{.code = "SFR", .address = 3102, .name = "Switching frequency"};
 inline constexpr reg<decihertz> tfr{.code = "TFR", .address = 3103, .mode = access::configuration,
     .name = "Maximum output frequency"};
 inline constexpr reg<decihertz> hsp{.code = "HSP", .address = 3104, .min = "LSP", .max = "TFR", .name = "High speed"};
 inline constexpr reg<decihertz> lsp{.code = "LSP", .address = 3105, .min = {0}, .max = "HSP", .name = "Low speed"};
 inline constexpr reg<status_word> eta{.code = "ETA", .address = 3201, .mode = access::read_only,
-    .name = "Status word"};
+    .name = "Status word", .source = trust::inferred};
 inline constexpr reg<signed_decihertz> rfr{.code = "RFR", .address = 3202, .mode = access::read_only, .min = {-32767}, .max = {32767},
-    .name = "Output frequency"};
+    .name = "Output frequency", .source = trust::inferred};
 inline constexpr reg<signed_decihertz> frh{.code = "FRH", .address = 3203, .mode = access::read_only, .min = {-5990}, .max = {5990},
-    .name = "Frequency reference before the ramp"};
+    .name = "Frequency reference before the ramp", .source = trust::inferred};
 inline constexpr reg<deciamperes> lcr{.code = "LCR", .address = 3204, .mode = access::read_only, .min = {0}, .max = {65535},
-    .name = "Motor current"};
+    .name = "Motor current", .source = trust::inferred};
 inline constexpr reg<signed_tenth_percent> otr{.code = "OTR", .address = 3205, .mode = access::read_only, .min = {-32767}, .max = {32767},
-    .name = "Motor torque"};
+    .name = "Motor torque", .source = trust::inferred};
 inline constexpr reg<extended_status_word> eti{.code = "ETI", .address = 3206, .mode = access::read_only,
-    .name = "Extended status word"};
+    .name = "Extended status word", .source = trust::inferred};
 inline constexpr reg<decivolts> uln{.code = "ULN", .address = 3207, .mode = access::read_only, .min = {0}, .max = {65535},
-    .name = "Mains voltage from the DC bus"};
+    .name = "Mains voltage from the DC bus", .source = trust::inferred};
 inline constexpr reg<volts> uop{.code = "UOP", .address = 3208, .mode = access::read_only, .min = {0}, .max = {65535},
     .name = "Motor voltage", .source = trust::inferred};
 inline constexpr reg<percent> thd{.code = "THD", .address = 3209, .mode = access::read_only, .min = {0}, .max = {200},
-    .name = "Drive thermal state"};
+    .name = "Drive thermal state", .source = trust::inferred};
 inline constexpr reg<signed_percent> opr{.code = "OPR", .address = 3211, .mode = access::read_only, .min = {-32767}, .max = {32767},
-    .name = "Motor power"};
+    .name = "Motor power", .source = trust::inferred};
 inline constexpr reg<plain> rth{.code = "RTH", .address = 3231, .mode = access::read_only,
     .name = "Motor running time", .source = trust::doubtful};
 inline constexpr reg<plain> pth{.code = "PTH", .address = 3233, .mode = access::read_only,
     .name = "Powered time", .source = trust::doubtful};
 inline constexpr reg<product_state> hmis{.code = "HMIS", .address = 3240, .mode = access::read_only,
-    .name = "Product state"};
+    .name = "Product state", .source = trust::inferred};
 inline constexpr reg<plain> vdp{.code = "VDP", .address = 3302, .mode = access::read_only, .min = {0}, .max = {65535},
-    .name = "Firmware version"};
-inline constexpr reg<plain> add{.code = "ADD", .address = 6001, .mode = access::configuration, .min = {0}, .max = {247},
-    .name = "Unit address"};
+    .name = "Firmware version", .source = trust::inferred};
+inline constexpr reg<plain> add{.code = "ADD", .address = 6001, .mode = access::configuration, .min = {0}, .max = {247}, .factory = 0,
+    .name = "Unit address", .source = trust::inferred};
 inline constexpr reg<serial_rate> tbr{.code = "TBR", .address = 6003, .mode = access::configuration,
-    .name = "Line bit rate"};
+    .name = "Line bit rate", .source = trust::inferred};
 inline constexpr reg<serial_format> tfo{.code = "TFO", .address = 6004, .mode = access::configuration,
-    .name = "Line character format"};
+    .name = "Line character format", .source = trust::inferred};
 inline constexpr reg<deciseconds> tto{.code = "TTO", .address = 6005, .mode = access::configuration, .min = {1}, .max = {300},
-    .name = "Communication time-out"};
+    .name = "Communication time-out", .source = trust::inferred};
 inline constexpr reg<link_lost_reaction> sll{.code = "SLL", .address = 7010, .mode = access::configuration,
-    .name = "Reaction to a lost link"};
-inline constexpr reg<fault_code> lft{.code = "LFT", .address = 7121, .mode = access::read_only, .name = "Last fault"};
+    .name = "Reaction to a lost link", .source = trust::inferred};
+inline constexpr reg<fault_code> lft{.code = "LFT", .address = 7121, .mode = access::read_only, .name = "Last fault", .source = trust::inferred};
 inline constexpr reg<configuration_faults> cic{.code = "CIC", .address = 7130, .mode = access::configuration,
-    .name = "What is wrong with the configuration"};
+    .name = "What is wrong with the configuration", .source = trust::inferred};
 inline constexpr reg<fault_code> dp0{.code = "DP0", .address = 7200, .mode = access::read_only,
-    .name = "Most recent fault"};
+    .name = "Most recent fault", .source = trust::inferred};
 inline constexpr reg<fault_code> dp1{.code = "DP1", .address = 7201, .mode = access::read_only,
-    .name = "Fault 1 back"};
+    .name = "Fault 1 back", .source = trust::inferred};
 inline constexpr reg<fault_code> dp2{.code = "DP2", .address = 7202, .mode = access::read_only,
-    .name = "Fault 2 back"};
+    .name = "Fault 2 back", .source = trust::inferred};
 inline constexpr reg<fault_code> dp3{.code = "DP3", .address = 7203, .mode = access::read_only,
-    .name = "Fault 3 back"};
+    .name = "Fault 3 back", .source = trust::inferred};
 inline constexpr reg<fault_code> dp4{.code = "DP4", .address = 7204, .mode = access::read_only,
-    .name = "Fault 4 back"};
+    .name = "Fault 4 back", .source = trust::inferred};
 inline constexpr reg<fault_code> dp5{.code = "DP5", .address = 7205, .mode = access::read_only,
     .name = "Fault 5 back", .source = trust::inferred};
 inline constexpr reg<fault_code> dp6{.code = "DP6", .address = 7206, .mode = access::read_only,
@@ -88,28 +88,28 @@ inline constexpr reg<fault_code> dp7{.code = "DP7", .address = 7207, .mode = acc
 inline constexpr reg<fault_code> dp8{.code = "DP8", .address = 7208, .mode = access::read_only,
     .name = "Fault 8 back", .source = trust::inferred};
 inline constexpr reg<channel_mode> chcf{.code = "CHCF", .address = 8401, .mode = access::configuration,
-    .name = "Channel configuration"};
+    .name = "Channel configuration", .source = trust::inferred};
 inline constexpr reg<reference_channel> fr1{.code = "FR1", .address = 8413, .mode = access::configuration,
-    .name = "Reference channel 1"};
+    .name = "Reference channel 1", .source = trust::inferred};
 inline constexpr reg<reference_channel> fr2{.code = "FR2", .address = 8414, .mode = access::configuration,
     .name = "Reference channel 2", .source = trust::inferred};
 inline constexpr reg<command_channel> cd1{.code = "CD1", .address = 8423, .mode = access::configuration,
-    .name = "Command channel 1"};
+    .name = "Command channel 1", .source = trust::inferred};
 inline constexpr reg<command_channel> cd2{.code = "CD2", .address = 8424, .mode = access::configuration,
     .name = "Command channel 2", .source = trust::inferred};
 inline constexpr reg<plain> flo{.code = "FLO", .address = 8431, .mode = access::configuration,
-    .name = "Input that forces local control"};
-inline constexpr reg<command_word> cmd{.code = "CMD", .address = 8501, .name = "Command word"};
+    .name = "Input that forces local control", .source = trust::inferred};
+inline constexpr reg<command_word> cmd{.code = "CMD", .address = 8501, .name = "Command word", .source = trust::inferred};
 inline constexpr reg<signed_decihertz> lfr{.code = "LFR", .address = 8502, .min = {-5990}, .max = {5990},
-    .name = "Frequency setpoint"};
+    .name = "Frequency setpoint", .source = trust::inferred};
 inline constexpr reg<plain> pisp{.code = "PISP", .address = 8503, .min = {0}, .max = {1000},
-    .name = "PI regulator setpoint"};
-inline constexpr reg<extended_command_word> cmi{.code = "CMI", .address = 8504, .name = "Extended command word"};
-inline constexpr reg<signed_rpm> lfrd{.code = "LFRD", .address = 8602, .name = "Speed setpoint"};
+    .name = "PI regulator setpoint", .source = trust::inferred};
+inline constexpr reg<extended_command_word> cmi{.code = "CMI", .address = 8504, .name = "Extended command word", .source = trust::inferred};
+inline constexpr reg<signed_rpm> lfrd{.code = "LFRD", .address = 8602, .name = "Speed setpoint", .source = trust::inferred};
 inline constexpr reg<status_word> etad{.code = "ETAD", .address = 8603, .mode = access::read_only,
     .name = "Status word, speed mode", .source = trust::inferred};
 inline constexpr reg<signed_rpm> rfrd{.code = "RFRD", .address = 8604, .mode = access::read_only,
-    .name = "Output speed"};
+    .name = "Output speed", .source = trust::inferred};
 inline constexpr reg<signed_rpm> frhd{.code = "FRHD", .address = 8605, .mode = access::read_only,
     .name = "Speed reference before the ramp", .source = trust::inferred};
 inline constexpr reg<plain> errd{.code = "ERRD", .address = 8606, .mode = access::read_only,
@@ -119,36 +119,36 @@ inline constexpr reg<deciseconds> acc{.code = "ACC", .address = 9001,
 inline constexpr reg<deciseconds> dec{.code = "DEC", .address = 9002,
     .name = "Deceleration ramp time", .steps_set_by = "INR"};
 inline constexpr reg<deciseconds> ac2{.code = "AC2", .address = 9012,
-    .name = "Second acceleration ramp time", .steps_set_by = "INR"};
+    .name = "Second acceleration ramp time", .source = trust::inferred, .steps_set_by = "INR"};
 inline constexpr reg<deciseconds> de2{.code = "DE2", .address = 9013,
-    .name = "Second deceleration ramp time", .steps_set_by = "INR"};
+    .name = "Second deceleration ramp time", .source = trust::inferred, .steps_set_by = "INR"};
 inline constexpr reg<ramp_step> inr{.code = "INR", .address = 9020,
     .name = "Size of a ramp step", .source = trust::inferred};
 inline constexpr reg<volts> uns{.code = "UNS", .address = 9601, .mode = access::configuration, .min = {100}, .max = {690},
-    .name = "Rated motor voltage"};
+    .name = "Rated motor voltage", .source = trust::inferred};
 inline constexpr reg<decihertz> frs{.code = "FRS", .address = 9602, .mode = access::configuration, .min = {100}, .max = {8000},
-    .name = "Rated motor frequency"};
+    .name = "Rated motor frequency", .source = trust::inferred};
 inline constexpr reg<deciamperes> ncr{.code = "NCR", .address = 9603, .mode = access::configuration,
-    .name = "Rated motor current"};
+    .name = "Rated motor current", .source = trust::inferred};
 inline constexpr reg<rpm> nsp{.code = "NSP", .address = 9604, .mode = access::configuration, .min = {0}, .max = {65535},
-    .name = "Rated motor speed"};
+    .name = "Rated motor speed", .source = trust::inferred};
 inline constexpr reg<hundredths> cos{.code = "COS", .address = 9606, .mode = access::configuration, .min = {50}, .max = {100},
-    .name = "Motor power factor"};
+    .name = "Motor power factor", .source = trust::inferred};
 inline constexpr reg<plain> npr{.code = "NPR", .address = 9613, .mode = access::configuration,
     .name = "Rated motor power", .source = trust::doubtful};
-inline constexpr reg<deciamperes> ith{.code = "ITH", .address = 9622, .name = "Motor thermal protection current"};
+inline constexpr reg<deciamperes> ith{.code = "ITH", .address = 9622, .name = "Motor thermal protection current", .source = trust::inferred};
 inline constexpr reg<percent> thr{.code = "THR", .address = 9630, .mode = access::read_only, .min = {0}, .max = {200},
-    .name = "Motor thermal state"};
+    .name = "Motor thermal state", .source = trust::inferred};
 inline constexpr reg<stop_mode> stt{.code = "STT", .address = 11201, .mode = access::configuration,
-    .name = "Normal stop"};
+    .name = "Normal stop", .source = trust::inferred};
 inline constexpr reg<plain> nma1{.code = "NMA1", .address = 12701, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 3201,
-    .name = "Scanner: address of input word 1"};
+    .name = "Scanner: address of input word 1", .source = trust::inferred};
 inline constexpr reg<plain> nma2{.code = "NMA2", .address = 12702, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 8604,
-    .name = "Scanner: address of input word 2"};
+    .name = "Scanner: address of input word 2", .source = trust::inferred};
 inline constexpr reg<plain> nma3{.code = "NMA3", .address = 12703, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Scanner: address of input word 3"};
+    .name = "Scanner: address of input word 3", .source = trust::inferred};
 inline constexpr reg<plain> nma4{.code = "NMA4", .address = 12704, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Scanner: address of input word 4"};
+    .name = "Scanner: address of input word 4", .source = trust::inferred};
 inline constexpr reg<plain> nma5{.code = "NMA5", .address = 12705, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
     .name = "Scanner: address of input word 5", .source = trust::inferred};
 inline constexpr reg<plain> nma6{.code = "NMA6", .address = 12706, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
@@ -158,13 +158,13 @@ inline constexpr reg<plain> nma7{.code = "NMA7", .address = 12707, .mode = acces
 inline constexpr reg<plain> nma8{.code = "NMA8", .address = 12708, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
     .name = "Scanner: address of input word 8", .source = trust::inferred};
 inline constexpr reg<plain> nca1{.code = "NCA1", .address = 12721, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 8501,
-    .name = "Scanner: address of output word 1"};
+    .name = "Scanner: address of output word 1", .source = trust::inferred};
 inline constexpr reg<plain> nca2{.code = "NCA2", .address = 12722, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 8602,
-    .name = "Scanner: address of output word 2"};
+    .name = "Scanner: address of output word 2", .source = trust::inferred};
 inline constexpr reg<plain> nca3{.code = "NCA3", .address = 12723, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Scanner: address of output word 3"};
+    .name = "Scanner: address of output word 3", .source = trust::inferred};
 inline constexpr reg<plain> nca4{.code = "NCA4", .address = 12724, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
-    .name = "Scanner: address of output word 4"};
+    .name = "Scanner: address of output word 4", .source = trust::inferred};
 inline constexpr reg<plain> nca5{.code = "NCA5", .address = 12725, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
     .name = "Scanner: address of output word 5", .source = trust::inferred};
 inline constexpr reg<plain> nca6{.code = "NCA6", .address = 12726, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
@@ -174,13 +174,13 @@ inline constexpr reg<plain> nca7{.code = "NCA7", .address = 12727, .mode = acces
 inline constexpr reg<plain> nca8{.code = "NCA8", .address = 12728, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 0,
     .name = "Scanner: address of output word 8", .source = trust::inferred};
 inline constexpr reg<plain> nm1{.code = "NM1", .address = 12741, .mode = access::read_only, .min = {0}, .max = {65535},
-    .name = "Scanner: input word 1"};
+    .name = "Scanner: input word 1", .source = trust::inferred};
 inline constexpr reg<plain> nm2{.code = "NM2", .address = 12742, .mode = access::read_only, .min = {0}, .max = {65535},
-    .name = "Scanner: input word 2"};
+    .name = "Scanner: input word 2", .source = trust::inferred};
 inline constexpr reg<plain> nm3{.code = "NM3", .address = 12743, .mode = access::read_only, .min = {0}, .max = {65535},
-    .name = "Scanner: input word 3"};
+    .name = "Scanner: input word 3", .source = trust::inferred};
 inline constexpr reg<plain> nm4{.code = "NM4", .address = 12744, .mode = access::read_only, .min = {0}, .max = {65535},
-    .name = "Scanner: input word 4"};
+    .name = "Scanner: input word 4", .source = trust::inferred};
 inline constexpr reg<plain> nm5{.code = "NM5", .address = 12745, .mode = access::read_only, .min = {0}, .max = {65535},
     .name = "Scanner: input word 5", .source = trust::inferred};
 inline constexpr reg<plain> nm6{.code = "NM6", .address = 12746, .mode = access::read_only, .min = {0}, .max = {65535},
@@ -190,13 +190,13 @@ inline constexpr reg<plain> nm7{.code = "NM7", .address = 12747, .mode = access:
 inline constexpr reg<plain> nm8{.code = "NM8", .address = 12748, .mode = access::read_only, .min = {0}, .max = {65535},
     .name = "Scanner: input word 8", .source = trust::inferred};
 inline constexpr reg<plain> nc1{.code = "NC1", .address = 12761, .min = {0}, .max = {65535},
-    .name = "Scanner: output word 1"};
+    .name = "Scanner: output word 1", .source = trust::inferred};
 inline constexpr reg<plain> nc2{.code = "NC2", .address = 12762, .min = {0}, .max = {65535},
-    .name = "Scanner: output word 2"};
+    .name = "Scanner: output word 2", .source = trust::inferred};
 inline constexpr reg<plain> nc3{.code = "NC3", .address = 12763, .min = {0}, .max = {65535},
-    .name = "Scanner: output word 3"};
+    .name = "Scanner: output word 3", .source = trust::inferred};
 inline constexpr reg<plain> nc4{.code = "NC4", .address = 12764, .min = {0}, .max = {65535},
-    .name = "Scanner: output word 4"};
+    .name = "Scanner: output word 4", .source = trust::inferred};
 inline constexpr reg<plain> nc5{.code = "NC5", .address = 12765, .min = {0}, .max = {65535},
     .name = "Scanner: output word 5", .source = trust::inferred};
 inline constexpr reg<plain> nc6{.code = "NC6", .address = 12766, .min = {0}, .max = {65535},
@@ -210,6 +210,7 @@ inline constexpr reg<plain> nc8{.code = "NC8", .address = 12768, .min = {0}, .ma
 /// An ATV320.
 struct device {
     static constexpr text name{"atv320"};
+    static constexpr text reference{"ATV320U07M2B"}; ///< one of the family, as function 43 tells it
     static constexpr function_set functions{
         function_code::read_holding_registers,   function_code::write_single_register,
         function_code::write_multiple_registers, function_code::read_write_multiple_registers,
@@ -232,7 +233,8 @@ struct device {
         .eti = eti.address,
         .rfr = rfr.address,
         .chart = {.enables_from_ready = true, .quick_stop_waits = true},
-        .scanner_words = 8};
+        .scanner_words = 8,
+        .chcf = chcf.address};
     using registers =
         table<ncv, vcal, inv, sfr, tfr, hsp, lsp, eta, rfr, frh, lcr, otr, eti, uln, uop, thd, opr,
               rth, pth, hmis, vdp, add, tbr, tfo, tto, sll, lft, cic, dp0, dp1, dp2, dp3, dp4, dp5,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Gives a running drive another speed, and waits until it is reached.
+// Gives a running drive another speed or direction, and waits until it says that it turns so.
 #pragma once
 
 #include <cstdint>
@@ -23,10 +23,9 @@ public:
     constexpr wish step(event const& what) noexcept
     {
         switch (what.what) {
-        case event::kind::begun:
-        case event::kind::pause_over: return to_read(profile().eta);
-        case event::kind::word_read:
-            return is_reading_fault_ ? end_in_fault(what.word) : look(what.word);
+        case event::kind::begun: return ask(asked::status, profile().eta);
+        case event::kind::pause_over: return ask(asked::status, profile().eta);
+        case event::kind::word_read: return heard(what.word);
         case event::kind::written: is_written_ = true; return to_pause(look_period);
         case event::kind::failed: return end(what.error);
         case event::kind::late: break;
@@ -35,12 +34,30 @@ public:
     }
 
 private:
-    constexpr wish look(std::uint16_t status) noexcept
+    enum class asked : std::uint8_t { status, fault, control, frequency };
+
+    constexpr wish ask(asked what, std::uint16_t address) noexcept
+    {
+        asked_ = what;
+        return to_read(address);
+    }
+
+    constexpr wish heard(std::uint16_t word) noexcept
+    {
+        switch (asked_) {
+        case asked::status: return judge(word);
+        case asked::fault: return end_in_fault(word);
+        case asked::control: return write(word);
+        case asked::frequency: break;
+        }
+        return count_reached(word != 0);
+    }
+
+    constexpr wish judge(std::uint16_t status) noexcept
     {
         cia402::state const at = note(status);
         if (cia402::is_in_fault(at)) {
-            is_reading_fault_ = true;
-            return to_read(profile().lft);
+            return ask(asked::fault, profile().lft);
         }
         if ((status & remote_bit) == 0) {
             return end(ending::local_control);
@@ -49,22 +66,47 @@ private:
             return end(ending::stuck);
         }
         if (not is_written_) {
-            return to_write(reference_.address, reference_.word);
+            return ask(asked::control, profile().cmd);
         }
         if ((status & reference_limited_bit) != 0) {
             return end(ending::reference_limited);
         }
-        return (status & reference_reached_bit) != 0 ? end(ending::succeeded)
-                                                     : to_pause(look_period);
+        bool const is_reached = (status & reference_reached_bit) != 0;
+        bool const turns_back = (status & runs_backwards_bit) != 0;
+        if (reference_.is_zero() or not is_reached or turns_back != reference_.is_reverse()) {
+            return count_reached(reference_.is_zero() and is_reached);
+        }
+        return ask(asked::frequency, profile().rfr);
+    }
+
+    /// A drive may still show that it has reached the reference before this one, so once is not enough.
+    constexpr wish count_reached(bool is_reached) noexcept
+    {
+        constexpr int looks_at_it = 2;
+        reached_ = is_reached ? reached_ + 1 : 0;
+        return reached_ >= looks_at_it ? end(ending::succeeded) : to_pause(look_period);
+    }
+
+    /// One write of the reference with its sign: the direction bit stands as it stands.
+    constexpr wish write(std::uint16_t control) noexcept
+    {
+        if ((control & profile().halt) != 0) {
+            return end(ending::halted);
+        }
+        reference_write const told = reference_.under(control);
+        return to_write(told.address, told.word);
     }
 
     reference_write reference_;
+    int reached_{0};
+    asked asked_{asked::status};
     bool is_written_{false};
-    bool is_reading_fault_{false};
 };
 
-/// Changes the reference of a drive in operation; `stuck` where it is in another state or does not
-/// reach the speed in time. A long ramp needs a long limit.
+/// Changes the reference of a drive in operation; a negative one is in reverse. Done where the drive says twice,
+/// after the write, that it has reached it, and turns in that direction; `reference_limited` where the drive limits
+/// it, `halted` where the halt bit is set, `stuck` where it is in another state or not there in time. A long ramp
+/// needs a long limit.
 class change_reference : public drive_talk<reference_script> {
 public:
     template <device_type Device>

@@ -82,21 +82,28 @@ public:
         : options_{options}, period_{safe_period(options)}, unit_{drive.unit()}
     {}
 
-    /// Orders operation at a speed (a frequency on a device without scanner). False, with nothing
-    /// changed, before the drive was heard, after a loss until it is heard again, in a fault, and in
-    /// local control.
+    /// Orders operation at a speed (a frequency on a device without scanner), below zero in reverse. False, with
+    /// nothing changed, before the drive was heard, after a loss until it is heard again, in a fault, in local control,
+    /// in a quick stop, while a stop has not come to its end, and for a reference below zero together with
+    /// `heading::reverse`.
     constexpr bool run(setting<words::reference> reference, heading way = heading::forward) noexcept
     {
+        reference_write const asked{0, reference.word()};
+        bool const is_reverse = way == heading::reverse;
+        if (is_reverse and asked.is_reverse()) {
+            return false;
+        }
         bool const was_ordered = control_.is_ordered();
-        bool const is_taken = control_.run(reference.word(), way == heading::reverse);
+        // The direction goes with the reference, in one word: no write of several is relied on to arrive whole.
+        bool const is_taken = control_.run(is_reverse ? asked.reversed().word : asked.word);
         if (is_taken and not was_ordered) {
             climb_end_ = now_ + options_.climb_limit;
         }
         return is_taken;
     }
 
-    /// Takes the order back: the motor stops on its ramp.
-    constexpr void stop() noexcept { control_.stop(); }
+    /// Takes the order back: the motor stops, on its ramp or as said. `run` gives it back once the motor stands.
+    constexpr void stop(stop_by how = stop_by::ramp) noexcept { control_.stop(how); }
 
     /// Orders one fault reset.
     constexpr void reset_fault() noexcept { control_.reset_fault(); }
@@ -265,7 +272,7 @@ private:
         byte_view const pdu = answer.pdu();
         register_view const read{pdu.subspan(words_from)};
         if (step_ == step::look) {
-            control_.note_status(read[0]);
+            control_.note_status(read[0], false);
             step_ = step::look_for_fault;
             return;
         }
@@ -281,7 +288,7 @@ private:
             inputs_[i] = read[i];
         }
         bool const was_in_fault = cia402::is_in_fault(control_.state());
-        control_.note_status(inputs_[words::status_at]);
+        control_.note_status(inputs_[words::status_at], speed() == 0);
         if (step_ == step::read) {
             step_ = step::write;
         } else {

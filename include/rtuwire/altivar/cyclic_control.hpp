@@ -9,7 +9,7 @@
 
 #include <rtuwire/altivar/profile.hpp>
 #include <rtuwire/altivar/reason.hpp>
-#include <rtuwire/altivar/script.hpp>
+#include <rtuwire/altivar/stop.hpp>
 #include <rtuwire/cia402/way.hpp>
 #include <rtuwire/core/version.hpp>
 
@@ -18,15 +18,16 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// The law of one drive in a cycle. Not a safety function.
 class cyclic_control {
 public:
-    /// Orders operation. Refused, and nothing is changed, where the drive is not known to be reachable,
-    /// free of faults and under remote control.
-    constexpr bool run(std::uint16_t reference, bool is_reverse) noexcept
+    /// Orders operation; a reference below zero is in reverse. Refused, and nothing is changed, where the drive is
+    /// not known to be reachable, free of faults and under remote control, in a quick stop, and while a stop that
+    /// was ordered here has not come to its end.
+    constexpr bool run(std::uint16_t reference) noexcept
     {
         if (not is_able()) {
             return false;
         }
         reference_ = reference;
-        extra_bits_ = is_reverse ? reverse_bit : std::uint16_t{0};
+        is_stopping_ = false;
         if (not is_ordered_) {
             is_ordered_ = true;
             highest_ = cia402::height_of(state_);
@@ -36,8 +37,15 @@ public:
         return true;
     }
 
-    /// Takes the order back: the motor stops on its ramp.
-    constexpr void stop() noexcept { is_ordered_ = false; }
+    /// Takes the order back: the motor stops so. A freewheel is not made less by another stop; DC injection is the
+    /// ramp here.
+    constexpr void stop(stop_by how) noexcept
+    {
+        bool const is_on_its_way = is_stopping_ and how_ == stop_by::freewheel;
+        how_ = is_on_its_way ? how_ : how;
+        is_ordered_ = false;
+        is_stopping_ = true;
+    }
 
     /// Orders one fault reset; nothing where the drive is in no fault.
     constexpr void reset_fault() noexcept
@@ -47,12 +55,16 @@ public:
         }
     }
 
-    /// A status word has come.
-    constexpr void note_status(std::uint16_t status) noexcept
+    /// A status word has come, and whether the motor stands.
+    constexpr void note_status(std::uint16_t status, bool stands) noexcept
     {
         status_ = status;
         state_ = cia402::decode(status);
         is_known_ = true;
+        looks_at_rest_ = not stands           ? std::uint8_t{0}
+                         : looks_at_rest_ < 2 ? static_cast<std::uint8_t>(looks_at_rest_ + 1)
+                                              : looks_at_rest_;
+        end_stop();
         if (cia402::is_in_fault(state_)) {
             return drop(ending::in_fault);
         }
@@ -105,8 +117,10 @@ public:
 
     [[nodiscard]] constexpr bool is_able() const noexcept
     {
-        return is_known_ and state_ != cia402::state::unknown and
-               not cia402::is_in_fault(state_) and (status_ & remote_bit) != 0;
+        bool const is_free = not is_stopping_ or (is_halting() and looks_at_rest_ >= 2);
+        return is_known_ and is_free and state_ != cia402::state::unknown and
+               state_ != cia402::state::quick_stop_active and not cia402::is_in_fault(state_) and
+               (status_ & remote_bit) != 0;
     }
     [[nodiscard]] constexpr bool is_ordered() const noexcept { return is_ordered_; }
     [[nodiscard]] constexpr bool is_running() const noexcept
@@ -136,18 +150,51 @@ private:
         if (is_ordered_) {
             return climb();
         }
-        switch (cia402::toward_stopped(state_)) {
-        case cia402::command::switch_on: return cia402::word_of(cia402::command::switch_on);
-        case cia402::command::shutdown: return cia402::word_of(cia402::command::shutdown);
-        case cia402::command::none:
-        case cia402::command::enable_operation:
-        case cia402::command::disable_voltage:
-        case cia402::command::quick_stop:
-        case cia402::command::fault_reset: break;
+        switch (state_) {
+        case cia402::state::operation_enabled:
+        case cia402::state::quick_stop_active: return word_of_stop();
+        case cia402::state::unknown:
+            // A state that nobody knows may be operation: the ramp rather than none.
+            return is_known_ ? cia402::word_of(cia402::command::switch_on) : std::uint16_t{0};
+        case cia402::state::not_ready_to_switch_on:
+        case cia402::state::switch_on_disabled:
+        case cia402::state::ready_to_switch_on:
+        case cia402::state::switched_on:
+        case cia402::state::fault_reaction_active:
+        case cia402::state::fault: break;
         }
-        // A state that nobody knows may be operation: the ramp rather than none.
-        bool const may_turn = state_ == cia402::state::unknown and is_known_;
-        return may_turn ? cia402::word_of(cia402::command::switch_on) : std::uint16_t{0};
+        // Without power, but perhaps one word away from it: to where no stray word can start the motor.
+        return 0;
+    }
+
+    /// The word in operation or in a quick stop. No cycle ends a quick stop before the motor stands, whoever began it;
+    /// only a freewheel does.
+    constexpr std::uint16_t word_of_stop() const noexcept
+    {
+        if (is_halting()) {
+            return cia402::word_of(cia402::command::enable_operation) | cia402::halt_bit;
+        }
+        if (looks_at_rest_ >= 2 or (is_stopping_ and how_ == stop_by::freewheel)) {
+            return cia402::word_of(cia402::command::disable_voltage);
+        }
+        bool const is_quick = state_ == cia402::state::quick_stop_active or
+                              (is_stopping_ and how_ == stop_by::quick_stop);
+        return cia402::word_of(is_quick ? cia402::command::quick_stop : cia402::command::switch_on);
+    }
+
+    /// A stop has come to its end where the drive is in a state that a single word cannot make run.
+    constexpr void end_stop() noexcept
+    {
+        bool const is_low = state_ == cia402::state::switch_on_disabled or
+                            state_ == cia402::state::not_ready_to_switch_on or
+                            state_ == cia402::state::fault;
+        is_stopping_ = is_stopping_ and not is_low;
+    }
+
+    constexpr bool is_halting() const noexcept
+    {
+        return is_stopping_ and how_ == stop_by::halt and
+               state_ == cia402::state::operation_enabled;
     }
 
     /// Low, high, low.
@@ -167,19 +214,21 @@ private:
         if (next == cia402::command::none) {
             return 0;
         }
-        return static_cast<std::uint16_t>(cia402::word_of(next) | extra_bits_);
+        return cia402::word_of(next);
     }
 
     altivar::reason reason_{};
     std::uint16_t reference_{0};
-    std::uint16_t extra_bits_{0};
     std::uint16_t command_{0};
     std::uint16_t status_{0};
     cia402::state state_{cia402::state::unknown};
     int highest_{0};
     std::uint8_t reset_step_{0};
+    std::uint8_t looks_at_rest_{0}; ///< in a row, up to 2
+    stop_by how_{stop_by::ramp};
     bool is_known_{false};
     bool is_ordered_{false};
+    bool is_stopping_{false}; ///< a stop was ordered here, and has not come to its end
     bool had_stop_key_{false}; ///< pressed before the order, and shown until the motor runs
 };
 

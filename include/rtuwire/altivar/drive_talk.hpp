@@ -18,8 +18,8 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
-/// The conversation of a script. It ends by its limit, counted from the first `advance`, or at the end
-/// of the one question that is then under way or still has to be asked to leave the drive safe.
+/// The conversation of a script. It ends by its limit, counted from the first `advance`; or a script's grace later,
+/// or at the end of the one question that is then under way or still has to be asked to leave the drive safe.
 template <typename Script> class drive_talk : public asker {
 public:
     constexpr drive_talk(unit_id unit, Script const& script, duration limit) noexcept
@@ -39,7 +39,9 @@ public:
             return;
         }
         if (not is_late_ and reached(now, late_at_)) {
-            is_late_ = true;
+            is_late_ = was_warned_ or Script::grace.microseconds == 0;
+            was_warned_ = true;
+            late_at_ = now + Script::grace;
             take(script_.step({event::kind::late}));
         } else if (wish_.what == wish::kind::pause and reached(now, pause_end_)) {
             take(script_.step({event::kind::pause_over}));
@@ -55,7 +57,7 @@ public:
             return std::nullopt;
         }
         is_asking_ = true;
-        return request{frame_};
+        return request{frame_, wish_.again};
     }
 
     constexpr void accept(result<response> const& outcome) noexcept
@@ -150,6 +152,7 @@ private:
     bool has_begun_{false};
     bool is_asking_{false};
     bool is_late_{false};
+    bool was_warned_{false}; ///< the limit is over, what is left is the script's grace
     bool was_granted_{false};
 };
 

@@ -35,6 +35,7 @@ struct drive_profile {
     cia402::chart_options chart{};
     bool mains_bit_is_inverted{false};      ///< status bit 4 is 1 without mains
     bool refuses_commands_in_local{false};  ///< with an exception, instead of ignoring them
+    bool shows_forced_local_only{false};    ///< status bit 9 stays 1 for another channel in command
     bool falls_back_when_configured{true};  ///< from "switched on", by transition 10
     bool shows_eeprom_access{true};         ///< ETI bit 0 is 1 while it saves
     std::uint16_t halt{cia402::halt_bit};   ///< or-ed to the control word; 0: has no halt
@@ -43,6 +44,15 @@ struct drive_profile {
     duration eeprom_time{milliseconds(50)}; ///< without communication while it saves
     std::uint8_t scanner_words{0};          ///< slots each way; 0: has no scanner
     std::uint16_t rfrd{8604};               ///< output speed, which a scanner shows as delivered
+    std::uint16_t cmi_orders{0x0003};       ///< the bits of CMI that do something: factory settings, save
+    std::uint16_t chcf{0};                  ///< the register of its I/O profile; 0: has none
 };
+
+/// CHCF of a drive whose control word runs and reverses by single bits.
+inline constexpr std::uint16_t io_profile = 3;
+
+/// How a drive reads its control word. One with an I/O profile (ATV320, CHCF) may run on the words that stop all
+/// others, so that until its CHCF was read, since it was last switched on, it is only told 0000.
+enum class word_meaning : std::uint8_t { unknown, drive_profile };
 
 } // namespace rtuwire::altivar

@@ -17,15 +17,19 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 enum class ending : std::uint8_t {
     pending, ///< it has not
     succeeded,
+    executed_unconfirmed,  ///< the drive took the order; what it did to the line cannot be asked
     refused,               ///< by an exception, which `error` tells
     silent,                ///< no answer was accepted; `error` tells why
-    stuck,                 ///< the state did not change in time, or fell back
+    stuck,                 ///< the state did not change in time, or fell back; a stop: taken, and not obeyed
+    unconfirmed,           ///< a stop: its word was taken, or the motor slows down; it was not seen to stand
     in_fault,              ///< the drive is in fault; `fault` is its LFT
     local_control,         ///< somebody at the drive has the command
     reference_limited,     ///< done, but the reference is outside LSP..HSP
     refused_while_running, ///< only a stopped drive takes this
     unsupported,           ///< this drive cannot do that
     misconfigured,         ///< the drive's scanner holds other words than are needed
+    halted,                ///< the halt bit is set: only a start takes it away
+    contradictory,         ///< a negative reference and "reverse" at once: one sign for the direction
 };
 
 /// An ending with what was known.
@@ -34,6 +38,7 @@ struct reason {
     errc error{errc::none};
     cia402::state state{cia402::state::unknown}; ///< the last one seen
     std::uint16_t fault{0};                      ///< LFT, where it was read; 0 otherwise
+    bool is_other_stop{false};                   ///< another stop than the one asked for: see stop.hpp
 
     friend constexpr bool operator==(reason const&, reason const&) noexcept = default;
 };
@@ -44,15 +49,19 @@ struct reason {
     switch (how) {
     case ending::pending: return "under way";
     case ending::succeeded: return "done";
+    case ending::executed_unconfirmed: return "executed, not confirmed";
     case ending::refused: return "refused by the drive";
     case ending::silent: return "no answer";
     case ending::stuck: return "the drive does not follow";
+    case ending::unconfirmed: return "told to stop, not seen to stand";
     case ending::in_fault: return "the drive is in fault";
     case ending::local_control: return "the drive is in local control";
     case ending::reference_limited: return "the reference is outside the drive's limits";
     case ending::refused_while_running: return "only possible while the motor is stopped";
     case ending::unsupported: return "this drive cannot do that";
     case ending::misconfigured: return "the drive's scanner holds other words";
+    case ending::halted: return "the drive is halted";
+    case ending::contradictory: return "a negative reference and reverse at once";
     }
     return "unknown";
 }

@@ -7,6 +7,7 @@
 #include <concepts>
 #include <cstdint>
 
+#include <rtuwire/altivar/profile.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/setting.hpp>
@@ -16,14 +17,28 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// Which way the motor turns.
 enum class heading : std::uint8_t { forward, reverse };
 
-/// A reference as a register write.
+/// A reference as a register write. Its word is signed: below zero turns the motor in reverse.
 struct reference_write {
     std::uint16_t address{0};
     std::uint16_t word{0};
+
+    [[nodiscard]] constexpr bool is_reverse() const noexcept { return (word & 0x8000U) != 0; }
+    [[nodiscard]] constexpr bool is_zero() const noexcept { return word == 0; }
+
+    /// The same speed in the other direction.
+    [[nodiscard]] constexpr reference_write reversed() const noexcept
+    {
+        return {address, static_cast<std::uint16_t>(0U - word)};
+    }
+
+    /// What a drive has to be told that turns the other way round while bit 11 of its control word is set.
+    [[nodiscard]] constexpr reference_write under(std::uint16_t control) const noexcept
+    {
+        return (control & reverse_bit) != 0 ? reversed() : *this;
+    }
 };
 
-/// A reference for one device: 1500_rpm or 50_Hz. A negative one turns the motor the other way round
-/// than the direction says.
+/// A reference for one device: 1500_rpm or 50_Hz; a negative one is in reverse.
 template <device_type Device> class reference {
     using speed = setting<Device::speed_reference>;
     using hertz_setting = setting<Device::frequency_reference>;

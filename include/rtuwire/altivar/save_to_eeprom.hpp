@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Saves a drive's settings to its EEPROM, and takes the order back: a CMI that keeps the bit set wears
-// the memory out.
+// the memory out. Orders that stand in CMI from before are not given again with it.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +45,7 @@ private:
             stage_ = stage::reading_control;
             return to_read(profile().cmi);
         case stage::reading_control:
-            control_ = static_cast<std::uint16_t>(word & ~save_bit);
+            control_ = static_cast<std::uint16_t>(word & ~profile().cmi_orders);
             stage_ = stage::saving;
             return to_write(profile().cmi, static_cast<std::uint16_t>(control_ | save_bit));
         case stage::saving:

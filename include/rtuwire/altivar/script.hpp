@@ -9,6 +9,7 @@
 
 #include <rtuwire/altivar/profile.hpp>
 #include <rtuwire/altivar/reason.hpp>
+#include <rtuwire/client/conversation.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
@@ -35,19 +36,26 @@ struct wish {
     std::uint16_t address{0};
     std::uint16_t word{0};
     duration length{};
+    repetition again{repetition::allowed};
 };
 
 [[nodiscard]] constexpr wish to_read(std::uint16_t address) noexcept
 {
-    return {wish::kind::read, address, 0, {}};
+    return {wish::kind::read, address};
 }
 [[nodiscard]] constexpr wish to_write(std::uint16_t address, std::uint16_t word) noexcept
 {
-    return {wish::kind::write, address, word, {}};
+    return {wish::kind::write, address, word};
 }
 [[nodiscard]] constexpr wish to_pause(duration length) noexcept
 {
     return {wish::kind::pause, 0, 0, length};
+}
+/// The same wish, asked once: where no answer comes, the script hears of it.
+[[nodiscard]] constexpr wish once(wish what) noexcept
+{
+    what.again = repetition::never;
+    return what;
 }
 
 /// Between two looks at a word that has to change.
@@ -56,6 +64,9 @@ inline constexpr duration look_period = milliseconds(50);
 /// What every script has: the drive's profile, and why it ended.
 class script {
 public:
+    /// How much longer than its limit a script may take to leave the drive safe; without any, one question.
+    static constexpr duration grace{};
+
     [[nodiscard]] constexpr altivar::reason const& reason() const noexcept { return reason_; }
 
     /// Ends a script that wishes on after its limit.
@@ -73,13 +84,15 @@ protected:
             reason_.how = how;
             reason_.error = error;
         }
-        return {wish::kind::end, 0, 0, {}};
+        return {wish::kind::end};
     }
 
     /// Ends because a question failed.
-    constexpr wish end(errc error) noexcept
+    constexpr wish end(errc error) noexcept { return end(ending_for(error), error); }
+
+    static constexpr ending ending_for(errc error) noexcept
     {
-        return end(is_exception(error) ? ending::refused : ending::silent, error);
+        return is_exception(error) ? ending::refused : ending::silent;
     }
 
     /// Keeps the state that a status word tells.
@@ -88,6 +101,9 @@ protected:
         reason_.state = cia402::decode(status);
         return reason_.state;
     }
+
+    constexpr void note_state(cia402::state at) noexcept { reason_.state = at; }
+    constexpr void note_other_stop() noexcept { reason_.is_other_stop = true; }
 
     constexpr wish end_in_fault(std::uint16_t code) noexcept
     {

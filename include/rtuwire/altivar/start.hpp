@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Starts a drive: read ETA, write CMD, and again until operation is enabled. The reference goes before
-// the command that enables, so that the motor never turns at an older one. A drive that falls back on
-// the way, say because somebody pressed STOP, is not pushed up again.
+// Starts a drive: read ETA, write CMD, and again until operation is enabled. Between any two of its frames the drive
+// may be alone for ever, so whatever came through, the motor turns neither in a direction nor faster than was asked
+// before or is asked now: the reference, which holds the direction as its sign, goes in one write before the command
+// that enables. That command goes only to a drive whose control word still is the one written last. A drive that
+// falls back on the way, say because somebody pressed STOP, is not pushed up again; what was given is taken back.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +13,7 @@
 
 #include <rtuwire/altivar/drive_talk.hpp>
 #include <rtuwire/altivar/reference.hpp>
+#include <rtuwire/altivar/stop.hpp>
 #include <rtuwire/cia402/way.hpp>
 #include <rtuwire/core/version.hpp>
 
@@ -19,33 +22,64 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// Decides a start, word by word.
 class start_script : public script {
 public:
-    constexpr start_script(drive_profile const& profile, reference_write reference,
-                           heading way) noexcept
-        : script{profile}, reference_{reference}, extra_bits_{way == heading::reverse
-                                                                  ? reverse_bit
-                                                                  : std::uint16_t{0}}
+    /// To bring a drive to rest that was enabled and must not run.
+    static constexpr duration grace{milliseconds(30'000)};
+
+    constexpr start_script(drive_profile const& profile, reference_write reference, heading way,
+                           word_meaning known) noexcept
+        : script{profile}, reference_{way == heading::reverse ? reference.reversed() : reference},
+          rest_{profile, stop_by::freewheel, known}, known_{known},
+          is_contradictory_{way == heading::reverse and reference.is_reverse()}
     {}
 
     constexpr wish step(event const& what) noexcept
     {
+        if (stage_ == stage::withdrawing) {
+            return come_to_rest(what);
+        }
         switch (what.what) {
         case event::kind::begun:
-        case event::kind::pause_over: return to_read(profile().eta);
-        case event::kind::word_read:
-            return stage_ == stage::reading_fault ? end_in_fault(what.word) : look(what.word);
+            return is_contradictory_ ? end(ending::contradictory) : to_read(profile().eta);
+        case event::kind::pause_over: return look();
+        case event::kind::word_read: return heard(what.word);
         case event::kind::written: return after_write();
-        case event::kind::failed:
-            return withdraw(is_exception(what.error) ? ending::refused : ending::silent,
-                            what.error);
+        case event::kind::failed: return go_on(what.error);
         case event::kind::late: break;
         }
         return withdraw(ending::stuck);
     }
 
 private:
-    enum class stage : std::uint8_t { climbing, referring, enabled, reading_fault, withdrawing };
+    enum class stage : std::uint8_t {
+        climbing,
+        reading_direction, ///< of a drive that runs already
+        redirecting,       ///< its reference is written
+        referring,         ///< the reference is written
+        checking,          ///< the control word is read back
+        enabled,           ///< the command to run was given
+        reading_fault,
+        withdrawing,
+    };
 
-    constexpr wish look(std::uint16_t status) noexcept
+    constexpr wish look() noexcept { return once(to_read(profile().eta)); }
+
+    constexpr wish heard(std::uint16_t word) noexcept
+    {
+        misses_ = 0;
+        switch (stage_) {
+        case stage::reading_fault: return trip(word);
+        case stage::reading_direction: return redirect(word);
+        case stage::checking: return enable(word);
+        case stage::climbing:
+        case stage::redirecting:
+        case stage::referring:
+        case stage::enabled:
+        case stage::withdrawing: break;
+        }
+        return judge(word);
+    }
+
+    constexpr wish judge(std::uint16_t status) noexcept
     {
         cia402::state const at = note(status);
         if (cia402::is_in_fault(at)) {
@@ -60,87 +94,152 @@ private:
             return withdraw(ending::stuck);
         }
         height_ = height;
-        if (at == cia402::state::operation_enabled) {
-            return run(status);
-        }
-        return climb(at);
+        return at == cia402::state::operation_enabled ? run(status) : climb(at);
     }
 
     constexpr wish climb(cia402::state at) noexcept
     {
-        cia402::command const next = cia402::toward_running(at);
+        bool const is_ready = at == cia402::state::switched_on;
+        // The word that is read back before enabling has to be ours.
+        cia402::command const next = is_ready and given_ != cia402::command::switch_on
+                                         ? cia402::command::switch_on
+                                         : cia402::toward_running(at);
         if (next == cia402::command::none or next == given_) {
             return to_pause(look_period);
         }
-        if (next == cia402::command::enable_operation) {
-            return refer();
-        }
-        return give(next);
+        return is_ready and next == cia402::command::enable_operation
+                   ? write_reference(stage::referring, reference_)
+                   : give(next, 0);
     }
 
-    constexpr wish refer() noexcept
+    constexpr wish write_reference(stage next, reference_write what) noexcept
     {
-        stage_ = stage::referring;
-        return to_write(reference_.address, reference_.word);
+        stage_ = next;
+        return once(to_write(what.address, what.word));
     }
 
-    constexpr wish give(cia402::command next) noexcept
+    constexpr wish give(cia402::command next, std::uint16_t direction) noexcept
     {
         given_ = next;
         has_commanded_ = true;
-        return to_write(profile().cmd,
-                        static_cast<std::uint16_t>(cia402::word_of(next) | extra_bits_));
+        return once(to_write(profile().cmd, static_cast<std::uint16_t>(cia402::word_of(next) | direction)));
+    }
+
+    /// The control word before enabling: another one was written by somebody else, or the drive was switched off.
+    constexpr wish enable(std::uint16_t control) noexcept
+    {
+        if (control != cia402::word_of(cia402::command::switch_on)) {
+            return withdraw(ending::stuck);
+        }
+        stage_ = stage::enabled;
+        return give(cia402::command::enable_operation, 0);
     }
 
     /// In operation: with our reference, or before it where the drive was running already.
     constexpr wish run(std::uint16_t status) noexcept
     {
         if (stage_ != stage::enabled) {
-            return refer();
+            stage_ = stage::reading_direction;
+            return once(to_read(profile().cmd));
         }
         return end((status & reference_limited_bit) != 0 ? ending::reference_limited
                                                          : ending::succeeded);
     }
 
-    constexpr wish after_write() noexcept
+    /// Gives a drive that runs another reference, in one write; its direction bit stays.
+    constexpr wish redirect(std::uint16_t control) noexcept
     {
-        if (stage_ == stage::withdrawing) {
-            return end(ending::stuck);
-        }
-        if (stage_ == stage::referring) {
-            stage_ = stage::enabled;
-            return give(cia402::command::enable_operation);
-        }
-        return to_read(profile().eta);
+        direction_ = control & reverse_bit;
+        return write_reference(stage::redirecting, reference_.under(control));
     }
 
-    /// Ends, but takes back a command to run that the drive may hold.
+    constexpr wish after_write() noexcept
+    {
+        misses_ = 0;
+        if (stage_ == stage::referring) {
+            stage_ = stage::checking;
+            return once(to_read(profile().cmd));
+        }
+        if (stage_ == stage::redirecting) {
+            stage_ = stage::enabled;
+            return give(cia402::command::enable_operation, direction_);
+        }
+        return look();
+    }
+
+    constexpr wish trip(std::uint16_t code) noexcept
+    {
+        fault_ = code;
+        return has_commanded_ ? withdraw(ending::in_fault) : end_in_fault(code);
+    }
+
+    /// What was not answered may have come through or not: the way begins anew, with a look.
+    constexpr wish go_on(errc error) noexcept
+    {
+        constexpr std::uint8_t most_misses = 3;
+        ++misses_;
+        if (is_exception(error) or not has_commanded_ or misses_ > most_misses) {
+            return withdraw(ending_for(error), error);
+        }
+        stage_ = stage::climbing;
+        given_ = cia402::command::none;
+        return look();
+    }
+
+    /// Ends, but takes back what the drive was told: a motor that may run comes to rest on its ramp.
     constexpr wish withdraw(ending how, errc error = errc::none) noexcept
     {
-        wish const over = end(how, error);
-        if (given_ != cia402::command::enable_operation or stage_ == stage::withdrawing) {
-            return over;
+        if (not has_commanded_) {
+            return end(how, error);
         }
+        how_ = how;
+        error_ = error;
+        bool const may_run = given_ == cia402::command::enable_operation or
+                             stage_ == stage::enabled or
+                             reason().state == cia402::state::operation_enabled;
+        rest_ = stop_script{profile(), may_run ? stop_by::ramp : stop_by::freewheel, known_};
         stage_ = stage::withdrawing;
-        return to_write(profile().cmd, cia402::word_of(cia402::command::shutdown));
+        return rest_.step({event::kind::begun});
+    }
+
+    constexpr wish come_to_rest(event const& what) noexcept
+    {
+        wish const next = rest_.step(what);
+        if (next.what != wish::kind::end) {
+            return next;
+        }
+        note_state(rest_.reason().state);
+        if (how_ == ending::in_fault) {
+            return end_in_fault(fault_);
+        }
+        return end(how_, error_);
     }
 
     reference_write reference_;
-    std::uint16_t extra_bits_;
+    stop_script rest_;
+    std::uint16_t fault_{0};
+    std::uint16_t direction_{0};
     int height_{0};
     stage stage_{stage::climbing};
+    word_meaning known_;
     cia402::command given_{cia402::command::none};
+    ending how_{ending::pending};
+    errc error_{errc::none};
+    std::uint8_t misses_{0};
     bool has_commanded_{false};
+    bool is_contradictory_;
 };
 
-/// Starts a drive at a reference. `station`, then 1500_rpm or 50_Hz, then the direction. It settles once
-/// operation is enabled, without waiting for the ramp.
+/// Starts a drive at a reference. `station`, then 1500_rpm or 50_Hz, then the direction; a negative reference is in
+/// reverse, and one together with `heading::reverse` is refused. It settles once operation is enabled, without
+/// waiting for the ramp; a start that fails settles when what it gave is taken back, up to 30 s behind its limit.
 class start : public drive_talk<start_script> {
 public:
     template <device_type Device>
     constexpr start(station<Device> const& drive, std::type_identity_t<reference<Device>> const& at,
-                    heading way = heading::forward, duration limit = milliseconds(3'000)) noexcept
-        : drive_talk{drive.unit(), start_script{Device::profile, at.write(), way}, limit}
+                    heading way = heading::forward, duration limit = milliseconds(3'000),
+                    word_meaning known = word_meaning::unknown) noexcept
+        : drive_talk{drive.unit(), start_script{Device::profile, at.write(), way, known}, limit}
     {}
 
     /// Whether the motor runs as asked, or at the limit nearest to it.

@@ -3,6 +3,11 @@
 //
 // Stops a drive, in one of the ways that it has. None of them replaces an emergency stop: they reach
 // the motor over a line that can fail.
+//
+// The word that stops leaves before anything is read, and again at every look until the drive's state confirms it:
+// neither a lost frame nor an exception ends a stop, only its limit does. Only halt and DC injection look first,
+// because a drive that is "ready" may run on their words; where that look fails they become the ramp. A drive at
+// rest is brought to "switch on disabled", where no late or foreign word can start it.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +20,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// How the motor comes to rest.
 enum class stop_by : std::uint8_t {
-    ramp,         ///< disable operation; ends in "ready to switch on"
+    ramp,         ///< disable operation
     freewheel,    ///< disable voltage: torque goes at once, the motor coasts
     quick_stop,   ///< the fast ramp
     halt,         ///< as STT says, and stays in operation enabled with the halt bit set
@@ -25,48 +30,49 @@ enum class stop_by : std::uint8_t {
 /// Decides a stop, word by word.
 class stop_script : public script {
 public:
-    constexpr stop_script(drive_profile const& profile, stop_by mode) noexcept
-        : script{profile}, mode_{mode}
+    constexpr stop_script(drive_profile const& profile, stop_by mode, word_meaning known) noexcept
+        : script{profile}, mode_{mode}, known_{known}
     {}
 
     constexpr wish step(event const& what) noexcept
     {
         switch (what.what) {
-        case event::kind::begun:
-            if (is_unsupported()) {
-                return end(ending::unsupported);
-            }
-            return to_read(profile().eta);
-        case event::kind::pause_over: return to_read(profile().eta);
+        case event::kind::begun: return begin();
+        case event::kind::pause_over: return looks_first() ? look() : stop_again();
         case event::kind::word_read: return heard(what.word);
-        case event::kind::written: return to_pause(look_period);
-        case event::kind::failed: return end(what.error);
+        case event::kind::written:
+            was_taken_ = true;
+            is_seen_ = false;
+            return look();
+        case event::kind::failed: return go_on(what.error);
         case event::kind::late: break;
         }
-        return end(ending::stuck);
+        return end_unconfirmed();
     }
 
 private:
     enum class asked : std::uint8_t { status, fault, control, frequency };
 
-    constexpr bool is_unsupported() const noexcept
+    constexpr bool is_in_place() const noexcept
     {
-        return (mode_ == stop_by::dc_injection and profile().dc_injection == 0) or
-               (mode_ == stop_by::halt and profile().halt == 0);
+        return mode_ == stop_by::halt or mode_ == stop_by::dc_injection;
     }
 
-    constexpr wish heard(std::uint16_t word) noexcept
+    constexpr wish begin() noexcept
     {
-        asked const which = asked_;
-        asked_ = asked::status;
-        switch (which) {
-        case asked::status: return look(word);
-        case asked::fault: return end_in_fault(word);
-        case asked::control: return give(static_cast<std::uint16_t>(word | profile().halt));
-        case asked::frequency: break;
+        bool const is_unsupported =
+            (mode_ == stop_by::dc_injection and profile().dc_injection == 0) or
+            (mode_ == stop_by::halt and profile().halt == 0);
+        if (is_unsupported) {
+            return end(ending::unsupported);
         }
-        return word == 0 ? at_rest() : to_pause(look_period);
+        return looks_first() ? look() : stop_again();
     }
+
+    /// Whether the word of this stop is not known yet.
+    constexpr bool looks_first() const noexcept { return is_in_place() and not has_word_; }
+
+    constexpr wish look() noexcept { return ask(asked::status, profile().eta); }
 
     constexpr wish ask(asked what, std::uint16_t address) noexcept
     {
@@ -74,81 +80,164 @@ private:
         return to_read(address);
     }
 
-    constexpr wish give(std::uint16_t word) noexcept
+    constexpr wish stop_again() noexcept { return to_write(profile().cmd, word()); }
+
+    constexpr wish give(std::uint16_t word_of_this_stop) noexcept
     {
-        is_given_ = true;
-        return to_write(profile().cmd, word);
+        has_word_ = true;
+        word_ = word_of_this_stop;
+        return stop_again();
     }
 
-    constexpr wish look(std::uint16_t status) noexcept
+    /// The word that stops now. A drive at rest needs no torque; a quick stop is nobody's to end but a freewheel's.
+    constexpr std::uint16_t word() noexcept
+    {
+        if (stands_) {
+            return 0;
+        }
+        if (has_word_) {
+            return word_;
+        }
+        bool const may_run_on_it = known_ == word_meaning::unknown and profile().chcf != 0;
+        if (mode_ == stop_by::freewheel or may_run_on_it) {
+            if (mode_ != stop_by::freewheel) {
+                note_other_stop();
+            }
+            return cia402::word_of(cia402::command::disable_voltage);
+        }
+        bool const is_quick =
+            mode_ == stop_by::quick_stop or reason().state == cia402::state::quick_stop_active;
+        return cia402::word_of(is_quick ? cia402::command::quick_stop : cia402::command::switch_on);
+    }
+
+    constexpr wish heard(std::uint16_t word) noexcept
+    {
+        switch (asked_) {
+        case asked::status: return judge(word);
+        case asked::fault: return end_in_fault(word);
+        case asked::control: return give(static_cast<std::uint16_t>(word | profile().halt));
+        case asked::frequency: break;
+        }
+        return measure(word);
+    }
+
+    constexpr wish judge(std::uint16_t status) noexcept
     {
         cia402::state const at = note(status);
+        is_seen_ = true;
         if (cia402::is_in_fault(at)) {
             return ask(asked::fault, profile().lft);
         }
-        if (not cia402::has_power(at) and is_low_enough(at)) {
+        if (at == cia402::state::switch_on_disabled or
+            at == cia402::state::not_ready_to_switch_on) {
             return end(ending::succeeded);
         }
         if ((status & remote_bit) == 0) {
             return end(ending::local_control);
         }
-        if (at == cia402::state::quick_stop_active) {
+        if (cia402::has_power(at)) {
             return ask(asked::frequency, profile().rfr);
         }
-        return at == cia402::state::operation_enabled ? leave_operation() : leave_switched_on(at);
-    }
-
-    /// "Switched on" is without power, but one command from running: only halt leaves a drive there.
-    constexpr bool is_low_enough(cia402::state at) const noexcept
-    {
-        return at != cia402::state::unknown and
-               (at != cia402::state::switched_on or mode_ == stop_by::halt);
-    }
-
-    constexpr wish leave_switched_on(cia402::state at) noexcept
-    {
-        return at == cia402::state::switched_on ? give(cia402::word_of(cia402::command::shutdown))
-                                                : to_pause(look_period);
-    }
-
-    constexpr wish leave_operation() noexcept
-    {
-        if (is_given_) {
-            bool const stays = mode_ == stop_by::halt or mode_ == stop_by::dc_injection;
-            return stays ? ask(asked::frequency, profile().rfr) : to_pause(look_period);
+        if (at == cia402::state::unknown) {
+            return become_ramp_and_go_on();
         }
-        switch (mode_) {
-        case stop_by::ramp: return give(cia402::word_of(cia402::command::switch_on));
-        case stop_by::freewheel: return give(cia402::word_of(cia402::command::disable_voltage));
-        case stop_by::quick_stop: return give(cia402::word_of(cia402::command::quick_stop));
-        case stop_by::halt: return ask(asked::control, profile().cmd);
-        case stop_by::dc_injection: break;
-        }
-        return give(profile().dc_injection);
+        return leave_ready();
     }
 
-    /// The motor stands, in a state that still has power.
-    constexpr wish at_rest() noexcept
+    /// "Ready to switch on" and "switched on" have no power, but are one word away from it.
+    constexpr wish leave_ready() noexcept
     {
-        if (mode_ == stop_by::halt and reason().state == cia402::state::operation_enabled) {
+        bool const is_told = stands_;
+        stands_ = true;
+        return is_told ? to_pause(look_period) : stop_again();
+    }
+
+    /// The output frequency in operation, or in a quick stop.
+    constexpr wish measure(std::uint16_t frequency) noexcept
+    {
+        bool const is_zero = frequency == 0;
+        bool const was_zero = has_frequency_ and last_ == 0;
+        first_ = has_frequency_ ? first_ : frequency;
+        last_ = frequency;
+        has_frequency_ = true;
+        bool const is_operating = reason().state == cia402::state::operation_enabled;
+        if (looks_first() and is_operating) {
+            return mode_ == stop_by::halt ? ask(asked::control, profile().cmd)
+                                          : give(profile().dc_injection);
+        }
+        if (not is_zero or not was_zero) {
+            stands_ = false;
+            return to_pause(look_period);
+        }
+        if (mode_ == stop_by::halt and is_operating) {
             return end(ending::succeeded);
         }
-        return to_write(profile().cmd, cia402::word_of(cia402::command::disable_voltage));
+        stands_ = true;
+        return stop_again();
     }
 
+    /// A read or write that failed does not end a stop.
+    constexpr wish go_on(errc error) noexcept
+    {
+        error_ = error;
+        return become_ramp_and_go_on();
+    }
+
+    constexpr wish become_ramp_and_go_on() noexcept
+    {
+        if (looks_first()) {
+            mode_ = stop_by::ramp;
+            note_other_stop();
+            return stop_again();
+        }
+        return to_pause(look_period);
+    }
+
+    /// The limit is over, and the drive was not seen to stand.
+    constexpr wish end_unconfirmed() noexcept
+    {
+        if (not was_taken_ and error_ != errc::none) {
+            return end(error_);
+        }
+        bool const obeys_not = is_seen_ and cia402::has_power(reason().state) and
+                               magnitude(last_) >= magnitude(first_);
+        return end(obeys_not ? ending::stuck : ending::unconfirmed, error_);
+    }
+
+    static constexpr std::int32_t magnitude(std::uint16_t frequency) noexcept
+    {
+        auto const value = static_cast<std::int16_t>(frequency);
+        return value < 0 ? -std::int32_t{value} : std::int32_t{value};
+    }
+
+    std::uint16_t word_{0};
+    std::uint16_t first_{0}; ///< the output frequencies that were read, in 0.1 Hz
+    std::uint16_t last_{0};
     stop_by mode_;
+    word_meaning known_;
     asked asked_{asked::status};
-    bool is_given_{false};
+    errc error_{errc::none}; ///< the last one
+    bool has_word_{false};
+    bool has_frequency_{false};
+    bool was_taken_{false}; ///< the drive confirmed a word
+    bool is_seen_{false};   ///< and its state was read after that
+    bool stands_{false};
 };
 
-/// Stops a drive; settles when the motor has no power, or for `halt` when it stands. A long ramp needs a
-/// long limit.
+/// Stops a drive; settles when it is in "switch on disabled", or for `halt` when the motor stands. A long ramp needs
+/// a long limit. At the limit it ends as `unconfirmed` (the word was taken or the motor slows down), `stuck` (taken,
+/// and the motor is as fast as before), `refused` or `silent` (never taken).
+///
+/// An ATV320 of which it is not said that its words mean what they do in the drive profile (CHCF is not IO, and DOTD
+/// is the ramp) is told 0000, "disable voltage", first, whatever was asked for: with CHCF = IO it would run on the
+/// others. `reason().is_other_stop` tells.
 class stop : public drive_talk<stop_script> {
 public:
     template <device_type Device>
     explicit constexpr stop(station<Device> const& drive, stop_by mode = stop_by::ramp,
-                            duration limit = milliseconds(30'000)) noexcept
-        : drive_talk{drive.unit(), stop_script{Device::profile, mode}, limit}
+                            duration limit = milliseconds(30'000),
+                            word_meaning known = word_meaning::unknown) noexcept
+        : drive_talk{drive.unit(), stop_script{Device::profile, mode, known}, limit}
     {}
 };
 

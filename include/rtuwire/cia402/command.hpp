@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include <rtuwire/cia402/state.hpp>
 #include <rtuwire/core/text.hpp>
 #include <rtuwire/core/version.hpp>
 
@@ -42,13 +43,9 @@ inline constexpr std::uint16_t fault_reset_bit = 0x0080;
     return 0x0000;
 }
 
-/// What a control word asks for, given the one before it: a fault reset is a rising edge of bit 7, and
-/// where it is one, nothing else counts.
-[[nodiscard]] constexpr command recognise(std::uint16_t before, std::uint16_t word) noexcept
+/// What a control word asks for, by its bits 0 to 3: the tables print an x for bit 7 in all of these.
+[[nodiscard]] constexpr command recognise(std::uint16_t word) noexcept
 {
-    if ((word & fault_reset_bit) != 0) {
-        return (before & fault_reset_bit) == 0 ? command::fault_reset : command::none;
-    }
     if ((word & 0x02) == 0) {
         return command::disable_voltage;
     }
@@ -59,6 +56,21 @@ inline constexpr std::uint16_t fault_reset_bit = 0x0080;
         return command::shutdown;
     }
     return (word & 0x08) == 0 ? command::switch_on : command::enable_operation;
+}
+
+/// Whether a control word resets a fault, given the one before it: by a rising edge of bit 7. In a fault nothing
+/// else in the word counts, and elsewhere the edge does not.
+[[nodiscard]] constexpr bool is_reset_edge(std::uint16_t before, std::uint16_t word) noexcept
+{
+    return (word & ~before & fault_reset_bit) != 0;
+}
+
+/// What a control word asks a drive for that stands in `from`, given the word before it.
+[[nodiscard]] constexpr command recognise(state from, std::uint16_t before,
+                                          std::uint16_t word) noexcept
+{
+    bool const is_reset = from == state::fault and is_reset_edge(before, word);
+    return is_reset ? command::fault_reset : recognise(word);
 }
 
 /// A command in the profile's words.

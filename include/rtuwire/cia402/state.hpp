@@ -26,6 +26,9 @@ enum class state : std::uint8_t {
     fault,
 };
 
+/// Bit 5 of the status word, low during a quick stop.
+inline constexpr std::uint16_t no_quick_stop_bit = 0x20;
+
 /// The bits of a status word that say one state.
 struct state_pattern {
     std::uint16_t mask;
@@ -56,14 +59,14 @@ inline constexpr std::array<state_pattern, 8> state_patterns{{
     return state::unknown;
 }
 
-/// The bits 0 to 6 that a drive in a state shows, quick stop bit high where it is free; 0 for `unknown`.
+/// The bits 0 to 6 that a drive in a state shows, but for bit 4; 0 for `unknown`. Bit 5 is free in some states: low
+/// in "switch on disabled" and before, as the manuals print it; high in a fault, unless a quick stop led there.
 [[nodiscard]] constexpr std::uint16_t status_bits(state of) noexcept
 {
-    constexpr std::uint16_t no_quick_stop = 0x20;
+    bool const is_fault = of == state::fault or of == state::fault_reaction_active;
     for (state_pattern const& each : state_patterns) {
         if (each.meaning == of) {
-            bool const is_free = (each.mask & no_quick_stop) == 0;
-            return static_cast<std::uint16_t>(each.value | (is_free ? no_quick_stop : 0));
+            return static_cast<std::uint16_t>(each.value | (is_fault ? no_quick_stop_bit : 0));
         }
     }
     return 0;

@@ -91,14 +91,6 @@ public:
     }
 };
 
-/// Whether a register's steps are always the same size.
-template <auto const& R> inline constexpr bool has_own_steps = R.steps_set_by.size() == 0;
-
-/// A register, counted in other steps.
-template <typename Step, auto const& R>
-inline constexpr reg<Step> restepped{
-    .code = R.code, .address = R.address, .mode = R.mode, .min = R.min, .max = R.max};
-
 /// Asks for the value of one register of this device.
 template <auto const& R, device_type Device>
 [[nodiscard]] constexpr auto read(station<Device> const& of) noexcept
@@ -174,6 +166,8 @@ template <auto const&... Registers, device_type Device>
                                        setting<Registers>... values) noexcept
 {
     static_assert((is_writable<Registers, Device>() and ...));
+    static_assert((has_own_steps<Registers> and ...),
+                  "another register sets this register's steps: name them with restepped");
     static_assert(registers<Registers...>::are_contiguous(),
                   "one request writes registers that follow one another");
     static_assert(implements<Device>(function_code::write_multiple_registers),
@@ -195,6 +189,8 @@ template <typename Read, auto const&... Written, device_type Device>
                   "this device does not implement function 23");
     static_assert(Read::template are_of<Device>, "this device has no such register");
     static_assert((is_writable<Written, Device>() and ...));
+    static_assert((has_own_steps<Written> and ...),
+                  "another register sets this register's steps: name them with restepped");
     static_assert(Read::are_contiguous() and registers<Written...>::are_contiguous(),
                   "one request exchanges registers that follow one another");
     static_assert(Read::count <= Device::limits.exchange_read and

@@ -69,10 +69,19 @@ public:
         return made;
     }
 
+    /// The same objects with another conformity level: for a device whose manual prints one that does not follow
+    /// from its objects.
+    [[nodiscard]] constexpr device_objects with_conformity(std::uint8_t level) const noexcept
+    {
+        device_objects made = *this;
+        made.conformity_ = level;
+        return made;
+    }
+
     [[nodiscard]] constexpr bool empty() const noexcept { return octets_.empty(); }
     [[nodiscard]] constexpr byte_view octets() const noexcept { return octets_; }
 
-    /// The category that holds all objects, with single access: 81, 82 or 83.
+    /// The category that holds all objects, with single access (81, 82 or 83), unless another was named.
     [[nodiscard]] constexpr std::uint8_t conformity() const noexcept { return conformity_; }
 
 private:

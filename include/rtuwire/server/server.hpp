@@ -18,6 +18,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
@@ -198,6 +199,13 @@ public:
         }
         instant const quiet = framer_.last_activity() + framer_.line().t3_5();
         return framer_.is_quiet() or reached(quiet, until_) ? until_ : quiet;
+    }
+
+    /// Listens to another address from the next frame on; without one, to broadcasts only. An answer that waits
+    /// still leaves.
+    constexpr void listen_as(std::optional<unit_id> unit) noexcept
+    {
+        unit_ = unit ? unit->octet() : std::uint8_t{0};
     }
 
     /// Whether a request waits for `serve`.

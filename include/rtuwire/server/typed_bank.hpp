@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
@@ -20,10 +21,13 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The values of some registers, at their factory values first (0 where none is known). Reading an address
 /// that is none of theirs, or writing one or a read-only register, is exception 02; only if there is none of
-/// these among all that are written, a value outside its register's limits is 03. A signed register's words
+/// these among all that are written, a value outside its register's limits is 03, and so is one that the names
+/// of its enumeration do not list (`enumerators`; any will do where they are not given). A signed register's words
 /// are compared as signed. Nothing is written in part.
 template <auto const&... Registers> class bank {
     using registers = table<Registers...>;
+    static_assert((has_own_steps<Registers> and ...),
+                  "another register sets this register's steps: name them with restepped");
     static constexpr std::size_t none = sizeof...(Registers);
 
     struct rule {
@@ -32,11 +36,18 @@ template <auto const&... Registers> class bank {
         bool is_signed;
         std::int32_t lowest;
         std::int32_t highest;
+        std::span<std::uint16_t const> listed;
+        count_range gap;
     };
 
     template <auto const& R>
-    static constexpr rule rule_of{R.address, R.mode != access::read_only, lowest<R>() < 0,
-                                  lowest<R>(), highest<R>()};
+    static constexpr rule rule_of{R.address,
+                                  R.mode != access::read_only,
+                                  lowest<R>() < 0,
+                                  lowest<R>(),
+                                  highest<R>(),
+                                  listed_words<value_of<R>>(),
+                                  R.gap};
     static constexpr std::array<rule, none> rules{rule_of<Registers>...};
 
 public:
@@ -126,7 +137,8 @@ private:
     static constexpr bool fits(rule const& limits, std::uint16_t word) noexcept
     {
         std::int32_t const raw = limits.is_signed ? static_cast<std::int16_t>(word) : word;
-        return raw >= limits.lowest and raw <= limits.highest;
+        return raw >= limits.lowest and raw <= limits.highest and not limits.gap.contains(raw) and
+               has_meaning(limits.listed, word);
     }
 
     std::array<std::uint16_t, none> words_{

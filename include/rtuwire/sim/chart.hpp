@@ -28,6 +28,12 @@ public:
     /// Whether "disable operation" waits for the motor to come to rest.
     [[nodiscard]] constexpr bool is_leaving() const noexcept { return is_leaving_; }
 
+    /// Whether the fault it is in came during a quick stop.
+    [[nodiscard]] constexpr bool tripped_in_quick_stop() const noexcept
+    {
+        return tripped_in_quick_stop_;
+    }
+
     /// Transitions 0 and 1.
     constexpr void power_up() noexcept
     {
@@ -57,6 +63,11 @@ public:
         }
         if (taken.number != cia402::transition::none) {
             go(taken.number, taken.to);
+        } else if (state_ == cia402::state::ready_to_switch_on and
+                   what == cia402::command::enable_operation) {
+            // "Switch on" has an x for bit 3, so the word is that as well, and by level it leads on.
+            go(cia402::transition::t3, cia402::state::switched_on);
+            go(cia402::transition::t4, cia402::state::operation_enabled);
         }
     }
 
@@ -91,7 +102,7 @@ public:
     constexpr void trip() noexcept
     {
         if (state_ != cia402::state::fault and state_ != cia402::state::fault_reaction_active) {
-            is_leaving_ = false;
+            tripped_in_quick_stop_ = state_ == cia402::state::quick_stop_active;
             go(cia402::transition::t13, cia402::state::fault_reaction_active);
         }
     }
@@ -114,6 +125,7 @@ private:
     cia402::state state_{cia402::state::not_ready_to_switch_on};
     cia402::transition last_{cia402::transition::none};
     bool is_leaving_{false};
+    bool tripped_in_quick_stop_{false};
 };
 
 } // namespace rtuwire::sim

@@ -4,6 +4,7 @@
 // What a simulated drive's monitoring registers show of it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include <rtuwire/altivar/profile.hpp>
@@ -19,12 +20,16 @@ namespace rtuwire::inline RTUWIRE_BUILD::sim {
 /// A drive at one moment, as its registers have to tell it.
 struct appearance {
     cia402::state state;
-    std::int32_t asked;  ///< mHz, what the line asks for
     std::int32_t target; ///< mHz, what the ramp goes to
+    bool is_backwards;   ///< the direction that is asked for
     bool is_limited;
-    bool is_local;
+    bool is_local; ///< as bit 9 of ETA means it
+    bool is_by_link;
     bool is_stopped_by_key;
     bool has_cause; ///< the fault's cause is still there
+    bool tripped_in_quick_stop;
+    bool is_injecting;
+    bool is_memory_busy;
 
     [[nodiscard]] constexpr bool is_running() const noexcept
     {
@@ -38,6 +43,9 @@ struct appearance {
 {
     std::uint32_t word = cia402::status_bits(seen.state);
     bool const is_reached = shaft.frequency() == seen.target;
+    if (cia402::is_in_fault(seen.state) and seen.tripped_in_quick_stop) {
+        word &= ~std::uint32_t{cia402::no_quick_stop_bit};
+    }
     word |= profile.mains_bit_is_inverted ? 0U : 0x10U;
     word |= seen.is_local ? 0U : altivar::remote_bit;
     word |= seen.is_running() and is_reached ? altivar::reference_reached_bit : 0U;
@@ -47,21 +55,28 @@ struct appearance {
     return static_cast<std::uint16_t>(word);
 }
 
-/// The extended status word, ETI.
-[[nodiscard]] constexpr std::uint16_t extended_status_of(appearance const& seen,
-                                                         motor const& shaft) noexcept
+/// The extended status word, ETI. An ATV28 has fewer bits, and its others stay 0.
+[[nodiscard]] constexpr std::uint16_t
+extended_status_of(appearance const& seen, motor const& shaft,
+                   altivar::drive_profile const& profile) noexcept
 {
-    constexpr unsigned fault_is_gone = 2, motor_turns = 4, accelerates = 9, slows = 10,
-                       by_link = 14, backwards = 15;
+    constexpr unsigned memory = 0, fault_is_gone = 2, motor_turns = 4, injects = 5, changes = 6,
+                       accelerates = 9, slows = 10, by_link = 14, backwards = 15;
+    constexpr std::uint32_t later_drives =
+        1U << memory | 1U << fault_is_gone | 1U << accelerates | 1U << slows;
     bool const may_reset = cia402::is_in_fault(seen.state) and not seen.has_cause;
+    bool const is_changing = shaft.is_accelerating() or shaft.is_decelerating();
     std::uint32_t word = 0;
+    word |= (seen.is_memory_busy ? 1U : 0U) << memory;
     word |= (may_reset ? 1U : 0U) << fault_is_gone;
     word |= (shaft.is_at_rest() ? 0U : 1U) << motor_turns;
+    word |= (seen.is_injecting ? 1U : 0U) << injects;
+    word |= (is_changing ? 1U : 0U) << changes;
     word |= (shaft.is_accelerating() ? 1U : 0U) << accelerates;
     word |= (shaft.is_decelerating() ? 1U : 0U) << slows;
-    word |= (seen.is_local ? 0U : 1U) << by_link;
-    word |= (seen.asked < 0 ? 1U : 0U) << backwards;
-    return static_cast<std::uint16_t>(word);
+    word |= (seen.is_by_link ? 1U : 0U) << by_link;
+    word |= (seen.is_backwards ? 1U : 0U) << backwards;
+    return static_cast<std::uint16_t>(profile.shows_eeprom_access ? word : word & ~later_drives);
 }
 
 /// The state of the product, HMIS.
@@ -79,6 +94,30 @@ struct appearance {
     return shaft.is_accelerating() ? accelerates : shaft.is_decelerating() ? slows : runs;
 }
 
+/// What an ATV28 says of its thresholds, ETI2.
+template <device_type Device>
+[[nodiscard]] constexpr std::uint16_t
+thresholds_of(image<Device> const& registers, appearance const& seen, motor const& shaft) noexcept
+{
+    constexpr places<Device> at{};
+    constexpr unsigned reference = 4, frequency = 5, current = 6;
+    std::int32_t const turning = shaft.frequency();
+    std::int32_t const size = (turning < 0 ? -turning : turning) / 100;
+    bool const is_reached = seen.is_running() and turning == seen.target;
+    std::uint32_t word = (is_reached ? 1U : 0U) << reference;
+    word |= (size >= registers.get(at.ftd) ? 1U : 0U) << frequency;
+    word |= (shaft.current() >= registers.get(at.ctd) ? 1U : 0U) << current;
+    return static_cast<std::uint16_t>(word);
+}
+
+/// Puts a number with a sign into a register that shows one, its size into any other.
+template <device_type Device>
+constexpr void put_either(image<Device>& registers, std::size_t place, std::int64_t value) noexcept
+{
+    std::int64_t const size = value < 0 ? -value : value;
+    registers.put(place, registers.is_signed(place) ? value : size);
+}
+
 /// Brings the monitoring registers up to date.
 template <device_type Device>
 constexpr void display(image<Device>& registers, appearance const& seen,
@@ -92,12 +131,13 @@ constexpr void display(image<Device>& registers, appearance const& seen,
     std::uint16_t const status = status_word_of(seen, shaft, Device::profile);
     registers.put(at.eta, status);
     registers.put(at.etad, status);
-    registers.put(at.eti, extended_status_of(seen, shaft));
+    registers.put(at.eti, extended_status_of(seen, shaft, Device::profile));
+    registers.put(at.eti2, thresholds_of(registers, seen, shaft));
     registers.put(at.hmis, product_state_of(seen, shaft));
-    registers.put(at.rfr, (registers.is_signed(at.rfr) ? turning : size) / 100);
-    registers.put(at.frh, seen.target / 100);
-    registers.put(at.rfrd, set.to_rpm(turning));
-    registers.put(at.frhd, set.to_rpm(seen.target));
+    put_either(registers, at.rfr, turning / 100);
+    put_either(registers, at.frh, seen.target / 100);
+    put_either(registers, at.rfrd, set.to_rpm(turning));
+    put_either(registers, at.frhd, set.to_rpm(seen.target));
     registers.put(at.spd, set.to_rpm(size));
     registers.put(at.lcr, shaft.current());
     motor_settings const rated = set.motor();

@@ -6,19 +6,23 @@
 // `advance` says. Made from what the manuals tell; of a real drive's habits it knows no more.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include <rtuwire/altivar/configure_scanner.hpp>
 #include <rtuwire/altivar/profile.hpp>
-#include <rtuwire/cia402/command.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/bank.hpp>
+#include <rtuwire/sim/channels.hpp>
 #include <rtuwire/sim/chart.hpp>
+#include <rtuwire/sim/control.hpp>
+#include <rtuwire/sim/demand.hpp>
 #include <rtuwire/sim/display.hpp>
 #include <rtuwire/sim/fault_record.hpp>
 #include <rtuwire/sim/image.hpp>
+#include <rtuwire/sim/memory.hpp>
 #include <rtuwire/sim/motor.hpp>
 #include <rtuwire/sim/parameters.hpp>
 #include <rtuwire/sim/places.hpp>
@@ -34,24 +38,33 @@ template <device_type Device> class drive {
     static constexpr altivar::drive_profile const& profile = Device::profile;
 
 public:
-    /// Switched on at `now`, as delivered.
-    explicit constexpr drive(instant now) noexcept { power_up(now); }
+    /// Switched on at `now`, commissioned: Modbus commands it, and it has a unit address.
+    explicit constexpr drive(instant now, std::uint16_t address = 1) noexcept
+    {
+        memory_.commission(registers_, address);
+        power_up(now);
+    }
 
     /// Lets time pass: the motor follows its ramp, the link may be lost.
     constexpr void advance(instant now) noexcept
     {
         duration const passed = now - now_;
         now_ = now;
-        chart_.initialised();
+        control_.initialised();
+        memory_.advance(now);
+        turn(passed);
         if (supervision_.is_lost(now, set().time_out())) {
             lose_link();
         }
-        turn(passed);
-        show();
+        settle();
     }
 
     /// Takes note of a request to this unit.
-    constexpr void note_contact() noexcept { supervision_.note_contact(now_); }
+    constexpr void note_contact() noexcept
+    {
+        supervision_.note_contact(now_);
+        is_link_lost_ = false;
+    }
 
     [[nodiscard]] constexpr errc check_read(std::uint16_t start, std::size_t count) const noexcept
     {
@@ -93,8 +106,7 @@ public:
         for (std::size_t i = 0; i < values.size(); ++i) {
             store(registers::at_address(start + i), values[i]);
         }
-        turn(duration{});
-        show();
+        settle();
         return errc::none;
     }
 
@@ -103,42 +115,78 @@ public:
     /// Somebody takes the command at the keypad, or gives it back.
     constexpr void set_local(bool is_local) noexcept
     {
-        is_local_ = is_local;
-        if (is_local) {
-            chart_.fall_back();
-        }
-        show();
+        control_.set_local(is_local);
+        settle();
     }
 
-    /// The STOP key: the drive falls back, and says so until it runs again.
+    /// The STOP key, pressed and let go, or held: the drive falls back, and says so until it runs again.
     constexpr void press_stop() noexcept
     {
-        is_stopped_by_key_ = true;
-        chart_.fall_back();
-        show();
+        hold_stop(true);
+        hold_stop(false);
+    }
+    constexpr void hold_stop(bool is_held) noexcept
+    {
+        control_.hold_stop(is_held);
+        settle();
+    }
+
+    /// Closes a logic input, or opens it; LI1 is number 1, and runs forward where the terminals command.
+    constexpr void set_input(std::size_t number, bool is_closed) noexcept
+    {
+        terminals_.set(number, is_closed);
+        settle();
+    }
+
+    /// The frequency in mHz that the analog input asks for.
+    constexpr void set_analog_reference(std::int32_t frequency) noexcept
+    {
+        analog_ = frequency;
+        settle();
     }
 
     /// A fault whose cause stays until `clear_cause`; `code` is its LFT.
     constexpr void inject_fault(std::uint16_t code) noexcept
     {
-        has_cause_ = true;
+        control_.set_cause(true);
         trip(code);
     }
-    constexpr void clear_cause() noexcept { has_cause_ = false; }
+    constexpr void clear_cause() noexcept { control_.set_cause(false); }
 
-    /// Off and on again: what was not saved is lost.
+    /// Off and on again: what was not saved is lost, and every order with it.
     constexpr void power_cycle(instant now) noexcept
     {
         registers_ = registers{};
-        registers_.restore(eeprom_);
+        memory_.recall(registers_);
         power_up(now);
     }
 
     // What can be seen at the drive itself.
 
-    [[nodiscard]] constexpr sim::chart const& chart() const noexcept { return chart_; }
+    [[nodiscard]] constexpr sim::chart const& chart() const noexcept { return control_.chart(); }
     [[nodiscard]] constexpr sim::motor const& motor() const noexcept { return motor_; }
-    [[nodiscard]] constexpr std::uint16_t fault() const noexcept { return fault_; }
+    [[nodiscard]] constexpr std::uint16_t fault() const noexcept { return control_.fault(); }
+
+    /// How often the EEPROM was written.
+    [[nodiscard]] constexpr std::uint32_t eeprom_writes() const noexcept
+    {
+        return memory_.writes();
+    }
+
+    /// Whether it hears nothing at all: an ATV28 at work on its EEPROM.
+    [[nodiscard]] constexpr bool is_silent() const noexcept
+    {
+        return memory_.is_busy() and not profile.shows_eeprom_access;
+    }
+
+    /// The unit address that it listens to; 0 for none, broadcasts aside.
+    [[nodiscard]] constexpr std::uint16_t address() const noexcept
+    {
+        return registers_.get(at.add);
+    }
+
+    /// Rate and format of the line as they are in effect, in the numbers of its registers.
+    [[nodiscard]] constexpr line_setting line() const noexcept { return line_; }
 
     /// The word of a register by its mnemonic; 0 for one that this device does not have.
     [[nodiscard]] constexpr std::uint16_t word(text code) const noexcept
@@ -153,24 +201,32 @@ private:
     static constexpr scanner<Device> outputs{altivar::scanner_output_words,
                                              altivar::scanner_output_addresses};
 
-    static constexpr std::uint16_t release_link = 0x0100; ///< CMD, with the bit above
-    static constexpr std::uint16_t ramp_stop = 0x1000;
-    static constexpr std::uint16_t dc_stop = 0x2000;
-    static constexpr std::uint16_t fast_stop = 0x4000;
-    static constexpr std::uint16_t restore_bit = 0x0004; ///< CMI, ATV28
-
     constexpr void power_up(instant now) noexcept
     {
         now_ = now;
-        chart_.power_up();
+        control_.power_up();
         motor_ = sim::motor{};
         supervision_ = supervision{};
-        fault_ = 0;
-        has_cause_ = is_stopped_by_key_ = is_local_ = false;
-        registers_.put(at.cmd, 0);
-        registers_.put(at.lfr, 0);
-        registers_.put(at.lfrd, 0);
-        registers_.put(at.cmi, registers_.get(at.cmi) & parameters<Device>::unsupervised);
+        is_link_lost_ = false;
+        line_ = set().line();
+        arrange();
+        show();
+    }
+
+    /// Settings and inputs, as they are now, decide who commands.
+    constexpr void arrange() noexcept
+    {
+        control_.choose(channels<Device>{registers_}.choose(terminals_));
+        if (not at.has(at.bdr)) { // an ATV28 changes its rate at power-up only
+            line_ = set().line();
+        }
+    }
+
+    /// After anything that may have changed it, without time.
+    constexpr void settle() noexcept
+    {
+        arrange();
+        turn(duration{});
         show();
     }
 
@@ -178,13 +234,15 @@ private:
 
     constexpr errc check_word(std::size_t place, std::uint16_t word) const noexcept
     {
-        bool const is_command = place == at.cmd or place == at.lfr or place == at.lfrd;
-        if (is_command) {
-            bool const is_refused = is_local_ and profile.refuses_commands_in_local;
+        bool const is_command =
+            place == at.cmd or place == at.cmdd or place == at.lfr or place == at.lfrd;
+        if (is_command and place != registers::nowhere) {
+            bool const is_refused =
+                control_.is_forced_local() and profile.refuses_commands_in_local;
             return is_refused ? errc::server_device_failure : errc::none;
         }
         if (registers::rule(place).mode == access::configuration and
-            cia402::has_power(chart_.state())) {
+            cia402::has_power(chart().state())) {
             return errc::server_device_failure;
         }
         return registers_.check(place, word);
@@ -199,8 +257,9 @@ private:
     constexpr void store(std::size_t place, std::uint16_t word) noexcept
     {
         registers_.put_word(place, word);
-        if (registers::rule(place).mode == access::configuration) {
-            reconfigured();
+        if (registers::rule(place).mode == access::configuration and
+            profile.falls_back_when_configured and chart().state() == cia402::state::switched_on) {
+            control_.fall_back();
         }
         if (outputs.has(place)) {
             forward(outputs.target_of(place, registers_), word);
@@ -232,168 +291,108 @@ private:
         }
     }
 
-    constexpr void reconfigured() noexcept
-    {
-        if (profile.falls_back_when_configured and chart_.state() == cia402::state::switched_on) {
-            chart_.fall_back();
-        }
-    }
-
     constexpr void obey(std::uint16_t word) noexcept
     {
-        std::uint16_t const before = last_command_;
-        last_command_ = word;
+        registers_.put(at.cmd, word);
         registers_.put(at.cmdd, word);
-        if (is_local_) {
-            return;
-        }
-        if (is_direct(word)) {
-            obey_directly(word);
-            return;
-        }
-        cia402::command const what = cia402::recognise(before, word);
-        chart_.obey(what, not has_cause_);
-        if (what == cia402::command::fault_reset and not has_fault()) {
-            fault_ = 0;
+        if (control_.obey(word)) {
             supervision_.note_contact(now_);
         }
-        if (chart_.state() == cia402::state::operation_enabled) {
-            is_stopped_by_key_ = false;
-        }
     }
-
-    static constexpr bool is_direct(std::uint16_t word) noexcept
-    {
-        return (word & profile.direct_control) != 0;
-    }
-
-    constexpr void obey_directly(std::uint16_t word) noexcept
-    {
-        constexpr std::uint16_t enabled = 0x000A;
-        if ((word & release_link) != 0) {
-            set_local(true);
-        } else if ((word & enabled) == enabled) {
-            chart_.enable_directly();
-        } else {
-            chart_.fall_back();
-        }
-    }
-
-    constexpr bool has_fault() const noexcept { return cia402::is_in_fault(chart_.state()); }
 
     constexpr void extended_command(std::uint16_t word) noexcept
     {
-        constexpr std::uint16_t factory_bit = 0x0001;
-        constexpr std::uint16_t orders = factory_bit | altivar::save_bit | restore_bit;
-        bool const clears_itself = not profile.shows_eeprom_access;
-        if (cia402::has_power(chart_.state())) {
-            return;
+        if (not cia402::has_power(chart().state())) {
+            memory_.execute(registers_, word, now_);
         }
-        if ((word & factory_bit) != 0) {
-            registers_.restore(registers::factory());
-        } else if ((word & altivar::save_bit) != 0) {
-            eeprom_ = registers_.all();
-            ++saves_;
-        } else if ((word & restore_bit) != 0 and clears_itself) {
-            registers_.restore(eeprom_);
-        }
-        registers_.put(at.cmi, clears_itself ? word & ~orders : word);
     }
 
     // The link and its faults.
 
     constexpr void lose_link() noexcept
     {
-        trip(link_fault);
-        last_command_ = 0;
-        registers_.put(at.cmd, 0);
-        registers_.put(at.lfr, 0);
-        registers_.put(at.lfrd, 0);
+        is_link_lost_ = true;
+        loss_reaction const how = set().reaction_to_loss();
+        if (how == loss_reaction::stop_without_fault) {
+            control_.abandon();
+        } else if (is_fault(how)) {
+            trip(link_fault);
+            control_.forget_command();
+        } else {
+            return;
+        }
+        for (std::size_t const order : std::array{at.cmd, at.cmdd, at.lfr, at.lfrd}) {
+            registers_.put(order, 0);
+        }
     }
 
     constexpr void trip(std::uint16_t code) noexcept
     {
-        if (has_fault()) {
-            return;
+        if (control_.trip(code)) {
+            record_fault(registers_, code);
+            show();
         }
-        fault_ = code;
-        record_fault(registers_, code);
-        chart_.trip();
-        show();
     }
 
     // The motor.
 
     constexpr parameters<Device> set() const noexcept { return parameters<Device>{registers_}; }
 
-    /// What the reference asks for, in mHz, before the limits.
-    constexpr std::int32_t asked() const noexcept
+    constexpr sim::demand<Device> demand() const noexcept
     {
-        std::int32_t const value = registers_.get_signed(at.lfr) * 100;
-        return (last_command_ & altivar::reverse_bit) != 0 ? -value : value;
-    }
-
-    constexpr bool is_stopping() const noexcept
-    {
-        std::uint16_t const stop_bits =
-            is_direct(last_command_) ? ramp_stop | dc_stop | fast_stop : profile.halt;
-        return chart_.is_leaving() or (last_command_ & stop_bits) != 0 or
-               chart_.state() != cia402::state::operation_enabled;
-    }
-
-    constexpr bool is_stopping_fast() const noexcept
-    {
-        bool const is_ordered = is_direct(last_command_) and (last_command_ & fast_stop) != 0;
-        return is_ordered or chart_.state() == cia402::state::quick_stop_active;
-    }
-
-    constexpr std::int32_t target() const noexcept
-    {
-        return is_stopping() ? 0 : set().limited(asked());
+        return {registers_, control_, analog_, is_link_lost_};
     }
 
     constexpr void turn(duration passed) noexcept
     {
         constexpr std::int64_t fast = 4; ///< of the ramp, as dCF is delivered
         motor_settings settings = set().motor();
-        if (not cia402::has_power(chart_.state()) or is_freewheeling()) {
+        stopping const how = demand().how_it_stops();
+        if (not cia402::has_power(chart().state()) or how == stopping::freewheel) {
             motor_.coast(passed, settings);
+        } else if (how == stopping::injection) {
+            motor_.inject(passed, settings);
         } else {
-            settings.deceleration /= is_stopping_fast() ? fast : 1;
-            motor_.drive(target(), passed, settings);
+            settings.deceleration /= how == stopping::fast ? fast : 1;
+            motor_.drive(demand().target(), passed, settings);
         }
         if (motor_.is_at_rest()) {
-            chart_.at_rest();
+            control_.at_rest();
         }
-    }
-
-    /// A fault takes the torque away, unless it is a lost link that SLL wants a ramp for.
-    constexpr bool is_freewheeling() const noexcept
-    {
-        bool const ramps = fault_ == link_fault and set().ramps_on_loss();
-        return chart_.state() == cia402::state::fault_reaction_active and not ramps;
     }
 
     constexpr void show() noexcept
     {
+        sim::demand<Device> const now = demand();
+        bool const has_power = cia402::has_power(chart().state());
+        bool const is_by_link = control_.is_by_link();
         appearance const seen{
-            chart_.state(),     asked(),   target(), set().limited(asked()) != asked(), is_local_,
-            is_stopped_by_key_, has_cause_};
+            .state = chart().state(),
+            .target = now.target(),
+            .is_backwards = now.is_backwards(),
+            .is_limited = now.is_limited(),
+            .is_local =
+                profile.shows_forced_local_only ? control_.is_forced_local() : not is_by_link,
+            .is_by_link = is_by_link,
+            .is_stopped_by_key = control_.is_stopped_by_key(),
+            .has_cause = control_.has_cause(),
+            .tripped_in_quick_stop = chart().tripped_in_quick_stop(),
+            .is_injecting = has_power and now.how_it_stops() == stopping::injection,
+            .is_memory_busy = memory_.is_busy()};
         display(registers_, seen, motor_);
+        show_active_fault(registers_, fault());
     }
 
     registers registers_{};
-    typename registers::words eeprom_{registers::factory()};
-    sim::chart chart_{profile.chart};
+    memory<Device> memory_{};
+    control control_{profile};
     sim::motor motor_{};
     supervision supervision_{};
+    logic_inputs terminals_{};
+    line_setting line_{};
     instant now_{0};
-    std::uint32_t saves_{0};
-    std::uint16_t last_command_{0};
-    std::uint16_t fault_{0};
-    bool has_cause_{false};
-    bool is_local_{false};
-    bool is_stopped_by_key_{false};
+    std::int32_t analog_{0};
+    bool is_link_lost_{false};
 };
 
 } // namespace rtuwire::sim

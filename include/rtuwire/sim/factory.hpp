@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// What a simulated drive holds as delivered, where its table does not say: a small motor of 1 500 rpm
-// at 50 Hz, on ramps of three seconds. Numbers of ours, plausible for each drive.
+// What a simulated drive holds as delivered, where its table does not say, and once somebody has commissioned
+// it: a small motor of 1 500 rpm at 50 Hz, on ramps of three seconds. Numbers of ours, plausible for each drive.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include <rtuwire/core/text.hpp>
@@ -19,26 +20,54 @@ struct factory_value {
     std::uint16_t raw;
 };
 
-/// For registers of all drives that have one of the name.
-inline constexpr std::array<factory_value, 39> factory_values{{
-    {"SFR", 40},    {"TFR", 600},   {"HSP", 500},   {"LSP", 0},     {"ACC", 30},     {"DEC", 30},
-    {"AC2", 50},    {"DE2", 50},    {"FRS", 500},   {"UNS", 400},   {"NCR", 20},     {"NSP", 1500},
-    {"COS", 80},    {"NPR", 8},     {"ITH", 20},    {"INV", 23},    {"SDS", 30},     {"INR", 1},
-    {"TTO", 100},   {"SLL", 1},     {"TBR", 32},    {"TFO", 3},     {"VDP", 0x0201}, {"STT", 0},
-    {"NMA1", 3201}, {"NMA2", 8604}, {"NCA1", 8501}, {"NCA2", 8602}, {"CPU", 0x1005}, {"NCV", 6},
-    {"VCAL", 2},    {"BFR", 0},     {"FR1", 164},   {"CD1", 20},    {"CHCF", 1},     {"FLG", 20},
-    {"UFR", 20},    {"SPAL", 1500}, {"SPDL", 1500},
+/// Where the tables of the drives give no default, for registers of all drives that have one of the name: commands
+/// from the terminals, the reference from an analog input.
+inline constexpr std::array<factory_value, 50> factory_values{{
+    {"SFR", 40},    {"TFR", 600},   {"HSP", 500},   {"LSP", 0},     {"ACC", 30},  {"DEC", 30},
+    {"AC2", 50},    {"DE2", 50},    {"FRS", 500},   {"UNS", 400},   {"NCR", 20},  {"NSP", 1500},
+    {"COS", 80},    {"NPR", 8},     {"ITH", 20},    {"INV", 23},    {"SDS", 30},  {"INR", 1},
+    {"TTO", 100},   {"SLL", 1},     {"TBR", 32},    {"TFO", 3},     {"STT", 0},   {"VDP", 0x0201},
+    {"NMA1", 3201}, {"NMA2", 8604}, {"NCA1", 8501}, {"NCA2", 8602}, {"NCV", 6},   {"CPU", 0x1005},
+    {"VCAL", 2},    {"BFR", 0},     {"BDR", 8},     {"ADD", 1},     {"FR1", 1},   {"CD1", 1},
+    {"CHCF", 1},    {"CD2", 10},    {"FLG", 20},    {"UFR", 20},    {"CRH", 200}, {"IDC", 14},
+    {"RPG", 100},   {"RIG", 100},   {"FBS", 10},    {"CTD", 23},    {"TTD", 100}, {"SPAL", 1500},
+    {"SPDL", 1500}, {"SMAL", 1500},
 }};
 
-/// The value as delivered of a register called `code`; 0 where nothing is said.
-[[nodiscard]] constexpr std::uint16_t factory_value_of(text code) noexcept
+/// What the person who put the drive on the line has set: Modbus commands it, and gives the reference.
+inline constexpr std::array<factory_value, 4> commissioned_values{{
+    {"CD1", 10},
+    {"FR1", 164},
+    {"CHCF", 1},
+    {"SLL", 1},
+}};
+
+/// Words that are orders, not settings: they are neither saved nor brought back, and gone with the power.
+inline constexpr std::array<text, 17> orders{"CMD", "CMDD", "LFR", "LFRD", "CMI", "PISP",
+                                             "RPI", "IOLR", "AOR", "NC1",  "NC2", "NC3",
+                                             "NC4", "NC5",  "NC6", "NC7",  "NC8"};
+
+[[nodiscard]] constexpr bool is_order(text code) noexcept
 {
-    for (factory_value const& each : factory_values) {
+    for (text const each : orders) {
+        if (each == code) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// What a list says of a register called `code`; else `other`.
+template <std::size_t Count>
+[[nodiscard]] constexpr std::uint16_t value_in(std::array<factory_value, Count> const& list,
+                                               text code, std::uint16_t other) noexcept
+{
+    for (factory_value const& each : list) {
         if (each.code == code) {
             return each.raw;
         }
     }
-    return 0;
+    return other;
 }
 
 } // namespace rtuwire::sim

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/factory.hpp>
@@ -25,8 +26,12 @@ struct register_rule {
     bool is_signed;
     bound min;
     bound max;
-    std::uint16_t factory;
-    std::int32_t steps_per_unit; ///< 10 where it counts tenths; 1 where it is no quantity
+    std::uint16_t factory;                 ///< as delivered
+    std::uint16_t commissioned;            ///< as it came to the line
+    bool is_order;                         ///< no setting
+    std::int32_t steps_per_unit;           ///< 10 where it counts tenths; 1 where it is no quantity
+    std::span<std::uint16_t const> listed; ///< the words that mean something, of an enumeration
+    count_range gap;                       ///< raw counts that it does not take
 };
 
 /// How many steps of a register make one whole unit.
@@ -40,20 +45,27 @@ template <auto const& R> [[nodiscard]] constexpr std::int32_t steps_per_unit() n
     }
 }
 
+/// The value as delivered: what the table says, or else what we say.
+template <auto const& R> [[nodiscard]] constexpr std::uint16_t delivered() noexcept
+{
+    return R.factory ? static_cast<std::uint16_t>(*R.factory) : value_in(factory_values, R.code, 0);
+}
+
 /// The rules of a table's registers, in its order.
 template <typename Table> struct rules_of;
 template <auto const&... Registers> struct rules_of<table<Registers...>> {
     static constexpr std::size_t count = sizeof...(Registers);
-    static constexpr std::array<register_rule, count> list{register_rule{
-        Registers.code, Registers.mode, lowest<Registers>() < 0, Registers.min, Registers.max,
-        Registers.factory ? static_cast<std::uint16_t>(*Registers.factory)
-                          : factory_value_of(Registers.code),
-        steps_per_unit<Registers>()}...};
+    static constexpr std::array<register_rule, count> list{
+        register_rule{Registers.code, Registers.mode, lowest<Registers>() < 0, Registers.min,
+                      Registers.max, delivered<Registers>(),
+                      value_in(commissioned_values, Registers.code, delivered<Registers>()),
+                      is_order(Registers.code), steps_per_unit<Registers>(),
+                      listed_words<value_of<Registers>>(), Registers.gap}...};
     static constexpr std::array<text, count> codes{Registers.code...};
     static constexpr std::array<std::uint16_t, count> addresses{Registers.address...};
 };
 
-/// The words of all registers of a device, as delivered first.
+/// The words of all registers of a device, as commissioned first.
 template <device_type Device> class image {
     using rules = rules_of<typename Device::registers>;
     static constexpr key_index<text, rules::count> by_code{rules::codes};
@@ -113,23 +125,25 @@ public:
         words_[place] = static_cast<std::uint16_t>(cut);
     }
 
-    /// Whether a register takes a word; `illegal_data_value` outside its limits.
+    /// Whether a register takes a word; `illegal_data_value` outside its limits, or without a meaning.
     [[nodiscard]] constexpr errc check(std::size_t place, std::uint16_t word) const noexcept
     {
         register_rule const& known = rule(place);
         std::int32_t const raw = known.is_signed ? static_cast<std::int16_t>(word) : word;
         bool const is_inside = (known.min.is_open() or raw >= limit(known.min)) and
                                (known.max.is_open() or raw <= limit(known.max));
-        return is_inside ? errc::none : errc::illegal_data_value;
+        bool const is_right =
+            is_inside and not known.gap.contains(raw) and has_meaning(known.listed, word);
+        return is_right ? errc::none : errc::illegal_data_value;
     }
 
     [[nodiscard]] constexpr words const& all() const noexcept { return words_; }
 
-    /// Sets every register that a client may write to what `saved` holds of it.
+    /// Sets every setting that a client may write to what `saved` holds of it.
     constexpr void restore(words const& saved) noexcept
     {
         for (std::size_t i = 0; i < rules::count; ++i) {
-            if (rule(i).mode != access::read_only) {
+            if (rule(i).mode != access::read_only and not rule(i).is_order) {
                 words_[i] = saved[i];
             }
         }
@@ -145,6 +159,16 @@ public:
         return all;
     }
 
+    /// The words of a drive that was commissioned.
+    [[nodiscard]] static constexpr words commissioned() noexcept
+    {
+        words all{};
+        for (std::size_t i = 0; i < rules::count; ++i) {
+            all[i] = rule(i).commissioned;
+        }
+        return all;
+    }
+
 private:
     constexpr std::int32_t limit(bound const& of) const noexcept
     {
@@ -153,7 +177,7 @@ private:
         return of.with(get(at(of.code())), factor);
     }
 
-    words words_{factory()};
+    words words_{commissioned()};
 };
 
 } // namespace rtuwire::sim

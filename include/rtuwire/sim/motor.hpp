@@ -75,6 +75,16 @@ public:
         warm(time, set);
     }
 
+    /// With power, and a current that brakes: no frequency is put out.
+    constexpr void inject(duration time, motor_settings const& set) noexcept
+    {
+        position_ = 0;
+        remainder_ = 0;
+        trend_ = 0;
+        current_ = set.rated_current;
+        warm(time, set);
+    }
+
 private:
     static constexpr std::int64_t heat_scale = 1'000'000;
 

@@ -10,11 +10,39 @@
 
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/sim/control.hpp>
 #include <rtuwire/sim/image.hpp>
 #include <rtuwire/sim/motor.hpp>
 #include <rtuwire/sim/places.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
+
+/// What a lost link does, by the values of SLL. 1 and from 6 on, the drive trips; 4 goes on at a speed that no
+/// table at hand has, 0 as delivered.
+enum class loss_reaction : std::uint16_t {
+    ignore = 0,
+    freewheel = 1,
+    stop_without_fault = 2, ///< as STT says
+    fall_back_to_a_speed = 4,
+    keep_the_speed = 5,
+    ramp = 6,
+    fast = 7,
+    injection = 8,
+};
+
+/// Whether a lost link is a fault.
+[[nodiscard]] constexpr bool is_fault(loss_reaction how) noexcept
+{
+    return how == loss_reaction::freewheel or how >= loss_reaction::ramp;
+}
+
+/// How a drive talks on its line, in the numbers of its registers.
+struct line_setting {
+    std::uint16_t rate{0};
+    std::uint16_t format{0};
+
+    friend constexpr bool operator==(line_setting const&, line_setting const&) noexcept = default;
+};
 
 /// A look at the settings in an image, which outlives it.
 template <device_type Device> class parameters {
@@ -32,14 +60,16 @@ public:
         return {rated * 100, step * get(at.acc), step * get(at.dec), get(current), get(at.ith)};
     }
 
-    /// A frequency in mHz between LSP and HSP, either way round.
-    [[nodiscard]] constexpr std::int32_t limited(std::int32_t frequency) const noexcept
+    /// A frequency in mHz brought between LSP and HSP, in the direction that is asked for: LSP counts for a
+    /// reference of 0, too.
+    [[nodiscard]] constexpr std::int32_t limited(std::int32_t frequency,
+                                                 bool is_backwards) const noexcept
     {
         std::int32_t const most = get(at.hsp) * 100;
         std::int32_t const least = get(at.lsp) * 100;
         std::int32_t const size = frequency < 0 ? -frequency : frequency;
         std::int32_t const cut = size > most ? most : size < least ? least : size;
-        return frequency < 0 ? -cut : cut;
+        return is_backwards ? -cut : cut;
     }
 
     /// mHz for revolutions a minute: by the motor's nameplate, or by SDS where there is none.
@@ -57,18 +87,41 @@ public:
                               : millihertz / 100 * get(at.sds) / 10;
     }
 
-    /// After how much silence the drive trips; 0 where it does not.
+    /// After how much silence the link is lost; 0 where the drive does not look.
     [[nodiscard]] constexpr duration time_out() const noexcept
     {
         if (not at.has(at.tto)) {
             bool const is_ignored = (get(at.cmi) & unsupervised) != 0;
             return is_ignored ? duration{} : Device::silence.factory;
         }
-        return trips_on_loss() ? milliseconds(100) * registers_.get(at.tto) : duration{};
+        bool const is_ignored = reaction_to_loss() == loss_reaction::ignore;
+        return is_ignored ? duration{} : milliseconds(100) * registers_.get(at.tto);
     }
 
-    /// SLL 2 and above: a lost link is answered by a ramp, not by freewheel.
-    [[nodiscard]] constexpr bool ramps_on_loss() const noexcept { return get(at.sll) >= 2; }
+    /// What a lost link does (SLL); freewheel on an ATV28.
+    [[nodiscard]] constexpr loss_reaction reaction_to_loss() const noexcept
+    {
+        return at.has(at.sll) ? static_cast<loss_reaction>(get(at.sll)) : loss_reaction::freewheel;
+    }
+
+    /// How STT says that a motor is stopped. The numbers of the compact drives and of the ATV320 do not meet.
+    [[nodiscard]] constexpr stopping as_set() const noexcept
+    {
+        switch (get(at.stt)) {
+        case 1:
+        case 8: return stopping::fast;
+        case 2:
+        case 13: return stopping::freewheel;
+        case 3: return stopping::injection;
+        default: return stopping::ramp;
+        }
+    }
+
+    /// How it is to talk on the line.
+    [[nodiscard]] constexpr line_setting line() const noexcept
+    {
+        return {registers_.get(at.has(at.bdr) ? at.bdr : at.tbr), registers_.get(at.tfo)};
+    }
 
     /// CMI bit by which an ATV28 does not supervise its link (NTO).
     static constexpr std::uint16_t unsupervised = 0x4000;
@@ -86,13 +139,6 @@ private:
             return 100'000;
         }
         return get(at.inr) == 0 ? 10'000 : get(at.inr) == 2 ? 1'000'000 : 100'000;
-    }
-
-    /// SLL: 0 ignores a loss, 4 and 5 go on at another speed.
-    constexpr bool trips_on_loss() const noexcept
-    {
-        std::int32_t const reaction = get(at.sll);
-        return reaction != 0 and reaction != 4 and reaction != 5;
     }
 
     constexpr std::int32_t pole_pairs() const noexcept

@@ -31,7 +31,14 @@ template <device_type Device> struct places {
     std::size_t nsp{registers::at("NSP")}, sds{registers::at("SDS")};
     std::size_t ncr{registers::at("NCR")}, inv{registers::at("INV")};
     std::size_t ith{registers::at("ITH")}, tto{registers::at("TTO")};
-    std::size_t sll{registers::at("SLL")};
+    std::size_t sll{registers::at("SLL")}, stt{registers::at("STT")};
+    std::size_t chcf{registers::at("CHCF")}, cd1{registers::at("CD1")};
+    std::size_t fr1{registers::at("FR1")}, flo{registers::at("FLO")};
+    std::size_t li3{registers::at("LI3")}, li4{registers::at("LI4")};
+    std::size_t add{registers::at("ADD")}, tbr{registers::at("TBR")};
+    std::size_t tfo{registers::at("TFO")}, bdr{registers::at("BDR")};
+    std::size_t eti2{registers::at("ETI2")}, ftd{registers::at("FTD")};
+    std::size_t ctd{registers::at("CTD")};
 
     [[nodiscard]] static constexpr bool has(std::size_t place) noexcept
     {

@@ -5,21 +5,35 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <optional>
 
+#include <rtuwire/core/text.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/sim/drive.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
-/// The functions, limits and identification of a device, as a server answers them.
+/// What the drives say of their maker, and their conformity level: regular identification, as a stream.
+inline constexpr text maker{"Schneider Electric"};
+inline constexpr std::uint8_t printed_conformity = 0x02;
+
+/// The functions and limits of a device, as a server answers them with these objects; without function 43
+/// they are left out.
+template <device_type Device>
+[[nodiscard]] constexpr server_profile line_profile_with(device_objects const& objects) noexcept
+{
+    bool const tells = Device::functions.contains(function_code::encapsulated_interface);
+    return {Device::functions, Device::limits,
+            tells ? objects.with_conformity(printed_conformity) : device_objects{}};
+}
+
+/// A device that says what its manual prints.
 template <device_type Device> struct line_profile {
     static constexpr std::array<device_object, 3> objects{
-        {{vendor_name, "rtuwire"}, {product_code, Device::name}, {major_minor_revision, "0201"}}};
-    static constexpr server_profile value{
-        Device::functions, Device::limits,
-        Device::functions.contains(function_code::encapsulated_interface) ? identity_of<objects>
-                                                                          : device_objects{}};
+        {{vendor_name, maker}, {product_code, Device::reference}, {major_minor_revision, "0201"}}};
+    static constexpr server_profile value = line_profile_with<Device>(identity_of<objects>);
 };
 
 /// A drive on a line. Call `receive`, `sent` and `advance` as for a server; then send what
@@ -27,10 +41,21 @@ template <device_type Device> struct line_profile {
 template <device_type Device> class unit {
 public:
     constexpr unit(unit_id address, line_timing const& line, instant now) noexcept
-        : node_{address, line, line_profile<Device>::value}, drive_{now}
+        : unit{address, line, now, line_profile<Device>::value}
     {}
 
-    constexpr void receive(byte_view octets, instant now) noexcept { node_.receive(octets, now); }
+    /// Says something else of itself than its manual prints; the profile outlives the unit.
+    constexpr unit(unit_id address, line_timing const& line, instant now,
+                   server_profile const& profile) noexcept
+        : node_{address, line, profile}, drive_{now, address.octet()}, line_{drive_.line()}
+    {}
+
+    constexpr void receive(byte_view octets, instant now) noexcept
+    {
+        if (is_hearing()) {
+            node_.receive(octets, now);
+        }
+    }
     constexpr void receive_error(instant now) noexcept { node_.receive_error(now); }
     constexpr void sent(instant now) noexcept { node_.sent(now); }
 
@@ -44,6 +69,8 @@ public:
             ++requests_;
             node_.serve(drive_, now);
         }
+        // The answer to the write that changed it has the old address still.
+        node_.listen_as(checked_unit(drive_.address()));
     }
 
     [[nodiscard]] constexpr byte_view poll_transmit() noexcept { return node_.poll_transmit(); }
@@ -59,8 +86,21 @@ public:
     [[nodiscard]] constexpr drive<Device> const& inside() const noexcept { return drive_; }
 
 private:
+    static constexpr std::optional<unit_id> checked_unit(std::uint16_t number) noexcept
+    {
+        auto const unit = unit_id::checked(number);
+        return unit ? std::optional{*unit} : std::nullopt;
+    }
+
+    /// Not while it is silent, and not where its settings are no longer those of the line.
+    constexpr bool is_hearing() const noexcept
+    {
+        return not drive_.is_silent() and drive_.line() == line_;
+    }
+
     server node_;
     drive<Device> drive_;
+    line_setting line_; ///< as it was put there
     std::uint32_t requests_{0};
 };
 

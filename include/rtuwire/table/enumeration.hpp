@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include <rtuwire/core/text.hpp>
 #include <rtuwire/core/version.hpp>
@@ -32,6 +33,27 @@ name_list(named_value const (&names)[Count]) noexcept
         list[i] = names[i];
     }
     return list;
+}
+
+/// The values of an enumeration that its names list; none where it has no names.
+template <typename E>
+inline constexpr auto listed_values = [] {
+    std::array<std::uint16_t, enumerators<E>.size()> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = enumerators<E>[i].value;
+    }
+    return values;
+}();
+
+/// Whether a word means something, given the values that do; an empty list says nothing, and any word will do.
+[[nodiscard]] constexpr bool has_meaning(std::span<std::uint16_t const> listed,
+                                         std::uint16_t word) noexcept
+{
+    bool is_listed = listed.empty();
+    for (std::uint16_t const each : listed) {
+        is_listed = is_listed or each == word;
+    }
+    return is_listed;
 }
 
 /// The mnemonic of a value; empty where none is known.

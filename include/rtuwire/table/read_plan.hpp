@@ -33,6 +33,8 @@ template <device_type Device, auto const&... Registers> class read_plan {
     static_assert(sizeof...(Registers) > 0, "a plan reads at least one register");
     static_assert((Device::registers::template contains<Registers> and ...),
                   "a plan reads registers of one device only");
+    static_assert((has_own_steps<Registers> and ...),
+                  "another register sets this register's steps: name them with restepped");
     static_assert(first_duplicate(std::array{Registers.address...}).second == 0,
                   "a plan reads each register once");
 

@@ -10,11 +10,13 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <type_traits>
 
 #include <rtuwire/core/text.hpp>
 #include <rtuwire/core/units.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/table/enumeration.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
@@ -113,6 +115,17 @@ private:
     return bound{code, 1, denominator, factor};
 }
 
+/// Raw counts from `first` to `last`, both included; none while `last` is below `first`.
+struct count_range {
+    std::int32_t first{0};
+    std::int32_t last{-1};
+
+    [[nodiscard]] constexpr bool contains(std::int32_t raw) const noexcept
+    {
+        return raw >= first and raw <= last;
+    }
+};
+
 /// One register whose values are of type `T`: a quantity, an enumeration or a bit field.
 template <typename T> struct reg {
     using value_type = T;
@@ -125,7 +138,9 @@ template <typename T> struct reg {
     std::optional<std::int32_t> factory{}; ///< the value as delivered, in raw counts, where known
     text name{};                           ///< for people
     trust source{trust::documented};
-    text steps_set_by{}; ///< the register that sets the size of a step, where one does
+    text steps_set_by{};             ///< the register that sets the size of a step, where one does
+    count_range gap{};               ///< inside the limits, and yet never to be written
+    void const* counted_as{nullptr}; ///< the register that this one counts in other steps
 };
 
 /// A bit field: one word of named bits.
@@ -199,7 +214,35 @@ template <register_value T>
 template <auto const& Left, auto const& Right> inline constexpr bool is_same_register = false;
 template <auto const& R> inline constexpr bool is_same_register<R, R> = true;
 
+/// The words that mean something in a register: those that its enumeration lists; none listed, any may.
+template <register_value T>
+[[nodiscard]] constexpr std::span<std::uint16_t const> listed_words() noexcept
+{
+    if constexpr (register_enumeration<T>) {
+        return listed_values<T>;
+    } else {
+        return {};
+    }
+}
+
 /// The type of a register's values.
 template <auto const& R> using value_of = typename std::remove_cvref_t<decltype(R)>::value_type;
+
+/// Whether a register's steps are always the same size.
+template <auto const& R> inline constexpr bool has_own_steps = R.steps_set_by.size() == 0;
+
+/// A register whose steps another register sets, counted in steps that the caller knows them to be. It stands
+/// for the register wherever one is named.
+template <typename Step, auto const& R>
+inline constexpr reg<Step> restepped{.code = R.code,
+                                     .address = R.address,
+                                     .mode = R.mode,
+                                     .min = R.min,
+                                     .max = R.max,
+                                     .factory = R.factory,
+                                     .name = R.name,
+                                     .source = R.source,
+                                     .gap = R.gap,
+                                     .counted_as = &R};
 
 } // namespace rtuwire

@@ -21,6 +21,8 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 void value_is_above_the_register_maximum();
 void value_is_below_the_register_minimum();
 void value_is_not_a_whole_number_of_register_steps();
+void value_has_no_meaning_in_this_register();
+void value_is_never_written_to_this_register();
 
 /// The smallest raw count of a register, as far as it does not hang on another.
 template <auto const& R> [[nodiscard]] constexpr std::int32_t lowest() noexcept
@@ -78,13 +80,19 @@ public:
         : word_{to_word(value)}
     {
         refuse_outside(raw_count<value_type>(word_));
+        if (not has_meaning(listed_words<value_type>(), word_)) {
+            value_has_no_meaning_in_this_register();
+        }
     }
 
-    /// A value known only when running; `illegal_data_value` outside the limits.
+    /// A value known only when running; `illegal_data_value` outside the limits, and for an enumerator that
+    /// does not exist.
     [[nodiscard]] static constexpr result<setting> checked(value_type value) noexcept
     {
         std::int32_t const raw = raw_count<value_type>(to_word(value));
-        if (raw < lowest<R>() or raw > highest<R>()) {
+        bool const is_inside =
+            raw >= lowest<R>() and raw <= highest<R>() and not R.gap.contains(raw);
+        if (not is_inside or not has_meaning(listed_words<value_type>(), to_word(value))) {
             return errc::illegal_data_value;
         }
         return setting{proven{}, to_word(value)};
@@ -101,7 +109,7 @@ public:
         return checked(value);
     }
 
-    /// The nearest value within the limits.
+    /// The nearest value within the limits; the lower end of a gap where it lies in one.
     [[nodiscard]] static constexpr setting
     clamped(value_type value) noexcept requires register_quantity<value_type>
     {
@@ -111,6 +119,9 @@ public:
         }
         if (raw > highest<R>()) {
             raw = highest<R>();
+        }
+        if (R.gap.contains(raw)) {
+            raw = R.gap.first - 1;
         }
         return setting{proven{}, static_cast<std::uint16_t>(raw)};
     }
@@ -134,6 +145,9 @@ private:
         }
         if (raw < lowest<R>()) {
             value_is_below_the_register_minimum();
+        }
+        if (raw >= R.gap.first and raw <= R.gap.last) {
+            value_is_never_written_to_this_register();
         }
     }
 

@@ -51,10 +51,11 @@ public:
         return by_address.find(address) < size;
     }
 
-    /// Whether a register is one of this device's.
+    /// Whether a register is one of this device's, or one of them counted in other steps.
     template <auto const& R>
-    static constexpr bool
-        contains = has_address(R.address) and places[by_address.find(R.address)] == &R;
+    static constexpr bool contains = has_address(R.address) and
+                                     (places[by_address.find(R.address)] == &R or
+                                      places[by_address.find(R.address)] == R.counted_as);
 
     /// Calls `visit.template operator()<R>()` for each register.
     template <typename Visit> static constexpr void for_each(Visit&& visit)

@@ -21,6 +21,8 @@ template <device_type Device, auto const&... Registers> class write_plan {
     static_assert(sizeof...(Registers) > 0, "a plan writes at least one register");
     static_assert((Device::registers::template contains<Registers> and ...),
                   "a plan writes registers of one device only");
+    static_assert((has_own_steps<Registers> and ...),
+                  "another register sets this register's steps: name them with restepped");
     static_assert(((Registers.mode != access::read_only) and ...), "this register is read-only");
     static_assert(first_duplicate(std::array{Registers.address...}).second == 0,
                   "a plan writes each register once");

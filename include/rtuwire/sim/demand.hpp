@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What a drive asks of its motor: a frequency in a direction, or a stop of some kind; after its commands, its
+// channels, its limits and a link that may be lost.
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/cia402/state.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/sim/channels.hpp>
+#include <rtuwire/sim/control.hpp>
+#include <rtuwire/sim/fault_record.hpp>
+#include <rtuwire/sim/image.hpp>
+#include <rtuwire/sim/parameters.hpp>
+#include <rtuwire/sim/places.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
+
+/// A look at a drive's registers and commands, which outlive it.
+template <device_type Device> class demand {
+    static constexpr places<Device> at{};
+
+public:
+    /// `analog` is what the terminals' reference is, in mHz.
+    constexpr demand(image<Device> const& registers, control const& commands, std::int32_t analog,
+                     bool is_link_lost) noexcept
+        : registers_{registers}, commands_{commands}, analog_{analog}, is_link_lost_{is_link_lost}
+    {}
+
+    /// What the reference asks for, in mHz, before the limits and without the direction of the command.
+    [[nodiscard]] constexpr std::int32_t asked() const noexcept
+    {
+        bool const falls_back =
+            is_link_lost_ and set().reaction_to_loss() == loss_reaction::fall_back_to_a_speed;
+        std::int32_t const given = refers_to_link() ? registers_.get_signed(at.lfr) * 100 : analog_;
+        return falls_back ? 0 : given;
+    }
+
+    [[nodiscard]] constexpr bool is_backwards() const noexcept
+    {
+        return (asked() < 0) != commands_.is_reversed();
+    }
+
+    /// How it is being stopped; `none` while it may turn.
+    [[nodiscard]] constexpr stopping how_it_stops() const noexcept
+    {
+        if (commands_.chart().state() == cia402::state::fault_reaction_active) {
+            return how_a_fault_stops();
+        }
+        stopping const how = commands_.how_it_stops();
+        return how == stopping::as_set ? set().as_set() : how;
+    }
+
+    /// What the ramp goes to, in mHz.
+    [[nodiscard]] constexpr std::int32_t target() const noexcept
+    {
+        return how_it_stops() == stopping::none ? set().limited(asked(), is_backwards()) : 0;
+    }
+
+    /// Whether the reference lies outside LSP and HSP.
+    [[nodiscard]] constexpr bool is_limited() const noexcept
+    {
+        return set().limited(asked(), asked() < 0) != asked();
+    }
+
+private:
+    constexpr parameters<Device> set() const noexcept { return parameters<Device>{registers_}; }
+
+    constexpr bool refers_to_link() const noexcept
+    {
+        return commands_.is_by_link() and channels<Device>{registers_}.refers_to_link();
+    }
+
+    /// A fault takes the torque away, unless it is a lost link for which SLL says something else.
+    constexpr stopping how_a_fault_stops() const noexcept
+    {
+        if (commands_.fault() != link_fault) {
+            return stopping::freewheel;
+        }
+        switch (set().reaction_to_loss()) {
+        case loss_reaction::ramp: return stopping::ramp;
+        case loss_reaction::fast: return stopping::fast;
+        case loss_reaction::injection: return stopping::injection;
+        case loss_reaction::ignore:
+        case loss_reaction::freewheel:
+        case loss_reaction::stop_without_fault:
+        case loss_reaction::fall_back_to_a_speed:
+        case loss_reaction::keep_the_speed: break;
+        }
+        return stopping::freewheel;
+    }
+
+    image<Device> const& registers_;
+    control const& commands_;
+    std::int32_t analog_;
+    bool is_link_lost_;
+};
+
+} // namespace rtuwire::sim

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Ramp times in one block, whose steps another register sets.
+// EXPECT: another register sets this register's steps: name them with restepped
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/client/access.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+
+inline constexpr station<atv320::device> drive{unit_id{7}};
+
+void act()
+{
+#ifdef REFUSED
+    static_cast<void>(write_all<atv320::acc, atv320::dec>(drive, 1.3_s, 2_s));
+#else
+    static_cast<void>(
+        write_all<restepped<deciseconds, atv320::acc>, restepped<deciseconds, atv320::dec>>(
+            drive, 1.3_s, 2_s));
+#endif
+}

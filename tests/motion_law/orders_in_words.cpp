@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Orders that stand in a word that is read are not given again when it is written.
+#include "support/catch.hpp"
+#include "support/party_line.hpp"
+
+#include <cstdint>
+#include <string>
+
+#include <rtuwire/altivar/atv12.hpp>
+#include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/atv310.hpp>
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/save_to_eeprom.hpp>
+#include <rtuwire/client/single_question.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+
+namespace {
+
+constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
+
+template <typename Device> void saves_after_factory_settings()
+{
+    INFO(std::string(Device::name.begin(), Device::name.end()));
+    test::party_line<client, Device> it{client{test::party_timing, patient}};
+    it.add(unit_id{3});
+    it.idle(milliseconds(20));
+    constexpr station<Device> drive{unit_id{3}};
+    // CMI as it stands where somebody ordered factory settings by it.
+    constexpr std::uint8_t factory_settings = 0x01;
+    bool is_reading = false;
+    std::vector<std::uint16_t> told;
+    it.disturb([&](std::vector<std::byte>& frame, bool is_request) {
+        bool const is_cmi = is_request and u16_at(byte_view{frame}, 2) == Device::profile.cmi;
+        if (is_cmi and frame[1] == std::byte{6}) {
+            told.push_back(u16_at(byte_view{frame}, 4));
+        }
+        if (not is_request and is_reading) {
+            frame = {frame[0], frame[1], frame[2], std::byte{0}, std::byte{factory_settings}};
+            std::uint16_t const crc = crc16(frame);
+            frame.push_back(to_byte(crc));
+            frame.push_back(to_byte(crc >> 8U));
+        }
+        is_reading = is_cmi and frame[1] == std::byte{3};
+    });
+    save_to_eeprom save{drive};
+    REQUIRE(it.run(save));
+    CHECK(save.succeeded());
+    REQUIRE(told.size() == 2);
+    CHECK(told[0] == 0x0002);
+    CHECK(told[1] == 0x0000);
+}
+
+} // namespace
+
+TEST_CASE("motion law: S20 a save behind factory settings does not order them again")
+{
+    saves_after_factory_settings<atv12::device>();
+    saves_after_factory_settings<atv28::device>();
+    saves_after_factory_settings<atv310::device>();
+    saves_after_factory_settings<atv310::device_2026>();
+    saves_after_factory_settings<atv320::device>();
+}

@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Starts and changes of the reference, cut between any two frames: the motor never turns otherwise than was asked
+// before or is asked now.
+#include "support/catch.hpp"
+#include "support/party_line.hpp"
+
+#include <cstdint>
+#include <string>
+
+#include <rtuwire/altivar/atv12.hpp>
+#include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/atv310.hpp>
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/change_reference.hpp>
+#include <rtuwire/altivar/start.hpp>
+#include <rtuwire/altivar/stop.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+using state = cia402::state;
+using bytes = std::vector<std::byte>;
+
+namespace {
+
+constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
+
+template <typename Device> struct plant : test::party_line<client, Device> {
+    static constexpr station<Device> drive{unit_id{3}};
+
+    plant() : test::party_line<client, Device>{client{test::party_timing, patient}}
+    {
+        this->add(unit_id{3});
+        this->idle(milliseconds(20));
+    }
+    sim::drive<Device>& far() { return this->unit(0).inside(); }
+    std::int32_t millihertz() { return far().motor().frequency(); }
+
+    /// Lets the motor run at a frequency, told by the direction bit or by the sign, as another master may have.
+    void turn(std::int32_t hertz, bool by_bit)
+    {
+        auto const word = static_cast<std::uint16_t>((by_bit and hertz < 0 ? -hertz : hertz) * 10);
+        std::uint16_t const bit = by_bit and hertz < 0 ? reverse_bit : std::uint16_t{0};
+        for (auto const& [address, value] :
+             {std::pair{Device::profile.cmd, std::uint16_t{6}}, std::pair{Device::profile.cmd, std::uint16_t{7}},
+              std::pair{Device::frequency_reference.address, word},
+              std::pair{Device::profile.cmd, static_cast<std::uint16_t>(0x000F | bit)}}) {
+            single_question tell{drive.unit(), write_single_register{address, value}};
+            REQUIRE(this->run(tell));
+            REQUIRE(tell.outcome());
+        }
+        this->idle(milliseconds(6'000));
+        REQUIRE(millihertz() == hertz * 1'000);
+    }
+};
+
+template <typename Run> void for_every_drive(Run run)
+{
+    run(atv12::device{});
+    run(atv28::device{});
+    run(atv310::device{});
+    run(atv310::device_2026{});
+    run(atv320::device{});
+}
+
+/// Runs a conversation whose requests are all lost from the n-th on, or only the answers; the frequencies of the
+/// motor, lowest and highest, from then on. False where the conversation ended before.
+template <typename Device, typename Talk>
+bool cut_after(plant<Device>& it, Talk talk, unsigned frames, bool only_answers, std::int32_t& lowest,
+               std::int32_t& highest)
+{
+    unsigned passed = 0;
+    it.disturb([&](bytes& frame, bool is_request) {
+        passed += is_request ? 1 : 0;
+        if (passed > frames and is_request != only_answers) {
+            frame.clear();
+        }
+    });
+    lowest = highest = it.millihertz();
+    instant const end = it.now() + milliseconds(8'000);
+    while (not reached(it.now(), end)) {
+        it.step([&](instant now) { it.link().converse(talk, now); }, milliseconds(50));
+        lowest = std::min(lowest, it.millihertz());
+        highest = std::max(highest, it.millihertz());
+    }
+    return passed > frames;
+}
+
+} // namespace
+
+TEST_CASE("motion law: S17 a start that is cut after any frame turns the motor no other way, and no faster")
+{
+    for_every_drive([]<typename Device>(Device) {
+        INFO(std::string(Device::name.begin(), Device::name.end()));
+        for (bool const only_answers : {false, true}) {
+            for (bool const by_bit : {false, true}) {
+                for (std::int32_t const before : {0, 10, -10}) {
+                    bool goes_on = true;
+                    for (unsigned frames = 0; goes_on; ++frames) {
+                        plant<Device> it;
+                        if (before != 0) {
+                            it.turn(before, by_bit);
+                        }
+                        std::int32_t lowest = 0;
+                        std::int32_t highest = 0;
+                        goes_on = cut_after(it, start{it.drive, 50_Hz}, frames, only_answers, lowest, highest);
+                        CHECK(lowest >= std::min(before, 0) * 1'000);
+                        CHECK(highest <= 50'000);
+                        goes_on = cut_after(it, start{it.drive, 30_Hz, heading::reverse}, frames, only_answers,
+                                            lowest, highest) or
+                                  goes_on;
+                        CHECK(lowest >= -30'000);
+                        CHECK(highest <= 50'000);
+                        goes_on = goes_on and frames < 30;
+                    }
+                }
+            }
+        }
+    });
+}
+
+TEST_CASE("motion law: S17 a drive that runs in reverse by its direction bit turns round by one signed reference")
+{
+    for_every_drive([]<typename Device>(Device) {
+        INFO(std::string(Device::name.begin(), Device::name.end()));
+        plant<Device> it;
+        it.turn(-10, true);
+        start go{it.drive, 50_Hz};
+        REQUIRE(it.run(go));
+        CHECK(go.succeeded());
+        it.idle(milliseconds(5'000));
+        CHECK(it.millihertz() == 50'000);
+        change_reference back{it.drive, -20_Hz};
+        REQUIRE(it.run(back));
+        CHECK(back.succeeded());
+        CHECK(it.millihertz() == -20'000);
+    });
+}
+
+TEST_CASE("motion law: S22 a drive that is switched off and on while a start climbs does not run")
+{
+    for_every_drive([]<typename Device>(Device) {
+        INFO(std::string(Device::name.begin(), Device::name.end()));
+        unsigned ran_before = 0;
+        for (unsigned moment = 0; moment < 400; moment += 3) {
+            plant<Device> it;
+            start go{it.drive, 50_Hz};
+            instant const off = it.now() + milliseconds(moment);
+            bool was_off = false;
+            bool ran = false;
+            while (not go.settled()) {
+                it.step([&](instant now) { it.link().converse(go, now); }, milliseconds(1));
+                if (not was_off and reached(it.now(), off)) {
+                    was_off = true;
+                    ran = it.far().chart().state() == state::operation_enabled;
+                    it.far().power_cycle(it.now());
+                }
+            }
+            it.idle(milliseconds(500));
+            ran_before += ran ? 1 : 0;
+            // Whoever was switched off before the first command is an ordinary drive.
+            if (was_off and not go.succeeded()) {
+                CHECK(it.far().chart().state() != state::operation_enabled);
+            }
+            if (was_off and ran) {
+                CHECK(it.far().chart().state() != state::operation_enabled);
+            }
+        }
+        CHECK(ran_before > 0);
+    });
+}
+
+TEST_CASE("motion law: S24 a reference is reached when the drive runs and says so, not before")
+{
+    for_every_drive([]<typename Device>(Device) {
+        INFO(std::string(Device::name.begin(), Device::name.end()));
+        plant<Device> it;
+        start go{it.drive, 30_Hz};
+        REQUIRE(it.run(go));
+        it.idle(milliseconds(5'000));
+        REQUIRE(it.millihertz() == 30'000);
+        change_reference faster{it.drive, 45_Hz};
+        REQUIRE(it.run(faster));
+        CHECK(faster.succeeded());
+        CHECK(it.millihertz() == 45'000);
+
+        if constexpr (Device::profile.halt != 0) {
+            stop halt{it.drive, stop_by::halt};
+            REQUIRE(it.run(halt));
+            REQUIRE(halt.succeeded());
+            change_reference standing{it.drive, 20_Hz};
+            REQUIRE(it.run(standing));
+            CHECK(standing.reason().how == ending::halted);
+            CHECK(it.millihertz() == 0);
+        }
+    });
+}
+
+TEST_CASE("motion law: S24 bit 10 that is still the old reference's is not believed")
+{
+    plant<atv320::device> it;
+    start go{it.drive, 30_Hz};
+    REQUIRE(it.run(go));
+    it.idle(milliseconds(5'000));
+    change_reference back{it.drive, -30_Hz};
+    unsigned old_ones = 0;
+    it.disturb([&](bytes& frame, bool is_request) {
+        // The status word says "reached" for as long as the motor still turns the other way round.
+        bool const is_word = not is_request and frame[1] == std::byte{3} and it.millihertz() > 0;
+        if (is_word and (frame[4] & std::byte{0x3F}) == std::byte{0x37}) {
+            ++old_ones;
+            frame = {frame[0], frame[1], frame[2], frame[3] | std::byte{0x04}, frame[4]};
+            std::uint16_t const crc = crc16(frame);
+            frame.push_back(to_byte(crc));
+            frame.push_back(to_byte(crc >> 8U));
+        }
+    });
+    REQUIRE(it.run(back));
+    CHECK(old_ones > 3);
+    CHECK(back.succeeded());
+    CHECK(it.millihertz() == -30'000);
+}
+
+TEST_CASE("motion law: S27 a negative reference and reverse at once are refused, and nothing is said to the drive")
+{
+    plant<atv320::device> it;
+    std::size_t const before = it.questions();
+    start go{it.drive, -50_Hz, heading::reverse};
+    REQUIRE(it.run(go));
+    CHECK(go.reason().how == ending::contradictory);
+    CHECK(it.questions() == before);
+}
+
+TEST_CASE("motion law: S31 reference 0 with LSP above 0 keeps the direction that was asked for")
+{
+    plant<atv12::device> it;
+    auto slowest = write<atv12::lsp>(it.drive, 10_Hz);
+    REQUIRE(it.run(slowest));
+    start go{it.drive, 0_Hz};
+    REQUIRE(it.run(go));
+    it.idle(milliseconds(3'000));
+    CHECK(go.running());
+    CHECK(it.millihertz() == 10'000);
+}
+
+TEST_CASE("motion law: S32 60 Hz under a limit of 50 Hz is limited, never reached")
+{
+    for_every_drive([]<typename Device>(Device) {
+        INFO(std::string(Device::name.begin(), Device::name.end()));
+        plant<Device> it;
+        start go{it.drive, 30_Hz};
+        REQUIRE(it.run(go));
+        it.idle(milliseconds(5'000));
+        change_reference over{it.drive, 60_Hz};
+        REQUIRE(it.run(over));
+        CHECK(over.reason().how == ending::reference_limited);
+        CHECK(it.millihertz() <= 50'000);
+        start again{it.drive, 60_Hz};
+        REQUIRE(it.run(again));
+        CHECK(again.reason().how == ending::reference_limited);
+    });
+}

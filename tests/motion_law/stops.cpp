@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A stop against a bad line and a drive that refuses: what counts is whether the motor comes to rest.
+#include "support/catch.hpp"
+#include "support/party_line.hpp"
+
+#include <cstdint>
+#include <string>
+
+#include <rtuwire/altivar/atv12.hpp>
+#include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/atv310.hpp>
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/cyclic.hpp>
+#include <rtuwire/altivar/start.hpp>
+#include <rtuwire/altivar/stop.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+using state = cia402::state;
+using bytes = std::vector<std::byte>;
+
+namespace {
+
+constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
+constexpr duration half_a_minute = milliseconds(30'000);
+constexpr auto known = word_meaning::drive_profile;
+
+/// A client and a drive that runs at 50 Hz.
+template <typename Device> struct running : test::party_line<client, Device> {
+    static constexpr station<Device> drive{unit_id{3}};
+
+    running() : test::party_line<client, Device>{client{test::party_timing, patient}}
+    {
+        INFO(std::string(Device::name.begin(), Device::name.end()));
+        this->add(unit_id{3});
+        this->idle(milliseconds(20));
+        start go{drive, 50_Hz};
+        REQUIRE(this->run(go));
+        REQUIRE(go.succeeded());
+        this->idle(milliseconds(5'000));
+        REQUIRE(far().motor().frequency() == 50'000);
+    }
+
+    sim::drive<Device>& far() { return this->unit(0).inside(); }
+    bool has_power() { return cia402::has_power(far().chart().state()); }
+    bool stands() { return far().chart().state() == state::switch_on_disabled; }
+};
+
+/// Whether a frame is a request that writes the control word.
+template <typename Device> bool writes_control(bytes const& frame)
+{
+    return frame.size() == 8 and frame[1] == std::byte{6} and
+           u16_at(byte_view{frame}, 2) == Device::profile.cmd;
+}
+
+template <typename Run> void for_every_drive(Run run)
+{
+    run(atv12::device{});
+    run(atv28::device{});
+    run(atv310::device{});
+    run(atv310::device_2026{});
+    run(atv320::device{});
+}
+
+/// An answer that becomes an exception, its CRC with it.
+void refuse(bytes& frame, std::uint8_t code)
+{
+    frame = {frame[0], frame[1] | std::byte{0x80}, std::byte{code}};
+    std::uint16_t const crc = crc16(frame);
+    frame.push_back(to_byte(crc));
+    frame.push_back(to_byte(crc >> 8U));
+}
+
+} // namespace
+
+TEST_CASE("motion law: S7 two frames lost at the beginning of a stop: the motor stops all the same")
+{
+    for_every_drive([]<typename Device>(Device) {
+        running<Device> it;
+        unsigned lost = 0;
+        it.disturb([&](bytes& frame, bool is_request) {
+            if (is_request and lost < 2) {
+                ++lost;
+                frame.clear();
+            }
+        });
+        stop rest{it.drive};
+        REQUIRE(it.run(rest));
+        CHECK(lost == 2);
+        CHECK(rest.succeeded());
+        CHECK(it.stands());
+    });
+}
+
+TEST_CASE("motion law: S7 all answers lost: the stop's word goes again and again, and it says that nobody confirmed it")
+{
+    for_every_drive([]<typename Device>(Device) {
+        running<Device> it;
+        unsigned words = 0;
+        it.disturb([&](bytes& frame, bool is_request) {
+            words += is_request and writes_control<Device>(frame) ? 1U : 0U;
+            if (not is_request) {
+                frame.clear();
+            }
+        });
+        stop rest{it.drive, stop_by::ramp, milliseconds(20'000)};
+        REQUIRE(it.run(rest));
+        CHECK(rest.reason().how == ending::silent);
+        CHECK(rest.reason().error == errc::timed_out);
+        CHECK(words > 10);
+        CHECK_FALSE(it.far().motor().frequency() != 0);
+    });
+}
+
+TEST_CASE("motion law: S8 a drive that answers 04, 05 or 06 for a while is told to stop until it does")
+{
+    for (std::uint8_t const code : {std::uint8_t{4}, std::uint8_t{5}, std::uint8_t{6}}) {
+        for_every_drive([&]<typename Device>(Device) {
+            running<Device> it;
+            instant const end = it.now() + milliseconds(600);
+            it.disturb([&](bytes& frame, bool is_request) {
+                if (not is_request and not reached(it.now(), end)) {
+                    refuse(frame, code);
+                }
+            });
+            stop rest{it.drive};
+            REQUIRE(it.run(rest));
+            CHECK(rest.succeeded());
+            CHECK(it.stands());
+        });
+    }
+}
+
+TEST_CASE("motion law: S7 the word leaves before anything is read; only halt looks first")
+{
+    for_every_drive([]<typename Device>(Device) {
+        for (stop_by const mode : {stop_by::ramp, stop_by::freewheel, stop_by::quick_stop}) {
+            running<Device> it;
+            bytes first;
+            it.disturb([&](bytes& frame, bool) { first = first.empty() ? frame : first; });
+            stop rest{it.drive, mode};
+            REQUIRE(it.run(rest));
+            CHECK(writes_control<Device>(first));
+            std::uint16_t const word = u16_at(byte_view{first}, 4);
+            // An ATV320 may be in its I/O profile, where 0007 runs and 0002 may.
+            bool const is_blind = Device::profile.chcf != 0;
+            CHECK(word == (is_blind                       ? 0
+                           : mode == stop_by::ramp      ? 7
+                           : mode == stop_by::freewheel ? 0
+                                                        : 2));
+            CHECK(rest.reason().is_other_stop == (is_blind and mode != stop_by::freewheel));
+            CHECK(rest.succeeded());
+            CHECK(it.stands());
+        }
+    });
+}
+
+TEST_CASE("motion law: S18 after each stop the drive is where no stray word can start it")
+{
+    for_every_drive([]<typename Device>(Device) {
+        for (stop_by const mode : {stop_by::ramp, stop_by::freewheel, stop_by::quick_stop}) {
+            running<Device> it;
+            stop rest{it.drive, mode, half_a_minute, known};
+            REQUIRE(it.run(rest));
+            REQUIRE(rest.succeeded());
+            CHECK_FALSE(rest.reason().is_other_stop);
+            single_question stray{it.drive.unit(), write_single_register{Device::profile.cmd, 0x000F}};
+            REQUIRE(it.run(stray));
+            it.idle(milliseconds(1'000));
+            CHECK_FALSE(it.has_power());
+        }
+    });
+}
+
+TEST_CASE("motion law: S18 a start that is withdrawn leaves a drive that no stray word can start")
+{
+    for_every_drive([]<typename Device>(Device) {
+        running<Device> it;
+        stop rest{it.drive};
+        REQUIRE(it.run(rest));
+        start go{it.drive, 50_Hz};
+        bool was_local = false;
+        while (not go.settled()) {
+            it.step([&](instant now) { it.link().converse(go, now); }, milliseconds(5));
+            if (not was_local and it.far().chart().state() == state::switched_on) {
+                was_local = true;
+                it.far().press_stop();
+            }
+        }
+        CHECK(was_local);
+        CHECK_FALSE(go.succeeded());
+        single_question stray{it.drive.unit(), write_single_register{Device::profile.cmd, 0x000F}};
+        REQUIRE(it.run(stray));
+        it.idle(milliseconds(1'000));
+        CHECK_FALSE(it.has_power());
+    });
+}
+
+TEST_CASE("motion law: S34 a stop that is taken and not obeyed says so")
+{
+    for_every_drive([]<typename Device>(Device) {
+        running<Device> it;
+        it.disturb([&](bytes& frame, bool is_request) {
+            // A drive that takes its commands from elsewhere: the word arrives as another register's.
+            if (is_request and writes_control<Device>(frame)) {
+                frame = {frame[0], std::byte{6}, to_byte(Device::profile.cmd >> 8U),
+                         to_byte(Device::profile.cmd), std::byte{0}, std::byte{0x0F}};
+                std::uint16_t const crc = crc16(frame);
+                frame.push_back(to_byte(crc));
+                frame.push_back(to_byte(crc >> 8U));
+            } else if (not is_request and frame[1] == std::byte{6}) {
+                bool const is_ramp = Device::profile.chcf == 0;
+                frame = {frame[0], std::byte{6}, to_byte(Device::profile.cmd >> 8U),
+                         to_byte(Device::profile.cmd), std::byte{0}, is_ramp ? std::byte{7} : std::byte{0}};
+                std::uint16_t const crc = crc16(frame);
+                frame.push_back(to_byte(crc));
+                frame.push_back(to_byte(crc >> 8U));
+            }
+        });
+        stop rest{it.drive, stop_by::ramp, milliseconds(3'000)};
+        REQUIRE(it.run(rest));
+        CHECK(rest.reason().how == ending::stuck);
+        CHECK(rest.reason().state == state::operation_enabled);
+    });
+}
+
+TEST_CASE("motion law: S10 a halt rests in operation, and becomes the ramp where it cannot look")
+{
+    for_every_drive([]<typename Device>(Device) {
+        running<Device> it;
+        unsigned lost = 0;
+        it.disturb([&](bytes& frame, bool is_request) {
+            if (is_request and frame[1] == std::byte{3} and lost < 4) {
+                ++lost;
+                frame.clear();
+            }
+        });
+        stop rest{it.drive, stop_by::halt, half_a_minute, known};
+        REQUIRE(it.run(rest));
+        bool const can_halt = Device::profile.halt != 0;
+        CHECK(rest.reason().how == (can_halt ? ending::succeeded : ending::unsupported));
+        CHECK(rest.reason().is_other_stop == can_halt);
+        CHECK(it.has_power() != can_halt);
+    });
+}
