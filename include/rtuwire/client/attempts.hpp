@@ -61,6 +61,8 @@ public:
     {
         if (is_first()) {
             first_sent_ = at;
+        } else if ((at - first_sent_) > longest_duration) {
+            first_sent_ = at - longest_duration; // or the clock's wrap would make it short
         }
         duration const before = unanswered_ == 0 or reached(at, owed_until_) ? duration{} : owed_until_ - at;
         owed_until_ = at + (before + each);

@@ -276,7 +276,7 @@ private:
         if (this->may_be_stale_) {
             settle(errc::bus_jam, now);
         } else {
-            phase_ = phase::waiting;
+            wait_for_silence(now);
         }
     }
 
