@@ -36,6 +36,8 @@ template <typename Engine> struct world {
     model::options how;
     Engine engine;
     model::client second;
+    Engine other_engine; ///< of another line, where nothing ever leaves
+    model::client other_second;
     compare::far_end line;
     time now{0};
     std::vector<outcome> engines_outcomes{};
@@ -43,9 +45,11 @@ template <typename Engine> struct world {
     std::vector<both> talks{slots};
 
     world(dice& with, report& to, compare::setting const& as, model::options const& options)
-        : roll{with}, told{to}, clock{as.start}, times{as.bits, 11, as.end}, how{options},
-          engine{compare::timing(as), compare::library(options)}, second{times, options},
-          line{with, times, options.response_timeout, options.has_echo or with.chance(10)}
+        : roll{with}, told{to}, clock{as.start}, times{as.bits, as.bits_by_character, as.end},
+          how{options}, engine{compare::timing(as), compare::library(options)},
+          second{times, options}, other_engine{compare::timing(as), compare::library(options)},
+          other_second{times, options}, line{with, times, options.response_timeout,
+                                             options.has_echo or with.chance(10)}
     {
         for (both& each : talks) {
             each.engine.says.told = &engines_outcomes;
@@ -78,14 +82,13 @@ template <typename Engine> struct world {
                       second.is_held(unit));
         }
         for (both const& each : talks) {
-            told.same(("asked by " + std::to_string(each.engine.says.id)).c_str(), engine.is_asked_by(each.engine),
-                      second.is_asked_by(each.second.whose));
-            told.same("how often next was called", each.engine.says.asked,
-                      each.second.says.asked);
+            told.same(("asked by " + std::to_string(each.engine.says.id)).c_str(),
+                      engine.is_asked_by(each.engine), second.is_asked_by(each.second.whose));
+            told.same("how often next was called", each.engine.says.asked, each.second.says.asked);
         }
-        compare::same_deadline(told, engine.poll_deadline(), second.poll_deadline(),
-                               second.is_woken(), now, clock);
         compare::same_counts(told, engine.statistics(), second.counted);
+        compare::same_deadline(told, engine.poll_deadline(), second.poll_deadline(),
+                               second.is_woken(), second.ended_at(), now, clock);
     }
 
     void happen(line_event const& what, time at)
@@ -113,16 +116,22 @@ template <typename Engine> struct world {
         while (not line.to_come.empty() and line.to_come.begin()->first <= now and
                not told.failed()) {
             auto const first = line.to_come.begin();
-            time const at = roll.chance(70) ? first->first : now;
+            time const at = roll.chance(70)   ? first->first
+                            : roll.chance(80) ? now
+                                              : now + roll.below(3'000);
             line_event const what = first->second;
             line.to_come.erase(first);
             happen(what, at);
         }
     }
+    static std::optional<time> earlier(std::optional<time> one, std::optional<time> other)
+    {
+        return one and other ? std::min(*one, *other) : (one ? one : other);
+    }
     void pass_time()
     {
         auto const next = second.poll_deadline();
-        std::optional<time> until = next;
+        std::optional<time> until = earlier(next, other_second.poll_deadline());
         if (not line.to_come.empty()) {
             time const event = line.to_come.begin()->first;
             until = until ? std::min(*until, event) : event;
@@ -161,7 +170,7 @@ template <typename Engine> struct world {
     {
         std::size_t const index = roll.below(slots);
         both& one = talks[index];
-        switch (roll.below(12)) {
+        switch (roll.below(14)) {
         case 0:
             step("cancel");
             engine.cancel(clock.at(now));
@@ -174,7 +183,8 @@ template <typename Engine> struct world {
             break;
         case 2: {
             auto const unit = static_cast<std::uint8_t>(1 + roll.below(compare::far_end::units));
-            time const end = now + (roll.chance(5) ? model::longest : roll.below(400'000));
+            time const end =
+                now + (roll.chance(5) ? model::longest : time{roll.below(400'000)} - 20'000);
             told.step("%lld hold %d until %lld", static_cast<long long>(now), unit,
                       static_cast<long long>(end));
             engine.hold(*rtuwire::unit_id::checked(unit), clock.at(end));
@@ -215,6 +225,16 @@ template <typename Engine> struct world {
             begin(index);
             one.forget();
             break;
+        case 10:
+            number_step("at another line", static_cast<long long>(index));
+            other_engine.converse(static_cast<compare::engine_talk&>(one.engine), clock.at(now));
+            other_second.converse(one.second, now, other_second.own_patience(), -1);
+            break;
+        case 11:
+            step("receive nothing");
+            engine.receive({}, clock.at(now));
+            second.receive({}, now);
+            break;
         default: line.disturb(now); return;
         }
         check();
@@ -248,6 +268,8 @@ template <typename Engine> struct world {
     void pass()
     {
         pass_time();
+        other_engine.advance(clock.at(now));
+        other_second.advance(now);
         events();
         if (roll.chance(12)) {
             interfere();

@@ -28,8 +28,8 @@ public:
         : roll_{roll}, times_{times}, response_{response}, is_echoing_{is_echoing}
     {
         for (habit& each : habits_) {
-            each = roll.any({habit::quick, habit::quick, habit::slow, habit::silent,
-                             habit::faulty, habit::busy});
+            each = roll.any({habit::quick, habit::quick, habit::slow, habit::silent, habit::faulty,
+                             habit::busy});
         }
     }
 
@@ -121,8 +121,8 @@ private:
         }
         time delay = roll_.chance(80) ? roll_.below(12'000) : -time{roll_.below(3'000)};
         if (own == habit::slow) {
-            delay = static_cast<time>(static_cast<double>(response_) * 0.03 *
-                                      (3 + roll_.below(98)));
+            delay =
+                static_cast<time>(static_cast<double>(response_) * 0.03 * (3 + roll_.below(98)));
         }
         last_answer_ = said;
         say(said, end + delay);
@@ -134,7 +134,9 @@ private:
     {
         std::size_t const body = said.size() - 2;
         switch (roll_.below(16)) {
-        case 0: said[roll_.below(said.size())] ^= static_cast<std::uint8_t>(1 + roll_.below(255)); return said;
+        case 0:
+            said[roll_.below(said.size())] ^= static_cast<std::uint8_t>(1 + roll_.below(255));
+            return said;
         case 1: said[body] ^= 0x10; return said;
         case 2: said.pop_back(); return said;
         case 3: said.push_back(roll_.chance(50) ? 0 : roll_.byte()); return said;
@@ -148,8 +150,14 @@ private:
         case 11: said.resize(body - 1); break;
         case 12: return model::with_crc(exception(asked, roll_.below(256)));
         case 13: return model::with_crc(exception(asked, roll_.below(13)));
-        case 14: said.resize(3); said[1] |= 0x80; break;
-        default: said.insert(said.begin(), roll_.byte()); said.insert(said.begin(), roll_.byte()); return said;
+        case 14:
+            said.resize(3);
+            said[1] |= 0x80;
+            break;
+        default:
+            said.insert(said.begin(), roll_.byte());
+            said.insert(said.begin(), roll_.byte());
+            return said;
         }
         said.resize(std::min(said.size(), body));
         return model::with_crc(said);
@@ -187,7 +195,18 @@ private:
         case 16: said.assign(frame.begin(), frame.begin() + 6); break;
         case 7: said.push_back(roll_.byte()); break;
         case 11: said.resize(6, roll_.byte()); break;
-        case 17: counted(roll_.below(9)); break;
+        case 12:
+        case 17:
+        case 20: counted(roll_.below(9)); break;
+        case 24: {
+            auto const words = static_cast<std::uint8_t>(roll_.below(4));
+            said.resize(6);
+            said[3] = static_cast<std::uint8_t>(2 + 2 * words);
+            said[5] = words;
+            said.resize(6U + 2U * words, roll_.byte());
+            break;
+        }
+        case 43: identify(said, frame); break;
         default:
             if (frame[1] < 100) {
                 said.assign(frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(body));
@@ -199,6 +218,29 @@ private:
         }
         said.resize(std::min<std::size_t>(said.size(), 254));
         return said;
+    }
+
+    /// A page of identification, not always a good one.
+    void identify(bytes& said, bytes const& frame)
+    {
+        said.resize(8);
+        said[2] = roll_.chance(95) ? 14 : 13;
+        said[3] = roll_.chance(95) ? frame[3] : roll_.byte();
+        said[4] = roll_.any<std::uint8_t>({1, 0x81, 2, 0x83, 4});
+        bool const follows = roll_.chance(20);
+        said[5] = follows ? 0xFF : (roll_.chance(95) ? 0 : roll_.byte());
+        unsigned const objects = roll_.below(4);
+        said[6] = follows ? static_cast<std::uint8_t>(frame[4] + objects) : 0;
+        said[7] = static_cast<std::uint8_t>(objects);
+        for (unsigned i = 0; i < objects; ++i) {
+            said.push_back(
+                static_cast<std::uint8_t>(roll_.chance(90) ? frame[4] + i : roll_.byte()));
+            auto const size = static_cast<std::uint8_t>(roll_.below(5));
+            said.push_back(size);
+            for (unsigned k = 0; k < size; ++k) {
+                said.push_back(roll_.byte());
+            }
+        }
     }
 
     dice& roll_;

@@ -17,19 +17,21 @@ struct setting {
     std::uint32_t start;
     std::uint32_t bits;
     time end;
+    time bits_by_character;
 };
 inline setting any_setting(dice& roll)
 {
     return {roll.chance(70) ? 0U - 5'000'000U + roll.below(1'000)
                             : static_cast<std::uint32_t>(roll.next()),
             roll.any<std::uint32_t>({4'800, 9'600, 19'200, 38'400, 115'200}),
-            roll.any<time>({0, 0, 1'000, 8'000, 50'000})};
+            roll.any<time>({0, 0, 1'000, 8'000, 50'000}), roll.any<time>({11, 11, 10})};
 }
 inline rtuwire::line_timing timing(setting const& as)
 {
     using enum rtuwire::character_format;
-    return as.end > 0 ? rtuwire::line_timing::host(as.bits, even_8_1, length(as.end))
-                      : rtuwire::line_timing{as.bits, even_8_1};
+    rtuwire::character_format const format = as.bits_by_character == 10 ? none_8_1 : even_8_1;
+    return as.end > 0 ? rtuwire::line_timing::host(as.bits, format, length(as.end))
+                      : rtuwire::line_timing{as.bits, format};
 }
 
 /// Between two sendings of one request lie less than 71 minutes: the longest time-out goes without repetitions.
@@ -41,16 +43,17 @@ inline unsigned repetitions(time response, unsigned some)
 inline model::options any_options(dice& roll)
 {
     model::options how{.response_timeout =
-                roll.chance(4) ? roll.any<time>({0, 1, model::longest, model::longest / 8})
+                           roll.chance(4)
+                               ? roll.any<time>({0, 1, model::longest, model::longest / 8})
                                : 5'000 + time{roll.below(roll.chance(50) ? 60'000 : 1'000'000)},
-            .turnaround = roll.any<time>({0, 100'000, 100'000, 20'000, 3'000'000}),
-            .late_answer = roll.any<time>({0, 200'000, 200'000, 30'000, model::longest}),
-            .retries = roll.any<unsigned>({0, 1, 2, 2, 5, 255}),
-            .has_echo = roll.chance(20),
-            .skip_noise = roll.any<unsigned>({0, 0, 0, 1, 3}),
-            .front = 0,
-            .places = 0,
-            .rows = 0};
+                       .turnaround = roll.any<time>({0, 100'000, 100'000, 20'000, 3'000'000}),
+                       .late_answer = roll.any<time>({0, 200'000, 200'000, 30'000, model::longest}),
+                       .retries = roll.any<unsigned>({0, 1, 2, 2, 5, 255}),
+                       .has_echo = roll.chance(20),
+                       .skip_noise = roll.any<unsigned>({0, 0, 0, 1, 3}),
+                       .front = 0,
+                       .places = 0,
+                       .rows = 0};
     how.retries = repetitions(how.response_timeout, how.retries);
     return how;
 }
@@ -68,8 +71,9 @@ inline model::patience any_patience(dice& roll, time response)
     return {.response_timeout = roll.chance(70) ? response : 2'000 + time{roll.below(300'000)},
             .retries = repetitions(response, roll.below(4)),
             .busy_retries = repetitions(response, roll.any<unsigned>({0, 1, 2, 9, 255})),
-            .busy_pause = roll.any<time>({0, 1'000, 10'000, 50'000, model::longest / 3, model::longest / 2,
-                                         model::longest / 2 - 1, model::longest / 9})};
+            .busy_pause =
+                roll.any<time>({0, 1'000, 10'000, 50'000, model::longest / 3, model::longest / 2,
+                                model::longest / 2 - 1, model::longest / 9})};
 }
 inline rtuwire::patience library(model::patience const& of)
 {
@@ -94,7 +98,7 @@ inline bytes any_question(dice& roll)
         }
     };
     unsigned const count = roll.chance(90) ? 1 + roll.below(4) : 1 + roll.below(121);
-    switch (roll.below(18)) {
+    switch (roll.below(20)) {
     case 0:
     case 1:
     case 2:
@@ -124,7 +128,15 @@ inline bytes any_question(dice& roll)
             data(2 * (1 + roll.below(4)));
         }
         break;
-    case 14: add({roll.any<unsigned>({7, 11, 17})}); break;
+    case 14: add({roll.any<unsigned>({7, 11, 12, 17})}); break;
+    case 17: add({43, roll.chance(80) ? 14U : 13U, 1 + roll.below(4), roll.below(4)}); break;
+    case 18:
+        switch (roll.below(3)) {
+        case 0: add({24, 0, roll.byte()}); break;
+        case 1: add({15, 0, 1, 0, 9, 2, roll.byte(), 1}); break;
+        default: add({20U + roll.below(2), 7}); data(7);
+        }
+        break;
     case 15:
         add({100});
         data(roll.below(7));
@@ -172,11 +184,13 @@ inline void same_outcomes(report& told, std::vector<outcome> const& engine,
     };
     told.difference = "outcomes: library " + text(engine) + "; model " + text(model);
 }
-/// A time that a woken engine names has come, and is no more exact than that.
+/// A time that a woken engine names has come, and is no more exact than that, or its request ends at `ended`, ahead.
 inline void same_deadline(report& told, rtuwire::deadline engine, std::optional<time> model,
-                          bool is_woken, time now, clock const& shown)
+                          bool is_woken, time ended, time now, clock const& shown)
 {
-    if (is_woken) {
+    if (is_woken and ended > now) {
+        model = model ? std::min(*model, ended) : ended;
+    } else if (is_woken) {
         told.same("whether it is woken", engine and rtuwire::reached(shown.at(now), *engine), 1);
         return;
     }
@@ -190,9 +204,9 @@ inline void same_deadline(report& told, rtuwire::deadline engine, std::optional<
 inline void same_counts(report& told, std::string const& whose, rtuwire::counters const& engine,
                         model::counts const& model)
 {
-    static char const* const names[] = {"request", "repetition", "reply",     "timeout",   "late",
-                                        "foreign", "crc",        "length",    "mismatch",  "exception",
-                                        "collision", "jam",      "noise"};
+    static char const* const names[] = {
+        "request", "repetition", "reply",     "timeout",   "late", "foreign", "crc",
+        "length",  "mismatch",   "exception", "collision", "jam",  "noise"};
     for (std::size_t i = 0; i < model::events and not told.failed(); ++i) {
         if (engine.by_event[i] != model.by_event[i]) {
             told.same((whose + ", " + names[i]).c_str(), engine.by_event[i], model.by_event[i]);

@@ -58,9 +58,8 @@ struct engine_talk : rtuwire::asker {
         if (frame == nullptr) {
             return std::nullopt;
         }
-        return rtuwire::request{view(*frame), says.may_be_repeated
-                                                  ? rtuwire::repetition::allowed
-                                                  : rtuwire::repetition::never};
+        return rtuwire::request{view(*frame), says.may_be_repeated ? rtuwire::repetition::allowed
+                                                                   : rtuwire::repetition::never};
     }
     void accept(rtuwire::result<rtuwire::response> const& outcome)
     {

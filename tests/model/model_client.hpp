@@ -20,9 +20,9 @@ struct options {
     unsigned retries;
     bool has_echo;
     unsigned skip_noise;
-    std::size_t front; ///< what a request takes of the memory
+    std::size_t front;  ///< what a request takes of the memory
     std::size_t places; ///< for units that owe something
-    std::size_t rows; ///< for units that are counted
+    std::size_t rows;   ///< for units that are counted
 };
 
 struct patience {
@@ -169,6 +169,13 @@ public:
         deliver(who, now);
         ask(who, now, with);
     }
+    /// The same as a conversation of another kind.
+    void converse(talk& who, time now, patience const& with, int prompt_unit)
+    {
+        std::swap(who.prompt_unit, prompt_unit);
+        converse(who, now, with);
+        std::swap(who.prompt_unit, prompt_unit);
+    }
     patience own_patience() const { return {how_.response_timeout, how_.retries, 3, 50'000}; }
 
     /// What a conversation is told when it comes by; none where it is told nothing.
@@ -205,7 +212,7 @@ public:
                 }
                 phase_ = phase::idle;
             }
-            is_woken_ = true;
+            wake(now);
         }
         return std::nullopt;
     }
@@ -221,7 +228,7 @@ public:
             return false;
         }
         bool const is_prompt = who.prompt_unit >= 0;
-        if (not may_ask(who, is_prompt)) {
+        if (not may_ask(who, is_prompt, now)) {
             return false;
         }
         if (is_prompt and debts_.covers(static_cast<std::uint8_t>(who.prompt_unit))) {
@@ -263,10 +270,10 @@ public:
         return next;
     }
     /// Whether the next pass has something to do at once (24).
-    bool is_woken() const
-    {
-        return is_woken_ and (phase_ == phase::waiting or not is_under_way());
-    }
+    bool is_woken() const { return is_woken_ and (phase_ == phase::waiting or not is_under_way()); }
+
+    /// When the request that is no more under way ended, or somebody was sent away since.
+    time ended_at() const { return is_under_way() ? 0 : ended_at_; }
 
     phase now_in() const { return phase_; }
     receiver const& line() const { return line_; }
@@ -283,10 +290,10 @@ public:
                number(" line ", static_cast<time>(line_.at)) + number(" until ", until_) +
                number(" held until ", held.value_or(-1)) +
                number(" error ", static_cast<time>(error_)) +
-               number(" unanswered ", sendings_.unanswered) +
-               number(" from ", sendings_.first) + number(" to ", sendings_.begun) +
-               number(" echo ", static_cast<time>(echo_at_)) + (is_woken_ ? " woken" : "") +
-               (turns_.others_wait ? " others" : "") + (is_held_back_ ? " back" : "");
+               number(" unanswered ", sendings_.unanswered) + number(" from ", sendings_.first) +
+               number(" to ", sendings_.begun) + number(" echo ", static_cast<time>(echo_at_)) +
+               (is_woken_ ? " woken" : "") + (turns_.others_wait ? " others" : "") +
+               (is_held_back_ ? " back" : "");
     }
     bool is_asked_by(asker const& who) const { return turns_.is_due(who); }
     bool is_busy() const { return phase_ != phase::idle; }
@@ -302,10 +309,7 @@ private:
         return phase_ == phase::settled or
                (phase_ == phase::waiting and line_.is_quiet and not debts_.covers(unit()));
     }
-    bool is_leaving() const
-    {
-        return phase_ == phase::handed_out or phase_ == phase::transmitting;
-    }
+    bool is_leaving() const { return phase_ == phase::handed_out or phase_ == phase::transmitting; }
     bool is_timed() const
     {
         return phase_ != phase::idle and phase_ != phase::settled and phase_ != phase::handed_out;
@@ -321,10 +325,7 @@ private:
         return limited(limited_response() + line_.times.characters(size.bytes) +
                        (size.is_final ? 0 : line_.times.frame_end));
     }
-    bool is_echo_open() const
-    {
-        return not is_echo_over_ and echo_at_ < request_.size();
-    }
+    bool is_echo_open() const { return not is_echo_over_ and echo_at_ < request_.size(); }
 
     /// 4.
     fault refusal(bytes const& frame) const
@@ -372,7 +373,7 @@ private:
     }
 
     /// 22 and 23.
-    bool may_ask(talk& who, bool is_prompt)
+    bool may_ask(talk& who, bool is_prompt, time now)
     {
         bool const is_last = turns_.is_last(who.whose);
         if (not line_.is_quiet) {
@@ -387,15 +388,20 @@ private:
         }
         if (is_last) {
             turns_.others_wait = false;
-            is_woken_ = true;
+            wake(now);
             return false;
         }
         if (turns_.marks_again(who.whose)) {
             turns_.others_wait = false;
             return true;
         }
-        is_woken_ = true;
+        wake(now);
         return false;
+    }
+    void wake(time now)
+    {
+        is_woken_ = true;
+        ended_at_ = is_under_way() ? ended_at_ : now;
     }
 
     void hear(time now)
@@ -488,8 +494,7 @@ private:
             return;
         }
         bytes const& frame = line_.frame;
-        auto const told = told_size(frame, false);
-        bool const has_size = not told or *told == frame.size();
+        bool const has_size = has_told_size(frame);
         fault found = line_.verdict();
         if (found == none) {
             found = check_answer(request_, frame);
@@ -534,10 +539,7 @@ private:
         }
         settle(found, now);
     }
-    void note_sending(time at)
-    {
-        sendings_.left(at, limited(answer_time() + how_.late_answer));
-    }
+    void note_sending(time at) { sendings_.left(at, limited(answer_time() + how_.late_answer)); }
 
     void time_out(time now)
     {
@@ -584,10 +586,11 @@ private:
         error_ = none;
         wait(now);
     }
-    void settle(fault why, time)
+    void settle(fault why, time now)
     {
+        ended_at_ = now;
         if (sendings_.unanswered > 0 and unit() != 0) {
-            debts_.hold(unit(), sendings_.begun);
+            debts_.hold(unit(), std::max(sendings_.begun, now));
         }
         sendings_ = {};
         error_ = why;
@@ -631,6 +634,7 @@ private:
     bool was_sent_{false};
     sendings sendings_{};
     time sent_at_{0};
+    time ended_at_{0};
     std::size_t echo_at_{0};
     bool is_echo_over_{true};
     unsigned skips_left_{0};

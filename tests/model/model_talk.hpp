@@ -9,9 +9,10 @@ namespace model {
 
 /// Who holds which request; a copy holds the same.
 struct asker {
-    long number{0};      ///< of the request asked last
-    bool is_due{false};  ///< its outcome did not come yet
-    long mark{-1};       ///< as in rule 21, good for one generation of marks
+    void const* line{nullptr}; ///< where
+    long number{0};            ///< of the request asked last
+    bool is_due{false};        ///< its outcome did not come yet
+    long mark{-1};             ///< as in rule 21, good for one generation of marks
 
     /// One that is marked counts as the one who asked last from here on.
     void forget()
@@ -42,26 +43,32 @@ struct talk {
 
 /// The turns of a line.
 struct turns {
-    long last{1};       ///< the number of who asked last
-    long marks{0};      ///< the generation of marks that are good
+    long last{1};  ///< the number of who asked last
+    long marks{0}; ///< the generation of marks that are good
     bool others_wait{false};
 
     bool is_last(asker const& who) const
     {
-        return who.mark < 0 and who.number == last;
+        return who.line == this and who.mark < 0 and who.number == last;
     }
     bool is_due(asker const& who) const { return is_last(who) and who.is_due; }
-    bool is_lost(asker const& who) const { return who.number != last and who.is_due; }
+    bool is_lost(asker const& who) const
+    {
+        return who.line == this and who.number != last and who.is_due;
+    }
     /// Marks somebody. Whether it was marked already.
     bool marks_again(asker& who) const
     {
-        bool const was = who.mark == marks;
+        bool const was = who.line == this and who.mark == marks;
+        who.line = this;
+        who.is_due = false;
         who.mark = marks;
         who.number = last; // and nothing of its own any more
         return was;
     }
     void take(asker& who)
     {
+        who.line = this;
         who.number = ++last;
         who.is_due = true;
         who.mark = -1;

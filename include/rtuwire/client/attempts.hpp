@@ -69,8 +69,12 @@ public:
         ++unanswered_;
     }
 
-    /// Until when answers may come, where none has come.
-    [[nodiscard]] constexpr instant owed_until() const noexcept { return owed_until_; }
+    /// Until when answers may come, where none has come. Never before `now`, so that it can be held against other
+    /// times that lie ahead.
+    [[nodiscard]] constexpr instant owed_until(instant now) const noexcept
+    {
+        return reached(now, owed_until_) ? now : owed_until_;
+    }
 
     /// An answer to one of the sendings has come, whole or damaged.
     constexpr void note_answered() noexcept { --unanswered_; }

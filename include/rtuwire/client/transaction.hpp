@@ -386,7 +386,7 @@ private:
             bool const is_answered = error == errc::none or is_exception(error);
             duration const late = options().late_answer;
             quarantine_.begin(unit(), is_answered ? now + attempts_.all_that_follow(now, late)
-                                                  : attempts_.owed_until());
+                                                  : attempts_.owed_until(now));
         }
         trouble_ = error;
         phase_ = phase::settled;
