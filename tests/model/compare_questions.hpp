@@ -40,6 +40,9 @@ inline unsigned repetitions(time response, unsigned some)
     return response == model::longest ? 0 : some;
 }
 
+/// Whether a request may wait so long that no unit should be held for long beside it.
+inline bool is_patient(model::options const& how) { return how.response_timeout > 40'000'000; }
+
 inline model::options any_options(dice& roll)
 {
     model::options how{.response_timeout =
@@ -55,6 +58,9 @@ inline model::options any_options(dice& roll)
                        .places = 0,
                        .rows = 0};
     how.retries = repetitions(how.response_timeout, how.retries);
+    if (is_patient(how)) { // times that are compared lie at most 35 minutes apart
+        how.late_answer = std::min<time>(how.late_answer, 200'000);
+    }
     return how;
 }
 inline rtuwire::client_options library(model::options const& of)

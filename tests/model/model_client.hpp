@@ -181,6 +181,10 @@ public:
     /// What a conversation is told when it comes by; none where it is told nothing.
     std::optional<fault> deliver(talk& who, time now)
     {
+        return deliver(who, not who.settled(), now);
+    }
+    std::optional<fault> deliver(talk& who, bool wants_turn, time now)
+    {
         if (turns_.is_lost(who.whose)) {
             who.whose.is_due = false;
             who.accept(cancelled, {});
@@ -201,7 +205,7 @@ public:
             }
             return std::nullopt;
         }
-        if (who.settled()) {
+        if (not wants_turn) {
             return std::nullopt;
         }
         turns_.others_wait = true;
@@ -217,40 +221,40 @@ public:
         return std::nullopt;
     }
 
-    /// Whether a question was taken.
-    bool ask(talk& who, time now, patience const& with)
+    enum class turn { not_its, asked_nothing, taken };
+    turn ask(talk& who, time now, patience const& with)
     {
-        if (phase_ != phase::idle) {
-            return false;
-        }
         bool const is_last = turns_.is_last(who.whose);
         if (who.settled() and not is_last) {
-            return false;
+            return turn::asked_nothing;
+        }
+        if (phase_ != phase::idle) {
+            return turn::not_its;
         }
         bool const is_prompt = who.prompt_unit >= 0;
         if (not may_ask(who, is_prompt, now)) {
-            return false;
+            return turn::not_its;
         }
         if (is_prompt and debts_.covers(static_cast<std::uint8_t>(who.prompt_unit))) {
             is_held_back_ = is_held_back_ or not is_last;
-            return false;
+            return turn::asked_nothing;
         }
         auto const question = who.next();
         if (not question) {
-            return false;
+            return turn::asked_nothing;
         }
         bytes const& frame = question->frame;
         if (not frame.empty() and debts_.covers(frame[0])) {
             is_held_back_ = is_held_back_ or not is_last;
-            return false;
+            return turn::asked_nothing;
         }
         if (fault const found = refusal(frame); found != none) {
             who.accept(found, {});
-            return false;
+            return turn::asked_nothing;
         }
         start(*question, now, with);
         turns_.take(who.whose);
-        return true;
+        return turn::taken;
     }
 
     std::optional<time> poll_deadline() const

@@ -144,6 +144,12 @@ public:
         client_.add_to(next);
         for (slot const& each : slots_) {
             next.add(each.wake);
+            if (each.is_resting) {
+                next.add(each.not_before);
+            }
+        }
+        if (is_probe_limited_) {
+            next.add(probe_at_);
         }
         next.add(urgent_wake_);
         return next;
@@ -216,7 +222,7 @@ private:
         constexpr std::uint32_t longest = 1'800'000'000;
         std::uint32_t const others = 100U - share_.silent_share;
         std::uint32_t const part = cost.microseconds / share_.silent_share + 1;
-        std::uint32_t const rest = part < longest_rest / 100U ? part * others : longest_rest;
+        std::uint32_t const rest = others == 0 or part < longest_rest / others ? part * others : longest_rest;
         std::uint32_t const all = rest + (is_probe_limited_ ? (probe_at_ - asked_at_).microseconds : 0);
         probe_at_ = now + microseconds(all < longest ? all : longest);
         is_probe_limited_ = true;
@@ -235,28 +241,26 @@ private:
         return with;
     }
 
-    /// Whether a slot must wait; its wake-up then says until when.
+    /// Whether a slot must wait. The times of rests and of silent units are deadlines whoever comes by: `advance` has
+    /// to see them before the clock has run half its range past them.
     constexpr bool is_held_back(std::size_t index, instant now) noexcept
     {
         slot& own = slots_[index];
         if (own.is_resting) {
-            wake_at(own.wake, own.not_before, now);
             return true;
         }
         if (not is_silent(own)) {
             return false;
         }
         if (is_probe_limited_) {
-            wake_at(own.wake, probe_at_, now);
             return true;
         }
-        std::size_t const first = next_to_probe(index);
-        if (first != index) {
-            // In a pass without it, it counts as gone.
+        if (next_to_probe(index) != index or not fits(index, now)) {
+            // In a pass without the other one, that one counts as gone.
             wake_at(own.wake, now + own.options.with.response_timeout, now);
             return true;
         }
-        return not fits(index, now);
+        return false;
     }
 
     /// The silent slot whose turn it is: the first that somebody calls `converse` for, behind the last that was
@@ -284,7 +288,8 @@ private:
         for (std::size_t i = 0; i < Slots; ++i) {
             slot const& other = slots_[i];
             bool const matters =
-                i != index and other.is_present and other.options.longest_gap.microseconds != 0;
+                i != index and other.is_present and other.unit != 0 and
+                other.options.longest_gap.microseconds != 0;
             if (matters and not reached(other.last_asked + other.options.longest_gap, end)) {
                 return false;
             }
