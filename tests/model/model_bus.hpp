@@ -87,8 +87,9 @@ public:
         if (who.is_timed) {
             wake_at(urgent_wake_, who.poll_deadline(), now);
         }
-        if (is_urgent_) {
-            inner.ask(who, now, slots_[0].options.with);
+        if (is_urgent_ and
+            inner.ask(who, now, slots_[0].options.with) == client::turn::taken) {
+            asked_at_ = now;
         }
     }
 

@@ -125,8 +125,8 @@ public:
         advance_talk(talk, now);
         is_urgent_ = not talk.settled();
         wake_at(urgent_wake_, wake_of(talk), now);
-        if (is_urgent_) {
-            static_cast<void>(client_.ask(talk, now, slots_[0].options.with));
+        if (is_urgent_ and client_.ask(talk, now, slots_[0].options.with) == errc::none) {
+            asked_at_ = now; // a slot may be told, where the conversation moved there
         }
     }
 
