@@ -27,9 +27,11 @@ public:
     far_end(dice& roll, model::line_times const& times, time response, bool is_echoing)
         : roll_{roll}, times_{times}, response_{response}, is_echoing_{is_echoing}
     {
+        bool const is_rush = roll.chance(3);
         for (habit& each : habits_) {
-            each = roll.any({habit::quick, habit::quick, habit::slow, habit::silent, habit::faulty,
-                             habit::busy});
+            each = is_rush ? habit::busy
+                           : roll.any({habit::quick, habit::quick, habit::slow, habit::silent,
+                                       habit::faulty, habit::busy});
         }
     }
 
@@ -112,7 +114,7 @@ private:
         }
         bytes said = answer_to(frame);
         unsigned const faults = own == habit::faulty ? 60 : 6;
-        if (own == habit::busy and roll_.chance(70)) {
+        if (own == habit::busy and roll_.chance(90)) {
             said = exception(frame, roll_.any<unsigned>({5, 6, 6, 6}));
         }
         said = model::with_crc(said);
