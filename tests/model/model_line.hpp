@@ -174,7 +174,7 @@ struct receiver {
     }
     void note_activity(time now)
     {
-        last = is_known ? std::max(last, now) : now;
+        last = is_known and not is_quiet ? std::max(last, now) : now;
         is_known = true;
         is_quiet = false;
     }

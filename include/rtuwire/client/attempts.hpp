@@ -61,14 +61,20 @@ public:
     {
         if (is_first()) {
             first_sent_ = at;
+        } else if ((at - first_sent_) > longest_duration) {
+            first_sent_ = at - longest_duration; // or the clock's wrap would make it short
         }
         duration const before = unanswered_ == 0 or reached(at, owed_until_) ? duration{} : owed_until_ - at;
         owed_until_ = at + (before + each);
         ++unanswered_;
     }
 
-    /// Until when answers may come, where none has come.
-    [[nodiscard]] constexpr instant owed_until() const noexcept { return owed_until_; }
+    /// Until when answers may come, where none has come. Never before `now`, so that it can be held against other
+    /// times that lie ahead.
+    [[nodiscard]] constexpr instant owed_until(instant now) const noexcept
+    {
+        return reached(now, owed_until_) ? now : owed_until_;
+    }
 
     /// An answer to one of the sendings has come, whole or damaged.
     constexpr void note_answered() noexcept { --unanswered_; }

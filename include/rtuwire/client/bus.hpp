@@ -125,8 +125,8 @@ public:
         advance_talk(talk, now);
         is_urgent_ = not talk.settled();
         wake_at(urgent_wake_, wake_of(talk), now);
-        if (is_urgent_) {
-            static_cast<void>(client_.ask(talk, now, slots_[0].options.with));
+        if (is_urgent_ and client_.ask(talk, now, slots_[0].options.with) == errc::none) {
+            asked_at_ = now; // a slot may be told, where the conversation moved there
         }
     }
 
@@ -224,7 +224,7 @@ private:
         constexpr std::uint32_t longest = 1'800'000'000;
         std::uint32_t const others = 100U - share_.silent_share;
         std::uint32_t const part = cost.microseconds / share_.silent_share + 1;
-        std::uint32_t const rest = part < longest_rest / 100U ? part * others : longest_rest;
+        std::uint32_t const rest = others == 0 or part < longest_rest / others ? part * others : longest_rest;
         std::uint32_t const all = rest + (is_probe_limited_ ? (probe_at_ - asked_at_).microseconds : 0);
         probe_at_ = now + microseconds(all < longest ? all : longest);
         is_probe_limited_ = true;
@@ -256,13 +256,12 @@ private:
         if (is_probe_limited_) {
             return true;
         }
-        std::size_t const first = next_to_probe(index);
-        if (first != index) {
-            // In a pass without it, it counts as gone.
+        if (next_to_probe(index) != index or not fits(index, now)) {
+            // In a pass without the other one, that one counts as gone.
             wake_at(own.wake, now + own.options.with.response_timeout, now);
             return true;
         }
-        return not fits(index, now);
+        return false;
     }
 
     /// The silent slot whose turn it is: the first that somebody calls `converse` for, behind the last that was
@@ -290,7 +289,8 @@ private:
         for (std::size_t i = 0; i < Slots; ++i) {
             slot const& other = slots_[i];
             bool const matters =
-                i != index and other.is_present and other.options.longest_gap.microseconds != 0;
+                i != index and other.is_present and other.unit != 0 and
+                other.options.longest_gap.microseconds != 0;
             if (matters and not reached(other.last_asked + other.options.longest_gap, end)) {
                 return false;
             }

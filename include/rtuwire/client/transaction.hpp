@@ -266,7 +266,7 @@ private:
         if (this->may_be_stale_) {
             settle(errc::bus_jam, now);
         } else {
-            phase_ = phase::waiting;
+            wait_for_silence(now);
         }
     }
 
@@ -378,7 +378,7 @@ private:
             bool const is_answered = error == errc::none or is_exception(error);
             duration const late = options().late_answer;
             quarantine_.begin(unit(), is_answered ? now + attempts_.all_that_follow(now, late)
-                                                  : attempts_.owed_until());
+                                                  : attempts_.owed_until(now));
         }
         trouble_ = error;
         phase_ = phase::settled;

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What is due is a deadline whoever comes by, and a slot that never asked anything holds up no silent one.
+#include "client_line.hpp"
+
+#include "support/catch.hpp"
+
+#include <optional>
+
+#include <rtuwire/client/bus.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::test;
+
+namespace {
+
+/// Reads a register of its unit for ever.
+struct steady : asker {
+    frame_bytes frame;
+
+    explicit steady(unsigned unit) : frame{read_of(unit, 3201)} {}
+    std::optional<request> next() const { return request{frame}; }
+    static void accept(result<response> const&) {}
+    static bool settled() { return false; }
+};
+
+/// Not settled, and has nothing to ask.
+struct idle : asker {
+    static std::optional<request> next() { return std::nullopt; }
+    static void accept(result<response> const&) {}
+    static bool settled() { return false; }
+};
+
+constexpr auto second = milliseconds(1'000);
+
+TEST_CASE("the end of a rest is a deadline while a stop of all is not settled")
+{
+    bus<1> link{office_line};
+    link.set(0, {.least_idle = second});
+    steady talk{1};
+    idle stop;
+    instant now{0xFFFF'0000};
+    link.advance(now);
+    now = now + second;
+    link.advance(now);
+    link.converse(0, talk, now);
+    CHECK(not link.poll_transmit().empty());
+    link.sent(now);
+    now = now + milliseconds(10);
+    link.receive(answer_to(talk.frame), now);
+    link.advance(now);
+    link.converse_first(stop, now);
+    link.converse(0, talk, now);
+    instant const told = now;
+    for (unsigned i = 0; i < 4; ++i) { // the stop has its turn, and nobody is called at once any more
+        now = now + milliseconds(100);
+        link.advance(now);
+        link.converse_first(stop, now);
+        link.converse(0, talk, now);
+    }
+    CHECK(link.poll_deadline() == deadline{told + second});
+}
+
+TEST_CASE("a slot that never asked holds up no silent unit")
+{
+    bus<2> link{
+        office_line, {.response_timeout = milliseconds(50), .retries = 0}, {.silent_share = 100}};
+    link.set(1, {.longest_gap = second});
+    steady dead{1};
+    idle other;
+    unsigned requests = 0;
+    instant now{0x1000'0000};
+    for (unsigned i = 0; i < 1'000; ++i, now = now + milliseconds(10)) {
+        link.advance(now);
+        link.converse(0, dead, now);
+        link.converse(1, other, now);
+        if (not link.poll_transmit().empty()) {
+            ++requests;
+            link.sent(now);
+        }
+    }
+    CHECK(requests > 10);
+}
+
+TEST_CASE("who is to come by again is called at once, also behind a request that was disturbed")
+{
+    client link{office_line};
+    steady first{1};
+    steady other{2};
+    instant now{0xFFFF'0000};
+    link.advance(now);
+    now = now + second;
+    link.advance(now);
+    link.converse(first, now);
+    link.receive(frame_bytes{std::byte{0}}, now);
+    now = now + office_line.t3_5();
+    link.advance(now);
+    link.converse(other, now);
+    deadline const next = link.poll_deadline();
+    CHECK((next and reached(now, *next)));
+}
+
+} // namespace

@@ -1,0 +1,340 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The client against its model over random schedules: compare_client COUNT [SEED].
+#include <rtuwire/client/client.hpp>
+#include <rtuwire/client/statistics.hpp>
+
+#include "compare_line.hpp"
+#include "compare_questions.hpp"
+#include "compare_talk.hpp"
+#include "model_client.hpp"
+
+using compare::both;
+using compare::dice;
+using compare::line_event;
+using compare::outcome;
+using compare::report;
+using model::bytes;
+using model::time;
+
+namespace {
+
+constexpr std::size_t rows = 3;
+constexpr std::size_t slots = 4;
+
+template <std::size_t Places, std::size_t Front>
+using engine_of =
+    rtuwire::basic_client<rtuwire::unit_statistics<rows>, rtuwire::held<rtuwire::line_timing>,
+                          rtuwire::held<rtuwire::client_options>, rtuwire::quarantine<Places>,
+                          Front>;
+
+template <typename Engine> struct world {
+    dice& roll;
+    report& told;
+    compare::clock clock;
+    model::line_times times;
+    model::options how;
+    Engine engine;
+    model::client second;
+    Engine other_engine; ///< of another line, where nothing ever leaves
+    model::client other_second;
+    compare::far_end line;
+    time now{0};
+    std::vector<outcome> engines_outcomes{};
+    std::vector<outcome> models_outcomes{};
+    std::vector<both> talks{slots};
+
+    world(dice& with, report& to, compare::setting const& as, model::options const& options)
+        : roll{with}, told{to}, clock{as.start}, times{as.bits, as.bits_by_character, as.end},
+          how{options}, engine{compare::timing(as), compare::library(options)},
+          second{times, options}, other_engine{compare::timing(as), compare::library(options)},
+          other_second{times, options}, line{with, times, options.response_timeout,
+                                             options.has_echo or with.chance(10)}
+    {
+        for (both& each : talks) {
+            each.engine.says.told = &engines_outcomes;
+            each.second.says.told = &models_outcomes;
+        }
+    }
+
+    void step(char const* what, bytes const& of = {})
+    {
+        told.step("%lld %s %s", static_cast<long long>(now), what, compare::hex(of).c_str());
+    }
+    void number_step(char const* what, long long number)
+    {
+        told.step("%lld %s %lld", static_cast<long long>(now), what, number);
+    }
+
+    void check()
+    {
+        if (told.is_told and not told.failed()) {
+            auto const next = second.poll_deadline();
+            told.steps.back() += "  [next " + (next ? std::to_string(*next) : "never") +
+                                 second.state() + ", request " +
+                                 compare::hex(second.request()).substr(0, 24) + "]";
+        }
+        compare::same_outcomes(told, engines_outcomes, models_outcomes);
+        told.same("busy", engine.is_busy(), second.is_busy());
+        told.same("quiet", engine.is_quiet(), second.line().is_quiet);
+        for (std::uint8_t unit = 1; unit <= compare::far_end::units + 1; ++unit) {
+            told.same("held", engine.is_held(*rtuwire::unit_id::checked(unit)),
+                      second.is_held(unit));
+        }
+        for (both const& each : talks) {
+            told.same(("asked by " + std::to_string(each.engine.says.id)).c_str(),
+                      engine.is_asked_by(each.engine), second.is_asked_by(each.second.whose));
+            told.same("how often next was called", each.engine.says.asked, each.second.says.asked);
+        }
+        compare::same_counts(told, engine.statistics(), second.counted);
+        compare::same_deadline(told, engine.poll_deadline(), second.poll_deadline(),
+                               second.is_woken(), second.ended_at(), now, clock);
+    }
+
+    void happen(line_event const& what, time at)
+    {
+        switch (what.what) {
+        case line_event::kind::octets:
+            step("receive", what.of);
+            engine.receive(compare::view(what.of), clock.at(now));
+            second.receive(what.of, now);
+            break;
+        case line_event::kind::damage:
+            step("receive_error");
+            engine.receive_error(clock.at(now));
+            second.receive_error(now);
+            break;
+        case line_event::kind::sent:
+            number_step("sent at", at);
+            engine.sent(clock.at(at));
+            second.sent(at);
+        }
+        check();
+    }
+    void events()
+    {
+        while (not line.to_come.empty() and line.to_come.begin()->first <= now and
+               not told.failed()) {
+            auto const first = line.to_come.begin();
+            time const at = roll.chance(70)   ? first->first
+                            : roll.chance(80) ? now
+                                              : now + roll.below(3'000);
+            line_event const what = first->second;
+            line.to_come.erase(first);
+            happen(what, at);
+        }
+    }
+    static std::optional<time> earlier(std::optional<time> one, std::optional<time> other)
+    {
+        return one and other ? std::min(*one, *other) : (one ? one : other);
+    }
+    void pass_time()
+    {
+        auto const next = second.poll_deadline();
+        std::optional<time> until = earlier(next, other_second.poll_deadline());
+        if (not line.to_come.empty()) {
+            time const event = line.to_come.begin()->first;
+            until = until ? std::min(*until, event) : event;
+        }
+        switch (roll.below(14)) {
+        case 0: break;
+        case 1: now += roll.below(3'000); break;
+        case 2: now += times.t3_5 + roll.below(3) - 1; break;
+        case 3: now += roll.below(60'000); break;
+        case 4:
+            if (not until and not second.is_woken()) {
+                now += time{roll.below(11'000)} * 1'000'000; // nothing is due for hours
+            }
+            break;
+        default:
+            if (until and *until > now and not second.is_woken()) {
+                now = std::max(now, *until + (roll.chance(85) ? 0 : time{roll.below(3)} - 1));
+            }
+        }
+    }
+
+    void begin(std::size_t index)
+    {
+        compare::script what = compare::any_script(roll);
+        what.id = static_cast<int>(index);
+        int const prompt =
+            roll.chance(25) and what.questions[0].size() >= 4 and what.questions[0][0] != 0
+                ? what.questions[0][0]
+                : -1;
+        told.step("%lld begin %zu: %s, %zu questions%s%s, prompt %d", static_cast<long long>(now),
+                  index, compare::hex(what.questions[0]).c_str(), what.questions.size(),
+                  what.is_endless ? " for ever" : "", what.may_be_repeated ? "" : " once", prompt);
+        talks[index].say(what, prompt);
+    }
+    void interfere()
+    {
+        std::size_t const index = roll.below(slots);
+        both& one = talks[index];
+        switch (roll.below(14)) {
+        case 0:
+            step("cancel");
+            engine.cancel(clock.at(now));
+            second.cancel(now);
+            break;
+        case 1:
+            number_step("cancel of", static_cast<long long>(index));
+            engine.cancel(one.engine, clock.at(now));
+            second.cancel(one.second.whose, now);
+            break;
+        case 2: {
+            auto const unit = static_cast<std::uint8_t>(1 + roll.below(compare::far_end::units));
+            time const end =
+                now + (roll.chance(5) ? model::longest : time{roll.below(400'000)} - 20'000);
+            told.step("%lld hold %d until %lld", static_cast<long long>(now), unit,
+                      static_cast<long long>(end));
+            engine.hold(*rtuwire::unit_id::checked(unit), clock.at(end));
+            second.hold(unit, end);
+            break;
+        }
+        case 3: {
+            number_step("another in the place of", static_cast<long long>(index));
+            both fresh{};
+            fresh.engine.says.told = &engines_outcomes;
+            fresh.second.says.told = &models_outcomes;
+            one = fresh;
+            break;
+        }
+        case 4: {
+            std::size_t const to = roll.below(slots);
+            told.step("%lld copy %zu to %zu", static_cast<long long>(now), index, to);
+            both const copied = one;
+            talks[to] = copied;
+            talks[to].engine.says.id = talks[to].second.says.id = static_cast<int>(to);
+            break;
+        }
+        case 5:
+            number_step("forget", static_cast<long long>(index));
+            one.forget();
+            break;
+        case 6:
+            number_step("settle", static_cast<long long>(index));
+            one.engine.says.is_settled = one.second.says.is_settled = true;
+            break;
+        case 7:
+            number_step("think", static_cast<long long>(index));
+            one.engine.says.is_thinking = one.second.says.is_thinking =
+                not one.second.says.is_thinking;
+            break;
+        case 8: begin(index); break;
+        case 9:
+            begin(index);
+            one.forget();
+            break;
+        case 10:
+            number_step("at another line", static_cast<long long>(index));
+            other_engine.converse(static_cast<compare::engine_talk&>(one.engine), clock.at(now));
+            other_second.converse(one.second, now, other_second.own_patience(), -1);
+            break;
+        case 11:
+            step("receive nothing");
+            engine.receive({}, clock.at(now));
+            second.receive({}, now);
+            break;
+        default: line.disturb(now); return;
+        }
+        check();
+    }
+
+    void converse(std::size_t index)
+    {
+        both& one = talks[index];
+        number_step("converse", static_cast<long long>(index));
+        if (roll.chance(60)) {
+            if (one.is_prompt()) {
+                engine.converse(one.engine, clock.at(now));
+            } else {
+                engine.converse(static_cast<compare::engine_talk&>(one.engine), clock.at(now));
+            }
+            second.converse(one.second, now);
+        } else {
+            model::patience const with = compare::any_patience(roll, how.response_timeout);
+            rtuwire::patience const same = compare::library(with);
+            if (one.is_prompt()) {
+                engine.converse(one.engine, clock.at(now), same);
+            } else {
+                engine.converse(static_cast<compare::engine_talk&>(one.engine), clock.at(now),
+                                same);
+            }
+            second.converse(one.second, now, with);
+        }
+        check();
+    }
+
+    void pass()
+    {
+        pass_time();
+        other_engine.advance(clock.at(now));
+        other_second.advance(now);
+        events();
+        if (roll.chance(12)) {
+            interfere();
+        }
+        if (roll.chance(96)) {
+            step("advance");
+            engine.advance(clock.at(now));
+            second.advance(now);
+            check();
+        }
+        for (std::size_t i = 0; i < slots and not told.failed(); ++i) {
+            if (talks[i].second.settled() and roll.chance(15)) {
+                begin(i);
+            }
+            if (roll.chance(talks[i].second.settled() ? 50 : 94)) {
+                converse(i);
+            }
+        }
+        if (roll.chance(95)) {
+            step("poll_transmit");
+            bytes const frame = compare::copy(engine.poll_transmit());
+            told.same("bytes to send", frame, second.poll_transmit());
+            check();
+            if (not frame.empty()) {
+                line.hear(frame, now);
+            }
+        }
+    }
+
+    void run()
+    {
+        told.step("times: character %lld, t3.5 %lld, frame end %lld; R %lld, L %lld, turnaround "
+                  "%lld, retries %u, echo %d, skip %u, front %zu, places %zu",
+                  static_cast<long long>(times.character), static_cast<long long>(times.t3_5),
+                  static_cast<long long>(times.frame_end),
+                  static_cast<long long>(how.response_timeout),
+                  static_cast<long long>(how.late_answer), static_cast<long long>(how.turnaround),
+                  how.retries, how.has_echo, how.skip_noise, how.front, how.places);
+        unsigned const passes = roll.chance(4) ? 250 : 20 + roll.below(41);
+        for (unsigned i = 0; i < passes and not told.failed(); ++i) {
+            pass();
+        }
+    }
+};
+
+template <std::size_t Places, std::size_t Front>
+void schedule(dice& roll, report& told, compare::setting const& as, model::options how)
+{
+    how.front = Front;
+    how.places = Places;
+    how.rows = rows;
+    world<engine_of<Places, Front>>{roll, told, as, how}.run();
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return compare::main(argc, argv, [](dice& roll, report& told) {
+        compare::setting const as = compare::any_setting(roll);
+        model::options const how = compare::any_options(roll);
+        switch (roll.below(3)) {
+        case 0: schedule<1, rtuwire::shared_memory>(roll, told, as, how); break;
+        case 1: schedule<3, rtuwire::shared_memory>(roll, told, as, how); break;
+        default: schedule<2, rtuwire::separate_memory>(roll, told, as, how);
+        }
+    });
+}

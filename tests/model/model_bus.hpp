@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A second bus, written from rules 28 to 32 of docs/engine-rules.md. Shares no code with the headers.
+#pragma once
+
+#include <limits>
+
+#include "model_client.hpp"
+
+namespace model {
+
+struct share {
+    unsigned silent_share;
+    unsigned silent_after;
+};
+
+struct slot_options {
+    patience with;
+    time least_idle;
+    time longest_gap;
+};
+
+/// A conversation that may pause by itself.
+struct bus_talk : talk {
+    bool is_timed{false};
+    virtual void advance(time now) = 0;
+    virtual std::optional<time> poll_deadline() const = 0;
+};
+
+class bus {
+public:
+    bus(line_times const& times, options const& how, share const& of, std::size_t slots)
+        : inner{times, how}, times_{times}, share_{of},
+          slots_(slots, slot{{inner.own_patience(), 0, 0}}), last_probed_{slots - 1}
+    {}
+
+    void set(std::size_t index, slot_options const& as) { slots_[index].options = as; }
+
+    void advance(time now)
+    {
+        for (slot& each : slots_) {
+            each.is_resting = each.is_resting and now < each.not_before;
+            if (is_pass_) {
+                each.is_present = each.is_present and each.is_here;
+                each.is_here = false;
+            }
+            each.wake = std::nullopt;
+        }
+        is_pass_ = false;
+        is_put_off_ = is_put_off_ and now < put_off_until_;
+        is_urgent_ = false;
+        urgent_wake_ = std::nullopt;
+        inner.advance(now);
+    }
+
+    void converse(std::size_t index, bus_talk& who, time now)
+    {
+        if (index >= slots_.size()) {
+            return;
+        }
+        is_pass_ = true;
+        slot& own = slots_[index];
+        own.is_here = true;
+        own.is_present = not who.settled();
+        bool const wants = own.is_present and not is_urgent_ and not is_held_back(index, now);
+        if (auto const told = inner.deliver(who, wants, now)) {
+            own.not_before = now + own.options.least_idle;
+            own.is_resting = own.options.least_idle > 0;
+            note(own, *told, now);
+        }
+        if (who.is_timed) {
+            who.advance(now);
+            wake_at(own.wake, who.poll_deadline(), now);
+        }
+        if (not is_urgent_ and not is_held_back(index, now)) {
+            ask(index, who, now);
+        }
+    }
+
+    void converse_first(bus_talk& who, time now)
+    {
+        inner.deliver(who, now);
+        if (who.is_timed) {
+            who.advance(now);
+        }
+        is_urgent_ = not who.settled();
+        if (who.is_timed) {
+            wake_at(urgent_wake_, who.poll_deadline(), now);
+        }
+        if (is_urgent_ and
+            inner.ask(who, now, slots_[0].options.with) == client::turn::taken) {
+            asked_at_ = now;
+        }
+    }
+
+    bool is_silent(std::size_t index) const { return is_silent(slots_[index]); }
+
+    std::optional<time> poll_deadline() const
+    {
+        auto next = inner.poll_deadline();
+        auto const add = [&](time at) { next = next ? std::min(*next, at) : at; };
+        for (slot const& each : slots_) {
+            add(each.wake.value_or(never));
+            add(each.is_resting ? each.not_before : never);
+        }
+        add(is_put_off_ ? put_off_until_ : never);
+        add(urgent_wake_.value_or(never));
+        if (*next == never) {
+            next = std::nullopt;
+        }
+        return next;
+    }
+
+    /// For who reads a schedule.
+    std::string state() const
+    {
+        std::string out = is_put_off_ ? " put off until " + std::to_string(put_off_until_) : "";
+        for (slot const& each : slots_) {
+            out += ", " + std::to_string(each.unit) + (each.has_answered ? " +" : " ?") +
+                   std::to_string(each.failures) + (each.is_here ? "!" : "") +
+                   (each.is_present ? "." : "") +
+                   (each.wake ? "@" + std::to_string(*each.wake) : "");
+        }
+        return out + " last " + std::to_string(last_probed_);
+    }
+
+    client inner;
+
+private:
+    static constexpr time never = std::numeric_limits<time>::max();
+
+    struct slot {
+        slot_options options;
+        std::uint8_t unit{0};
+        unsigned failures{0};
+        bool has_answered{false};
+        time not_before{0};
+        time last_request{0};
+        bool is_resting{false};
+        bool is_here{false};
+        bool is_present{false};
+        std::optional<time> wake{};
+    };
+
+    bool is_silent(slot const& of) const
+    {
+        return of.failures >= (of.has_answered ? std::max(share_.silent_after, 1U) : 1U);
+    }
+    static void wake_at(std::optional<time>& wake, std::optional<time> at, time now)
+    {
+        if (at and *at > now and (not wake or *at < *wake)) {
+            wake = at;
+        }
+    }
+
+    void ask(std::size_t index, bus_talk& who, time now)
+    {
+        slot& own = slots_[index];
+        patience with = own.options.with;
+        with.retries = is_silent(own) ? 0 : with.retries;
+        client::turn const what = inner.ask(who, now, with);
+        if (what == client::turn::not_its) {
+            return;
+        }
+        if (what == client::turn::taken) {
+            own.last_request = asked_at_ = now;
+            if (own.unit != inner.unit() and inner.unit() != 0) {
+                own.unit = inner.unit();
+                own.failures = 0;
+                own.has_answered = false;
+            }
+        }
+        last_probed_ = is_silent(own) ? index : last_probed_;
+    }
+
+    /// A time as the clock shows it, which wraps after 71.6 minutes.
+    static time on_clock(time length) { return static_cast<std::uint32_t>(length); }
+
+    /// 28 and 29.
+    void note(slot& own, fault error, time now)
+    {
+        if (error == cancelled or inner.unit() == 0) {
+            return;
+        }
+        if (error < 0x80) {
+            own.failures = 0;
+            own.has_answered = true;
+            return;
+        }
+        ++own.failures;
+        time const cost = on_clock(now - asked_at_);
+        time const addend = std::min<time>(
+            (cost / share_.silent_share + 1) * (100 - share_.silent_share), 600'000'000);
+        time const left = is_put_off_ ? on_clock(put_off_until_ - asked_at_) : 0;
+        put_off_until_ = now + std::min<time>(left + addend, 1'800'000'000);
+        is_put_off_ = true;
+    }
+
+    bool is_held_back(std::size_t index, time now)
+    {
+        slot& own = slots_[index];
+        if (own.is_resting) {
+            return true;
+        }
+        if (not is_silent(own)) {
+            return false;
+        }
+        if (is_put_off_) {
+            return true;
+        }
+        if (next_to_probe(index) != index or not fits(index, now)) {
+            wake_at(own.wake, now + own.options.with.response_timeout, now);
+            return true;
+        }
+        return false;
+    }
+    /// 30.
+    std::size_t next_to_probe(std::size_t own) const
+    {
+        std::size_t at = last_probed_;
+        do {
+            at = (at + 1) % slots_.size();
+        } while (at != own and not may_be_probed(slots_[at]));
+        return at;
+    }
+    bool may_be_probed(slot const& each) const
+    {
+        return is_silent(each) and each.is_present and not each.is_resting and
+               not inner.is_held(each.unit);
+    }
+    /// 31. The clock tells times up to half its range apart.
+    bool fits(std::size_t index, time now) const
+    {
+        time const end = now + slots_[index].options.with.response_timeout + times_.characters(512);
+        for (std::size_t i = 0; i < slots_.size(); ++i) {
+            slot const& each = slots_[i];
+            if (i == index or each.options.longest_gap == 0 or not each.is_present or
+                each.unit == 0) {
+                continue;
+            }
+            time const left = each.last_request + each.options.longest_gap - end;
+            if (static_cast<std::int32_t>(static_cast<std::uint32_t>(left)) < 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    line_times times_;
+    share share_;
+    std::vector<slot> slots_;
+    std::size_t last_probed_{0};
+    time asked_at_{0};
+    bool is_put_off_{false};
+    time put_off_until_{0};
+    bool is_urgent_{false};
+    std::optional<time> urgent_wake_{};
+    bool is_pass_{false};
+};
+
+} // namespace model

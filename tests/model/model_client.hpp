@@ -1,0 +1,650 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A second client, written from docs/engine-rules.md. Shares no code with the headers. The numbers in the comments
+// are those of the rules.
+#pragma once
+
+#include <string>
+
+#include "model_answer.hpp"
+#include "model_counts.hpp"
+#include "model_debts.hpp"
+#include "model_talk.hpp"
+
+namespace model {
+
+struct options {
+    time response_timeout;
+    time turnaround;
+    time late_answer;
+    unsigned retries;
+    bool has_echo;
+    unsigned skip_noise;
+    std::size_t front;  ///< what a request takes of the memory
+    std::size_t places; ///< for units that owe something
+    std::size_t rows;   ///< for units that are counted
+};
+
+struct patience {
+    time response_timeout;
+    unsigned retries;
+    unsigned busy_retries;
+    time busy_pause;
+};
+
+class client {
+public:
+    enum class phase {
+        idle,
+        waiting,
+        ready,
+        handed_out,
+        transmitting,
+        awaiting,
+        pausing,
+        turnaround,
+        settled
+    };
+
+    client(line_times const& times, options const& how)
+        : counted{how.rows}, line_{times}, how_{how}, debts_{how.places}
+    {}
+
+    void receive(bytes const& chunk, time now)
+    {
+        if (chunk.empty()) {
+            return;
+        }
+        bool const is_start = line_.is_quiet;
+        end_by_silence(chunk.size(), now);
+        hear(now);
+        std::size_t strays = 0;
+        for (std::uint8_t const byte : chunk) {
+            strays += take(byte, now) ? 0U : 1U;
+        }
+        note_strays(strays, is_start, chunk[0], strays == chunk.size());
+    }
+
+    void receive_error(time now)
+    {
+        bool const is_start = line_.is_quiet;
+        end_by_silence(1, now);
+        hear(now);
+        if (phase_ == phase::awaiting) {
+            if (line_.at == receiver::state::between and skips_left_ > 0) {
+                --skips_left_;
+                counted.note(a_noise, unit());
+                return;
+            }
+            line_.damage();
+            return;
+        }
+        static_cast<void>(is_start);
+    }
+
+    void sent(time at)
+    {
+        line_.note_activity(at);
+        if (not is_leaving()) {
+            return;
+        }
+        line_.begin();
+        if (unit() == 0) {
+            phase_ = phase::turnaround;
+            until_ = at + how_.turnaround;
+            close_echo();
+            return;
+        }
+        note_sending(at);
+        if (error_ == cancelled or error_ == echoed) {
+            settle(error_, at);
+            return;
+        }
+        phase_ = phase::awaiting;
+        until_ = at + answer_time();
+        sent_at_ = at;
+        skips_left_ = how_.skip_noise;
+        close_echo();
+    }
+
+    void advance(time now)
+    {
+        is_woken_ = false;
+        if (not line_.is_known) {
+            line_.note_activity(now);
+        }
+        if (now >= line_.last + line_.times.t3_5) {
+            line_.is_quiet = true;
+        }
+        end_by_silence(0, now);
+        if (phase_ == phase::handed_out) {
+            phase_ = phase::transmitting;
+            until_ = now + leaving_time();
+        }
+        if (is_timed() and now >= until_) {
+            time_out(now);
+        }
+        if (debts_.advance(now)) {
+            if (is_held_back_) {
+                turns_.others_wait = true;
+                ++turns_.marks;
+            }
+            is_held_back_ = false;
+        }
+    }
+
+    void cancel(time now)
+    {
+        if (is_leaving() or phase_ == phase::turnaround) {
+            error_ = cancelled;
+        } else if (is_under_way()) {
+            settle(cancelled, now);
+        }
+    }
+    void cancel(asker const& whose, time now)
+    {
+        if (turns_.is_due(whose)) {
+            cancel(now);
+        }
+    }
+    void hold(std::uint8_t which, time end) { debts_.hold(which, end); }
+    bool is_held(std::uint8_t which) const { return debts_.covers(which); }
+
+    bytes poll_transmit()
+    {
+        if (phase_ != phase::ready) {
+            return {};
+        }
+        phase_ = phase::handed_out;
+        counted.note(was_sent_ ? a_repetition : a_request, unit());
+        was_sent_ = true;
+        echo_at_ = 0;
+        is_echo_over_ = false;
+        return request_;
+    }
+
+    void converse(talk& who, time now) { converse(who, now, own_patience()); }
+    void converse(talk& who, time now, patience const& with)
+    {
+        deliver(who, now);
+        ask(who, now, with);
+    }
+    /// The same as a conversation of another kind.
+    void converse(talk& who, time now, patience const& with, int prompt_unit)
+    {
+        std::swap(who.prompt_unit, prompt_unit);
+        converse(who, now, with);
+        std::swap(who.prompt_unit, prompt_unit);
+    }
+    patience own_patience() const { return {how_.response_timeout, how_.retries, 3, 50'000}; }
+
+    /// What a conversation is told when it comes by; none where it is told nothing.
+    std::optional<fault> deliver(talk& who, time now)
+    {
+        return deliver(who, not who.settled(), now);
+    }
+    std::optional<fault> deliver(talk& who, bool wants_turn, time now)
+    {
+        if (turns_.is_lost(who.whose)) {
+            who.whose.is_due = false;
+            who.accept(cancelled, {});
+            return cancelled;
+        }
+        if (phase_ == phase::idle) {
+            return std::nullopt;
+        }
+        if (turns_.is_due(who.whose)) {
+            if (phase_ == phase::waiting) {
+                turns_.renew(who.whose);
+                leave_if_free(now);
+            } else if (phase_ == phase::settled) {
+                phase_ = phase::idle;
+                turns_.given(who.whose);
+                who.accept(error_, answer_);
+                return error_;
+            }
+            return std::nullopt;
+        }
+        if (not wants_turn) {
+            return std::nullopt;
+        }
+        turns_.others_wait = true;
+        if (is_asker_missing()) {
+            if (turns_.marks_again(who.whose)) {
+                if (phase_ == phase::waiting) {
+                    settle(cancelled, now);
+                }
+                phase_ = phase::idle;
+            }
+            wake(now);
+        }
+        return std::nullopt;
+    }
+
+    enum class turn { not_its, asked_nothing, taken };
+    turn ask(talk& who, time now, patience const& with)
+    {
+        bool const is_last = turns_.is_last(who.whose);
+        if (who.settled() and not is_last) {
+            return turn::asked_nothing;
+        }
+        if (phase_ != phase::idle) {
+            return turn::not_its;
+        }
+        bool const is_prompt = who.prompt_unit >= 0;
+        if (not may_ask(who, is_prompt, now)) {
+            return turn::not_its;
+        }
+        if (is_prompt and debts_.covers(static_cast<std::uint8_t>(who.prompt_unit))) {
+            is_held_back_ = is_held_back_ or not is_last;
+            return turn::asked_nothing;
+        }
+        auto const question = who.next();
+        if (not question) {
+            return turn::asked_nothing;
+        }
+        bytes const& frame = question->frame;
+        if (not frame.empty() and debts_.covers(frame[0])) {
+            is_held_back_ = is_held_back_ or not is_last;
+            return turn::asked_nothing;
+        }
+        if (fault const found = refusal(frame); found != none) {
+            who.accept(found, {});
+            return turn::asked_nothing;
+        }
+        start(*question, now, with);
+        turns_.take(who.whose);
+        return turn::taken;
+    }
+
+    std::optional<time> poll_deadline() const
+    {
+        std::optional<time> next = debts_.next();
+        auto const add = [&](time at) { next = next ? std::min(*next, at) : at; };
+        if (line_.is_known) {
+            if (not line_.is_quiet) {
+                add(line_.last + line_.times.t3_5);
+            } else if (line_.at != receiver::state::between) {
+                add(line_.last + line_.times.frame_end);
+            }
+        }
+        if (phase_ != phase::idle and phase_ != phase::settled) {
+            add(until_);
+        }
+        return next;
+    }
+    /// Whether the next pass has something to do at once (24).
+    bool is_woken() const { return is_woken_ and (phase_ == phase::waiting or not is_under_way()); }
+
+    /// When the request that is no more under way ended, or somebody was sent away since.
+    time ended_at() const { return is_under_way() ? 0 : ended_at_; }
+
+    phase now_in() const { return phase_; }
+    receiver const& line() const { return line_; }
+    bytes const& request() const { return request_; }
+    /// For who reads a schedule.
+    std::string state() const
+    {
+        auto const number = [](char const* name, time of) {
+            return std::string{name} + std::to_string(of);
+        };
+        auto const held = debts_.next();
+        return number(", phase ", static_cast<time>(phase_)) +
+               (line_.is_quiet ? " quiet" : " busy") +
+               number(" line ", static_cast<time>(line_.at)) + number(" until ", until_) +
+               number(" held until ", held.value_or(-1)) +
+               number(" error ", static_cast<time>(error_)) +
+               number(" unanswered ", sendings_.unanswered) + number(" from ", sendings_.first) +
+               number(" to ", sendings_.begun) + number(" echo ", static_cast<time>(echo_at_)) +
+               (is_woken_ ? " woken" : "") + (turns_.others_wait ? " others" : "") +
+               (is_held_back_ ? " back" : "");
+    }
+    bool is_asked_by(asker const& who) const { return turns_.is_due(who); }
+    bool is_busy() const { return phase_ != phase::idle; }
+    bool is_under_way() const { return phase_ != phase::idle and phase_ != phase::settled; }
+    std::uint8_t unit() const { return request_.empty() ? 0 : request_[0]; }
+
+    statistics counted;
+
+private:
+    /// 21.
+    bool is_asker_missing() const
+    {
+        return phase_ == phase::settled or
+               (phase_ == phase::waiting and line_.is_quiet and not debts_.covers(unit()));
+    }
+    bool is_leaving() const { return phase_ == phase::handed_out or phase_ == phase::transmitting; }
+    bool is_timed() const
+    {
+        return phase_ != phase::idle and phase_ != phase::settled and phase_ != phase::handed_out;
+    }
+    time leaving_time() const
+    {
+        return limited_response() + line_.times.characters(request_.size());
+    }
+    time limited_response() const { return limited(with_.response_timeout); }
+    time answer_time() const
+    {
+        answer_size const size = longest_answer(request_);
+        return limited(limited_response() + line_.times.characters(size.bytes) +
+                       (size.is_final ? 0 : line_.times.frame_end));
+    }
+    bool is_echo_open() const { return not is_echo_over_ and echo_at_ < request_.size(); }
+
+    /// 4.
+    fault refusal(bytes const& frame) const
+    {
+        if (frame.size() < 4) {
+            return frame_too_short;
+        }
+        if (frame.size() > 256) {
+            return frame_too_long;
+        }
+        std::size_t const room = 256 - (std::max(how_.front, frame.size()) - how_.front);
+        return longest_answer(frame).bytes > room ? buffer_too_small : none;
+    }
+
+    void start(question const& of, time now, patience const& with)
+    {
+        is_woken_ = false;
+        request_ = of.frame;
+        with_ = with;
+        retries_left_ = of.may_be_repeated and request_[0] != 0 ? with.retries : 0;
+        busy_left_ = of.may_be_repeated and request_[0] != 0 ? with.busy_retries : 0;
+        pauses_ = 0;
+        pause_ = with.busy_pause;
+        was_sent_ = false;
+        may_be_repeated_ = of.may_be_repeated;
+        error_ = none;
+        answer_.clear();
+        sendings_ = {};
+        line_.room = 256 - (std::max(how_.front, request_.size()) - how_.front);
+        wait(now);
+        leave_if_free(now);
+    }
+    void wait(time now)
+    {
+        phase_ = phase::waiting;
+        until_ = now + limited_response();
+    }
+    /// 5.
+    void leave_if_free(time now)
+    {
+        if (line_.is_quiet and not debts_.covers(unit())) {
+            phase_ = phase::ready;
+            until_ = now + leaving_time();
+        }
+    }
+
+    /// 22 and 23.
+    bool may_ask(talk& who, bool is_prompt, time now)
+    {
+        bool const is_last = turns_.is_last(who.whose);
+        if (not line_.is_quiet) {
+            if (not is_prompt and not turns_.others_wait) {
+                return true;
+            }
+            turns_.others_wait = turns_.others_wait or not is_last;
+            return false;
+        }
+        if (not turns_.others_wait) {
+            return true;
+        }
+        if (is_last) {
+            turns_.others_wait = false;
+            wake(now);
+            return false;
+        }
+        if (turns_.marks_again(who.whose)) {
+            turns_.others_wait = false;
+            return true;
+        }
+        wake(now);
+        return false;
+    }
+    void wake(time now)
+    {
+        is_woken_ = true;
+        ended_at_ = is_under_way() ? ended_at_ : now;
+    }
+
+    void hear(time now)
+    {
+        line_.note_activity(now);
+        if (phase_ != phase::ready) {
+            return;
+        }
+        if (may_be_repeated_) { // 6
+            wait(now);
+        } else {
+            settle(bus_jam, now);
+        }
+    }
+    /// Whether the byte belongs to something.
+    bool take(std::uint8_t byte, time now)
+    {
+        if (is_leaving() or phase_ == phase::turnaround) {
+            return is_echo_open() and compare(byte);
+        }
+        if (phase_ != phase::awaiting) {
+            return false;
+        }
+        if (is_echo_open()) {
+            bool const is_same = compare(byte);
+            if (is_same) {
+                if (not how_.has_echo and error_ == echoed) {
+                    settle(echoed, now);
+                }
+                return true;
+            }
+        }
+        if (line_.at == receiver::state::between and skips_left_ > 0 and byte != unit()) {
+            --skips_left_;
+            counted.note(a_noise, unit());
+            return true;
+        }
+        if (line_.take(byte, false)) {
+            line_.at = receiver::state::between;
+            judge(false, now);
+        }
+        return true;
+    }
+    /// 14, 15. Whether the byte is accounted for.
+    bool compare(std::uint8_t byte)
+    {
+        if (request_[echo_at_] != byte) {
+            differ();
+            return how_.has_echo;
+        }
+        ++echo_at_;
+        if (echo_at_ == request_.size() and not how_.has_echo) {
+            error_ = echoed;
+            counted.note(a_mismatch, unit());
+        }
+        return true;
+    }
+    /// The transmission is over.
+    void close_echo()
+    {
+        if (not how_.has_echo and echo_at_ < request_.size() / 2) {
+            is_echo_over_ = true;
+        }
+    }
+    void differ()
+    {
+        is_echo_over_ = true;
+        if (how_.has_echo) {
+            counted.note(a_collision, unit());
+            error_ = error_ == none ? collision : error_;
+        }
+    }
+
+    void end_by_silence(std::size_t count, time now)
+    {
+        if (line_.at == receiver::state::between or not line_.is_gap(count, now)) {
+            return;
+        }
+        bool const was_inside = line_.at == receiver::state::inside;
+        line_.at = receiver::state::between;
+        if (was_inside and phase_ == phase::awaiting) {
+            judge(true, now);
+        }
+    }
+
+    /// 3, 9 and 25.
+    void judge(bool is_by_silence, time now)
+    {
+        if (how_.has_echo and error_ == collision) {
+            return;
+        }
+        bytes const& frame = line_.frame;
+        bool const has_size = has_told_size(frame);
+        fault found = line_.verdict();
+        if (found == none) {
+            found = check_answer(request_, frame);
+            if (found == none and is_by_silence and not has_size) {
+                found = wrong_length;
+            }
+        }
+        counted.note_frame(found, unit(), now - sent_at_);
+        if (found == none or found < 0x80) {
+            take_answer(found, now);
+        } else if (found == echoed) {
+            settle(echoed, now);
+        } else if ((found == crc_mismatch or found == uart_error) and frame.size() >= 4 and
+                   frame[0] == request_[0] and (frame[1] & 0x7F) == request_[1] and has_size) {
+            sendings_.answered();
+            fail(found, now);
+        } else if (found != wrong_unit and found != frame_too_short) {
+            error_ = found;
+        }
+    }
+    void take_answer(fault found, time now)
+    {
+        sendings_.answered();
+        if ((found == 5 or found == 6) and busy_left_ > 0) {
+            --busy_left_;
+            phase_ = phase::pausing;
+            until_ = now + pause_;
+            if (pauses_ < 6 and 2 * pause_ < longest) {
+                pause_ *= 2;
+            }
+            ++pauses_;
+            error_ = none;
+            return;
+        }
+        if (found == none) {
+            answer_.assign(line_.frame.begin() + 1, line_.frame.end() - 2);
+        }
+        if (sendings_.unanswered > 0) { // 18
+            debts_.hold(unit(), now + limited(static_cast<time>(sendings_.unanswered) *
+                                              limited(now - sendings_.first + how_.late_answer)));
+            sendings_ = {};
+        }
+        settle(found, now);
+    }
+    void note_sending(time at) { sendings_.left(at, limited(answer_time() + how_.late_answer)); }
+
+    void time_out(time now)
+    {
+        if (phase_ == phase::waiting) {
+            settle(bus_jam, now);
+        } else if (phase_ == phase::ready) {
+            settle(transmit_stalled, now);
+        } else if (phase_ == phase::transmitting) {
+            stall(now);
+        } else if (phase_ == phase::awaiting) {
+            fault why = error_;
+            if (why == none) {
+                why = line_.is_quiet ? timed_out : bus_jam;
+                counted.note(line_.is_quiet ? a_timeout : a_jam, unit());
+            }
+            fail(why, now);
+        } else if (phase_ == phase::pausing) {
+            wait(now);
+        } else {
+            settle(error_, now);
+        }
+    }
+    /// 7.
+    void stall(time now)
+    {
+        if (unit() == 0) {
+            phase_ = phase::turnaround;
+            until_ = now + how_.turnaround;
+            error_ = transmit_stalled;
+            close_echo();
+            return;
+        }
+        note_sending(now);
+        settle(transmit_stalled, now);
+    }
+    /// 11.
+    void fail(fault why, time now)
+    {
+        if (retries_left_ == 0) {
+            settle(why, now);
+            return;
+        }
+        --retries_left_;
+        error_ = none;
+        wait(now);
+    }
+    void settle(fault why, time now)
+    {
+        ended_at_ = now;
+        if (sendings_.unanswered > 0 and unit() != 0) {
+            debts_.hold(unit(), std::max(sendings_.begun, now));
+        }
+        sendings_ = {};
+        error_ = why;
+        if (why != none) {
+            answer_.clear();
+        }
+        phase_ = phase::settled;
+    }
+
+    void note_strays(std::size_t count, bool is_start, std::uint8_t first, bool is_first_stray)
+    {
+        if (count == 0) {
+            return;
+        }
+        if (is_start and is_first_stray) {
+            is_late_ = first <= 247 and debts_.covers(first);
+            if (is_late_) {
+                counted.note(a_late, first);
+            }
+        }
+        for (std::size_t i = 0; i < count and not is_late_; ++i) {
+            counted.note_line(a_noise);
+        }
+    }
+
+    receiver line_;
+    options how_;
+    debts debts_;
+    turns turns_{};
+    phase phase_{phase::idle};
+    time until_{0};
+    bytes request_{};
+    bytes answer_{};
+    fault error_{none};
+    patience with_{};
+    unsigned retries_left_{0};
+    unsigned busy_left_{0};
+    unsigned pauses_{0};
+    time pause_{0}; ///< the next one
+    bool may_be_repeated_{true};
+    bool was_sent_{false};
+    sendings sendings_{};
+    time sent_at_{0};
+    time ended_at_{0};
+    std::size_t echo_at_{0};
+    bool is_echo_over_{true};
+    unsigned skips_left_{0};
+    bool is_woken_{false};
+    bool is_held_back_{false};
+    bool is_late_{false};
+};
+
+} // namespace model

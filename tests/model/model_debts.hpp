@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What units owe (rules 17 to 19): a model that shares no code with the headers.
+#pragma once
+
+#include "model_line.hpp"
+
+namespace model {
+
+/// The sendings of one request.
+struct sendings {
+    unsigned unanswered{0};
+    unsigned all{0};
+    time first{0}; ///< when the first of them had left
+    time begun{0}; ///< rule 17's b
+
+    void left(time at, time length)
+    {
+        time const from = unanswered > 0 and begun > at ? begun : at;
+        begun = std::min(from + limited(length), at + longest);
+        first = all == 0 ? at : std::max(first, at - longest);
+        ++all;
+        ++unanswered;
+    }
+    void answered() { unanswered -= unanswered > 0 ? 1 : 0; }
+};
+
+/// The units that are asked nothing new.
+class debts {
+public:
+    explicit debts(std::size_t places) : rows_(places) {}
+
+    void hold(std::uint8_t unit, time end)
+    {
+        row* own = nullptr;
+        for (row& each : rows_) {
+            if (each.holds == some and each.unit == unit) {
+                own = &each;
+            }
+        }
+        for (std::size_t i = 0; own == nullptr and i < rows_.size(); ++i) {
+            if (rows_[i].holds == nobody) {
+                own = &rows_[i];
+                *own = {some, unit, end};
+            }
+        }
+        if (own == nullptr) {
+            own = &rows_.back();
+            own->holds = everyone;
+        }
+        own->end = std::max(own->end, end);
+    }
+    bool covers(std::uint8_t unit) const
+    {
+        return unit != 0 and std::any_of(rows_.begin(), rows_.end(), [&](row const& each) {
+                   return each.holds == everyone or (each.holds == some and each.unit == unit);
+               });
+    }
+    /// Whether a time was over.
+    bool advance(time now)
+    {
+        bool ended = false;
+        for (row& each : rows_) {
+            if (each.holds != nobody and now >= each.end) {
+                each = {};
+                ended = true;
+            }
+        }
+        return ended;
+    }
+    std::optional<time> next() const
+    {
+        std::optional<time> first;
+        for (row const& each : rows_) {
+            if (each.holds != nobody and (not first or each.end < *first)) {
+                first = each.end;
+            }
+        }
+        return first;
+    }
+
+private:
+    enum whom { nobody, some, everyone };
+    struct row {
+        whom holds{nobody};
+        std::uint8_t unit{0};
+        time end{0};
+    };
+    std::vector<row> rows_;
+};
+
+} // namespace model
