@@ -257,13 +257,12 @@ private:
         if (is_probe_limited_) {
             return true;
         }
-        std::size_t const first = next_to_probe(index);
-        if (first != index) {
-            // In a pass without it, it counts as gone.
-            wake_at(own.wake, now + own.options.with.response_timeout, now);
-            return true;
+        if (next_to_probe(index) == index and fits(index, now)) {
+            return false;
         }
-        return not fits(index, now);
+        // The other one may be settled behind this one in the same pass, or gone in the next.
+        wake_at(own.wake, now + own.options.with.response_timeout, now);
+        return true;
     }
 
     /// The silent slot whose turn it is: the first that somebody calls `converse` for, behind the last that was
