@@ -127,6 +127,41 @@ TEST_CASE("defect: D7 a bus whose units are all silent finds each when it comes 
     }
 }
 
+TEST_CASE("defect: H3 silent units that may not be kept waiting do not wait for each other")
+{
+    office<3> all;
+    for (std::size_t slot = 0; slot < 2; ++slot) {
+        all.line.link.set(slot, {.with = {.response_timeout = milliseconds(100), .retries = 1},
+                                 .longest_gap = milliseconds(2'000)});
+    }
+    std::uint64_t const back = all.line.time() + 60'000'000;
+    all.is_dead = [&](unsigned unit) { return unit < 3 and all.line.time() < back; };
+    all.run(60'000'000);
+    CHECK(all.questions[1] > 5);
+    CHECK(all.questions[2] > 5);
+    // They are found within what the share of the silent ones allows: ten time-outs each.
+    all.run(30'000'000);
+    CHECK(all.talks[0].answered > 100);
+    CHECK(all.talks[1].answered > 100);
+}
+
+TEST_CASE("defect: H5 a silent unit that found no gap is asked when nobody needs one any more")
+{
+    for (std::size_t const silent : {0U, 1U}) {
+        INFO("slot " << silent);
+        office<2> both;
+        std::size_t const live = 1 - silent;
+        both.is_dead = [&](unsigned unit) { return unit == silent + 1; };
+        both.line.link.set(live, {.with = {.response_timeout = milliseconds(100), .retries = 1},
+                                  .longest_gap = milliseconds(200)}); // shorter than a time-out
+        both.talks[live].most = 2'000;
+        both.run(60'000'000);
+        CHECK(both.talks[live].answered == 2'000);
+        CHECK(both.questions[static_cast<unsigned>(silent) + 1] > 5);
+        CHECK(both.line.spinning <= few);
+    }
+}
+
 TEST_CASE("defect: D8 a bus with nothing to do sleeps, whatever slots are in use")
 {
     for (std::size_t used = 0; used <= 5; ++used) {

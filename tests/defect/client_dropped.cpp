@@ -178,3 +178,48 @@ TEST_CASE("defect: A2 an asker that comes back before anybody else has asked is 
         CHECK(found.sent == (is_busy_line ? 0 : 1));
     }
 }
+
+TEST_CASE("defect: H1 who is told that its request was dropped asks again, also where another's outcome lay there")
+{
+    scripted_line<client> line{client{office_line, once}, office_line};
+    series away{[](unsigned number) { return read_of(1, 3201 + number); }, 2};
+    series other{[](unsigned) { return read_of(2, 3201); }, 1};
+    line.heard = [&](frame_bytes const& frame) { line.say(5'000, answer_to(frame)); };
+    line.run(2'000, [&](instant now) { line.link.converse(away, now); });
+    line.run(1'000'000, [&](instant now) {
+        if (line.departures.size() < 2) {
+            line.link.converse(other, now);
+        }
+    });
+    REQUIRE(line.departures.size() == 2);
+    // The one that was dropped comes by first; the loop sleeps as long as the client says.
+    line.run(1'000'000, [&](instant now) {
+        line.link.converse(away, now);
+        line.link.converse(other, now);
+    });
+    CHECK(other.answered == 1);
+    CHECK(away.number == 2); // cancelled, and an answer
+    CHECK(away.answered == 1);
+    CHECK(line.spinning <= 3);
+}
+
+TEST_CASE("defect: H2 a client that is set up anew in its place gives nobody the outcome of another")
+{
+    scripted_line<client> line{client{office_line, once}, office_line};
+    series before{[](unsigned) { return read_of(1, 100); }, 1};
+    series after{[](unsigned) { return read_of(1, 200); }, 1};
+    std::vector<unsigned> values{};
+    after.took = [&](unsigned, result<response> const& outcome) {
+        values.push_back(outcome ? static_cast<unsigned>(outcome->pdu()[3]) : 0);
+    };
+    line.link.converse(before, line.now());
+    line.link = client{office_line, once};
+    line.link.advance(line.now());
+    line.heard = [&](frame_bytes const& frame) { line.say(5'000, answer_to(frame)); };
+    line.run(1'000'000, [&](instant now) {
+        line.link.converse(after, now);
+        line.link.converse(before, now);
+    });
+    CHECK(before.last == errc::cancelled);
+    CHECK(values == std::vector{200U});
+}

@@ -30,7 +30,8 @@ struct slot_options {
     /// From the end of a transaction with this unit to the next question to it.
     duration least_idle{};
     /// From one question to this unit to the next, at most; zero where it does not matter. A silent unit is asked
-    /// only where its whole time-out ends before any such time does. It does not speed up the conversation.
+    /// only where its whole time-out ends before any such time of a unit that is not. It does not speed up the
+    /// conversation.
     duration longest_gap{};
 };
 
@@ -256,12 +257,12 @@ private:
         if (is_probe_limited_) {
             return true;
         }
-        if (next_to_probe(index) != index or not fits(index, now)) {
-            // In a pass without the other one, that one counts as gone.
-            wake_at(own.wake, now + own.options.with.response_timeout, now);
-            return true;
+        if (next_to_probe(index) == index and fits(index, now)) {
+            return false;
         }
-        return false;
+        // The other one may be settled behind this one in the same pass, or gone in the next.
+        wake_at(own.wake, now + own.options.with.response_timeout, now);
+        return true;
     }
 
     /// The silent slot whose turn it is: the first that somebody calls `converse` for, behind the last that was
@@ -281,16 +282,16 @@ private:
                not client_.is_held(each.unit);
     }
 
-    /// Whether the time-out of a silent unit is over before any other unit has to be asked.
+    /// Whether the time-out of a silent unit is over before any other unit has to be asked. A silent one does not
+    /// have to: two of them would wait for each other for ever.
     constexpr bool fits(std::size_t index, instant now) const noexcept
     {
         instant const end = now + slots_[index].options.with.response_timeout +
                             line().characters(2 * max_adu_size);
         for (std::size_t i = 0; i < Slots; ++i) {
             slot const& other = slots_[i];
-            bool const matters =
-                i != index and other.is_present and other.unit != 0 and
-                other.options.longest_gap.microseconds != 0;
+            bool const matters = i != index and other.is_present and other.unit != 0 and
+                                 not is_silent(other) and other.options.longest_gap.microseconds != 0;
             if (matters and not reached(other.last_asked + other.options.longest_gap, end)) {
                 return false;
             }

@@ -92,6 +92,7 @@ public:
     {
         if (turns_.was_dropped(talk, base::phase_now() == client_phase::idle)) {
             talk.accept(errc::cancelled);
+            static_cast<void>(comes_by(talk, wants_turn and not talk.settled(), now)); // what lies here is not its own
             return errc::cancelled;
         }
         if (not comes_by(talk, wants_turn, now)) {

@@ -23,6 +23,20 @@ enum class standing : std::uint8_t {
 /// The turns on one line.
 class turns {
 public:
+    constexpr turns() noexcept = default;
+    constexpr turns(turns const&) noexcept = default;
+
+    /// A client that is set up anew in its place, for another speed, counts on: else a conversation that asked the
+    /// one before would take another's outcome for its own.
+    constexpr turns& operator=(turns const&) noexcept
+    {
+        number_ += asker::step;
+        mark_ = 0;
+        others_wait_ = false;
+        is_missed_ = false;
+        return *this;
+    }
+
     /// A conversation asks, and has this line's next number; or who asked last gets another one: whoever was marked
     /// so far counts as not marked.
     constexpr void renew(asker& who) noexcept

@@ -92,7 +92,7 @@ public:
     {
         index const end = load(in_);
         while (out_ != end) {
-            if (not reached(now, time_of(out_))) {
+            if (not reached(now, time_of(out_)) and not is_told_drop(out_)) {
                 return;
             }
             deliver_next(engine, end);
@@ -180,10 +180,18 @@ private:
         written_ = next(written_);
     }
 
+    /// A drop that was told before anything came after it. Its time may be so long ago that it looks like one ahead.
+    constexpr bool is_told_drop(index position) const noexcept
+    {
+        return kinds_[place_of(position)] == kind::drop and has_told_ and
+               reached(told_at_, time_of(position));
+    }
+
     template <typename Engine> constexpr void deliver_next(Engine& engine, index end) noexcept
     {
         kind const what = kinds_[place_of(out_)];
         instant const at = time_of(out_);
+        bool const was_told = is_told_drop(out_);
         if (what == kind::byte) {
             deliver_bytes(engine, end, at);
             return;
@@ -195,8 +203,7 @@ private:
         case kind::overrun: tell_overrun(engine, at); break;
         case kind::sent: engine.sent(at); break;
         case kind::drop:
-            // Not again, when it was told before anything came after it.
-            if (not has_told_ or not reached(told_at_, at)) {
+            if (not was_told) { // else not again
                 tell_drop(engine, at);
             }
             has_told_ = false;
