@@ -21,6 +21,11 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 struct duration {
     std::uint32_t microseconds{0};
 
+    constexpr duration() noexcept = default;
+
+    /// So many microseconds. Explicit, so that the bare 200 of `{.response_timeout = 200}` is refused.
+    explicit constexpr duration(std::uint32_t count) noexcept : microseconds{count} {}
+
     friend constexpr bool operator==(duration, duration) noexcept = default;
     friend constexpr auto operator<=>(duration left, duration right) noexcept
     {
@@ -106,7 +111,7 @@ struct instant {
     /// The time from `start` to `end`, across a wrap of the counter.
     friend constexpr duration operator-(instant end, instant start) noexcept
     {
-        return {end.microseconds - start.microseconds};
+        return duration{end.microseconds - start.microseconds};
     }
 };
 
