@@ -234,7 +234,7 @@ private:
         time const end = now + slots_[index].options.with.response_timeout + times_.characters(512);
         for (std::size_t i = 0; i < slots_.size(); ++i) {
             slot const& each = slots_[i];
-            if (i == index or each.options.longest_gap == 0 or not each.is_present or
+            if (i == index or is_silent(each) or each.options.longest_gap == 0 or not each.is_present or
                 each.unit == 0) {
                 continue;
             }

@@ -127,7 +127,7 @@ public:
         if (debts_.advance(now)) {
             if (is_held_back_) {
                 turns_.others_wait = true;
-                ++turns_.marks;
+                turns_.void_marks();
             }
             is_held_back_ = false;
         }
@@ -185,39 +185,19 @@ public:
     }
     std::optional<fault> deliver(talk& who, bool wants_turn, time now)
     {
-        if (turns_.is_lost(who.whose)) {
+        if (turns_.is_lost(who.whose, phase_ == phase::idle)) {
             who.whose.is_due = false;
             who.accept(cancelled, {});
+            come_by(who, wants_turn and not who.settled(), now);
             return cancelled;
         }
-        if (phase_ == phase::idle) {
-            return std::nullopt;
+        if (phase_ == phase::settled and turns_.is_due(who.whose)) {
+            phase_ = phase::idle;
+            turns_.given(who.whose);
+            who.accept(error_, answer_);
+            return error_;
         }
-        if (turns_.is_due(who.whose)) {
-            if (phase_ == phase::waiting) {
-                turns_.renew(who.whose);
-                leave_if_free(now);
-            } else if (phase_ == phase::settled) {
-                phase_ = phase::idle;
-                turns_.given(who.whose);
-                who.accept(error_, answer_);
-                return error_;
-            }
-            return std::nullopt;
-        }
-        if (not wants_turn) {
-            return std::nullopt;
-        }
-        turns_.others_wait = true;
-        if (is_asker_missing()) {
-            if (turns_.marks_again(who.whose)) {
-                if (phase_ == phase::waiting) {
-                    settle(cancelled, now);
-                }
-                phase_ = phase::idle;
-            }
-            wake(now);
-        }
+        come_by(who, wants_turn, now);
         return std::nullopt;
     }
 
@@ -367,6 +347,37 @@ private:
         phase_ = phase::waiting;
         until_ = now + limited_response();
     }
+    /// 21, where no outcome is told.
+    void come_by(talk& who, bool wants_turn, time now)
+    {
+        if (turns_.is_due(who.whose)) {
+            if (phase_ == phase::waiting) {
+                turns_.renew(who.whose);
+                leave_if_free(now);
+            }
+            return;
+        }
+        if (phase_ == phase::idle or not wants_turn) {
+            return;
+        }
+        standing const place = turns_.visit(who.whose);
+        if (not is_asker_missing()) {
+            return;
+        }
+        bool drops = place == standing::is_last;
+        if (place == standing::is_next) {
+            drops = turns_.is_missed;
+            turns_.is_missed = true;
+        }
+        if (drops) {
+            if (phase_ == phase::waiting) {
+                settle(cancelled, now);
+            }
+            phase_ = phase::idle;
+        }
+        wake(now);
+    }
+
     /// 5.
     void leave_if_free(time now)
     {
@@ -379,28 +390,18 @@ private:
     /// 22 and 23.
     bool may_ask(talk& who, bool is_prompt, time now)
     {
-        bool const is_last = turns_.is_last(who.whose);
+        if (not turns_.others_wait and (line_.is_quiet or not is_prompt)) {
+            return true;
+        }
+        standing const place = turns_.visit(who.whose);
         if (not line_.is_quiet) {
-            if (not is_prompt and not turns_.others_wait) {
-                return true;
-            }
-            turns_.others_wait = turns_.others_wait or not is_last;
             return false;
         }
-        if (not turns_.others_wait) {
-            return true;
-        }
-        if (is_last) {
-            turns_.others_wait = false;
+        turns_.others_wait = place == standing::waits;
+        if (place != standing::is_next) {
             wake(now);
-            return false;
         }
-        if (turns_.marks_again(who.whose)) {
-            turns_.others_wait = false;
-            return true;
-        }
-        wake(now);
-        return false;
+        return place == standing::is_next;
     }
     void wake(time now)
     {

@@ -10,16 +10,12 @@ namespace model {
 /// Who holds which request; a copy holds the same.
 struct asker {
     void const* line{nullptr}; ///< where
-    long number{0};            ///< of the request asked last
+    long number{0};            ///< of the request asked last, or of the one that was under way when it was marked
     bool is_due{false};        ///< its outcome did not come yet
-    long mark{-1};             ///< as in rule 21, good for one generation of marks
+    bool is_marked{false};     ///< as in rule 21; a mark takes the place of a number
+    int generation{0};         ///< of its mark
 
-    /// One that is marked counts as the one who asked last from here on.
-    void forget()
-    {
-        is_due = false;
-        mark = -1;
-    }
+    void forget() { is_due = false; }
 };
 
 struct question {
@@ -41,45 +37,52 @@ struct talk {
     virtual bool settled() const = 0;
 };
 
+enum class standing { waits, is_next, is_last };
+
 /// The turns of a line.
 struct turns {
-    long last{1};  ///< the number of who asked last
-    long marks{0}; ///< the generation of marks that are good
+    long last{1};      ///< the number of who asked last
+    int generation{0}; ///< of the marks that are good; a mark that was void four times counts again
     bool others_wait{false};
+    bool is_missed{false};
 
     bool is_last(asker const& who) const
     {
-        return who.line == this and who.mark < 0 and who.number == last;
+        return who.line == this and not who.is_marked and who.number == last;
     }
     bool is_due(asker const& who) const { return is_last(who) and who.is_due; }
-    bool is_lost(asker const& who) const
+    /// Whether the request of `who` was dropped: somebody asked since, or nothing is under way.
+    bool is_lost(asker const& who, bool is_idle) const
     {
-        return who.line == this and who.number != last and who.is_due;
+        return who.line == this and who.is_due and (is_idle or who.number != last);
     }
-    /// Marks somebody. Whether it was marked already.
-    bool marks_again(asker& who) const
+    void void_marks() { generation = (generation + 1) % 4; }
+    /// Somebody comes by where it may not ask.
+    standing visit(asker& who)
     {
-        bool const was = who.line == this and who.mark == marks;
-        who.line = this;
-        who.is_due = false;
-        who.mark = marks;
-        who.number = last; // and nothing of its own any more
-        return was;
+        if (is_last(who)) {
+            return standing::is_last;
+        }
+        others_wait = true;
+        bool const is_next = who.line == this and who.is_marked and who.number == last and
+                             who.generation == generation;
+        if (is_next) {
+            void_marks();
+        }
+        who = asker{this, last, false, true, generation};
+        return is_next ? standing::is_next : standing::waits;
     }
     void take(asker& who)
     {
-        who.line = this;
-        who.number = ++last;
+        renew(who);
         who.is_due = true;
-        who.mark = -1;
-        ++marks;
-        others_wait = false;
     }
     /// Another number for who asked last: all marks are void, and copies of `who` hold nothing any more.
     void renew(asker& who)
     {
-        who.number = ++last;
-        ++marks;
+        bool const is_due = who.is_due;
+        who = asker{this, ++last, is_due, false, 0};
+        is_missed = false;
     }
     /// The outcome of `who` was taken.
     void given(asker& who)
