@@ -90,13 +90,14 @@ public:
     template <conversation Talk>
     constexpr errc deliver(Talk& talk, bool wants_turn, instant now) noexcept
     {
+        errc told = errc::pending;
         if (turns_.was_dropped(talk, base::phase_now() == client_phase::idle)) {
-            talk.accept(errc::cancelled);
-            static_cast<void>(comes_by(talk, wants_turn and not talk.settled(), now)); // what lies here is not its own
-            return errc::cancelled;
+            told = errc::cancelled;
+            talk.accept(told);
+            wants_turn = wants_turn and not talk.settled();
         }
-        if (not comes_by(talk, wants_turn, now)) {
-            return errc::pending;
+        if (not comes_by(talk, wants_turn, now)) { // what lies there may be another's
+            return told;
         }
         turns_.renew(talk);
         talk.forget();
