@@ -149,7 +149,8 @@ class Switchboard:
             return None
         for program in self.parts:
             here = [case for case in asked if case.program == program]
-            for some in (here[:20], here[20:]):
+            fast = [case for case in here if case.seconds <= 0.2]
+            for some in (fast[:20], fast[20:], here[len(fast):]):
                 if some and not self.passes(program, number, some):
                     return True
         return False

@@ -96,8 +96,10 @@ public:
     /// The control word for this cycle, once for each cycle.
     [[nodiscard]] constexpr std::uint16_t next_command() noexcept
     {
-        command_ = choose();
-        return command_;
+        if (reset_step_ != 0) {
+            return reset_word();
+        }
+        return is_ordered_ ? climb() : go_down();
     }
 
     /// The reference of the last order.
@@ -128,14 +130,8 @@ private:
         is_ordered_ = false;
     }
 
-    constexpr std::uint16_t choose() noexcept
+    constexpr std::uint16_t go_down() const noexcept
     {
-        if (reset_step_ != 0) {
-            return reset_word();
-        }
-        if (is_ordered_) {
-            return climb();
-        }
         switch (cia402::toward_stopped(state_)) {
         case cia402::command::switch_on: return cia402::word_of(cia402::command::switch_on);
         case cia402::command::shutdown: return cia402::word_of(cia402::command::shutdown);
@@ -173,7 +169,6 @@ private:
     altivar::reason reason_{};
     std::uint16_t reference_{0};
     std::uint16_t extra_bits_{0};
-    std::uint16_t command_{0};
     std::uint16_t status_{0};
     cia402::state state_{cia402::state::unknown};
     int highest_{0};
@@ -183,4 +178,4 @@ private:
     bool had_stop_key_{false}; ///< pressed before the order, and shown until the motor runs
 };
 
-} // namespace rtuwire::altivar
+} // namespace rtuwire::inline RTUWIRE_BUILD::altivar
