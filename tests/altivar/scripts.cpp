@@ -103,7 +103,7 @@ constexpr bool resets_by_an_edge()
     return ok and it.step(word(9)).what == wish::kind::end and it.reason().fault == 9 and
            it.reason().how == ending::in_fault;
 }
-PROOF("a fault is reset by a word without the bit, one with it and one without", resets_by_an_edge)
+PROOF("a reset writes a word without the bit, one with it and one without", resets_by_an_edge)
 
 STATIC_CHECK(reason{}.fault == 0 and reason{}.error == errc::none);
 

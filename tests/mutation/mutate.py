@@ -7,9 +7,10 @@
 The tests are compiled once, with every change behind a switch; they run with one switch turned at a time, and
 only those that come by it. A change that is no switch (a type, an array's size, what only the compiler
 evaluates) is compiled into a copy of the headers, with the tests of its room and their proofs. A change is
-killed by a test that fails, crashes or does not end in time, and by a build that fails. Survivors that
-survivors.txt does not explain are printed, and reasons there that are for nothing; either is a failure.
-Without --sample all changes are tried.
+killed by a test that fails, crashes or does not end in time, and by a build that fails. survivors.txt says why
+no test can see a change; open.txt lists those that nobody has looked at yet, and may only get shorter. Survivors
+that stand in neither are printed, and rows that are for nothing; either is a failure. Without --sample all changes
+are tried. --open writes open.txt anew.
 """
 import argparse
 import concurrent.futures
@@ -27,6 +28,7 @@ import switches
 
 HEADERS = PROJECT / "include" / "rtuwire"
 SURVIVORS = pathlib.Path(__file__).with_name("survivors.txt")
+OPEN = pathlib.Path(__file__).with_name("open.txt")
 # What stands for a machine or for a drive's manual: the simulated devices, the host's port, the register tables.
 LEFT_OUT = ("sim/", "port/", "altivar/atv", "altivar/compact_values")
 # A start value that the compiler needs where it evaluates a table (GCC 12 fails to).
@@ -38,11 +40,25 @@ def headers():
     return [header for header in found if not header.startswith(LEFT_OUT)]
 
 
+def rows_of(path, chosen):
+    """The rows about these headers, as lists of their columns."""
+    rows = [row.split(" | ") for row in path.read_text(encoding="utf-8").splitlines()
+            if row and not row.startswith("#")]
+    return [row for row in rows if row[0] in chosen]
+
+
 def explained(chosen):
     """The changes of these headers that no test can see."""
-    rows = [row.split(" | ") for row in SURVIVORS.read_text(encoding="utf-8").splitlines()
-            if row and not row.startswith("#")]
-    return {(row[0], " | ".join(row[1:-1])) for row in rows if row[0] in chosen}
+    return {(row[0], " | ".join(row[1:-1])) for row in rows_of(SURVIVORS, chosen)}
+
+
+def still_open(chosen):
+    return {(row[0], " | ".join(row[1:])) for row in rows_of(OPEN, chosen)}
+
+
+def write_open(found):
+    head = [row for row in OPEN.read_text(encoding="utf-8").splitlines() if row.startswith("#")]
+    OPEN.write_text("\n".join(head + sorted(f"{header} | {line}" for header, line in found)) + "\n", encoding="utf-8")
 
 
 def switched_tests(folder, common, pool, changes, may_switch):
@@ -87,6 +103,7 @@ def main():
     options.add_argument("--sample", type=int)
     options.add_argument("--seed", type=int, default=1)
     options.add_argument("--jobs", type=int, default=2)
+    options.add_argument("--open", action="store_true", help="write what survives unexplained to open.txt")
     options.add_argument("--work", help="where to build; else a folder that is gone afterwards")
     options.add_argument("headers", nargs="*", default=[""])
     asked = options.parse_args()
@@ -107,15 +124,18 @@ def main():
         survive = outcomes(folder, pool, tried, texts, say)
     alive = [(change.header, change.changed_line(texts[change.header]), change.line)
              for change, lives in zip(tried, survive) if lives]
-    new = [each for each in alive if each[:2] not in known]
+    if asked.open and not asked.sample and chosen == headers():
+        write_open({each[:2] for each in alive} - known)
+    unseen = still_open(chosen)
+    new = [each for each in alive if each[:2] not in known | unseen]
     for header, line, number in new:
         print(f"survives: {header}:{number}: {line}")
-    idle = [] if asked.sample else sorted(known - {each[:2] for each in alive})
+    idle = [] if asked.sample else sorted((known | unseen) - {each[:2] for each in alive})
     for header, line in idle:
-        print(f"survivors.txt explains what is killed, or gone: {header} | {line}")
-    killed = len(tried) - len(alive)
-    say(f"{killed} of {len(tried)} changes killed ({100 * killed / max(1, len(tried)):.1f} %), "
-        f"{len(alive) - len(new)} explained, {len(new)} not; {len(possible)} possible")
+        print(f"survivors.txt or open.txt names what is killed, or gone: {header} | {line}")
+    killed, why = len(tried) - len(alive), sum(each[:2] in known for each in alive)
+    say(f"{killed} of {len(tried)} changes killed ({100 * killed / max(1, len(tried)):.1f} %), {why} explained, "
+        f"{len(alive) - why - len(new)} open, {len(new)} new; {len(possible)} possible")
     return 1 if new or idle else 0
 
 
