@@ -67,6 +67,17 @@ constexpr bool a_head_is_whole()
 }
 PROOF("a head that does not fit is not written", a_head_is_whole)
 
+constexpr bool local_causes_are_no_exceptions()
+{
+    for (unsigned code = 0x80; code <= static_cast<unsigned>(errc::device_failed); ++code) {
+        if (is_exception(static_cast<errc>(code))) {
+            return false;
+        }
+    }
+    return not is_exception(errc::none) and is_exception(static_cast<errc>(0x7F));
+}
+PROOF("from 80 on an error is a local cause, and no exception", local_causes_are_no_exceptions)
+
 STATIC_CHECK(destination{broadcast}.is_broadcast() and destination{broadcast}.octet() == 0);
 STATIC_CHECK(not destination{unit_id{7}}.is_broadcast() and destination{unit_id{7}}.octet() == 7);
 STATIC_CHECK(unit_id{3} < unit_id{4} and unit_id{3} == unit_id{3});
