@@ -40,7 +40,8 @@ struct cycle {
 
     constexpr void hear(words read)
     {
-        std::array<std::byte, 2 + 2 * 8> pdu{std::byte{3}, to_byte(2 * read.size())};
+        std::array<std::byte, 2 + 2 * 8> pdu{std::byte{3},
+                                             to_byte(static_cast<std::uint32_t>(2 * read.size()))};
         std::size_t at = 2;
         for (std::uint16_t const word : read) {
             pdu[at++] = to_byte(word >> 8U);
@@ -99,6 +100,27 @@ constexpr bool tolerates_no_refusal()
     return ok and it.loop.control().reason().error == errc::server_device_failure;
 }
 PROOF("an exception is an answer, and no miss: the link is lost at once", tolerates_no_refusal)
+
+constexpr bool tolerates_the_first_miss()
+{
+    cycle it;
+    bool ok = it.fails() and it.loop.control().reason().how == ending::pending;
+    return ok and it.fails() and it.loop.control().reason().how == ending::silent;
+}
+PROOF("a drive that was never heard is silent after as many misses, too", tolerates_the_first_miss)
+
+constexpr bool looks_for_a_fault_once()
+{
+    constexpr std::uint16_t fault = 0x0208, last_fault_address = 7121;
+    cycle it;
+    bool ok = it.begins() and it.exchange(fault);
+    ok = ok and it.asks();
+    ok = ok and u16_at(it.loop.next()->frame(), 2) == last_fault_address;
+    it.hear({9});
+    ok = ok and it.loop.control().reason().fault == 9 and it.asks();
+    return ok and it.loop.next()->frame()[1] == std::byte{23}; // and no second look at the scanner
+}
+PROOF("a drive that goes into fault is asked which, then the cycle goes on", looks_for_a_fault_once)
 
 /// When the cycle is due again after an answer at `now`, for this period and this time-out of the drive.
 constexpr duration pause_of(duration period, duration drive_timeout)

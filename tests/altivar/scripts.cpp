@@ -4,6 +4,8 @@
 // what single words of a start and of a reset are.
 #include <rtuwire/altivar/drive_talk.hpp>
 
+#include <array>
+
 #include "support/proof.hpp"
 
 #include <rtuwire/altivar/atv320.hpp>
@@ -104,6 +106,26 @@ constexpr bool resets_by_an_edge()
            it.reason().how == ending::in_fault;
 }
 PROOF("a reset writes a word without the bit, one with it and one without", resets_by_an_edge)
+
+constexpr bool names_every_slot()
+{
+    constexpr std::array<std::uint16_t, 1> inputs{3201};
+    constexpr std::array<std::uint16_t, 2> outputs{8501, 8602};
+    scanner_script it{atv320::device::profile, inputs, outputs};
+    bool ok = reads(it.step({kind::begun}), eta);
+    wish next = it.step(word(0x0250));
+    for (std::uint16_t slot = 0; slot < 8; ++slot) {
+        ok = ok and writes(next, static_cast<std::uint16_t>(12'701 + slot), slot == 0 ? 3201 : 0);
+        next = it.step({kind::written});
+    }
+    for (std::uint16_t slot = 0; slot < 8; ++slot) {
+        auto const expected = slot == 0 ? cmd : slot == 1 ? lfrd : std::uint16_t{0};
+        ok = ok and writes(next, static_cast<std::uint16_t>(12'721 + slot), expected);
+        next = it.step({kind::written});
+    }
+    return ok and next.what == wish::kind::end and it.reason().how == ending::succeeded;
+}
+PROOF("every slot of the scanner is written, those that are not named with 0", names_every_slot)
 
 STATIC_CHECK(reason{}.fault == 0 and reason{}.error == errc::none);
 
