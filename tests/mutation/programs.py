@@ -16,7 +16,9 @@ LISTENER = TESTS / "mutation" / "listener.cpp"
 # The port is not portable, threads come in any order, and real time goes on under a debugger as well.
 LEFT_OUT = re.compile(r"/port_|/interrupt_threads|/random_drives|/an_hour_of_noise")
 CARRYLESS = ("-mpclmul", "-DRTUWIRE_TEST_CARRYLESS")
-COMPILE = ["g++", "-std=c++20", "-w", "-O0", "-D_GLIBCXX_ASSERTIONS", f"-I{TESTS}"]
+# A place too far ends the program, as far as that is seen cheaply.
+COMPILE = ["g++", "-std=c++20", "-w", "-O0", "-D_GLIBCXX_ASSERTIONS", "-fsanitize=bounds",
+           "-fsanitize-undefined-trap-on-error", f"-I{TESTS}"]
 COMMON = ["algorithm", "array", "bit", "chrono", "compare", "concepts", "cstddef", "cstdint", "functional", "map",
           "optional", "ratio", "span", "string", "type_traits", "utility", "vector", "support/catch.hpp"]
 ERROR = re.compile(r"^(?:\S*/include/rtuwire/)?([a-z0-9_/]+\.hpp):(\d+):\d+: (?:fatal )?error", re.MULTILINE)
