@@ -205,3 +205,44 @@ TEST_CASE("a port that breaks while a broadcast leaves is reported")
     blocking_client line{port, timing};
     CHECK(line.tell_all(write_single_register{8501, 0}) == errc::device_failed);
 }
+
+namespace {
+
+/// Keeps how long it was given for each call.
+struct watched_port : scripted_port {
+    std::vector<duration> for_writing{};
+    std::vector<duration> for_reading{};
+
+    result<void> write(byte_view octets, instant until)
+    {
+        for_writing.push_back(until - clock);
+        return scripted_port::write(octets, until);
+    }
+    result<byte_span> read(byte_span place, instant until)
+    {
+        // A time that has just come is one to look at what is there.
+        for_reading.push_back(until + milliseconds(1) - clock);
+        return scripted_port::read(place, until);
+    }
+};
+
+} // namespace
+
+TEST_CASE("a port has the response time-out to send, and never waits for a time that is long over")
+{
+    watched_port port;
+    port.answers = {line_of(answer_1234), {}, line_of(answer_5678)};
+    blocking_client<watched_port> client{
+        port, timing, {.response_timeout = milliseconds(250), .retries = 1}};
+    CHECK(client.ask(unit_id{1}, question));
+    CHECK(client.ask(unit_id{1}, question));
+    REQUIRE(port.sent.size() == 3);
+    for (duration const each : port.for_writing) {
+        CHECK(each == milliseconds(250));
+    }
+    for (duration const each : port.for_reading) {
+        CHECK(each <= milliseconds(600));
+    }
+    // The line has to be silent before the first question.
+    CHECK(port.for_reading.front() > milliseconds(1));
+}

@@ -1,165 +1,101 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""Changes an operator or a constant in the codec, the framer, the client or the server, and looks whether
-the tests see it.
+"""Changes an operator or a constant in the portable headers and looks whether the tests see it.
 
-    python3 tests/mutation/mutate.py [--sample N] [--seed S] [--jobs J] [headers, or folders of them]
+    python3 tests/mutation/mutate.py [--sample N] [--seed S] [--jobs J] [--work DIR] [headers, or folders of them]
 
-Each change is tried in a copy of the headers with the tests of its room, one after the other: their proofs
-run in the compiler, the rest in the program. The first that fails kills the change. Survivors that
-survivors.txt does not explain are printed, and reasons there that are for nothing; either is a failure.
-Without --sample all changes are tried.
+The tests are compiled once, with every change behind a switch; they run with one switch turned at a time, and
+only those that come by it. A change that is no switch (a type, an array's size, what only the compiler
+evaluates) is compiled into a copy of the headers, with the tests of its room and their proofs. A change is
+killed by a test that fails, crashes or does not end in time, and by a build that fails. survivors.txt says why
+no test can see a change; open.txt lists those that nobody has looked at yet, and may only get shorter. Survivors
+that stand in neither are printed, and rows that are for nothing; either is a failure. Without --sample all changes
+are tried. --open writes open.txt anew.
 """
 import argparse
 import concurrent.futures
+import contextlib
 import pathlib
 import random
-import re
-import shutil
-import subprocess
 import sys
 import tempfile
 import time
 
-PROJECT = pathlib.Path(__file__).resolve().parents[2]
+from changes import changes_of
+from compiled import Compiler
+from programs import PROJECT, Switchboard, precompiled
+import switches
+
 HEADERS = PROJECT / "include" / "rtuwire"
 SURVIVORS = pathlib.Path(__file__).with_name("survivors.txt")
-# Whose tests are asked, in this order.
-TARGETS = {
-    "core/crc16.hpp": ["core", "wire"],
-    "core/crc16_algebra.hpp": ["core"],
-    "core/crc16_carryless.hpp": ["core"],
-    "core/crc16_tables.hpp": ["core"],
-    "core/bytes.hpp": ["core", "wire"],
-    "wire/adu.hpp": ["wire", "client"],
-    "wire/answer.hpp": ["wire", "client"],
-    "wire/frame_length.hpp": ["wire", "rtu"],
-    "wire/register_view.hpp": ["wire"],
-    "wire/pdu/device_identification.hpp": ["wire", "server"],
-    "wire/pdu/diagnostics.hpp": ["wire", "server"],
-    "wire/pdu/exception.hpp": ["wire", "server"],
-    "wire/pdu/read_holding_registers.hpp": ["wire", "server"],
-    "wire/pdu/read_write_multiple_registers.hpp": ["wire", "server"],
-    "wire/pdu/write_multiple_registers.hpp": ["wire", "server"],
-    "wire/pdu/write_single_register.hpp": ["wire", "server"],
-    "rtu/exchange_of_others.hpp": ["rtu", "server", "defect"],
-    "rtu/framer.hpp": ["rtu", "client", "server"],
-    "rtu/line.hpp": ["rtu", "client"],
-    "client/attempts.hpp": ["client"],
-    "client/client.hpp": ["client", "scenario"],
-    "client/echo.hpp": ["client"],
-    "client/quarantine.hpp": ["client", "scenario"],
-    "server/answer_frame.hpp": ["server"],
-    "server/bank.hpp": ["server", "defect"],
-    "server/identification.hpp": ["server", "wire"],
-    "server/request.hpp": ["server", "scenario"],
-    "server/respond.hpp": ["server", "scenario"],
-    "server/serial_diagnostics.hpp": ["server"],
-    "server/server.hpp": ["server", "scenario", "defect"],
-    "server/typed_bank.hpp": ["server", "defect"],
-}
-# Flags for what only some processors have.
-EXTRA = {"core/crc16_carryless.hpp": ["-mpclmul", "-DRTUWIRE_TEST_CARRYLESS"]}
-CHANGES = [(r" == ", " != "), (r" != ", " == "), (r" < ", " <= "), (r" <= ", " < "), (r" > ", " >= "),
-           (r" >= ", " > "), (r" \+ ", " - "), (r" - ", " + "), (r" and ", " or "), (r" or ", " and "),
-           (r"\bnot ", ""), (r"\btrue\b", "false"), (r"\bfalse\b", "true"),
-           (r"\b(\d+)U?\b", lambda match: str(int(match.group(1)) + 1) + match.group(0)[len(match.group(1)):]),
-           (r"\+\+", "--")]
-COMPILE = ["g++", "-std=c++20", "-w", "-O1"]
-COMMON = ["algorithm", "array", "bit", "compare", "concepts", "cstddef", "cstdint", "optional", "ratio", "span",
-          "string", "type_traits", "utility", "vector", "support/catch.hpp"]
+OPEN = pathlib.Path(__file__).with_name("open.txt")
+# What stands for a machine or for a drive's manual: the simulated devices, the host's port, the register tables.
+LEFT_OUT = ("sim/", "port/", "altivar/atv", "altivar/compact_values")
+# A start value that the compiler needs where it evaluates a table (GCC 12 fails to).
+NO_SWITCH = {("core/text.hpp", "std::size_t size_{1};")}
 
 
-def changes_of(header):
-    """Each place in the code, with what it becomes."""
-    found = []
-    for number, line in enumerate((HEADERS / header).read_text(encoding="utf-8").splitlines()):
-        code = line.split("//")[0]
-        if not code.strip() or code.lstrip().startswith(("#", "static_assert", "template", "namespace")):
-            continue
-        if "if constexpr" in code:  # which of several equal ways a compiler takes
-            continue
-        for pattern, becomes in CHANGES:
-            for match in re.finditer(pattern, code):
-                new = becomes(match) if callable(becomes) else becomes
-                found.append((header, number, code[:match.start()] + new + code[match.end():]))
-    return found
+def headers():
+    found = sorted(path.relative_to(HEADERS).as_posix() for path in HEADERS.rglob("*.hpp"))
+    return [header for header in found if not header.startswith(LEFT_OUT)]
 
 
-def runs(command, limit):
-    try:
-        return subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                              timeout=limit, check=False).returncode == 0
-    except subprocess.TimeoutExpired:
-        return False
-
-
-def sources(header):
-    return [path for room in TARGETS[header]
-            for path in sorted((PROJECT / "tests" / room).rglob("*.cpp"))
-            if path.name != "random_drives.cpp"]
-
-
-def ordered(header, seconds):
-    """The header's own tests first: they see most. Then the fast ones."""
-    stem = pathlib.Path(header).stem
-    return sorted(sources(header), key=lambda path: (path.stem != stem, seconds[path]))
-
-
-def precompiled(folder):
-    """What every test includes and no change touches, translated once."""
-    header = pathlib.Path(folder, "common.hpp")
-    header.write_text("".join(f"#include <{name}>\n" for name in COMMON), encoding="utf-8")
-    flags = [f"-I{PROJECT / 'tests'}"]
-    subprocess.run([*COMPILE, *flags, "-x", "c++-header", "-o", f"{header}.gch", header], check=True)
-    return [*flags, "-include", header]
-
-
-def passes(path, flags, folder):
-    """Whether a test's proofs hold in the compiler, and the rest of it when it runs."""
-    program = pathlib.Path(folder, "test")
-    return runs([*COMPILE, *flags, "-o", program, path, "-lCatch2WithMain"], 120) and \
-        runs([program], 30)
-
-
-def survives(change, common, order):
-    """Asks the tests that killed most lately first."""
-    header, number, line = change
-    with tempfile.TemporaryDirectory() as folder:
-        copy = pathlib.Path(folder, "include")
-        shutil.copytree(PROJECT / "include", copy)
-        place = copy / "rtuwire" / header
-        lines = place.read_text(encoding="utf-8").splitlines()
-        lines[number] = line
-        place.write_text("\n".join(lines) + "\n", encoding="utf-8")
-        flags = [*common, *EXTRA.get(header, []), f"-I{copy}"]
-        for path in order[header]:
-            if not passes(path, flags, folder):
-                # A new list: another thread may be going through the old one.
-                order[header] = sorted(order[header], key=lambda each: each != path)
-                return False
-    return True
-
-
-def unchanged(common, targets, jobs):
-    """How long each test takes where nothing was changed; all pass there, or nothing can be said."""
-    def look(test):
-        path, extra = test
-        start = time.monotonic()
-        with tempfile.TemporaryDirectory() as folder:
-            if not passes(path, [*common, *extra, f"-I{PROJECT / 'include'}"], folder):
-                raise SystemExit(f"mutate.py: {path.name} fails without any change")
-        return path, time.monotonic() - start
-    tests = sorted({(path, tuple(EXTRA.get(header, ()))) for header in targets for path in sources(header)})
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        return dict(pool.map(look, tests))
-
-
-def explained(targets):
-    """The changes of these headers that no test can see."""
-    rows = [row.split(" | ") for row in SURVIVORS.read_text(encoding="utf-8").splitlines()
+def rows_of(path, chosen):
+    """The rows about these headers, as lists of their columns."""
+    rows = [row.split(" | ") for row in path.read_text(encoding="utf-8").splitlines()
             if row and not row.startswith("#")]
-    return {(row[0], " | ".join(row[1:-1])) for row in rows if row[0] in targets}
+    return [row for row in rows if row[0] in chosen]
+
+
+def explained(chosen):
+    """The changes of these headers that no test can see."""
+    return {(row[0], " | ".join(row[1:-1])) for row in rows_of(SURVIVORS, chosen)}
+
+
+def still_open(chosen):
+    return {(row[0], " | ".join(row[1:])) for row in rows_of(OPEN, chosen)}
+
+
+def write_open(found):
+    head = [row for row in OPEN.read_text(encoding="utf-8").splitlines() if row.startswith("#")]
+    OPEN.write_text("\n".join(head + sorted(f"{header} | {line}" for header, line in found)) + "\n", encoding="utf-8")
+
+
+def switched_tests(folder, common, pool, changes, may_switch):
+    """The tests with these changes behind switches. What the compiler refuses becomes none, by lines."""
+    board = Switchboard(folder, common, pool)
+    while True:
+        switches.write(folder / "include", HEADERS, changes, sorted(may_switch))
+        wrong = board.complaints_of_headers() or board.compile()
+        if not board.todo:
+            break
+        refused = {number for number in may_switch for header, line in wrong
+                   if changes[number].header == header and line in changes[number].lines}
+        if not refused:
+            raise SystemExit(f"mutate.py: no change stands where the compiler complains: {sorted(wrong)[:5]}")
+        may_switch -= refused
+    board.link()
+    return board
+
+
+def outcomes(folder, pool, changes, texts, say):
+    """Whether each change survives."""
+    common = precompiled(folder)
+    may_switch = {number for number, change in enumerate(changes) if change.first >= 0 and
+                  (change.header, change.changed_line(texts[change.header])) not in NO_SWITCH}
+    board = switched_tests(folder, common, pool, changes, may_switch)
+    cases = board.cases()
+    say(f"{len(may_switch)} switches, {len(cases)} test cases of {sum(case.seconds for case in cases):.1f} s")
+    compiler = Compiler(folder, common, HEADERS, board.too_long)
+
+    def lives(number):
+        killed = board.kills(number, cases) if number in may_switch else None
+        if killed is None:
+            return compiler.survives(changes[number]), "compiled"
+        return not killed, "switched"
+    found = list(pool.map(lives, range(len(changes))))
+    say(f"{sum(how == 'switched' for _, how in found)} switched, {sum(how == 'compiled' for _, how in found)} compiled")
+    return [alive for alive, _ in found]
 
 
 def main():
@@ -167,34 +103,39 @@ def main():
     options.add_argument("--sample", type=int)
     options.add_argument("--seed", type=int, default=1)
     options.add_argument("--jobs", type=int, default=2)
+    options.add_argument("--open", action="store_true", help="write what survives unexplained to open.txt")
+    options.add_argument("--work", help="where to build; else a folder that is gone afterwards")
     options.add_argument("headers", nargs="*", default=[""])
-    chosen = options.parse_args()
-    targets = [header for header in TARGETS if header.startswith(tuple(chosen.headers))]
-    known = explained(targets)
-    changes = [change for header in targets for change in changes_of(header)]
-    tried = changes
-    if chosen.sample:
-        tried = random.Random(chosen.seed).sample(changes, chosen.sample)
-    alive = []
-    with tempfile.TemporaryDirectory() as folder, \
-            concurrent.futures.ThreadPoolExecutor(chosen.jobs) as pool:
-        common = precompiled(folder)
-        seconds = unchanged(common, targets, chosen.jobs)
-        order = {header: ordered(header, seconds) for header in targets}
-        outcomes = pool.map(lambda each: survives(each, common, order), tried)
-        for change, lives in zip(tried, outcomes):
-            header, number, line = change
-            if lives:
-                alive.append((header, line.strip()))
-            if lives and alive[-1] not in known:
-                print(f"survives: {header}:{number + 1}: {line.strip()}", flush=True)
-    idle = [] if chosen.sample else sorted(known - set(alive))
+    asked = options.parse_args()
+    start = time.monotonic()
+
+    def say(what):
+        print(f"{time.monotonic() - start:5.0f} s  {what}", flush=True)
+    chosen = [header for header in headers() if header.startswith(tuple(asked.headers))]
+    texts = {header: (HEADERS / header).read_text(encoding="utf-8") for header in chosen}
+    possible = tried = [change for header in chosen for change in changes_of(header, texts[header])]
+    if asked.sample:
+        tried = random.Random(asked.seed).sample(possible, min(asked.sample, len(possible)))
+    known = explained(chosen)
+    with contextlib.ExitStack() as stack:
+        folder = pathlib.Path(asked.work or stack.enter_context(tempfile.TemporaryDirectory()))
+        folder.mkdir(parents=True, exist_ok=True)
+        pool = stack.enter_context(concurrent.futures.ThreadPoolExecutor(asked.jobs))
+        survive = outcomes(folder, pool, tried, texts, say)
+    alive = [(change.header, change.changed_line(texts[change.header]), change.line)
+             for change, lives in zip(tried, survive) if lives]
+    if asked.open and not asked.sample and chosen == headers():
+        write_open({each[:2] for each in alive} - known)
+    unseen = still_open(chosen)
+    new = [each for each in alive if each[:2] not in known | unseen]
+    for header, line, number in new:
+        print(f"survives: {header}:{number}: {line}")
+    idle = [] if asked.sample else sorted((known | unseen) - {each[:2] for each in alive})
     for header, line in idle:
-        print(f"survivors.txt explains what is killed, or gone: {header} | {line}")
-    killed = len(tried) - len(alive)
-    new = sum(each not in known for each in alive)
-    print(f"{killed} of {len(tried)} changes killed ({100 * killed / len(tried):.1f} %), "
-          f"{len(alive) - new} explained, {new} not; {len(changes)} possible")
+        print(f"survivors.txt or open.txt names what is killed, or gone: {header} | {line}")
+    killed, why = len(tried) - len(alive), sum(each[:2] in known for each in alive)
+    say(f"{killed} of {len(tried)} changes killed ({100 * killed / max(1, len(tried)):.1f} %), {why} explained, "
+        f"{len(alive) - why - len(new)} open, {len(new)} new; {len(possible)} possible")
     return 1 if new or idle else 0
 
 

@@ -174,3 +174,11 @@ constexpr bool fills_a_page()
 PROOF("an object of 244 characters fills a page", fills_a_page)
 
 } // namespace
+
+TEST_CASE("the conformity is that of the highest object, whatever the texts' sizes")
+{
+    CHECK(device_objects::from("00 02 41 42 01 01 43 02 03 44 45 46"_hex)->conformity() == 0x81);
+    CHECK(device_objects::from("00 01 41 01 01 42 02 01 43 03 01 44"_hex)->conformity() == 0x82);
+    CHECK(device_objects::from("00 01 41 01 01 42 02 01 43 06 02 44 45"_hex)->conformity() == 0x82);
+    CHECK(device_objects::from("00 01 41 01 01 42 02 01 43 80 01 44"_hex)->conformity() == 0x83);
+}

@@ -78,15 +78,17 @@ plan_cost brute_force(problem const& asked)
     return best;
 }
 
-} // namespace
+struct mistakes {
+    unsigned dearer, uncovered, too_large;
+    friend bool operator==(mistakes, mistakes) noexcept = default;
+};
 
-TEST_CASE("plans of 10000 random sets are the cheapest there are, and cover each register once")
+/// What is wrong with the plans of so many random sets.
+mistakes in_random_sets(unsigned rounds)
 {
     test::random random{2026};
-    unsigned dearer = 0;
-    unsigned uncovered = 0;
-    unsigned too_large = 0;
-    for (unsigned round = 0; round < 10'000; ++round) {
+    mistakes found{};
+    for (unsigned round = 0; round < rounds; ++round) {
         problem const asked = make(random);
         auto const plan = plan_blocks<most>(asked.rising, asked.limit,
                                             [&](std::uint16_t lower, std::uint16_t upper) {
@@ -95,19 +97,60 @@ TEST_CASE("plans of 10000 random sets are the cheapest there are, and cover each
         plan_cost cost{};
         for (address_block const& block : plan.view()) {
             cost = {cost.requests + 1, cost.registers + block.count};
-            too_large += block.count > asked.limit ? 1U : 0U;
+            found.too_large += block.count > asked.limit ? 1U : 0U;
         }
         for (std::uint16_t const address : asked.rising) {
             unsigned times = 0;
             for (address_block const& block : plan.view()) {
                 times += block.contains(address) ? 1U : 0U;
             }
-            uncovered += times == 1 ? 0U : 1U;
+            found.uncovered += times == 1 ? 0U : 1U;
         }
         plan_cost const best = brute_force(asked);
-        dearer += cost.requests == best.requests and cost.registers == best.registers ? 0U : 1U;
+        found.dearer +=
+            cost.requests == best.requests and cost.registers == best.registers ? 0U : 1U;
     }
-    CHECK(dearer == 0);
-    CHECK(uncovered == 0);
-    CHECK(too_large == 0);
+    return found;
+}
+
+} // namespace
+
+TEST_CASE("plans of a hundred random sets are the cheapest there are, and cover each register once")
+{
+    CHECK(in_random_sets(100) == mistakes{});
+}
+
+TEST_CASE("plans of 10000 random sets, too") { CHECK(in_random_sets(10'000) == mistakes{}); }
+
+TEST_CASE("a block holds the addresses from its first on, as many as it counts")
+{
+    address_block const block{100, 3};
+    for (std::uint32_t address = 0; address <= 0xFFFF; ++address) {
+        REQUIRE(block.contains(static_cast<std::uint16_t>(address)) ==
+                (address == 100 or address == 101 or address == 102));
+    }
+}
+
+TEST_CASE("addresses are put in order, whatever order they are in")
+{
+    test::random random{2026};
+    for (unsigned round = 0; round < 200; ++round) {
+        std::vector<std::uint16_t> addresses(random.below(9));
+        for (std::uint16_t& address : addresses) {
+            address = static_cast<std::uint16_t>(random.below(6));
+        }
+        auto rising = addresses;
+        std::sort(rising.begin(), rising.end());
+        sort_addresses(addresses);
+        REQUIRE(addresses == rising);
+    }
+}
+
+TEST_CASE("of two plans the one with fewer requests is cheaper, then the one with fewer registers")
+{
+    CHECK(plan_cost{1, 9}.is_below({2, 3}));
+    CHECK_FALSE(plan_cost{2, 3}.is_below({1, 9}));
+    CHECK(plan_cost{2, 3}.is_below({2, 4}));
+    CHECK_FALSE(plan_cost{2, 4}.is_below({2, 4}));
+    CHECK_FALSE(plan_cost{2, 5}.is_below({2, 4}));
 }

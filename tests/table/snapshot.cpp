@@ -38,7 +38,7 @@ constexpr plan::snapshot now()
 
 constexpr bool takes_limits_from_the_snapshot()
 {
-    constexpr plan::snapshot seen = now();
+    plan::snapshot const seen = now();
     auto const is_refused = [](auto const& checked) {
         return checked.error() == errc::illegal_data_value;
     };

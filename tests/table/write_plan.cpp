@@ -19,7 +19,7 @@ STATIC_CHECK(ramps::requests()[1] == address_block{9012, 2});
 
 constexpr bool keeps_the_words_in_address_order()
 {
-    constexpr ramps plan{4_s, 1.3_s, 2_s, 3_s};
+    ramps const plan{4_s, 1.3_s, 2_s, 3_s};
     auto const first = plan.words(0);
     auto const second = plan.words(1);
     return first.size() == 2 and first[0] == 13 and first[1] == 20 and second.size() == 2 and

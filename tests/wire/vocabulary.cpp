@@ -67,8 +67,28 @@ constexpr bool a_head_is_whole()
 }
 PROOF("a head that does not fit is not written", a_head_is_whole)
 
-STATIC_CHECK(destination{broadcast}.is_broadcast() and destination{broadcast}.octet() == 0);
-STATIC_CHECK(not destination{unit_id{7}}.is_broadcast() and destination{unit_id{7}}.octet() == 7);
+constexpr bool local_causes_are_no_exceptions()
+{
+    for (unsigned code = 0x80; code <= static_cast<unsigned>(errc::device_failed); ++code) {
+        if (is_exception(static_cast<errc>(code))) {
+            return false;
+        }
+    }
+    return not is_exception(errc::none) and is_exception(static_cast<errc>(0x7F));
+}
+PROOF("from 80 on an error is a local cause, and no exception", local_causes_are_no_exceptions)
+
+constexpr bool tells_everyone_from_each()
+{
+    destination const all{broadcast};
+    bool ok = all.is_broadcast() and all.octet() == 0;
+    for (std::uint32_t number = 1; number <= 247; ++number) {
+        destination const one{*unit_id::checked(number)};
+        ok = ok and not one.is_broadcast() and one.octet() == number and not(one == all);
+    }
+    return ok;
+}
+PROOF("a destination is everyone or one unit", tells_everyone_from_each)
 STATIC_CHECK(unit_id{3} < unit_id{4} and unit_id{3} == unit_id{3});
 
 constexpr function_set two{function_code::write_single_register, static_cast<function_code>(127)};

@@ -108,8 +108,10 @@ public:
     /// The control word for this cycle, once for each cycle.
     [[nodiscard]] constexpr std::uint16_t next_command() noexcept
     {
-        command_ = choose();
-        return command_;
+        if (reset_step_ != 0) {
+            return reset_word();
+        }
+        return is_ordered_ ? climb() : go_down();
     }
 
     /// The reference of the last order.
@@ -142,14 +144,8 @@ private:
         is_ordered_ = false;
     }
 
-    constexpr std::uint16_t choose() noexcept
+    constexpr std::uint16_t go_down() const noexcept
     {
-        if (reset_step_ != 0) {
-            return reset_word();
-        }
-        if (is_ordered_) {
-            return climb();
-        }
         switch (state_) {
         case cia402::state::operation_enabled:
         case cia402::state::quick_stop_active: return word_of_stop();
@@ -219,7 +215,6 @@ private:
 
     altivar::reason reason_{};
     std::uint16_t reference_{0};
-    std::uint16_t command_{0};
     std::uint16_t status_{0};
     cia402::state state_{cia402::state::unknown};
     int highest_{0};

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The cycle, question by question: how many misses it takes, when it asks, what its limits count from.
+#include <rtuwire/altivar/cyclic.hpp>
+
+#include <array>
+#include <initializer_list>
+
+#include "support/proof.hpp"
+
+#include <rtuwire/altivar/atv12.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+
+namespace {
+
+using words = std::initializer_list<std::uint16_t>;
+
+constexpr std::uint16_t switch_on_disabled = 0x0250, ready = 0x0231;
+constexpr std::uint16_t cmd_address = 8501, eta_address = 3201, lfrd_address = 8602;
+constexpr std::uint16_t rfrd_address = 8604;
+
+/// An ATV12 of which each answer is given by hand, at a clock that runs through zero.
+struct cycle {
+    cyclic<atv12::device> loop;
+    instant now{0xFFFF'FF00U};
+
+    explicit constexpr cycle(cyclic_options const& options = {})
+        : loop{station<atv12::device>{unit_id{3}}, options}
+    {}
+
+    constexpr bool asks_at(instant when)
+    {
+        now = when;
+        loop.advance(now);
+        return loop.next().has_value();
+    }
+    constexpr bool asks() { return asks_at(now + milliseconds(100)); }
+
+    constexpr void hear(words read)
+    {
+        std::array<std::byte, 2 + 2 * 8> pdu{std::byte{3},
+                                             to_byte(static_cast<std::uint32_t>(2 * read.size()))};
+        std::size_t at = 2;
+        for (std::uint16_t const word : read) {
+            pdu[at++] = to_byte(word >> 8U);
+            pdu[at++] = to_byte(word);
+        }
+        loop.accept(result<response>{response{byte_view{pdu}.first(at)}});
+    }
+    constexpr void miss(errc why = errc::timed_out) { loop.accept(why); }
+
+    /// Up to its first exchange, which `exchange` answers.
+    constexpr bool begins(std::uint16_t status = switch_on_disabled)
+    {
+        bool ok = asks();
+        hear({status});
+        ok = ok and asks();
+        hear({0});
+        ok = ok and asks();
+        hear({eta_address, rfrd_address, 0, 0});
+        ok = ok and asks();
+        hear({cmd_address, lfrd_address, 0, 0});
+        return ok and not loop.link_lost();
+    }
+    constexpr bool exchange(std::uint16_t status = switch_on_disabled)
+    {
+        bool const is_asked = asks();
+        hear({status, 0, 0, 0});
+        return is_asked;
+    }
+    constexpr bool fails(errc why = errc::timed_out)
+    {
+        bool const is_asked = asks();
+        miss(why);
+        return is_asked;
+    }
+};
+
+constexpr bool counts_misses_in_a_row()
+{
+    cycle it{{.tolerated_misses = 2}};
+    bool ok = it.begins();
+    for (unsigned i = 0; i < 5; ++i) {
+        ok = ok and it.fails() and it.fails() and not it.loop.link_lost() and it.exchange();
+    }
+    ok = ok and it.fails() and it.fails() and not it.loop.link_lost();
+    return ok and it.fails() and it.loop.link_lost();
+}
+PROOF("as many misses in a row as are tolerated lose no link, however often",
+      counts_misses_in_a_row)
+
+constexpr bool tolerates_no_refusal()
+{
+    cycle it{{.tolerated_misses = 200}};
+    bool ok =
+        it.begins() and it.fails() and it.fails(errc::crc_mismatch) and not it.loop.link_lost();
+    ok = ok and it.fails(errc::server_device_failure) and it.loop.link_lost();
+    return ok and it.loop.control().reason().error == errc::server_device_failure;
+}
+PROOF("an exception is an answer, and no miss: the link is lost at once", tolerates_no_refusal)
+
+constexpr bool tolerates_the_first_miss()
+{
+    cycle it;
+    bool ok = it.fails() and it.loop.control().reason().how == ending::pending;
+    return ok and it.fails() and it.loop.control().reason().how == ending::silent;
+}
+PROOF("a drive that was never heard is silent after as many misses, too", tolerates_the_first_miss)
+
+constexpr bool looks_for_a_fault_once()
+{
+    constexpr std::uint16_t fault = 0x0208, last_fault_address = 7121;
+    cycle it;
+    bool ok = it.begins() and it.exchange(fault);
+    ok = ok and it.asks();
+    ok = ok and u16_at(it.loop.next()->frame(), 2) == last_fault_address;
+    it.hear({9});
+    ok = ok and it.loop.control().reason().fault == 9 and it.asks();
+    return ok and it.loop.next()->frame()[1] == std::byte{23}; // and no second look at the scanner
+}
+PROOF("a drive that goes into fault is asked which, then the cycle goes on", looks_for_a_fault_once)
+
+/// When the cycle is due again after an answer at `now`, for this period and this time-out of the drive.
+constexpr duration pause_of(duration period, duration drive_timeout)
+{
+    cycle it{{.period = period, .drive_timeout = drive_timeout}};
+    static_cast<void>(it.fails());
+    return *it.loop.poll_deadline() - it.now;
+}
+constexpr bool asks_in_a_third_of_the_time()
+{
+    return pause_of(milliseconds(9'000), milliseconds(900)) == milliseconds(300) and
+           pause_of(milliseconds(299), milliseconds(900)) == milliseconds(299) and
+           pause_of(milliseconds(301), milliseconds(900)) == milliseconds(300) and
+           pause_of(milliseconds(9'000), duration{}) == microseconds(3'333'333) and
+           pause_of(milliseconds(100), duration{}) == milliseconds(100) and
+           cyclic_options{}.period == milliseconds(100);
+}
+PROOF(
+    "the period is a third of the drive's time-out at most, its factory value where none is named",
+    asks_in_a_third_of_the_time)
+
+constexpr bool asks_when_due()
+{
+    cycle it;
+    instant const start = it.now;
+    bool const is_first_due = it.asks_at(start);
+    it.miss();
+    bool const is_early = it.asks_at(start + milliseconds(100) - microseconds(1));
+    return is_first_due and not is_early and it.asks_at(start + milliseconds(100));
+}
+PROOF("the first question is due at once, the next a period later and no sooner", asks_when_due)
+
+constexpr bool asks_nothing_before_it_began()
+{
+    cycle it;
+    return not it.loop.next() and it.loop.link_lost() and it.loop.input(0) == 0;
+}
+PROOF("nothing is asked before the clock is known", asks_nothing_before_it_began)
+
+constexpr bool climbs_in_time_from_the_first_order()
+{
+    cycle it;
+    bool ok = not it.loop.run(1'500_rpm); // refused, and the limit does not count from here
+    ok = ok and it.begins() and it.exchange(ready);
+    instant const ordered = it.now;
+    ok = ok and it.loop.run(1'500_rpm);
+    for (unsigned i = 0; i < 10; ++i) {
+        ok = ok and it.exchange(ready) and it.loop.run(1'000_rpm);
+    }
+    it.loop.advance(ordered + milliseconds(3'000) - microseconds(1));
+    ok = ok and it.loop.control().is_ordered();
+    it.loop.advance(ordered + milliseconds(3'000));
+    return ok and not it.loop.control().is_ordered() and
+           it.loop.control().reason().how == ending::stuck;
+}
+PROOF("an order has three seconds to be followed, from when it was first given",
+      climbs_in_time_from_the_first_order)
+
+constexpr bool has_as_many_words_as_the_drive()
+{
+    cycle it;
+    it.loop.set_output(3, 0x1234);
+    it.loop.set_output(4, 0x5678);
+    bool const begins = it.begins();
+    bool const is_asked = it.asks();
+    auto const question = it.loop.next();
+    byte_view const frame = question->frame();
+    it.hear({switch_on_disabled, 0, 7, 9});
+    bool const is_written = frame.size() == 21 and u16_at(frame, 17) == 0x1234 and
+                            u16_at(frame, 15) == 0 and u16_at(frame, 11) == 0;
+    return begins and is_asked and is_written and it.loop.input(2) == 7 and
+           it.loop.input(3) == 9 and it.loop.input(4) == 0;
+}
+PROOF("words beyond those that the drive has are not written and read 0",
+      has_as_many_words_as_the_drive)
+
+/// Whether the cycle goes on when the scanner's output slots are these.
+constexpr bool takes(words slots, std::size_t named)
+{
+    cycle it;
+    it.loop.set_output(named, 1);
+    bool ok = it.asks();
+    it.hear({switch_on_disabled});
+    ok = ok and it.asks();
+    it.hear({0});
+    ok = ok and it.asks();
+    it.hear({eta_address, rfrd_address, 0, 0});
+    ok = ok and it.asks();
+    it.hear(slots);
+    return ok and not it.loop.link_lost();
+}
+constexpr bool writes_to_known_words_only()
+{
+    return takes({cmd_address, lfrd_address, 0, 0}, 0) and
+           not takes({cmd_address, lfrd_address, 9001, 0}, 0) and
+           not takes({cmd_address, lfrd_address, 0, 9001}, 0) and
+           takes({cmd_address, lfrd_address, 9001, 0}, 2) and
+           takes({cmd_address, lfrd_address, 0, 9001}, 3) and
+           not takes({cmd_address, lfrd_address, 9002, 9001}, 3) and
+           not takes({cmd_address, 8503, 0, 0}, 3) and not takes({0, lfrd_address, 0, 0}, 3);
+}
+PROOF("an output slot that nobody named must stand for no register", writes_to_known_words_only)
+
+} // namespace

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What the conversations with a drive share: when they end, and that they wait for the answer under way. And
+// what single words of a start and of a reset are.
+#include <rtuwire/altivar/drive_talk.hpp>
+
+#include <array>
+
+#include "support/proof.hpp"
+
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/change_reference.hpp>
+#include <rtuwire/altivar/configure_scanner.hpp>
+#include <rtuwire/altivar/reset_fault.hpp>
+#include <rtuwire/altivar/save_to_eeprom.hpp>
+#include <rtuwire/altivar/start.hpp>
+#include <rtuwire/altivar/stop.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+using kind = event::kind;
+
+namespace {
+
+constexpr station<atv320::device> drive{unit_id{7}};
+constexpr std::uint16_t cmd = 8501, eta = 3201, lft = 7121, lfrd = 8602;
+constexpr instant start_time{0xFFFF'FF00U};
+
+/// How long a conversation takes at most, told before its first question.
+template <typename Talk> constexpr duration limit_of(Talk talk)
+{
+    talk.advance(start_time);
+    return *talk.poll_deadline() - start_time;
+}
+constexpr bool ends_in_time()
+{
+    using scanned = configure_scanner<scanner_inputs<atv320::eta>, scanner_outputs<atv320::cmd>>;
+    return limit_of(start{drive, 1'500_rpm}) == milliseconds(3'000) and
+           limit_of(stop{drive}) == milliseconds(30'000) and
+           limit_of(change_reference{drive, 1'500_rpm}) == milliseconds(30'000) and
+           limit_of(reset_fault{drive}) == milliseconds(2'000) and
+           limit_of(save_to_eeprom{drive}) == milliseconds(5'000) and
+           limit_of(scanned{drive}) == milliseconds(5'000);
+}
+PROOF("who names no limit has one, from the first pass on", ends_in_time)
+
+constexpr bool waits_for_the_answer()
+{
+    change_reference talk{drive, 50_Hz, milliseconds(100)};
+    bool ok = not talk.poll_deadline();
+    talk.advance(start_time);
+    ok = ok and talk.next() and not talk.poll_deadline();
+    talk.advance(start_time + milliseconds(200));
+    ok = ok and not talk.settled() and not talk.poll_deadline();
+    talk.accept(errc::timed_out);
+    ok = ok and talk.settled() and talk.reason().how == ending::silent and not talk.poll_deadline();
+    talk.advance(start_time + milliseconds(400));
+    return ok and talk.reason().how == ending::silent and talk.reason().error == errc::timed_out and
+           talk.reason().fault == 0 and not talk.next();
+}
+PROOF("a limit that passes while a question is under way waits for its answer",
+      waits_for_the_answer)
+
+constexpr event word(std::uint16_t read) { return {kind::word_read, read}; }
+constexpr bool reads(wish const& what, std::uint16_t address)
+{
+    return what.what == wish::kind::read and what.address == address;
+}
+constexpr bool writes(wish const& what, std::uint16_t address, std::uint16_t value)
+{
+    return what.what == wish::kind::write and what.address == address and what.word == value;
+}
+
+constexpr auto known = word_meaning::drive_profile;
+
+constexpr bool gives_up_where_the_drive_falls_back()
+{
+    start_script it{atv320::device::profile, {lfrd, 1'500}, heading::forward, known};
+    bool ok = reads(it.step({kind::begun}), eta);
+    ok = ok and writes(it.step(word(0x0231)), cmd, 0x0007); // ready to switch on
+    ok = ok and reads(it.step({kind::written}), eta);
+    ok = ok and writes(it.step(word(0x0250)), cmd, 0x0000); // switch on disabled: what was given is taken back
+    ok = ok and reads(it.step({kind::written}), eta);
+    ok = ok and it.step(word(0x0250)).what == wish::kind::end;
+    return ok and it.reason().how == ending::stuck;
+}
+PROOF("a start ends where the drive goes down after a command", gives_up_where_the_drive_falls_back)
+
+constexpr bool starts_from_below()
+{
+    start_script it{atv320::device::profile, {lfrd, 1'500}, heading::reverse, known};
+    bool ok = reads(it.step({kind::begun}), eta);
+    ok = ok and it.step(word(0x0200)).what == wish::kind::pause; // not ready to switch on
+    ok = ok and reads(it.step({kind::pause_over}), eta);
+    ok = ok and writes(it.step(word(0x0250)), cmd, 0x0006);
+    ok = ok and reads(it.step({kind::written}), eta) and writes(it.step(word(0x0231)), cmd, 0x0007);
+    ok = ok and reads(it.step({kind::written}), eta) and writes(it.step(word(0x0233)), lfrd, 0xFA24);
+    ok = ok and reads(it.step({kind::written}), cmd) and writes(it.step(word(0x0007)), cmd, 0x000F);
+    ok = ok and reads(it.step({kind::written}), eta) and it.step(word(0x8237)).what == wish::kind::end;
+    return ok and it.reason().how == ending::succeeded;
+}
+PROOF("a start waits for a drive that is not ready, commands it up, and reads back before it enables",
+      starts_from_below)
+
+constexpr bool enables_no_drive_that_forgot()
+{
+    start_script it{atv320::device::profile, {lfrd, 1'500}, heading::forward, known};
+    static_cast<void>(it.step({kind::begun}));
+    static_cast<void>(it.step(word(0x0231)));
+    static_cast<void>(it.step({kind::written}));
+    bool ok = writes(it.step(word(0x0233)), lfrd, 1'500) and reads(it.step({kind::written}), cmd);
+    ok = ok and writes(it.step(word(0x0000)), cmd, 0x0000); // another word than the one written last
+    return ok;
+}
+PROOF("a drive whose control word is not ours any more is not enabled", enables_no_drive_that_forgot)
+
+constexpr bool resets_by_an_edge()
+{
+    reset_script it{atv320::device::profile};
+    bool ok = reads(it.step({kind::begun}), eta) and writes(it.step(word(0x0208)), cmd, 0x0000);
+    ok = ok and writes(it.step({kind::written}), cmd, 0x0080);
+    ok = ok and writes(it.step({kind::written}), cmd, 0x0000);
+    ok = ok and reads(it.step({kind::written}), eta);
+    ok = ok and it.step(word(0x0208)).what == wish::kind::pause;
+    ok = ok and reads(it.step({kind::late}), lft);
+    return ok and it.step(word(9)).what == wish::kind::end and it.reason().fault == 9 and
+           it.reason().how == ending::in_fault;
+}
+PROOF("a reset writes a word without the bit, one with it and one without", resets_by_an_edge)
+
+constexpr bool names_every_slot()
+{
+    constexpr std::array<std::uint16_t, 1> inputs{3201};
+    constexpr std::array<std::uint16_t, 2> outputs{8501, 8602};
+    scanner_script it{atv320::device::profile, inputs, outputs};
+    bool ok = reads(it.step({kind::begun}), eta);
+    wish next = it.step(word(0x0250));
+    for (std::uint16_t slot = 0; slot < 8; ++slot) {
+        ok = ok and writes(next, static_cast<std::uint16_t>(12'701 + slot), slot == 0 ? 3201 : 0);
+        next = it.step({kind::written});
+    }
+    for (std::uint16_t slot = 0; slot < 8; ++slot) {
+        auto const expected = slot == 0 ? cmd : slot == 1 ? lfrd : std::uint16_t{0};
+        ok = ok and writes(next, static_cast<std::uint16_t>(12'721 + slot), expected);
+        next = it.step({kind::written});
+    }
+    return ok and next.what == wish::kind::end and it.reason().how == ending::succeeded;
+}
+PROOF("every slot of the scanner is written, those that are not named with 0", names_every_slot)
+
+STATIC_CHECK(reason{}.fault == 0 and reason{}.error == errc::none);
+
+} // namespace

@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""The changes that are no switches: each is compiled, with the tests of its room and what they prove in the
+compiler, until one fails."""
+import pathlib
+import re
+import shutil
+import sys
+import tempfile
+import threading
+
+from programs import CARRYLESS, COMPILE, PROJECT, TESTS, complaints, escaped, runs, sources
+
+sys.path.insert(0, str(TESTS / "fail"))
+import refusal  # noqa: E402  pylint: disable=wrong-import-position
+
+# Who else is asked, beside the tests of the header's own room.
+ALSO = {"core": ["wire"], "wire": ["server"], "rtu": ["server"], "client": ["defect"], "server": ["defect"],
+        "altivar": ["motion_law"]}
+INCLUDE = re.compile(r"#include [<\"]((?:rtuwire|support)/[\w/]+\.hpp)[>\"]")
+
+
+class Compiler:
+    """`too_long` are the test cases that are not run."""
+
+    def __init__(self, folder, common, headers, too_long):
+        self.folder, self.common, self.headers = folder, common, headers
+        self.run = ["--abort", "".join(f'~"{escaped(name)}"' for name in too_long)]
+        self.lock, self.kills, self.seen = threading.Lock(), {}, {}
+        self.refused = sorted((TESTS / "fail").glob("*.cpp"))
+
+    def survives(self, change):
+        with tempfile.TemporaryDirectory(dir=self.folder) as place:
+            copy = pathlib.Path(place, "include")
+            shutil.copytree(self.headers, copy / "rtuwire")
+            changed = copy / "rtuwire" / change.header
+            changed.write_text(change.apply(changed.read_text(encoding="utf-8")), encoding="utf-8")
+            flags = [*COMPILE, *self.common, f"-I{copy}"]
+            if change.header == "core/crc16_carryless.hpp":
+                flags += CARRYLESS
+            if complaints([*flags, "-fsyntax-only", "-x", "c++", changed]):
+                return False
+            for path in self.ordered(change.header):
+                if not self.passes(path, flags, copy, pathlib.Path(place, "test")):
+                    with self.lock:
+                        self.kills[path] = self.kills.get(path, 0) + 1
+                    return False
+        return True
+
+    def passes(self, path, flags, copy, program):
+        if path.parent.name == "fail":
+            return not refusal.complaint("g++", str(copy), str(path))
+        return not complaints([*flags, "-o", program, path, "-lCatch2WithMain", "-pthread"]) and \
+            runs([program, *self.run], 60)
+
+    def ordered(self, header):
+        """The header's own tests first, then those that killed most."""
+        room, stem = header.split("/")[0], pathlib.Path(header).stem
+        tests = [path for path in sources([room, *ALSO.get(room, [])]) + self.refused if header in self.included(path)]
+        with self.lock:
+            return sorted(tests, key=lambda path: (path.stem != stem, -self.kills.get(path, 0), path.stat().st_size))
+
+    def included(self, path):
+        """Which headers a file includes, also through others."""
+        if path not in self.seen:
+            found = set()
+            self.seen[path] = found
+            for name in INCLUDE.findall(path.read_text(encoding="utf-8")):
+                if name.startswith("rtuwire/"):
+                    found.add(name.removeprefix("rtuwire/"))
+                    found |= self.included(PROJECT / "include" / name)
+                else:
+                    found |= self.included(TESTS / name)
+        return self.seen[path]

@@ -1,0 +1,165 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Compiles the tests and runs them, unchanged and with a change."""
+import collections
+import os
+import pathlib
+import re
+import signal
+import subprocess
+
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+TESTS = PROJECT / "tests"
+ROOMS = ["core", "wire", "rtu", "table", "client", "server", "cia402", "altivar", "sim", "scenario", "defect",
+         "motion_law"]
+LISTENER = TESTS / "mutation" / "listener.cpp"
+# The port is not portable, threads come in any order, and real time goes on under a debugger as well.
+LEFT_OUT = re.compile(r"/port_|/interrupt_threads|/random_drives|/an_hour_of_noise")
+CARRYLESS = ("-mpclmul", "-DRTUWIRE_TEST_CARRYLESS")
+# A place too far ends the program, as far as that is seen cheaply.
+COMPILE = ["g++", "-std=c++20", "-w", "-O0", "-D_GLIBCXX_ASSERTIONS", "-fsanitize=bounds",
+           "-fsanitize-undefined-trap-on-error", f"-I{TESTS}"]
+COMMON = ["algorithm", "array", "bit", "chrono", "compare", "concepts", "cstddef", "cstdint", "functional", "map",
+          "optional", "ratio", "span", "string", "type_traits", "utility", "vector", "support/catch.hpp"]
+ERROR = re.compile(r"^(?:\S*/include/rtuwire/)?([a-z0-9_/]+\.hpp):(\d+):\d+: (?:fatal )?error", re.MULTILINE)
+
+Case = collections.namedtuple("Case", "program name seconds reached")
+
+
+def sources(rooms):
+    found = [path for room in rooms for path in sorted((TESTS / room).rglob("*.cpp"))]
+    return [path for path in found if not LEFT_OUT.search(str(path))]
+
+
+def complaints(command, limit=300):
+    """What a compiler says; an empty string where it takes the code."""
+    try:
+        done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                              errors="replace", timeout=limit, check=False)
+    except subprocess.TimeoutExpired:
+        return "takes too long"
+    return done.stderr or "error" if done.returncode != 0 else ""
+
+
+def places(said):
+    """Where in the headers a compiler complains: (header, line)."""
+    return {(header, int(line)) for header, line in ERROR.findall(said)}
+
+
+def exit_of(command, limit, **more):
+    """How a program ends; None: not in time."""
+    try:
+        return subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL, timeout=limit, check=False,
+                              env={**os.environ, **more}).returncode
+    except subprocess.TimeoutExpired:
+        return None
+
+
+def runs(command, limit, **more):
+    return exit_of(command, limit, **more) == 0
+
+
+def escaped(name):
+    return re.sub(r'([,\[\]\\"*])', r"\\\1", name)
+
+
+def precompiled(folder):
+    """What every test includes and no change touches, translated once."""
+    header = folder / "common.hpp"
+    header.write_text("".join(f"#include <{name}>\n" for name in COMMON), encoding="utf-8")
+    subprocess.run([*COMPILE, "-x", "c++-header", "-o", f"{header}.gch", header], check=True)
+    return ["-include", str(header)]
+
+
+class Switchboard:
+    """The tests with every change behind its switch: one program of all rooms, one of the CRC by carry-less
+    multiplication."""
+
+    def __init__(self, folder, common, pool):
+        self.folder, self.common, self.pool = folder, common, pool
+        self.parts = {"all": (sources(ROOMS), ()),
+                      "carryless": ([TESTS / "core" / "crc16.cpp", TESTS / "core" / "crc16_forms.cpp"], CARRYLESS)}
+        self.parts = {name: ([*paths, LISTENER], flags)
+                      for name, (paths, flags) in self.parts.items()}
+        self.too_long = []
+        self.todo = [(name, path) for name, (paths, _) in self.parts.items() for path in paths]
+
+    def place_of(self, name, path):
+        return self.folder / f"{name}-{'-'.join(path.relative_to(TESTS).parts)}.o"
+
+    def complaints_of_headers(self):
+        """Where a compiler complains without any test: (header, line)."""
+        whole = self.folder / "include" / "rtuwire" / "rtuwire.hpp"
+        return places(complaints([*COMPILE, f"-I{self.folder / 'include'}", "-fsyntax-only", "-x", "c++", whole]))
+
+    def compile(self):
+        """Compiles what is not yet; where it complains in the headers."""
+        def one(part):
+            name, path = part
+            common = [] if path == LISTENER else self.common
+            return complaints([*COMPILE, *common, *self.parts[name][1], "-DRTUWIRE_NO_STATIC_TESTS",
+                               f"-I{self.folder / 'include'}", "-c", "-o", self.place_of(name, path), path])
+        said = list(self.pool.map(one, self.todo))
+        wrong = {place for each in said for place in places(each)}
+        failed = [part for part, each in zip(self.todo, said) if each]
+        if failed and not wrong:
+            raise SystemExit(f"mutate.py: {failed[0][1]} does not compile:\n" + next(each for each in said if each))
+        self.todo = failed
+        return wrong
+
+    def link(self):
+        for name, (paths, _) in self.parts.items():
+            objects = [self.place_of(name, path) for path in paths]
+            subprocess.run(["g++", "-o", self.folder / name, *objects, "-lCatch2WithMain", "-pthread"],
+                           check=True)
+
+    def cases(self):
+        """Each test case: how long it takes, and which changes it comes by. Those that take too long, where the
+        listener ends the program, are left out."""
+        found = [case for each in self.pool.map(self.cases_of, self.parts) for case in each]
+        asked = {case.name for case in found}
+        self.too_long = [name for name in self.names("all") if name not in asked]
+        return sorted(found, key=lambda case: case.seconds)
+
+    def cases_of(self, program):
+        report, chosen = self.folder / f"{program}.reached", self.folder / f"{program}.names"
+        left, found = self.names(program), []
+        while left:
+            chosen.write_text("".join(f"{escaped(name)}\n" for name in left), encoding="utf-8")
+            ended = exit_of([self.folder / program, "-f", chosen], 300, RTUWIRE_REACHED=str(report))
+            if ended not in (0, -signal.SIGPROF):
+                raise SystemExit(f"mutate.py: {self.folder / program} fails without any change")
+            rows = [row.split("\t") for row in report.read_text(encoding="utf-8").splitlines()]
+            found += [Case(program, row[1], float(row[0]), frozenset(map(int, row[2].split()))) for row in rows]
+            if ended == 0:
+                break
+            done = {row[1] for row in rows}
+            left = [name for name in left if name not in done][1:]
+        return found
+
+    def names(self, program):
+        """In the order in which they run."""
+        done = subprocess.run([self.folder / program, "--list-test-names-only"], stdout=subprocess.PIPE, text=True,
+                              check=False)  # says how many, not whether it worked
+        return [name for name in done.stdout.splitlines() if name]
+
+    def kills(self, number, cases):
+        """Whether one of these test cases, the fast ones first, fails with this change. None: none was asked."""
+        asked = [case for case in cases if number in case.reached]
+        if not asked:
+            return None
+        for program in self.parts:
+            here = [case for case in asked if case.program == program]
+            fast = [case for case in here if case.seconds <= 0.2]
+            for some in (fast[:20], fast[20:], here[len(fast):]):
+                if some and not self.passes(program, number, some):
+                    return True
+        return False
+
+    def passes(self, program, number, cases):
+        names = [escaped(case.name) for case in cases]
+        # For each case, of the processor; a program that sleeps ends by the clock.
+        seconds = 0.3 + 5 * max(case.seconds for case in cases)
+        return runs([self.folder / program, "--abort", ",".join(names)], 120,
+                    RTUWIRE_CHANGE=str(number), RTUWIRE_MICROSECONDS=str(int(1e6 * seconds)))
