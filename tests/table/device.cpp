@@ -18,7 +18,7 @@ namespace {
 
 inline constexpr reg<plain> one{.code = "ONE", .address = 100};
 inline constexpr reg<plain> two{.code = "TWO", .address = 104};
-inline constexpr reg<plain> last{.code = "LAST", .address = 65535};
+inline constexpr reg<plain> highest{.code = "LAST", .address = 65535};
 
 /// Registers at 100, 104 and 65535; 101 and 102, 200 to 209 and 65530 to 65533 can be read all the same.
 struct gauge {
@@ -28,7 +28,7 @@ struct gauge {
     static constexpr unit_range units{3, 31};
     static constexpr std::array<address_range, 3> readable{
         {{101, 102}, {200, 209}, {65530, 65533}}};
-    using registers = table<one, two, last>;
+    using registers = table<one, two, highest>;
 };
 
 bool is_there(std::uint32_t address)
