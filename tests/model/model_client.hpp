@@ -230,6 +230,7 @@ public:
         }
         if (fault const found = refusal(frame); found != none) {
             who.accept(found, {});
+            wake(now);
             return turn::asked_nothing;
         }
         start(*question, now, with);

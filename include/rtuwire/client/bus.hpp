@@ -18,7 +18,8 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// How a bus treats units that do not answer.
 struct bus_options {
-    /// How much of the line's time all silent units together may cost, in percent, 1 to 100.
+    /// How much of the line's time all silent units together may cost, in percent, 1 to 100; what lies outside
+    /// counts as the nearer of the two.
     std::uint8_t silent_share{10};
     /// After how many questions without an answer a unit counts as silent; one that never answered, after one.
     std::uint8_t silent_after{2};
@@ -47,6 +48,9 @@ public:
                            bus_options const& share = {}) noexcept
         : client_{line, options}, share_{share}
     {
+        constexpr std::uint8_t all = 100;
+        std::uint8_t const wanted = share.silent_share;
+        share_.silent_share = wanted == 0 ? std::uint8_t{1} : wanted < all ? wanted : all;
         for (slot& each : slots_) {
             each.options.with.response_timeout = options.response_timeout;
             each.options.with.retries = options.retries;

@@ -133,6 +133,7 @@ public:
         errc const wrong = base::start(*question, now, with);
         if (wrong != errc::none) {
             talk.accept(wrong);
+            base::wake(now); // it may have another question, and nothing else would tell
             return wrong;
         }
         turns_.renew(talk);
