@@ -4,6 +4,7 @@
 #include <rtuwire/core/units.hpp>
 
 #include <type_traits>
+#include <vector>
 
 #include "support/proof.hpp"
 
@@ -39,13 +40,21 @@ STATIC_CHECK(not std::is_convertible_v<decihertz, std::uint16_t>);
 constexpr decihertz counted(std::uint8_t steps) { return decihertz(steps); }
 STATIC_CHECK(counted(255).count() == 255);
 STATIC_CHECK(decihertz(65'535).count() == 65'535 and signed_decihertz(-32'768).count() == -32'768);
-// And one that may not fit takes the way of every other amount.
-constexpr signed_decihertz nearest(int steps)
-{
-    return truncated_to<signed_decihertz>(quantity<frequency, int, std::deci>{steps});
-}
+// One that may not fit is the nearest that does, where it is known only when running.
+constexpr signed_decihertz nearest(int steps) { return signed_decihertz(steps); }
 STATIC_CHECK(nearest(-300).count() == -300);
 
 STATIC_CHECK(decihertz{500} == decihertz{500} and decihertz{499} < decihertz{500});
 
 } // namespace
+
+TEST_CASE("a count in parentheses that does not fit becomes the nearest that does")
+{
+    std::vector<int> const counts{32'767, 32'768, 100'000, -32'768, -32'769, -100'000, 12};
+    std::vector<int> const expected{32'767, 32'767, 32'767, -32'768, -32'768, -32'768, 12};
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        CHECK(signed_decihertz(counts[i]).count() == expected[i]);
+    }
+    CHECK(decihertz(counts[3]).count() == 0);
+    CHECK(decihertz(counts[2]).count() == 65'535);
+}

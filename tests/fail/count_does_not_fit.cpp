@@ -9,8 +9,9 @@ using namespace rtuwire;
 std::uint16_t steps()
 {
 #ifdef REFUSED
-    return decihertz(70'000).count();
+    constexpr decihertz wanted(70'000);
 #else
-    return decihertz(60'000).count();
+    constexpr decihertz wanted(60'000);
 #endif
+    return wanted.count();
 }

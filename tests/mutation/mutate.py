@@ -5,7 +5,7 @@
     python3 tests/mutation/mutate.py [--sample N] [--seed S] [--jobs J] [--work DIR] [headers, or folders of them]
 
 The tests are compiled once, with every change behind a switch; they run with one switch turned at a time, and
-only those that come by it. A change that is no switch (a type, an array's size, what only the compiler
+only those that come by it; what they do not see is tried with the second engines of tests/model. A change that is no switch (a type, an array's size, what only the compiler
 evaluates) is compiled into a copy of the headers, with the tests of its room and their proofs. A change is
 killed by a test that fails, crashes or does not end in time, and by a build that fails. survivors.txt says why
 no test can see a change; open.txt lists those that nobody has looked at yet, and may only get shorter. Survivors
@@ -23,6 +23,7 @@ import time
 
 from changes import changes_of
 from compiled import Compiler
+from models import Models
 from programs import PROJECT, Switchboard, precompiled
 import switches
 
@@ -87,12 +88,13 @@ def outcomes(folder, pool, changes, texts, say):
     cases = board.cases()
     say(f"{len(may_switch)} switches, {len(cases)} test cases of {sum(case.seconds for case in cases):.1f} s")
     compiler = Compiler(folder, common, HEADERS, board.too_long)
+    models = Models(folder, pool)
 
     def lives(number):
         killed = board.kills(number, cases) if number in may_switch else None
         if killed is None:
             return compiler.survives(changes[number]), "compiled"
-        return not killed, "switched"
+        return not (killed or models.kills(number)), "switched"
     found = list(pool.map(lives, range(len(changes))))
     say(f"{sum(how == 'switched' for _, how in found)} switched, {sum(how == 'compiled' for _, how in found)} compiled")
     return [alive for alive, _ in found]

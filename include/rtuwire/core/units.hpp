@@ -86,22 +86,20 @@ public:
 
     constexpr quantity() noexcept = default;
 
-    /// So many steps, of a type of which each number fits.
+    /// So many steps.
+    explicit constexpr quantity(Rep count) noexcept : count_{count} {}
+
+    /// The same, of another type of which each number fits.
     template <std::integral Count>
-        requires(holds_all<Count, Rep>(1))
+        requires(holds_all<Count, Rep>(1) and not std::same_as<Count, Rep>)
     explicit constexpr quantity(Count count) noexcept : count_{static_cast<Rep>(count)} {}
 
-    /// So many steps, known when compiling: in braces and in parentheses a number that does not fit is refused, and
-    /// so is one that is known only when running and might not. `truncated_to` takes such an amount.
+    /// The same, of a type that holds more. What does not fit does not compile in a constant expression; when the
+    /// program runs it becomes the nearest amount that fits, as in `truncated_to`. (Not consteval: Clang 14 crashes on
+    /// literals of a class that has such a constructor.)
     template <std::integral Count>
         requires(not holds_all<Count, Rep>(1))
-    explicit consteval quantity(Count count) noexcept : count_{static_cast<Rep>(count)}
-    {
-        if (std::cmp_less(count, std::numeric_limits<Rep>::min()) or
-            std::cmp_greater(count, std::numeric_limits<Rep>::max())) {
-            this_amount_does_not_fit_the_target();
-        }
-    }
+    explicit constexpr quantity(Count count) noexcept : count_{nearest(count)} {}
 
     /// The same amount in finer steps, of a type that can hold all of them.
     template <std::integral OtherRep, typename OtherScale>
@@ -119,6 +117,17 @@ public:
     friend constexpr auto operator<=>(quantity, quantity) noexcept = default;
 
 private:
+    template <std::integral Count> static constexpr Rep nearest(Count count) noexcept
+    {
+        using limits = std::numeric_limits<Rep>;
+        bool const is_below = std::cmp_less(count, limits::min());
+        if (is_below or std::cmp_greater(count, limits::max())) {
+            this_amount_does_not_fit_the_target();
+            return is_below ? limits::min() : limits::max();
+        }
+        return static_cast<Rep>(count);
+    }
+
     Rep count_{};
 };
 
