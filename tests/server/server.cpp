@@ -111,14 +111,17 @@ constexpr bool broadcast_write()
 }
 PROOF("a broadcast write is obeyed in silence", broadcast_write)
 
+constexpr auto read_by_nine = "09 03 00 00 00 01 85 42"_hex;
+constexpr auto answer_of_nine = "09 03 02 00 00 59 85"_hex;
+
 constexpr bool moves_to_another_address()
 {
     unit_1 unit;
     unit.hear(write_3);
     unit.node.listen_as(unit_id{9}); // the answer that waits still has the old one
     bool const answered = unit.says(write_3);
-    unit.hear("09 03 00 00 00 01 85 42"_hex);
-    bool const moved = unit.says("09 03 02 00 00 59 85"_hex);
+    unit.hear(read_by_nine);
+    bool const moved = unit.says(answer_of_nine);
     unit.hear(read_1);
     return answered and moved and unit.is_silent();
 }
