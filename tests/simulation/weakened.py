@@ -66,7 +66,7 @@ WEAKENINGS = [
               {"wrong answers"}),
     Weakening("a debt after an answer counted from the last sending", "client/attempts.hpp",
               "        if (is_first()) {\n            first_sent_ = at;",
-              "        {\n            first_sent_ = at;", {"wrong answers"}),
+              "        if (true) {\n            first_sent_ = at;", {"wrong answers"}),
     Weakening("t3.5 as t1.5 before a frame", "rtu/framer.hpp",
               "if (reached(now, last_ + line().t3_5())) {",
               "if (reached(now, last_ + line().t1_5())) {",
