@@ -85,13 +85,28 @@ constexpr bool halts_under_power()
     ok = ok and reads(it.step(word(300)), cmd);
     ok = ok and writes(it.step(word(0x080F)), cmd, 0x090F);
     ok = ok and reads(it.step({kind::written}), eta) and reads(it.step(word(enabled)), rfr);
-    ok = ok and it.step(word(0)).what == wish::kind::pause;
-    ok = ok and writes(it.step({kind::pause_over}), cmd, 0x090F);
+    ok = ok and writes(it.step(word(300)), cmd, 0x090F); // not slower yet: once more, behind this look
     ok = ok and reads(it.step({kind::written}), eta) and reads(it.step(word(enabled)), rfr);
+    ok = ok and it.step(word(0)).what == wish::kind::pause;
+    ok = ok and reads(it.step({kind::pause_over}), eta) and reads(it.step(word(enabled)), rfr);
     return ok and ends(it.step(word(0))) and it.reason().how == ending::succeeded and
            it.reason().state == cia402::state::operation_enabled and not it.reason().is_other_stop;
 }
 PROOF("halt keeps the power, and ends when the motor was seen to stand twice", halts_under_power)
+
+constexpr bool halts_no_drive_that_is_ready()
+{
+    stop_script it{some_drive, stop_by::halt, known};
+    static_cast<void>(it.step({kind::begun}));
+    static_cast<void>(it.step(word(enabled)));
+    static_cast<void>(it.step(word(300)));
+    bool ok = writes(it.step(word(0x000F)), cmd, 0x010F);
+    ok = ok and it.step({kind::failed, 0, errc::timed_out}).what == wish::kind::pause;
+    // Meanwhile somebody shut the drive down: the word with bit 3 would enable it.
+    ok = ok and reads(it.step({kind::pause_over}), eta);
+    return ok and writes(it.step(word(0x0231)), cmd, 0x0000);
+}
+PROOF("a halt is not given again to a drive that has become ready", halts_no_drive_that_is_ready)
 
 constexpr bool goes_below_switched_on()
 {

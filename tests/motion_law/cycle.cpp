@@ -106,6 +106,15 @@ TEST_CASE("motion law: S10 a cycle stops in each way, takes the order away, and 
     });
 }
 
+TEST_CASE("motion law: S10 a halt of a drive that has none is its ramp")
+{
+    cycling<atv28::device> it;
+    it.loop.stop(stop_by::halt);
+    it.pass(milliseconds(12'000));
+    CHECK(it.far().motor().is_at_rest());
+    CHECK_FALSE(cia402::has_power(it.far().chart().state()));
+}
+
 TEST_CASE("motion law: S16 somebody else's quick stop is not cut short by a cycle, and no order ends it")
 {
     for_every_drive([]<typename Device>(Device) {

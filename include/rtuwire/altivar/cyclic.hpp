@@ -102,8 +102,13 @@ public:
         return is_taken;
     }
 
-    /// Takes the order back: the motor stops, on its ramp or as said. `run` gives it back once the motor stands.
-    constexpr void stop(stop_by how = stop_by::ramp) noexcept { control_.stop(how); }
+    /// Takes the order back: the motor stops, on its ramp or as said; on the ramp, too, where the device has no halt.
+    /// `run` gives it back once the motor stands.
+    constexpr void stop(stop_by how = stop_by::ramp) noexcept
+    {
+        bool const has_none = how == stop_by::halt and Device::profile.halt == 0;
+        control_.stop(has_none ? stop_by::ramp : how);
+    }
 
     /// Orders one fault reset.
     constexpr void reset_fault() noexcept { control_.reset_fault(); }

@@ -44,13 +44,13 @@ private:
     constexpr wish heard(std::uint16_t word) noexcept
     {
         // Orders in what was read are not given again: factory settings, save, recall.
-        constexpr std::uint16_t factory_bit = 0x0001, order_bits = 0x0007;
+        constexpr std::uint16_t factory_bit = 0x0001;
         if (not has_looked_) {
             has_looked_ = true;
             return cia402::has_power(note(word)) ? end(ending::refused_while_running)
                                                  : to_read(profile().cmi);
         }
-        control_ = static_cast<std::uint16_t>(word & ~order_bits);
+        control_ = static_cast<std::uint16_t>(word & ~profile().cmi_orders);
         return to_write(profile().cmi, static_cast<std::uint16_t>(control_ | factory_bit));
     }
 

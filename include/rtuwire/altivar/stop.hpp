@@ -38,7 +38,7 @@ public:
     {
         switch (what.what) {
         case event::kind::begun: return begin();
-        case event::kind::pause_over: return looks_first() ? look() : stop_again();
+        case event::kind::pause_over: return is_in_place() ? look() : stop_again();
         case event::kind::word_read: return heard(what.word);
         case event::kind::written:
             was_taken_ = true;
@@ -157,6 +157,7 @@ private:
     {
         bool const is_zero = frequency == 0;
         bool const was_zero = has_frequency_ and last_ == 0;
+        bool const is_slowing = has_frequency_ and magnitude(frequency) < magnitude(last_);
         first_ = has_frequency_ ? first_ : frequency;
         last_ = frequency;
         has_frequency_ = true;
@@ -167,7 +168,9 @@ private:
         }
         if (not is_zero or not was_zero) {
             stands_ = false;
-            return to_pause(look_period);
+            // A word that keeps the power is given again only right behind a look that found the drive running.
+            bool const is_due = is_in_place() and is_operating and not is_slowing;
+            return is_due ? stop_again() : to_pause(look_period);
         }
         if (mode_ == stop_by::halt and is_operating) {
             return end(ending::succeeded);

@@ -160,6 +160,7 @@ protected:
     }
 
     constexpr client_phase phase_now() const noexcept { return phase_; }
+
     /// Takes a question: copies its frame to the front of the memory. Errors: `frame_too_short`,
     /// `frame_too_long`; `buffer_too_small` where the question and its answer do not fit together.
     constexpr errc start(request const& asked, instant now, patience const& with) noexcept
