@@ -45,7 +45,7 @@ constinit board::half_duplex_line<board::line_uart, board::driver_enable> line;
 
 /// The client and what it does in each pass.
 struct controller {
-    fixed_client<timing, patient, line_statistics> link{};
+    fixed_drive_client<timing, 1, patient, line_statistics> link{};
 
     template <conversation Talk> void pass(Talk& talk)
     {

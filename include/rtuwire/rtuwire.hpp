@@ -15,6 +15,7 @@
 #include <rtuwire/altivar/change_reference.hpp>
 #include <rtuwire/altivar/compact_values.hpp>
 #include <rtuwire/altivar/configure_scanner.hpp>
+#include <rtuwire/altivar/cycle_words.hpp>
 #include <rtuwire/altivar/cyclic.hpp>
 #include <rtuwire/altivar/cyclic_control.hpp>
 #include <rtuwire/altivar/drive_talk.hpp>
@@ -28,6 +29,7 @@
 #include <rtuwire/altivar/script.hpp>
 #include <rtuwire/altivar/start.hpp>
 #include <rtuwire/altivar/stop.hpp>
+#include <rtuwire/altivar/stop_everyone.hpp>
 #include <rtuwire/altivar/words.hpp>
 #include <rtuwire/cia402/command.hpp>
 #include <rtuwire/cia402/state.hpp>
@@ -39,12 +41,14 @@
 #include <rtuwire/client/bus.hpp>
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/client/client_state.hpp>
+#include <rtuwire/client/commander.hpp>
 #include <rtuwire/client/conversation.hpp>
 #include <rtuwire/client/echo.hpp>
 #include <rtuwire/client/echo_probe.hpp>
 #include <rtuwire/client/fixed_client.hpp>
 #include <rtuwire/client/line_end.hpp>
 #include <rtuwire/client/options.hpp>
+#include <rtuwire/client/orders.hpp>
 #include <rtuwire/client/phase.hpp>
 #include <rtuwire/client/plan_writer.hpp>
 #include <rtuwire/client/poller.hpp>

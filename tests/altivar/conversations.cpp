@@ -26,17 +26,17 @@ namespace {
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
 
 /// A client and one drive at address 7.
-template <typename Device> struct pair : test::party_line<client, Device> {
+template <typename Device> struct pair : test::party_line<drive_client<4>, Device> {
     static constexpr station<Device> drive{unit_id{7}};
 
-    pair() : test::party_line<client, Device>{client{test::party_timing, patient}}
+    pair() : test::party_line<drive_client<4>, Device>{drive_client<4>{test::party_timing, patient}}
     {
         this->add(unit_id{7});
         this->idle(milliseconds(20));
     }
 
     state now_in() { return this->drive_().chart().state(); }
-    sim::drive<Device>& drive_() { return test::party_line<client, Device>::drive(0); }
+    sim::drive<Device>& drive_() { return test::party_line<drive_client<4>, Device>::drive(0); }
 
     template <typename Talk> reason end_of(Talk talk)
     {

@@ -26,11 +26,11 @@ namespace {
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
 
 /// A controller that cycles, and the drive.
-template <typename Device> struct running : test::party_line<client, Device> {
+template <typename Device> struct running : test::party_line<drive_client<4>, Device> {
     cyclic<Device> loop;
 
     explicit running(cyclic_options const& options = {}, unit_id address = unit_id{3})
-        : test::party_line<client, Device>{client{test::party_timing, patient}},
+        : test::party_line<drive_client<4>, Device>{drive_client<4>{test::party_timing, patient}},
           loop{*station<Device>::checked(address.octet()), options}
     {
         this->add(address);
@@ -127,7 +127,7 @@ template <typename Device> void never_resumes()
     CHECK(it.now_in() == state::fault);
     CHECK_FALSE(it.order());
     it.cut(0, false);
-    it.pass(milliseconds(5'000));
+    it.pass(milliseconds(28'000)); // nothing was said to it for its longest time-out and a second
     CHECK_FALSE(it.loop.link_lost());
     CHECK(it.now_in() == state::fault);
     CHECK(it.loop.control().reason().fault == 5);
@@ -209,10 +209,65 @@ TEST_CASE("the application example by function 23, frame by frame")
     it.say("03 17 08 02 31 00 00 00 00 00 00 7F 35"_hex);
     CHECK(it.asks("03 17 31 C5 00 04 31 D9 00 04 08 00 07 05 DC 00 00 00 00 1A 08"_hex));
     it.say("03 17 08 02 33 00 00 00 00 00 00 5C F5"_hex);
+    CHECK(it.asks("03 03 21 35 00 01 9F DA"_hex)); // the control word still is the one written last
+    it.say("03 03 02 00 07 80 46"_hex);
     CHECK(it.asks("03 17 31 C5 00 04 31 D9 00 04 08 00 0F 05 DC 00 00 00 00 93 C8"_hex));
     it.say("03 17 08 02 37 05 DC 00 00 00 00 C8 B3"_hex);
     CHECK(it.loop.speed() == 1'500);
     CHECK(it.loop.control().is_running());
+}
+
+namespace {
+
+/// A cycle of an ATV310 that has told its drive to switch on.
+by_hand<atv310::device> told_to_switch_on()
+{
+    by_hand<atv310::device> it{cyclic{station<atv310::device>{unit_id{3}}}};
+    REQUIRE(it.asks("03 03 0C 81 00 01 D6 90"_hex));
+    it.say("03 03 02 02 50 C0 D8"_hex);
+    REQUIRE(it.asks("03 03 1B D1 00 01 D3 35"_hex));
+    it.say("03 03 02 00 00 C1 84"_hex);
+    REQUIRE(it.checks_scanner());
+    REQUIRE(it.loop.run(1'500_rpm));
+    REQUIRE(it.asks("03 17 31 C5 00 04 31 D9 00 04 08 00 06 05 DC 00 00 00 00 0A C8"_hex));
+    it.say("03 17 08 02 31 00 00 00 00 00 00 7F 35"_hex);
+    REQUIRE(it.asks("03 17 31 C5 00 04 31 D9 00 04 08 00 07 05 DC 00 00 00 00 1A 08"_hex));
+    it.say("03 17 08 02 33 00 00 00 00 00 00 5C F5"_hex);
+    return it;
+}
+
+} // namespace
+
+TEST_CASE("a drive whose control word is not the one written last is not told to run")
+{
+    auto it = told_to_switch_on();
+    REQUIRE(it.asks("03 03 21 35 00 01 9F DA"_hex));
+    it.say("03 03 02 00 00 C1 84"_hex); // it lost its power, or somebody else wrote
+    CHECK(it.loop.control().reason().how == ending::overwritten);
+    CHECK_FALSE(it.loop.control().is_ordered());
+    CHECK(it.asks("03 17 31 C5 00 04 31 D9 00 04 08 00 00 05 DC 00 00 00 00 6C C8"_hex));
+}
+
+TEST_CASE("an exchange on the way up that is not answered is followed by a look, not by the next word")
+{
+    auto it = told_to_switch_on();
+    REQUIRE(it.asks("03 03 21 35 00 01 9F DA"_hex));
+    it.loop.accept(errc::timed_out);
+    CHECK(it.loop.control().is_ordered());
+    CHECK(it.asks("03 03 0C 81 00 01 D6 90"_hex));
+}
+
+TEST_CASE("a halt is looked for before it is said, and said right behind the look")
+{
+    auto it = told_to_switch_on();
+    REQUIRE(it.asks("03 03 21 35 00 01 9F DA"_hex));
+    it.say("03 03 02 00 07 80 46"_hex);
+    REQUIRE(it.asks("03 17 31 C5 00 04 31 D9 00 04 08 00 0F 05 DC 00 00 00 00 93 C8"_hex));
+    it.say("03 17 08 02 37 05 DC 00 00 00 00 C8 B3"_hex);
+    it.loop.stop(stop_by::halt);
+    CHECK(it.asks("03 03 31 C5 00 04 5B 2A"_hex));
+    it.say("03 03 08 02 37 05 DC 00 00 00 00 88 F3"_hex);
+    CHECK(it.asks("03 06 21 35 01 0F D3 8E"_hex));
 }
 
 TEST_CASE("the application example by functions 03 and 16, frame by frame")
@@ -227,6 +282,12 @@ TEST_CASE("the application example by functions 03 and 16, frame by frame")
     CHECK(it.asks("03 03 31 C5 00 04 5B 2A"_hex));
     it.say("03 03 08 02 33 00 00 00 00 00 00 1C B5"_hex);
     CHECK(it.loop.run(1'500_rpm));
+    CHECK(it.asks("03 10 31 D9 00 04 08 00 07 05 DC 00 00 00 00 0E EE"_hex));
+    it.say("03 10 31 D9 00 04 1F 2F"_hex);
+    CHECK(it.asks("03 03 31 C5 00 04 5B 2A"_hex));
+    it.say("03 03 08 02 33 00 00 00 00 00 00 1C B5"_hex);
+    CHECK(it.asks("03 03 21 35 00 01 9F DA"_hex));
+    it.say("03 03 02 00 07 80 46"_hex);
     CHECK(it.asks("03 10 31 D9 00 04 08 00 0F 05 DC 00 00 00 00 87 2E"_hex));
     it.say("03 10 31 D9 00 04 1F 2F"_hex);
     CHECK(it.asks("03 03 31 C5 00 04 5B 2A"_hex));
@@ -334,7 +395,7 @@ TEST_CASE("a cycle has a deadline between its exchanges only")
 
 TEST_CASE("a drive says who it is")
 {
-    test::party_line<client, atv320::device> line{client{test::party_timing, patient}};
+    test::party_line<drive_client<4>, atv320::device> line{drive_client<4>{test::party_timing, patient}};
     line.add(unit_id{7});
     line.idle(milliseconds(20));
     identify<atv320::device> who{station<atv320::device>{unit_id{7}}};
@@ -342,7 +403,7 @@ TEST_CASE("a drive says who it is")
     REQUIRE(who.outcome());
     CHECK(who.outcome()->product == byte_view{"41 54 56 33 32 30 55 30 37 4D 32 42"_hex});
 
-    test::party_line<client, atv28::device> old{client{test::party_timing, patient}};
+    test::party_line<drive_client<4>, atv28::device> old{drive_client<4>{test::party_timing, patient}};
     old.add(unit_id{7});
     old.idle(milliseconds(20));
     identify<atv28::device> words{station<atv28::device>{unit_id{7}}};
@@ -353,7 +414,7 @@ TEST_CASE("a drive says who it is")
 
 TEST_CASE("everybody stops at one word")
 {
-    test::party_line<client, atv320::device> line{client{test::party_timing, patient}};
+    test::party_line<drive_client<4>, atv320::device> line{drive_client<4>{test::party_timing, patient}};
     line.add(unit_id{7});
     line.add(unit_id{8});
     line.idle(milliseconds(20));
@@ -363,14 +424,12 @@ TEST_CASE("everybody stops at one word")
         }
         REQUIRE(line.drive(i).chart().state() == state::operation_enabled);
     }
-    auto all = stop_everyone<atv320::device>();
+    auto all = broadcast_freewheel<atv320::device>();
     CHECK(line.run(all));
     CHECK(line.drive(0).chart().state() == state::switch_on_disabled);
     CHECK(line.drive(1).chart().state() == state::switch_on_disabled);
-    CHECK(
-        same_bytes(stop_everyone<atv320::device>().next()->frame(), "00 06 21 35 00 00 92 29"_hex));
-    auto quick = stop_everyone<atv320::device>(cia402::command::quick_stop);
-    CHECK(quick.next()->frame()[5] == std::byte{2});
+    CHECK(same_bytes(broadcast_freewheel<atv320::device>().next()->frame(),
+                     "00 06 21 35 00 00 92 29"_hex));
 }
 
 TEST_CASE("an order that a drive does not follow is dropped in time")

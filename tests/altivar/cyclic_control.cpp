@@ -45,12 +45,27 @@ constexpr bool says_nothing_to_who_was_not_heard()
     cyclic_control control;
     bool const is_silent = control.next_command() == 0 and not control.is_able() and
                            not control.run(100) and control.next_command() == 0;
-    control.note_status(operation_enabled, false);
     control.note_loss(errc::timed_out);
     return is_silent and control.next_command() == 0 and not control.is_able();
 }
-PROOF("a drive that was not heard, or is lost, is commanded nothing",
-      says_nothing_to_who_was_not_heard)
+PROOF("a drive that was not heard is commanded nothing", says_nothing_to_who_was_not_heard)
+
+constexpr bool stops_who_was_lost_running()
+{
+    cyclic_control ramp;
+    ramp.note_status(operation_enabled, false);
+    cyclic_control quick = ramp;
+    quick.stop(stop_by::quick_stop);
+    ramp.note_loss(errc::timed_out);
+    quick.note_loss(errc::timed_out);
+    cyclic_control stood;
+    stood.note_status(ready, false);
+    stood.note_loss(errc::timed_out);
+    return ramp.next_command() == 0x0007 and quick.next_command() == 0x0002 and
+           stood.next_command() == 0 and not ramp.is_able();
+}
+PROOF("a drive that was lost with power is told to stop, in the way that was wanted",
+      stops_who_was_lost_running)
 
 constexpr bool ramps_down_what_may_turn()
 {

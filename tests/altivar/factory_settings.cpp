@@ -19,15 +19,15 @@ namespace {
 
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
 
-template <typename Device> struct pair : test::party_line<client, Device> {
+template <typename Device> struct pair : test::party_line<drive_client<4>, Device> {
     static constexpr station<Device> drive{unit_id{7}};
 
-    pair() : test::party_line<client, Device>{client{test::party_timing, patient}}
+    pair() : test::party_line<drive_client<4>, Device>{drive_client<4>{test::party_timing, patient}}
     {
         this->add(unit_id{7});
         this->idle(milliseconds(20));
     }
-    sim::drive<Device>& far() { return this->test::party_line<client, Device>::drive(0); }
+    sim::drive<Device>& far() { return this->test::party_line<drive_client<4>, Device>::drive(0); }
     ending end_of(auto talk)
     {
         CHECK(this->run(talk));

@@ -101,12 +101,24 @@ constexpr bool halts_no_drive_that_is_ready()
     static_cast<void>(it.step(word(enabled)));
     static_cast<void>(it.step(word(300)));
     bool ok = writes(it.step(word(0x000F)), cmd, 0x010F);
-    ok = ok and it.step({kind::failed, 0, errc::timed_out}).what == wish::kind::pause;
+    ok = ok and it.step({kind::failed, 0, errc::server_device_busy}).what == wish::kind::pause;
     // Meanwhile somebody shut the drive down: the word with bit 3 would enable it.
     ok = ok and reads(it.step({kind::pause_over}), eta);
     return ok and writes(it.step(word(0x0231)), cmd, 0x0000);
 }
 PROOF("a halt is not given again to a drive that has become ready", halts_no_drive_that_is_ready)
+
+constexpr bool halts_no_drive_that_is_silent()
+{
+    stop_script it{some_drive, stop_by::halt, known};
+    static_cast<void>(it.step({kind::begun}));
+    static_cast<void>(it.step(word(enabled)));
+    static_cast<void>(it.step(word(300)));
+    bool const is_told = writes(it.step(word(0x000F)), cmd, 0x010F);
+    return is_told and writes(it.step({kind::failed, 0, errc::timed_out}), cmd, 0x0007);
+}
+PROOF("a halt that is not answered becomes the ramp, which needs no look",
+      halts_no_drive_that_is_silent)
 
 constexpr bool goes_below_switched_on()
 {

@@ -22,10 +22,10 @@ namespace {
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
 
 /// A cycle and a drive that runs at 50 Hz.
-template <typename Device> struct cycling : test::party_line<client, Device> {
+template <typename Device> struct cycling : test::party_line<drive_client<4>, Device> {
     cyclic<Device> loop{station<Device>{unit_id{3}}};
 
-    cycling() : test::party_line<client, Device>{client{test::party_timing, patient}}
+    cycling() : test::party_line<drive_client<4>, Device>{drive_client<4>{test::party_timing, patient}}
     {
         this->add(unit_id{3});
         pass(milliseconds(500));
@@ -84,7 +84,7 @@ TEST_CASE("motion law: S10 a cycle stops in each way, takes the order away, and 
             it.loop.stop(how);
             CHECK_FALSE(it.loop.control().is_ordered());
             CHECK_FALSE(it.order());
-            it.pass(milliseconds(200));
+            it.pass(milliseconds(400));
             CHECK(it.far().motor().frequency() < 50'000);
             state const expected = how == stop_by::quick_stop  ? state::quick_stop_active
                                    : how == stop_by::freewheel ? state::switch_on_disabled

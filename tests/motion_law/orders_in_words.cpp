@@ -24,7 +24,7 @@ constexpr client_options patient{.response_timeout = milliseconds(100), .retries
 template <typename Device> void saves_after_factory_settings()
 {
     INFO(std::string(Device::name.begin(), Device::name.end()));
-    test::party_line<client, Device> it{client{test::party_timing, patient}};
+    test::party_line<drive_client<4>, Device> it{drive_client<4>{test::party_timing, patient}};
     it.add(unit_id{3});
     it.idle(milliseconds(20));
     constexpr station<Device> drive{unit_id{3}};

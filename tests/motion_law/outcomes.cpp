@@ -101,7 +101,7 @@ template <typename Link, typename ComeBy> void leave_an_outcome(plant<Link>& it,
 TEST_CASE("motion law: S1 a poll's answer is not a start's: the motor runs at the reference that "
           "was asked for")
 {
-    plant<client> it;
+    plant<drive_client<4>> it;
     start before{drive, 1'400_rpm};
     REQUIRE(it.run(before));
     stop rest{drive};
@@ -121,7 +121,7 @@ TEST_CASE("motion law: S1 wherever the poll stands when the start begins")
 {
     for (std::uint32_t after = 0; after <= 30; ++after) {
         INFO("begun " << after << " passes after the poll");
-        plant<client> it;
+        plant<drive_client<4>> it;
         start before{drive, 1'400_rpm};
         REQUIRE(it.run(before));
         stop rest{drive};
@@ -143,7 +143,7 @@ TEST_CASE("motion law: S2 a poll's answer is not a save's: nothing is written to
 {
     for (std::uint32_t after = 0; after <= 30; ++after) {
         INFO("begun " << after << " passes after the poll");
-        plant<client> it;
+        plant<drive_client<4>> it;
         // A ramp that factory settings would take away.
         auto ramp = write_in_steps_of<deciseconds, atv320::acc>(drive, 7.7_s);
         REQUIRE(it.run(ramp));
@@ -178,7 +178,7 @@ TEST_CASE("motion law: S2 a poll's answer is not a save's: nothing is written to
 TEST_CASE("motion law: S3 a poll's answer is not a stop's: where the line fails the stop does not "
           "succeed")
 {
-    plant<client> it;
+    plant<drive_client<4>> it;
     start go{drive, 50_Hz};
     REQUIRE(it.run(go));
     it.idle(milliseconds(4'000));
@@ -221,7 +221,7 @@ TEST_CASE("motion law: S4 a start behind a cancelled start ends with its own out
 {
     for (std::uint32_t after = 0; after <= 40; ++after) {
         INFO("cancelled after " << after << " passes");
-        plant<client> it;
+        plant<drive_client<4>> it;
         start first{drive, 50_Hz};
         for (std::uint32_t i = 0; i < after; ++i) {
             it.pass([&](instant now) { it.link().converse(first, now); });
@@ -240,7 +240,7 @@ TEST_CASE("motion law: S4 a stop behind a cancelled poll ends with its own outco
 {
     for (std::uint32_t after = 0; after <= 15; ++after) {
         INFO("cancelled after " << after << " passes");
-        plant<client> it;
+        plant<drive_client<4>> it;
         start go{drive, 50_Hz};
         REQUIRE(it.run(go));
         it.idle(milliseconds(3'000));
@@ -260,8 +260,8 @@ TEST_CASE("motion law: S5 the empty outcome of a broadcast is never an exchange 
 {
     for (std::uint32_t after = 1; after <= 30; ++after) {
         INFO("the cycle comes by " << after << " passes after the broadcast");
-        plant<client> it;
-        auto everyone = stop_everyone<device>();
+        plant<drive_client<4>> it;
+        auto everyone = broadcast_freewheel<device>();
         for (std::uint32_t i = 0; i < after; ++i) {
             it.pass([&](instant now) { it.link().converse(everyone, now); });
         }
@@ -306,7 +306,7 @@ template <typename Link> [[gnu::noinline]] void ask_and_give_up(plant<Link>& it)
 TEST_CASE("motion law: S6 the question of a function that gave it up leaves as it was asked, or "
           "not at all")
 {
-    plant<client> it;
+    plant<drive_client<4>> it;
     ask_and_give_up(it);
     CHECK(use_the_stack() == 0x5A);
     byte_view const sent = it.link().poll_transmit();
@@ -319,7 +319,7 @@ TEST_CASE("motion law: S6 the question of a function that gave it up leaves as i
 TEST_CASE("motion law: S6 the same where it lived on the heap, and where it waits for a busy line")
 {
     for (bool const is_busy : {false, true}) {
-        plant<client> it;
+        plant<drive_client<4>> it;
         if (is_busy) {
             std::array<std::byte, 1> const noise{};
             it.link().receive(noise, it.now());
@@ -344,7 +344,7 @@ TEST_CASE("motion law: S6 the same where it lived on the heap, and where it wait
 
 TEST_CASE("motion law: S6 two conversations that take turns on one client get their own values")
 {
-    plant<client> it;
+    plant<drive_client<4>> it;
     panel one{drive.unit(), 3201};
     panel other{drive.unit(), 9001};
     auto ramp = write_in_steps_of<deciseconds, atv320::acc>(drive, 7.7_s);
@@ -421,7 +421,7 @@ TEST_CASE("motion law: S15 an urgent broadcast dropped after its frame left stop
         while (not reached(it.now(), end)) {
             it.pass(serve);
         }
-        auto everyone = stop_everyone<device>();
+        auto everyone = broadcast_freewheel<device>();
         for (std::uint32_t i = 0; i < after; ++i) {
             it.pass([&](instant now) {
                 it.link().converse_first(everyone, now);

@@ -25,10 +25,10 @@ namespace {
 
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
 
-template <typename Device> struct plant : test::party_line<client, Device> {
+template <typename Device> struct plant : test::party_line<drive_client<4>, Device> {
     static constexpr station<Device> drive{unit_id{3}};
 
-    plant() : test::party_line<client, Device>{client{test::party_timing, patient}}
+    plant() : test::party_line<drive_client<4>, Device>{drive_client<4>{test::party_timing, patient}}
     {
         this->add(unit_id{3});
         this->idle(milliseconds(20));

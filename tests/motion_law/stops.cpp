@@ -27,10 +27,10 @@ constexpr duration half_a_minute = milliseconds(30'000);
 constexpr auto known = word_meaning::drive_profile;
 
 /// A client and a drive that runs at 50 Hz.
-template <typename Device> struct running : test::party_line<client, Device> {
+template <typename Device> struct running : test::party_line<drive_client<4>, Device> {
     static constexpr station<Device> drive{unit_id{3}};
 
-    running() : test::party_line<client, Device>{client{test::party_timing, patient}}
+    running() : test::party_line<drive_client<4>, Device>{drive_client<4>{test::party_timing, patient}}
     {
         INFO(std::string(Device::name.begin(), Device::name.end()));
         this->add(unit_id{3});

@@ -29,7 +29,7 @@ constexpr client_options patient{.response_timeout = milliseconds(40), .retries 
 constexpr duration longest_transaction = milliseconds(500);
 
 /// A drive to which things happen, and what is known of them.
-template <typename Device> struct life : test::party_line<client, Device> {
+template <typename Device> struct life : test::party_line<drive_client<4>, Device> {
     test::random random;
     bool is_disturbed{false}; ///< something took it out of its state, and no answer told so yet
     std::size_t told_by{0};   ///< the number of the first request whose answer tells
@@ -40,7 +40,7 @@ template <typename Device> struct life : test::party_line<client, Device> {
     bool is_local{false};
 
     explicit life(std::uint32_t seed)
-        : test::party_line<client, Device>{client{test::party_timing, patient},
+        : test::party_line<drive_client<4>, Device>{drive_client<4>{test::party_timing, patient},
                                            instant{seed * 2'654'435'761U}},
           random{seed * 40'503U + 1U}
     {
@@ -164,6 +164,8 @@ template <typename Device> bool is_explained(reason const& told, life<Device>& i
     case ending::misconfigured:
     case ending::refused_while_running:
     case ending::halted:
+    case ending::overwritten:
+    case ending::overruled:
     case ending::contradictory:
     case ending::reference_limited: return false;
     case ending::succeeded: return true;

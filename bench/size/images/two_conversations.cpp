@@ -17,7 +17,7 @@ using panel = read_plan<atv320::device, atv320::eta, atv320::rfr, atv320::frh, a
                         atv320::otr, atv320::eti, atv320::uln, atv320::uop>;
 constexpr station<atv320::device> drive{unit_id{1}};
 constexpr line_timing timing{19'200, character_format::even_8_1};
-constinit fixed_client<timing> link;
+constinit fixed_drive_client<timing> link;
 
 } // namespace
 

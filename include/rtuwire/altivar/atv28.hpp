@@ -257,6 +257,8 @@ struct device {
                                            .halt = 0,
                                            .dc_injection = 0xA00A,
                                            .direct_control = 0x8000,
+                                           .longest_silence = milliseconds(7'000),
+                                           .fails_when_cut_short = true,
                                            .eeprom_time = milliseconds(2'100),
                                            .rfrd = 605,
                                            .cmi_orders = 0x0007};

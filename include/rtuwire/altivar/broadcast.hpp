@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// One command to every drive of a kind on the line at once. Nobody answers a broadcast: whether it was
-// obeyed, only reading each drive tells.
+// One command to every drive of a kind on the line at once. Nobody answers a broadcast: whether it was obeyed, only
+// reading each drive tells. altivar/stop_everyone.hpp does that, too.
 #pragma once
 
 #include <rtuwire/cia402/command.hpp>
@@ -14,17 +14,13 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
-/// Stops every drive whose control word stands where that of `Device` does: by "disable voltage" unless
-/// a quick stop is asked for. A line with ATV28 and later drives needs one of each.
-template <device_type Device>
-[[nodiscard]] constexpr auto
-stop_everyone(cia402::command how = cia402::command::disable_voltage) noexcept
+/// Takes the power from every motor whose drive has its control word where `Device` has it: one broadcast of "disable
+/// voltage". The motors coast. A line with ATV28 and later drives needs one of each.
+template <device_type Device> [[nodiscard]] constexpr auto broadcast_freewheel() noexcept
 {
-    bool const is_quick = how == cia402::command::quick_stop;
     return single_question{
-        broadcast,
-        write_single_register{Device::profile.cmd,
-                              cia402::word_of(is_quick ? how : cia402::command::disable_voltage)}};
+        broadcast, write_single_register{Device::profile.cmd,
+                                         cia402::word_of(cia402::command::disable_voltage)}};
 }
 
 } // namespace rtuwire::altivar

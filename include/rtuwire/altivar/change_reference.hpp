@@ -94,7 +94,7 @@ private:
             return end(ending::halted);
         }
         reference_write const told = reference_.under(control);
-        return to_write(told.address, told.word);
+        return to_enable(told.address, told.word);
     }
 
     reference_write reference_;

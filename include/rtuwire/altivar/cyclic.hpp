@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Keeps a drive running: one exchange a period, by function 23 over the scanner where the device moves
-// its words so, by functions 03 and 16 elsewhere. After a loss it looks at the status and the last fault
-// before it writes anything.
+// its words so, by functions 03 and 16 elsewhere. A drive that must not run is told to stop by function 06 and only read
+// besides. After a loss it is told to stop, as long as the client lets it, and looked at before anything else is written.
 #pragma once
 
 #include <array>
@@ -11,16 +11,17 @@
 #include <cstdint>
 #include <optional>
 
-#include <rtuwire/altivar/configure_scanner.hpp>
+#include <rtuwire/altivar/cycle_words.hpp>
 #include <rtuwire/altivar/cyclic_control.hpp>
 #include <rtuwire/altivar/reference.hpp>
-#include <rtuwire/client/conversation.hpp>
+#include <rtuwire/client/commander.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 #include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
 #include <rtuwire/wire/pdu/write_multiple_registers.hpp>
+#include <rtuwire/wire/pdu/write_single_register.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
@@ -39,41 +40,11 @@ struct cyclic_options {
     bool by_function_23{true};
 };
 
-/// The words that a device's cycle moves. Scanner slots 1 and 2 hold, as delivered, ETA and RFRD one
-/// way and CMD and LFRD the other.
-template <device_type Device> struct cycle_words {
-    static constexpr bool has_scanner = Device::profile.scanner_words > 0;
-    static constexpr bool needs_two = Device::limits.exchange_read < Device::profile.scanner_words;
-    static constexpr bool is_long = has_scanner and needs_two and Device::profile.scanner_words > 4;
-    static constexpr std::uint16_t inputs = not has_scanner ? 7 : is_long ? 8 : 4;
-    static constexpr std::uint16_t outputs = not has_scanner ? 2 : is_long ? 8 : 4;
-    /// Without a scanner: CMD and LFR; and the seven words that end with ETA.
-    static constexpr std::uint16_t read_from =
-        has_scanner ? scanner_input_words
-                    : static_cast<std::uint16_t>(Device::profile.eta - inputs + 1);
-    static constexpr std::uint16_t write_to =
-        has_scanner ? scanner_output_words : Device::profile.cmd;
-    static constexpr std::size_t status_at = has_scanner ? 0 : inputs - 1U;
-    static constexpr std::size_t speed_at = has_scanner ? 1 : 0;
-    static constexpr bool fits_function_23 =
-        inputs <= Device::limits.exchange_read and outputs <= Device::limits.exchange_write;
-
-    static constexpr auto const& reference = []() -> auto const&
-    {
-        if constexpr (has_scanner) {
-            return Device::speed_reference;
-        } else {
-            return Device::frequency_reference;
-        }
-    }
-    ();
-};
-
 /// A conversation without an end: give it to a client or a bus in each pass. It needs the scanner's first
 /// two slots as delivered, or set so by `configure_scanner`, and no output slots beyond but those that
 /// `set_output` names. Before the first exchange, and after each loss, it reads the scanner's addresses;
 /// where they are others it writes nothing, and says `misconfigured`.
-template <device_type Device> class cyclic : public asker {
+template <device_type Device> class cyclic : public commander {
     using words = cycle_words<Device>;
 
 public:
@@ -98,20 +69,27 @@ public:
         bool const is_taken = control_.run(is_reverse ? asked.reversed().word : asked.word);
         if (is_taken and not was_ordered) {
             climb_end_ = now_ + options_.climb_limit;
+            this->note_order();
         }
         return is_taken;
     }
 
-    /// Takes the order back: the motor stops, on its ramp or as said; on the ramp, too, where the device has no halt.
-    /// `run` gives it back once the motor stands.
+    /// Takes the order back: the motor stops, on its ramp or as said; on the ramp, too, where the device has no halt. The
+    /// word that stops goes at once, before all that others ask. `run` gives the order back once the motor stands.
     constexpr void stop(stop_by how = stop_by::ramp) noexcept
     {
         bool const has_none = how == stop_by::halt and Device::profile.halt == 0;
         control_.stop(has_none ? stop_by::ramp : how);
+        this->note_stop();
+        is_due_ = has_begun_;
     }
 
     /// Orders one fault reset.
-    constexpr void reset_fault() noexcept { control_.reset_fault(); }
+    constexpr void reset_fault() noexcept
+    {
+        control_.reset_fault();
+        this->note_order();
+    }
 
     /// Sets an output word beyond the first two, where the device has it. It is written in each cycle
     /// from then on, to whatever register the scanner's slot stands for.
@@ -140,9 +118,32 @@ public:
 
     /// Whether more exchanges in a row failed than are tolerated, none was made yet, or the scanner was
     /// not found as it has to be.
-    [[nodiscard]] constexpr bool link_lost() const noexcept { return step_ == step::look; }
+    [[nodiscard]] constexpr bool link_lost() const noexcept { return is_lost_; }
 
     [[nodiscard]] constexpr unit_id unit() const noexcept { return unit_; }
+
+    /// For the client: what the next question does to the motor, and how a loss is told.
+    [[nodiscard]] constexpr effect intent() const noexcept
+    {
+        if (not is_due_) {
+            return effect::none;
+        }
+        step const next = due_step();
+        if (next == step::say_stop) {
+            return effect::stopping;
+        }
+        bool const writes = next == step::exchange or next == step::write;
+        return writes and control_.moves() ? effect::enabling : effect::none;
+    }
+    [[nodiscard]] constexpr duration drive_timeout() const noexcept
+    {
+        bool const is_told = options_.drive_timeout.microseconds != 0;
+        return is_told ? options_.drive_timeout : Device::profile.longest_silence;
+    }
+    [[nodiscard]] constexpr std::uint8_t tolerated_misses() const noexcept
+    {
+        return options_.tolerated_misses;
+    }
 
     constexpr void advance(instant now) noexcept
     {
@@ -163,6 +164,7 @@ public:
         if (not is_due_) {
             return std::nullopt;
         }
+        step_ = due_step();
         return request{byte_view{frame_}.first(make_frame()), repetition::never};
     }
 
@@ -173,6 +175,12 @@ public:
         }
         misses_ = 0;
         take(*outcome);
+        if (control_.take_rest()) {
+            this->note_rest();
+        }
+        if (control_.take_end_of_stop()) {
+            this->note_stop_over();
+        }
     }
 
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
@@ -190,9 +198,34 @@ private:
         check_inputs,
         check_outputs,
         exchange,
-        read,
-        write
+        read,              ///< the first half of an exchange by functions 03 and 16
+        write,             ///< and the second
+        say_stop,          ///< the word that stops, by function 06
+        observe,           ///< reads as an exchange does, and writes nothing
+        check_control,     ///< the control word, before the command to run
+        compare_control,   ///< and from time to time while it runs
+        compare_reference, ///< the reference, in the same way
     };
+
+    /// The step that is asked now: whatever was to follow, a drive that must not run is told to stop; one that is halted
+    /// is looked at first, because the halt's word could enable it in another state.
+    constexpr step due_step() const noexcept
+    {
+        bool const is_exchange = step_ == step::exchange or step_ == step::read;
+        bool const writes = is_exchange or step_ == step::write;
+        if (writes and control_.must_stop()) {
+            return control_.is_halting() ? step::observe : step::say_stop;
+        }
+        bool const is_enabling = step_ != step::read and writes and control_.is_about_to_enable();
+        if (is_enabling and not is_control_checked_) {
+            return step::check_control;
+        }
+        if (is_exchange and exchanges_ >= exchanges_between_looks and control_.is_ordered() and
+            control_.is_running()) {
+            return compares_reference_ ? step::compare_reference : step::compare_control;
+        }
+        return step_;
+    }
 
     static constexpr duration safe_period(cyclic_options const& options) noexcept
     {
@@ -210,7 +243,12 @@ private:
 
     constexpr step first_step() const noexcept
     {
-        return words::fits_function_23 and options_.by_function_23 ? step::exchange : step::read;
+        return words_by_function_23() ? step::exchange : step::read;
+    }
+
+    constexpr bool words_by_function_23() const noexcept
+    {
+        return words::fits_function_23 and options_.by_function_23;
     }
 
     /// Puts the question of this step into the frame; its size.
@@ -224,7 +262,16 @@ private:
             return encoded(read_holding_registers{scanner_input_addresses, words::inputs});
         case step::check_outputs:
             return encoded(read_holding_registers{scanner_output_addresses, words::outputs});
-        case step::read: return encoded(read_holding_registers{words::read_from, words::inputs});
+        case step::read:
+        case step::observe:
+            return encoded(read_holding_registers{words::read_from, words::inputs});
+        case step::say_stop:
+            outputs_[0] = control_.next_command();
+            return encoded(write_single_register{profile.cmd, outputs_[0]});
+        case step::check_control:
+        case step::compare_control: return encoded(read_holding_registers{profile.cmd, 1});
+        case step::compare_reference:
+            return encoded(read_holding_registers{words::reference.address, 1});
         case step::write: return encoded(write_multiple_registers{words::write_to, output()});
         case step::exchange: break;
         }
@@ -251,13 +298,45 @@ private:
     constexpr void miss(errc error) noexcept
     {
         wait_a_period();
-        bool const is_tolerated = misses_ < options_.tolerated_misses and not is_exception(error);
+        if (error == errc::cancelled) {
+            return; // another conversation, or its owner, came before it
+        }
+        if (error == errc::overruled) {
+            return yield();
+        }
+        if (step_ == step::say_stop) {
+            return; // again, as long as the client lets it
+        }
+        bool const is_tolerated = misses_ < options_.tolerated_misses and error != errc::unit_lost and
+                                  not is_exception(error);
         if (is_tolerated) {
             ++misses_;
-            return;
+            return start_over();
         }
+        bool const may_run = control_.may_run();
         control_.note_loss(error);
         is_checked_ = false;
+        is_lost_ = true;
+        has_written_ = false;
+        step_ = may_run ? step::say_stop : step::look;
+    }
+
+    /// An attempt of a drive that does not run yet was not answered: it may have lost its power meanwhile. All that was
+    /// known of it is read again.
+    constexpr void start_over() noexcept
+    {
+        if (control_.is_ordered() and not control_.is_running()) {
+            is_checked_ = false;
+            is_control_checked_ = false;
+            step_ = step::look;
+        }
+    }
+
+    /// A stop by another conversation has the drive: it is looked at, and nothing is written.
+    constexpr void yield() noexcept
+    {
+        control_.note_overruled();
+        has_written_ = false;
         step_ = step::look;
     }
 
@@ -270,25 +349,43 @@ private:
     constexpr void take(response const& answer) noexcept
     {
         if (step_ == step::write) {
-            step_ = first_step();
-            return wait_a_period();
+            return end_exchange();
+        }
+        if (step_ == step::say_stop) {
+            step_ = is_lost_ ? step::look : step::observe;
+            return is_lost_ ? void() : wait_a_period();
         }
         constexpr std::size_t words_from = 2;
-        byte_view const pdu = answer.pdu();
-        register_view const read{pdu.subspan(words_from)};
-        if (step_ == step::look) {
-            control_.note_status(read[0], false);
-            step_ = step::look_for_fault;
-            return;
-        }
-        if (step_ == step::look_for_fault) {
+        register_view const read{answer.pdu().subspan(words_from)};
+        switch (step_) {
+        case step::look: return take_look(read[0]);
+        case step::look_for_fault:
             control_.note_fault(read[0]);
             step_ = step_after_look();
             return;
+        case step::check_inputs:
+        case step::check_outputs: return check_scanner(read);
+        case step::check_control:
+        case step::compare_control: return compare(read[0], outputs_[0]);
+        case step::compare_reference: return compare(read[0], outputs_[1]);
+        case step::exchange:
+        case step::read:
+        case step::observe:
+        case step::write:
+        case step::say_stop: break;
         }
-        if (step_ == step::check_inputs or step_ == step::check_outputs) {
-            return check_scanner(read);
-        }
+        take_inputs(read);
+    }
+
+    constexpr void take_look(std::uint16_t status) noexcept
+    {
+        is_lost_ = false;
+        control_.note_status(status, false);
+        step_ = step::look_for_fault;
+    }
+
+    constexpr void take_inputs(register_view read) noexcept
+    {
         for (std::size_t i = 0; i < words::inputs; ++i) {
             inputs_[i] = read[i];
         }
@@ -296,12 +393,41 @@ private:
         control_.note_status(inputs_[words::status_at], speed() == 0);
         if (step_ == step::read) {
             step_ = step::write;
+        } else if (step_ == step::exchange) {
+            end_exchange();
+        } else if (control_.must_stop()) {
+            step_ = step::say_stop; // right behind the look
         } else {
+            step_ = first_step();
             wait_a_period();
         }
         if (not was_in_fault and cia402::is_in_fault(control_.state())) {
             step_ = step::look_for_fault;
         }
+        is_control_checked_ = is_control_checked_ and control_.is_about_to_enable();
+    }
+
+    /// The drive has taken what was written.
+    constexpr void end_exchange() noexcept
+    {
+        has_written_ = true;
+        exchanges_ = static_cast<std::uint8_t>(exchanges_ + (exchanges_ < exchanges_between_looks ? 1 : 0));
+        step_ = first_step();
+        wait_a_period();
+    }
+
+    /// What stands in the drive is what was written last, or somebody else commands it, or it lost its power.
+    constexpr void compare(std::uint16_t found, std::uint16_t written) noexcept
+    {
+        bool const is_before_enabling = step_ == step::check_control;
+        compares_reference_ = step_ == step::compare_control;
+        exchanges_ = 0;
+        if (found != written or not has_written_) {
+            control_.note_overwritten();
+            wait_a_period();
+        }
+        is_control_checked_ = is_before_enabling;
+        step_ = is_before_enabling and not words_by_function_23() ? step::write : first_step();
     }
 
     constexpr void check_scanner(register_view addresses) noexcept
@@ -320,8 +446,11 @@ private:
             wait_a_period();
         }
         is_checked_ = is_right and not is_input;
+        is_lost_ = not is_right;
         step_ = not is_right ? step::look : is_input ? step::check_outputs : first_step();
     }
+
+    static constexpr std::uint8_t exchanges_between_looks = 10;
 
     static constexpr std::size_t frame_size =
         13 + 2 * (words::outputs > 2 ? words::outputs : std::size_t{2});
@@ -340,7 +469,12 @@ private:
     step step_{step::look};
     std::uint32_t slots_in_use_{0};
     std::uint8_t misses_{0};
-    bool is_checked_{false};
+    std::uint8_t exchanges_{0}; ///< since the control word or the reference was read back
+    bool is_lost_{true};
+    bool is_checked_{false};         ///< the scanner holds the words that it has to
+    bool is_control_checked_{false}; ///< the control word before the command to run is the one written last
+    bool has_written_{false};        ///< the words in `outputs_`, as far as the drive said so
+    bool compares_reference_{false};
     bool has_begun_{false};
     bool is_due_{false};
 };

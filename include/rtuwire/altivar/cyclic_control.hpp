@@ -44,6 +44,7 @@ public:
         bool const is_on_its_way = is_stopping_ and how_ == stop_by::freewheel;
         how_ = is_on_its_way ? how_ : how;
         is_ordered_ = false;
+        has_switched_on_ = false;
         is_stopping_ = true;
     }
 
@@ -61,10 +62,12 @@ public:
         status_ = status;
         state_ = cia402::decode(status);
         is_known_ = true;
+        was_lost_running_ = false;
         looks_at_rest_ = not stands           ? std::uint8_t{0}
                          : looks_at_rest_ < 2 ? static_cast<std::uint8_t>(looks_at_rest_ + 1)
                                               : looks_at_rest_;
         end_stop();
+        has_read_rest_ = cia402::is_at_rest(state_);
         if (cia402::is_in_fault(state_)) {
             return drop(ending::in_fault);
         }
@@ -86,9 +89,11 @@ public:
     /// Nothing came, or too late: nothing is known of the drive.
     constexpr void note_loss(errc error) noexcept
     {
+        was_lost_running_ = may_run();
         drop(ending::silent);
         reason_.error = error;
         is_known_ = false;
+        looks_at_rest_ = 0;
         reset_step_ = 0;
         state_ = cia402::state::unknown;
     }
@@ -100,6 +105,20 @@ public:
         reason_.how = ending::misconfigured;
         is_known_ = false;
         reset_step_ = 0;
+    }
+
+    /// A stop by another conversation took the order away.
+    constexpr void note_overruled() noexcept
+    {
+        drop(ending::overruled);
+        reset_step_ = 0;
+    }
+
+    /// The control word or the reference in the drive is not the one written last.
+    constexpr void note_overwritten() noexcept
+    {
+        drop(ending::overwritten);
+        reason_.how = ending::overwritten;
     }
 
     /// The way up takes too long.
@@ -125,6 +144,39 @@ public:
                (status_ & remote_bit) != 0;
     }
     [[nodiscard]] constexpr bool is_ordered() const noexcept { return is_ordered_; }
+
+    /// Whether the next command may move the motor: an order to run, or a fault reset.
+    [[nodiscard]] constexpr bool moves() const noexcept { return is_ordered_ or reset_step_ != 0; }
+
+    /// Whether the next command is the one that enables a drive that does not run.
+    [[nodiscard]] constexpr bool is_about_to_enable() const noexcept
+    {
+        return is_ordered_ and state_ == cia402::state::switched_on and has_switched_on_;
+    }
+
+    /// Whether the drive has power, or may have, and no order to run.
+    [[nodiscard]] constexpr bool must_stop() const noexcept
+    {
+        bool const may_turn = state_ == cia402::state::operation_enabled or
+                              state_ == cia402::state::quick_stop_active or
+                              (state_ == cia402::state::unknown and is_known_);
+        return not moves() and may_turn;
+    }
+
+    /// Whether the drive may be running as far as is known: ordered, or with power.
+    [[nodiscard]] constexpr bool may_run() const noexcept { return is_ordered_ or must_stop(); }
+
+    /// Whether a halt was ordered, and is under way.
+    [[nodiscard]] constexpr bool is_halting() const noexcept
+    {
+        return is_stopping_ and how_ == stop_by::halt and
+               state_ == cia402::state::operation_enabled;
+    }
+
+    /// Whether the drive was read to be without power, and whether a stop that was ordered here has come to its end; each
+    /// told once.
+    constexpr bool take_rest() noexcept { return take(has_read_rest_); }
+    constexpr bool take_end_of_stop() noexcept { return take(has_ended_stop_); }
     [[nodiscard]] constexpr bool is_running() const noexcept
     {
         return state_ == cia402::state::operation_enabled;
@@ -142,6 +194,7 @@ private:
             reason_ = {how, errc::none, state_, 0};
         }
         is_ordered_ = false;
+        has_switched_on_ = false;
     }
 
     constexpr std::uint16_t go_down() const noexcept
@@ -150,8 +203,8 @@ private:
         case cia402::state::operation_enabled:
         case cia402::state::quick_stop_active: return word_of_stop();
         case cia402::state::unknown:
-            // A state that nobody knows may be operation: the ramp rather than none.
-            return is_known_ ? cia402::word_of(cia402::command::switch_on) : std::uint16_t{0};
+            // A state that nobody knows, or that cannot be read any more, may be operation.
+            return is_known_ or was_lost_running_ ? word_of_stop() : std::uint16_t{0};
         case cia402::state::not_ready_to_switch_on:
         case cia402::state::switch_on_disabled:
         case cia402::state::ready_to_switch_on:
@@ -184,13 +237,17 @@ private:
         bool const is_low = state_ == cia402::state::switch_on_disabled or
                             state_ == cia402::state::not_ready_to_switch_on or
                             state_ == cia402::state::fault;
+        // A halt stays, in operation, as it is; the next order ends it.
+        bool const is_over = is_stopping_ and (is_low or (is_halting() and looks_at_rest_ >= 2));
+        has_ended_stop_ = has_ended_stop_ or is_over;
         is_stopping_ = is_stopping_ and not is_low;
     }
 
-    constexpr bool is_halting() const noexcept
+    static constexpr bool take(bool& mark) noexcept
     {
-        return is_stopping_ and how_ == stop_by::halt and
-               state_ == cia402::state::operation_enabled;
+        bool const is_set = mark;
+        mark = false;
+        return is_set;
     }
 
     /// Low, high, low.
@@ -202,15 +259,18 @@ private:
         return word;
     }
 
-    constexpr std::uint16_t climb() const noexcept
+    /// A drive that is found switched on is told so once more: the command to run follows only behind a word of ours.
+    constexpr std::uint16_t climb() noexcept
     {
-        cia402::command const next = state_ == cia402::state::operation_enabled
-                                         ? cia402::command::enable_operation
-                                         : cia402::toward_running(state_);
-        if (next == cia402::command::none) {
-            return 0;
+        cia402::command next = state_ == cia402::state::operation_enabled
+                                   ? cia402::command::enable_operation
+                                   : cia402::toward_running(state_);
+        if (state_ == cia402::state::switched_on and not has_switched_on_) {
+            next = cia402::command::switch_on;
         }
-        return cia402::word_of(next);
+        has_switched_on_ = next == cia402::command::switch_on or
+                           (has_switched_on_ and next == cia402::command::enable_operation);
+        return next == cia402::command::none ? std::uint16_t{0} : cia402::word_of(next);
     }
 
     altivar::reason reason_{};
@@ -222,7 +282,11 @@ private:
     std::uint8_t looks_at_rest_{0}; ///< in a row, up to 2
     stop_by how_{stop_by::ramp};
     bool is_known_{false};
+    bool has_switched_on_{false}; ///< was told so, on the way up
+    bool was_lost_running_{false}; ///< and not heard since
     bool is_ordered_{false};
+    bool has_read_rest_{false};
+    bool has_ended_stop_{false};
     bool is_stopping_{false}; ///< a stop was ordered here, and has not come to its end
     bool had_stop_key_{false}; ///< pressed before the order, and shown until the motor runs
 };

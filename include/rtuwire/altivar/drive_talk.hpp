@@ -20,7 +20,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// The conversation of a script. It ends by its limit, counted from the first `advance`; or a script's grace later,
 /// or at the end of the one question that is then under way or still has to be asked to leave the drive safe.
-template <typename Script> class drive_talk : public asker {
+template <typename Script> class drive_talk : public commander {
 public:
     constexpr drive_talk(unit_id unit, Script const& script, duration limit) noexcept
         : script_{script}, limit_{limit}, unit_{unit}
@@ -33,6 +33,11 @@ public:
         if (not has_begun_) {
             has_begun_ = true;
             late_at_ = now + limit_;
+            if constexpr (Script::is_stop) {
+                this->note_stop();
+            } else {
+                this->note_order();
+            }
             take(script_.step({event::kind::begun}));
         }
         if (settled() or is_asking_) {
@@ -50,14 +55,24 @@ public:
 
     [[nodiscard]] constexpr unit_id unit() const noexcept { return unit_; }
 
+    /// For the client: what the next question does to the motor, and how a loss is told.
+    [[nodiscard]] constexpr effect intent() const noexcept { return wish_.does; }
+    [[nodiscard]] constexpr duration drive_timeout() const noexcept { return script_.drive_timeout(); }
+    [[nodiscard]] static constexpr std::uint8_t tolerated_misses() noexcept { return 1; }
+
     constexpr std::optional<request> next() noexcept
     {
-        bool const has_question = wish_.what == wish::kind::read or wish_.what == wish::kind::write;
-        if (not has_begun_ or not has_question) {
+        if (not has_question()) {
             return std::nullopt;
         }
         is_asking_ = true;
         return request{frame_, wish_.again};
+    }
+
+    /// Whether there is something to ask.
+    [[nodiscard]] constexpr bool has_question() const noexcept
+    {
+        return has_begun_ and (wish_.what == wish::kind::read or wish_.what == wish::kind::write);
     }
 
     constexpr void accept(result<response> const& outcome) noexcept
@@ -66,7 +81,7 @@ public:
         if (settled()) {
             return;
         }
-        take(script_.step(heard(outcome)));
+        take(outcome.error() == errc::overruled ? script_.yield() : script_.step(heard(outcome)));
     }
 
     /// When `advance` has something to do; nothing while a question is under way.
@@ -131,6 +146,12 @@ private:
             next = script_.give_up();
         }
         was_granted_ = was_granted_ or (is_late_ and is_question);
+        if (script_.take_rest()) {
+            this->note_rest();
+        }
+        if (Script::is_stop and next.what == wish::kind::end) {
+            this->note_stop_over();
+        }
         wish_ = next;
         pause_end_ = now_ + next.length;
         if (next.what == wish::kind::read) {

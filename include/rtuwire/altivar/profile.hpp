@@ -41,6 +41,8 @@ struct drive_profile {
     std::uint16_t halt{cia402::halt_bit};   ///< or-ed to the control word; 0: has no halt
     std::uint16_t dc_injection{0};          ///< the control word that brakes so; 0: by none
     std::uint16_t direct_control{0};        ///< the bit of its direct control words; 0: has none
+    duration longest_silence{milliseconds(30'000)}; ///< without a request until it trips; the most that can be set
+    bool fails_when_cut_short{false}; ///< trips where a second request comes before its answer to the first
     duration eeprom_time{milliseconds(50)}; ///< without communication while it saves
     std::uint8_t scanner_words{0};          ///< slots each way; 0: has no scanner
     std::uint16_t rfrd{8604};               ///< output speed, which a scanner shows as delivered

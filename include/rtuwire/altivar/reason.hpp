@@ -29,6 +29,8 @@ enum class ending : std::uint8_t {
     unsupported,           ///< this drive cannot do that
     misconfigured,         ///< the drive's scanner holds other words than are needed
     halted,                ///< the halt bit is set: only a start takes it away
+    overwritten,           ///< the command or reference in the drive is not the one written last
+    overruled,             ///< a stop was ordered later, or is under way
     contradictory,         ///< a negative reference and "reverse" at once: one sign for the direction
 };
 
@@ -61,6 +63,8 @@ struct reason {
     case ending::unsupported: return "this drive cannot do that";
     case ending::misconfigured: return "the drive's scanner holds other words";
     case ending::halted: return "the drive is halted";
+    case ending::overwritten: return "another master commands the drive, or it lost its power";
+    case ending::overruled: return "a stop was ordered later";
     case ending::contradictory: return "a negative reference and reverse at once";
     }
     return "unknown";

@@ -9,7 +9,7 @@
 
 #include <rtuwire/altivar/profile.hpp>
 #include <rtuwire/altivar/reason.hpp>
-#include <rtuwire/client/conversation.hpp>
+#include <rtuwire/client/commander.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
@@ -37,6 +37,7 @@ struct wish {
     std::uint16_t word{0};
     duration length{};
     repetition again{repetition::allowed};
+    effect does{effect::none}; ///< to a motor
 };
 
 [[nodiscard]] constexpr wish to_read(std::uint16_t address) noexcept
@@ -50,6 +51,20 @@ struct wish {
 [[nodiscard]] constexpr wish to_pause(duration length) noexcept
 {
     return {wish::kind::pause, 0, 0, length};
+}
+/// A write after which the motor may turn that did not, or turn otherwise.
+[[nodiscard]] constexpr wish to_enable(std::uint16_t address, std::uint16_t word) noexcept
+{
+    wish what = to_write(address, word);
+    what.does = effect::enabling;
+    return what;
+}
+/// A control word that takes the motor's power or its speed away.
+[[nodiscard]] constexpr wish to_stop(std::uint16_t address, std::uint16_t word) noexcept
+{
+    wish what = to_write(address, word);
+    what.does = effect::stopping;
+    return what;
 }
 /// The same wish, asked once: where no answer comes, the script hears of it.
 [[nodiscard]] constexpr wish once(wish what) noexcept
@@ -68,6 +83,23 @@ public:
     static constexpr duration grace{};
 
     [[nodiscard]] constexpr altivar::reason const& reason() const noexcept { return reason_; }
+
+    /// Whether it stops its drive because the user said so, and holds it until it ends.
+    static constexpr bool is_stop = false;
+
+    /// Ends a script because of a stop that somebody ordered later: the drive is that one's.
+    constexpr wish yield() noexcept { return end(ending::overruled); }
+
+    /// Whether the drive was read to be without power; told once for each time.
+    constexpr bool take_rest() noexcept
+    {
+        bool const is_told = has_read_rest_;
+        has_read_rest_ = false;
+        return is_told;
+    }
+
+    /// How long the drive goes on without any request.
+    [[nodiscard]] constexpr duration drive_timeout() const noexcept { return profile_->longest_silence; }
 
     /// Ends a script that wishes on after its limit.
     constexpr wish give_up() noexcept { return end(ending::stuck); }
@@ -99,10 +131,14 @@ protected:
     constexpr cia402::state note(std::uint16_t status) noexcept
     {
         reason_.state = cia402::decode(status);
+        has_read_rest_ = cia402::is_at_rest(reason_.state);
         return reason_.state;
     }
 
     constexpr void note_state(cia402::state at) noexcept { reason_.state = at; }
+
+    /// What a script inside this one has read counts for this one.
+    constexpr void note_rest_of(script& inner) noexcept { has_read_rest_ = inner.take_rest(); }
     constexpr void note_other_stop() noexcept { reason_.is_other_stop = true; }
 
     constexpr wish end_in_fault(std::uint16_t code) noexcept
@@ -114,6 +150,7 @@ protected:
 private:
     drive_profile const* profile_;
     altivar::reason reason_{};
+    bool has_read_rest_{false};
 };
 
 } // namespace rtuwire::altivar

@@ -115,14 +115,14 @@ private:
     constexpr wish write_reference(stage next, reference_write what) noexcept
     {
         stage_ = next;
-        return once(to_write(what.address, what.word));
+        return once(to_enable(what.address, what.word));
     }
 
     constexpr wish give(cia402::command next, std::uint16_t direction) noexcept
     {
         given_ = next;
         has_commanded_ = true;
-        return once(to_write(profile().cmd, static_cast<std::uint16_t>(cia402::word_of(next) | direction)));
+        return once(to_enable(profile().cmd, static_cast<std::uint16_t>(cia402::word_of(next) | direction)));
     }
 
     /// The control word before enabling: another one was written by somebody else, or the drive was switched off.
@@ -176,9 +176,10 @@ private:
     /// What was not answered may have come through or not: the way begins anew, with a look.
     constexpr wish go_on(errc error) noexcept
     {
-        constexpr std::uint8_t most_misses = 3;
+        // One that may run already has to be stopped soon.
+        std::uint8_t const most_misses = given_ == cia402::command::enable_operation ? 1 : 3;
         ++misses_;
-        if (is_exception(error) or not has_commanded_ or misses_ > most_misses) {
+        if (is_exception(error) or error == errc::unit_lost or not has_commanded_ or misses_ > most_misses) {
             return withdraw(ending_for(error), error);
         }
         stage_ = stage::climbing;
@@ -205,6 +206,7 @@ private:
     constexpr wish come_to_rest(event const& what) noexcept
     {
         wish const next = rest_.step(what);
+        note_rest_of(rest_);
         if (next.what != wish::kind::end) {
             return next;
         }

@@ -30,6 +30,8 @@ enum class stop_by : std::uint8_t {
 /// Decides a stop, word by word.
 class stop_script : public script {
 public:
+    static constexpr bool is_stop = true;
+
     constexpr stop_script(drive_profile const& profile, stop_by mode, word_meaning known) noexcept
         : script{profile}, mode_{mode}, known_{known}
     {}
@@ -80,7 +82,10 @@ private:
         return to_read(address);
     }
 
-    constexpr wish stop_again() noexcept { return to_write(profile().cmd, word()); }
+    constexpr wish stop_again() noexcept
+    {
+        return to_stop(profile().cmd, word());
+    }
 
     constexpr wish give(std::uint16_t word_of_this_stop) noexcept
     {
@@ -179,10 +184,14 @@ private:
         return stop_again();
     }
 
-    /// A read or write that failed does not end a stop.
+    /// A read or write that failed does not end a stop. One in place is no more, where no answer came: only the stops
+    /// that need no look may then be said to the drive.
     constexpr wish go_on(errc error) noexcept
     {
         error_ = error;
+        if (is_in_place() and not is_exception(error)) {
+            has_word_ = false;
+        }
         return become_ramp_and_go_on();
     }
 
@@ -199,8 +208,8 @@ private:
     /// The limit is over, and the drive was not seen to stand.
     constexpr wish end_unconfirmed() noexcept
     {
-        if (not was_taken_ and error_ != errc::none) {
-            return end(error_);
+        if (not was_taken_) {
+            return end(error_ != errc::none ? error_ : errc::timed_out);
         }
         bool const obeys_not = is_seen_ and cia402::has_power(reason().state) and
                                magnitude(last_) >= magnitude(first_);

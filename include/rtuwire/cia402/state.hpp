@@ -79,6 +79,12 @@ inline constexpr std::array<state_pattern, 8> state_patterns{{
            of == state::fault_reaction_active;
 }
 
+/// Whether the motor is known to be without power.
+[[nodiscard]] constexpr bool is_at_rest(state of) noexcept
+{
+    return of != state::unknown and not has_power(of);
+}
+
 /// Whether only a fault reset leads on, now or as soon as the motor stands.
 [[nodiscard]] constexpr bool is_in_fault(state of) noexcept
 {

@@ -36,6 +36,13 @@ public:
         return is_left;
     }
 
+    /// No repetition any more.
+    constexpr void end_retries() noexcept
+    {
+        retries_ = 0;
+        busy_retries_ = 0;
+    }
+
     /// Whether the unit asks for time, and may have it.
     [[nodiscard]] constexpr bool may_pause(errc answer) const noexcept
     {

@@ -97,13 +97,15 @@ public:
         is_new_pass_ = true;
         own.is_here = true;
         own.is_present = not talk.settled();
-        bool const wants_turn = not talk.settled() and not is_urgent_ and not is_held_back(index, now);
+        bool const wants_turn = not talk.settled() and not is_urgent_ and
+                                (stops_now(talk) or not is_held_back(index, now));
         if (errc const came = client_.deliver(talk, wants_turn, now); came != errc::pending) {
             note_health(own, came, now);
         }
         advance_talk(talk, now);
+        client_.command(talk, now);
         wake_at(own.wake, wake_of(talk), now);
-        if (is_urgent_ or is_held_back(index, now)) {
+        if (is_urgent_ or (not stops_now(talk) and is_held_back(index, now))) {
             return;
         }
         if (errc const asked = client_.ask(talk, now, own_patience(own)); asked != errc::none) {
@@ -122,15 +124,16 @@ public:
         last_probed_ = is_silent(own) ? index : last_probed_;
     }
 
-    /// The same for a conversation that comes before all slots: a broadcast that stops everyone. To be called
-    /// before theirs; while it is not settled, they ask nothing.
+    /// The same for a conversation that comes before all slots: one that stops everyone. To be called before theirs; while
+    /// it is not settled, or as long as it says that it is urgent, they ask nothing.
     template <conversation Talk> constexpr void converse_first(Talk& talk, instant now) noexcept
     {
         static_cast<void>(client_.deliver(talk, not talk.settled(), now));
         advance_talk(talk, now);
-        is_urgent_ = not talk.settled();
+        client_.command(talk, now);
+        is_urgent_ = not talk.settled() and is_urgent(talk);
         wake_at(urgent_wake_, wake_of(talk), now);
-        if (is_urgent_ and client_.ask(talk, now, slots_[0].options.with) == errc::none) {
+        if (not talk.settled() and client_.ask(talk, now, slots_[0].options.with) == errc::none) {
             asked_at_ = now; // a slot may be told, where the conversation moved there
         }
     }
@@ -141,6 +144,15 @@ public:
     constexpr void hold(unit_id unit, instant end) noexcept { client_.hold(unit, end); }
     [[nodiscard]] constexpr bool is_held(unit_id unit) const noexcept { return client_.is_held(unit); }
     [[nodiscard]] constexpr byte_view poll_transmit() noexcept { return client_.poll_transmit(); }
+
+    /// Whether this bus ordered a unit to run, and nobody has read since that it does not.
+    [[nodiscard]] constexpr bool is_ordered(unit_id unit) const noexcept
+    {
+        return client_.motor_orders().is_ordered(unit.octet());
+    }
+
+    /// Lets a unit be commanded again that a stop holds which was given up before its end.
+    constexpr void release(unit_id unit) noexcept { client_.motor_orders().release(unit.octet()); }
 
     /// When the next pass has something to do.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
@@ -194,6 +206,25 @@ private:
             return talk.poll_deadline();
         } else {
             return {};
+        }
+    }
+
+    /// Whether a conversation's question is a word that stops: no rest and no probing holds it back.
+    template <typename Talk> static constexpr bool stops_now(Talk const& talk) noexcept
+    {
+        if constexpr (commanding_conversation<Talk>) {
+            return talk.intent() == effect::stopping and not talk.settled();
+        } else {
+            return false;
+        }
+    }
+
+    template <typename Talk> static constexpr bool is_urgent(Talk const& talk) noexcept
+    {
+        if constexpr (stops_everyone<Talk>) {
+            return talk.is_urgent();
+        } else {
+            return true;
         }
     }
 
@@ -303,7 +334,9 @@ private:
         return true;
     }
 
-    basic_client<Statistics, held<line_timing>, held<client_options>, quarantine<Slots>> client_;
+    basic_client<Statistics, held<line_timing>, held<client_options>, quarantine<Slots>, shared_memory,
+                 orders<Slots>>
+        client_;
     bus_options share_;
     std::array<slot, Slots> slots_{filled<Slots>(slot{})};
     deadline urgent_wake_{};

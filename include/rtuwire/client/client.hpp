@@ -3,11 +3,13 @@
 //
 // The client's end of a line (SL 2.4.1): one request at a time. Owns neither the wire nor a clock; knows
 // of functions only what wire/answer.hpp says. client/transaction.hpp does what one request needs,
-// client/turns.hpp says whose it is and who is next.
+// client/turns.hpp says whose it is and who is next, client/orders.hpp which motors run by order.
 #pragma once
 
 #include <cstddef>
 
+#include <rtuwire/client/commander.hpp>
+#include <rtuwire/client/orders.hpp>
 #include <rtuwire/client/transaction.hpp>
 #include <rtuwire/core/version.hpp>
 
@@ -22,10 +24,11 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// client's own and stay as they are until `sent` is called or the client gave up waiting for it; an outcome
 /// reaches the conversation that asked, or is dropped.
 ///
-/// `Debts` holds the units that owe an answer; `Front` is `shared_memory` or `separate_memory`.
+/// `Debts` holds the units that owe an answer; `Front` is `shared_memory` or `separate_memory`; `Orders` is
+/// `no_orders`, or `orders<Units>` for conversations that command motors: see client/orders.hpp.
 template <typename Statistics, typename Line = held<line_timing>,
           typename Options = held<client_options>, typename Debts = quarantine<1>,
-          std::size_t Front = shared_memory>
+          std::size_t Front = shared_memory, typename Orders = no_orders>
 class basic_client : public transaction<Statistics, Line, Options, Debts, Front> {
     using base = transaction<Statistics, Line, Options, Debts, Front>;
     using client_state::is_held_back_;
@@ -38,7 +41,8 @@ public:
     /// Lets time pass.
     constexpr void advance(instant now) noexcept
     {
-        if (base::advance(now) and is_held_back_) {
+        bool const is_silence_over = orders_.advance(now);
+        if ((base::advance(now) or is_silence_over) and is_held_back_) {
             is_held_back_ = false;
             turns_.void_marks();
             turns_.note_waiting();
@@ -49,9 +53,31 @@ public:
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
         earliest next;
-        base::add_to(next);
+        add_to(next);
         return next;
     }
+
+    /// The same, for whoever collects several.
+    constexpr void add_to(earliest& next) const noexcept
+    {
+        base::add_to(next);
+        orders_.add_to(next);
+    }
+
+    /// Whether a unit is asked nothing new now: it owes an answer, `hold` says so, or it was lost while it was ordered
+    /// to run, and its own time-out has to stop it.
+    [[nodiscard]] constexpr bool is_held(std::uint8_t unit) const noexcept
+    {
+        return base::is_held(unit) or orders_.is_silent(unit, effect::none);
+    }
+    [[nodiscard]] constexpr bool is_held(unit_id unit) const noexcept
+    {
+        return is_held(unit.octet());
+    }
+
+    /// Which units run by order.
+    [[nodiscard]] constexpr Orders& motor_orders() noexcept { return orders_; }
+    [[nodiscard]] constexpr Orders const& motor_orders() const noexcept { return orders_; }
 
     /// Gives up what is under way, only where it is this conversation's.
     constexpr void cancel(asker const& whose, instant now) noexcept
@@ -82,7 +108,29 @@ public:
     {
         static_cast<void>(deliver(talk, not talk.settled(), now));
         advance_talk(talk, now);
+        command(talk, now);
         static_cast<void>(ask(talk, now, with));
+    }
+
+    /// The second part of `converse`, behind its `advance`: takes note of what a commander's user wants. A stop makes
+    /// its way.
+    template <conversation Talk> constexpr void command(Talk& talk, instant now) noexcept
+    {
+        if constexpr (commanding_conversation<Talk> or stops_everyone<Talk>) {
+            static_assert(Orders::is_kept, "this client does not keep whose motor it ordered to run: take "
+                                           "drive_client<Units>, or a bus");
+            if constexpr (stops_everyone<Talk>) {
+                orders_.visit_for_all(talk, now);
+                for (auto& each : talk.stops()) {
+                    orders_.visit(each, each.unit().octet(), now);
+                }
+            } else {
+                orders_.visit(talk, talk.unit().octet(), now);
+            }
+            if (talk.intent() == effect::stopping and not is_asked_by(talk)) {
+                make_way_for(talk, now);
+            }
+        }
     }
 
     /// The first part of `converse`: the error of the outcome that the conversation was handed (`none` for an
@@ -101,7 +149,7 @@ public:
         }
         turns_.renew(talk);
         talk.forget();
-        result<response> const outcome = base::take_outcome();
+        result<response> const outcome = take_outcome(now);
         talk.accept(outcome);
         return outcome.error();
     }
@@ -115,11 +163,15 @@ public:
         if (talk.settled() and not turns_.is_last(talk)) {
             return errc::pending;
         }
-        if (not may_ask(talk, prompt_conversation<Talk>, now)) {
+        effect const what = effect_of(talk);
+        if (what == effect::stopping ? not may_stop() : not may_ask(talk, prompt_conversation<Talk>, now)) {
             return errc::busy;
         }
         if constexpr (prompt_conversation<Talk>) {
-            if (base::is_held(talk.unit())) {
+            if (errc const wrong = check_order(talk, what); wrong != errc::none) {
+                return refuse(talk, wrong, now);
+            }
+            if (is_barred(talk.unit().octet(), what)) {
                 return hold_back(talk);
             }
         }
@@ -127,16 +179,16 @@ public:
         if (not question) {
             return errc::pending;
         }
-        if (base::owes(*question)) {
+        std::uint8_t const unit = question->frame().empty() ? std::uint8_t{0} : to_u8(question->frame()[0]);
+        if (is_barred(unit, what)) {
             return hold_back(talk);
         }
-        errc const wrong = base::start(*question, now, with);
+        errc const wrong = base::start(*question, now, patience_for(unit, with));
         if (wrong != errc::none) {
-            talk.accept(wrong);
-            base::wake(now); // it may have another question, and nothing else would tell
-            return wrong;
+            return refuse(talk, wrong, now);
         }
         turns_.renew(talk);
+        note_asked(talk, what);
         return errc::none;
     }
 
@@ -168,6 +220,95 @@ private:
         return false;
     }
 
+    /// What the next question of a conversation does to a motor.
+    template <typename Talk> static constexpr effect effect_of(Talk const& talk) noexcept
+    {
+        if constexpr (commanding_conversation<Talk> or stops_everyone<Talk>) {
+            return talk.intent();
+        } else {
+            return effect::none;
+        }
+    }
+
+    /// Whether a unit is asked nothing of this effect now. Words that stop it do not wait for answers that it owes:
+    /// none of them is the echo of such a word.
+    constexpr bool is_barred(std::uint8_t unit, effect what) const noexcept
+    {
+        return orders_.is_silent(unit, what) or (what != effect::stopping and base::is_held(unit));
+    }
+
+    template <typename Talk> constexpr errc check_order(Talk const& talk, effect what) const noexcept
+    {
+        if constexpr (commanding_conversation<Talk>) {
+            return orders_.check(talk, talk.unit().octet(), what);
+        } else {
+            return errc::none;
+        }
+    }
+
+    template <typename Talk> constexpr void note_asked(Talk const& talk, effect what) noexcept
+    {
+        if constexpr (commanding_conversation<Talk>) {
+            if (what == effect::enabling) {
+                orders_.note_enabling(talk.unit().octet(), talk.drive_timeout(), talk.tolerated_misses());
+            }
+        }
+    }
+
+    /// A unit that is lost hears each word that stops it once.
+    constexpr patience patience_for(std::uint8_t unit, patience const& with) const noexcept
+    {
+        patience own = with;
+        own.retries = orders_.is_lost(unit) ? std::uint8_t{0} : with.retries;
+        return own;
+    }
+
+    /// A question cannot be asked.
+    template <typename Talk> constexpr errc refuse(Talk& talk, errc wrong, instant now) noexcept
+    {
+        talk.accept(wrong);
+        base::wake(now); // it may have another question, and nothing else would tell
+        return wrong;
+    }
+
+    /// What came of the request. Whatever becomes of its asker, an answer that did not come is noted.
+    constexpr result<response> take_outcome(instant now) noexcept
+    {
+        result<response> const outcome = base::take_outcome();
+        orders_.note_outcome(base::asked_unit(), outcome.error(), base::was_repeated(), now);
+        return outcome;
+    }
+
+    /// A word that stops comes by. Until it has left, nobody else asks; what is under way for its unit is given up,
+    /// unless its answer is arriving, and what is under way for another is not repeated.
+    template <typename Talk> constexpr void make_way_for(Talk& talk, instant now) noexcept
+    {
+        if (base::phase_now() == client_phase::idle and base::is_quiet()) {
+            return; // it leaves in this pass
+        }
+        turns_.reserve(talk);
+        bool may_cut = false;
+        if constexpr (stops_everyone<Talk>) {
+            may_cut = talk.may_cut(base::asked_unit());
+        } else {
+            may_cut = talk.unit().octet() == base::asked_unit();
+        }
+        base::make_way(may_cut, now);
+        if (may_cut and base::was_cut()) {
+            static_cast<void>(take_outcome(now)); // its asker is told that it was cancelled
+        }
+    }
+
+    /// Whether a word that stops may be asked: it waits for silence and for nobody.
+    constexpr bool may_stop() noexcept
+    {
+        bool const may = base::phase_now() == client_phase::idle and base::is_quiet();
+        if (may) {
+            turns_.end_reservation();
+        }
+        return may;
+    }
+
     /// Only the asker is missing, and another conversation comes by: whether it takes that one's place.
     constexpr void replace_asker(standing place, instant now) noexcept
     {
@@ -175,7 +316,7 @@ private:
         bool const takes_over = place == standing::is_next and turns_.misses_asker();
         if (takes_over or place == standing::is_last) {
             base::cancel(now);
-            static_cast<void>(base::take_outcome());
+            static_cast<void>(take_outcome(now));
         }
     }
 
@@ -195,6 +336,12 @@ private:
             return false;
         }
         bool const is_quiet = base::is_quiet();
+        if constexpr (Orders::is_kept) {
+            if (turns_.is_reserved() and not turns_.misses_reserver(who)) {
+                base::wake(now);
+                return false;
+            }
+        }
         if (not turns_.others_wait() and (is_quiet or not is_prompt)) {
             return true;
         }
@@ -205,13 +352,20 @@ private:
         }
         return may;
     }
+
+    [[no_unique_address]] Orders orders_{};
 };
 
 /// A client that counts nothing.
 using client = basic_client<no_statistics>;
 
+/// The same for conversations that command the motors of up to `Units` units: start, stop, cycle and the like.
+template <std::size_t Units = 1>
+using drive_client = basic_client<no_statistics, held<line_timing>, held<client_options>,
+                                  quarantine<1>, shared_memory, orders<Units>>;
+
 /// The same where memory does not matter: its requests and answers may have any size.
 using host_client = basic_client<no_statistics, held<line_timing>, held<client_options>,
-                                 quarantine<1>, separate_memory>;
+                                 quarantine<1>, separate_memory, orders<32>>;
 
 } // namespace rtuwire

@@ -22,4 +22,11 @@ template <line_timing const& Timing, client_options const& Options = default_cli
           typename Statistics = no_statistics>
 using fixed_client = basic_client<Statistics, fixed<Timing>, fixed<Options>>;
 
+/// The same for conversations that command the motors of up to `Units` units: see `drive_client`.
+template <line_timing const& Timing, std::size_t Units = 1,
+          client_options const& Options = default_client_options,
+          typename Statistics = no_statistics>
+using fixed_drive_client = basic_client<Statistics, fixed<Timing>, fixed<Options>, quarantine<1>,
+                                        shared_memory, orders<Units>>;
+
 } // namespace rtuwire

@@ -186,6 +186,26 @@ protected:
         limit_sending(now);
     }
 
+    /// A word that stops wants the line. What is under way is not repeated; where it may be cut, it is given up, unless
+    /// its answer has begun to arrive.
+    constexpr void make_way(bool may_cut, instant now) noexcept
+    {
+        attempts_.end_retries();
+        bool const is_arriving = phase_ == phase::awaiting and not framer_.is_quiet();
+        if (may_cut and not is_arriving) {
+            cancel(now);
+        }
+    }
+
+    /// Whether the request was given up and nobody was told yet.
+    constexpr bool was_cut() const noexcept
+    {
+        return phase_ == phase::settled and trouble_ == errc::cancelled;
+    }
+
+    /// Whether the request that ended left more than once.
+    constexpr bool was_repeated() const noexcept { return not attempts_.is_first(); }
+
     /// Ends what is settled.
     constexpr result<response> take_outcome() noexcept
     {

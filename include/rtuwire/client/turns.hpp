@@ -34,6 +34,7 @@ public:
         mark_ = 0;
         others_wait_ = false;
         is_missed_ = false;
+        is_reserved_ = false;
         return *this;
     }
 
@@ -106,6 +107,30 @@ public:
         return is_second;
     }
 
+    /// Somebody comes by who comes before all others, and may not ask yet: nobody else does before.
+    constexpr void reserve(asker& who) noexcept
+    {
+        is_reserved_ = true;
+        is_reserver_missed_ = false;
+        void_marks();
+        if (not is_last(who)) {
+            give(who, mark()); // its own stays good
+        }
+    }
+    constexpr void end_reservation() noexcept { is_reserved_ = false; }
+    [[nodiscard]] constexpr bool is_reserved() const noexcept { return is_reserved_; }
+
+    /// Another comes by while the line is reserved. Whether it does for the second time since the other one did: that
+    /// one is gone, and the reservation with it.
+    constexpr bool misses_reserver(asker& who) noexcept
+    {
+        standing const at = visit(who);
+        bool const is_second = at == standing::is_last and is_reserver_missed_;
+        is_reserver_missed_ = is_reserver_missed_ or at == standing::is_last;
+        is_reserved_ = at != standing::is_next and not is_second;
+        return not is_reserved_;
+    }
+
     /// Whether one of this standing may ask now, where the line is free and others wait. The one that was served last
     /// opens the turn for those that come by after it; where it does not come, it is that of the next.
     constexpr bool take(standing at) noexcept
@@ -130,6 +155,8 @@ private:
     std::uint8_t mark_{0};
     bool others_wait_{false};
     bool is_missed_{false};
+    bool is_reserved_{false};
+    bool is_reserver_missed_{false};
 };
 
 } // namespace rtuwire

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Conversations that can command a motor, as far as a client has to know them: which of their requests may move
+// it, which stop it, and what they learnt. client/orders.hpp is what a client does with that.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+
+#include <rtuwire/client/conversation.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/unit_id.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// What a request does to a motor.
+enum class effect : std::uint8_t {
+    none,
+    enabling, ///< the motor may turn that did not, or turn otherwise
+    stopping, ///< the motor loses its power or slows down; a write of function 06, whose echo no other answer is
+};
+
+/// What every conversation derives from that can command the motor of a unit. It notes what its user wants and what it
+/// read; the client takes note when the conversation comes by.
+class commander : public asker {
+protected:
+    /// The user orders something that may move the motor. A stop that begins later takes the order away.
+    constexpr void note_order() noexcept { has_ordered_ = true; }
+
+    /// The user stops: older orders of this unit, whoever gave them, are taken away, and none is taken until the stop is over.
+    constexpr void note_stop() noexcept
+    {
+        has_stopped_ = true;
+        is_over_ = false;
+    }
+
+    /// The stop has come to its end, whatever that is.
+    constexpr void note_stop_over() noexcept { is_over_ = true; }
+
+    /// The motor was read to be without power.
+    constexpr void note_rest() noexcept { has_read_rest_ = true; }
+
+private:
+    template <std::size_t> friend class orders;
+
+    std::uint32_t stamp_{0}; ///< when the last order or stop was given, in the client's count; 0: never
+    bool has_ordered_{false};
+    bool has_stopped_{false};
+    bool is_over_{false};
+    bool has_read_rest_{false};
+};
+
+/// A conversation that commands the motor of one unit. `intent` tells what the question does that `next` would give.
+/// `drive_timeout` is the time after which the unit stops its motor by itself when no request reaches it;
+/// `tolerated_misses` how many requests in a row that enable may go without an answer before the link counts as lost.
+template <typename T>
+concept commanding_conversation = prompt_conversation<T> and std::derived_from<T, commander> and
+                                  requires(T const& talk)
+{
+    {
+        talk.intent()
+        } -> std::same_as<effect>;
+    {
+        talk.drive_timeout()
+        } -> std::same_as<duration>;
+    {
+        talk.tolerated_misses()
+        } -> std::same_as<std::uint8_t>;
+};
+
+/// A conversation that stops all units of a line: by broadcasts first, while `is_urgent`, then one by one, by the
+/// commanders that `stops` gives. `may_cut` tells whether the answer that a unit owes need not be waited for.
+template <typename T>
+concept stops_everyone = conversation<T> and std::derived_from<T, commander> and
+                         requires(T& talk, std::uint8_t unit)
+{
+    talk.stops();
+    {
+        talk.intent()
+        } -> std::same_as<effect>;
+    {
+        talk.is_urgent()
+        } -> std::same_as<bool>;
+    {
+        talk.may_cut(unit)
+        } -> std::same_as<bool>;
+};
+
+} // namespace rtuwire

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Stopping everyone, on a line where frames collide: what counts is that every motor loses its power.
+#include "support/catch.hpp"
+
+#include "motion_law/colliding_line.hpp"
+
+#include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/cyclic.hpp>
+#include <rtuwire/altivar/start.hpp>
+#include <rtuwire/altivar/stop_everyone.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+using state = cia402::state;
+
+namespace {
+
+constexpr station<atv320::device> press{unit_id{1}};
+constexpr station<atv320::device> pump{unit_id{2}};
+constexpr station<atv28::device> fan{unit_id{3}};
+constexpr station<atv320::device> absent{unit_id{9}};
+constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
+constexpr client_options slow{.response_timeout = milliseconds(1'000), .retries = 2};
+
+/// Two later drives and an older one on a bus, running.
+struct hall : test::colliding_line<bus<6>> {
+    test::engine_node<sim::unit<atv320::device>>& first;
+    test::engine_node<sim::unit<atv320::device>>& second;
+    test::engine_node<sim::unit<atv28::device>>& old;
+
+    explicit hall(client_options const& options = patient)
+        : test::colliding_line<bus<6>>{bus<6>{test::colliding_timing, options}}, first{add(press)},
+          second{add(pump)}, old{add(fan)}
+    {
+        pass([](instant) {}, milliseconds(20));
+    }
+
+    template <typename Talk> void bring_up(std::size_t slot, Talk& talk)
+    {
+        instant const end = now() + milliseconds(5'000);
+        while (not talk.settled() and not reached(now(), end)) {
+            step([&](instant at) { link().converse(slot, talk, at); }, end);
+        }
+        REQUIRE(talk.running());
+    }
+
+    template <typename Node> static bool has_power(Node const& node)
+    {
+        return cia402::has_power(node.engine.inside().chart().state());
+    }
+    bool has_any_power() const { return has_power(first) or has_power(second) or has_power(old); }
+};
+
+} // namespace
+
+TEST_CASE("motion law: S13 everyone is stopped while a start climbs and a cycle runs: no motor has power afterwards")
+{
+    unsigned moments = 0;
+    for (std::uint32_t after_ms = 0; after_ms < 600; after_ms += 2) {
+        INFO("stopped " << after_ms << " ms after the orders");
+        hall it;
+        cyclic<atv320::device> loop{pump, {.period = milliseconds(50)}};
+        auto const cycle = [&](instant at) { it.link().converse(0, loop, at); };
+        it.pass(cycle, milliseconds(600));
+        REQUIRE(loop.run(1'200_rpm));
+        start go{press, 50_Hz};
+        start old{fan, 30_Hz};
+        auto const work = [&](instant at) {
+            cycle(at);
+            it.link().converse(1, go, at);
+            it.link().converse(2, old, at);
+        };
+        it.pass(work, milliseconds(after_ms));
+        stop_everyone all{press, pump, fan};
+        it.pass(
+            [&](instant at) {
+                it.link().converse_first(all, at);
+                work(at);
+            },
+            milliseconds(20'000));
+        REQUIRE(all.settled());
+        CHECK_FALSE(it.has_any_power());
+        CHECK(all.succeeded());
+        // Neither does what was ordered before come back, nor does a stray command to run start anybody.
+        it.pass(work, milliseconds(5'000));
+        CHECK_FALSE(it.has_any_power());
+        CHECK_FALSE(loop.control().is_ordered());
+        // A new order is taken.
+        CHECK(loop.run(1'200_rpm));
+        it.pass(work, milliseconds(2'000));
+        CHECK(it.second.engine.inside().chart().state() == state::operation_enabled);
+        ++moments;
+    }
+    CHECK(moments == 300);
+}
+
+TEST_CASE("motion law: S14 the broadcast that stops leaves at once behind a question to a unit that is off")
+{
+    for (std::uint32_t after_ms = 1; after_ms < 900; after_ms += 30) {
+        INFO("stopped " << after_ms << " ms after the question");
+        hall it{slow};
+        start go{press, 50_Hz};
+        it.bring_up(1, go);
+        single_question question{absent.unit(), read_holding_registers{3'201, 1}};
+        auto const ask = [&](instant at) { it.link().converse(0, question, at); };
+        it.pass(ask, milliseconds(after_ms));
+        REQUIRE_FALSE(question.settled());
+        stop_everyone all{press, pump, fan};
+        instant const asked = it.now();
+        std::size_t const before = it.spoken();
+        instant const end = asked + milliseconds(500);
+        while (it.spoken() == before and not reached(it.now(), end)) {
+            it.step(
+                [&](instant at) {
+                    it.link().converse_first(all, at);
+                    ask(at);
+                },
+                end);
+        }
+        // A request that is leaving leaves whole, and the line is silent for t3.5.
+        CHECK(it.spoke_at() - asked < milliseconds(10));
+        it.pass([&](instant at) { it.link().converse_first(all, at); }, milliseconds(400));
+        CHECK_FALSE(hall::has_power(it.first));
+        // Its asker was told.
+        it.pass(ask, milliseconds(20));
+        CHECK(question.outcome().error() == errc::cancelled);
+    }
+}
+
+TEST_CASE("motion law: S14 an answer that is arriving is let in, and one that an ATV28 owes is waited for")
+{
+    hall it{slow};
+    it.old.latency = milliseconds(300);
+    start go{press, 50_Hz};
+    it.bring_up(1, go);
+    single_question question{fan.unit(), read_holding_registers{atv28::device::profile.eta, 1}};
+    auto const ask = [&](instant at) { it.link().converse(0, question, at); };
+    for (bool const cuts : {false, true}) {
+        INFO("cuts an ATV28 short: " << cuts);
+        question.begin();
+        it.pass(ask, milliseconds(100));
+        REQUIRE_FALSE(question.settled());
+        stop_everyone all{everyone_options{.cuts_short = cuts}, press, pump, fan};
+        instant const asked = it.now();
+        std::size_t const before = it.spoken();
+        instant const end = asked + milliseconds(900);
+        while (it.spoken() == before and not reached(it.now(), end)) {
+            it.step(
+                [&](instant at) {
+                    it.link().converse_first(all, at);
+                    ask(at);
+                },
+                end);
+        }
+        duration const waited = it.spoke_at() - asked;
+        CHECK((waited < milliseconds(10)) == cuts);
+        CHECK(waited < milliseconds(260)); // 300 ms and an answer of 7 octets, of which 100 ms are over
+        it.pass([&](instant at) { it.link().converse_first(all, at); }, milliseconds(8'000));
+        CHECK(all.settled());
+        CHECK_FALSE(it.has_any_power());
+    }
+}
+
+TEST_CASE("motion law: S14 the broadcast never speaks into an answer that has begun, and the asker gets it")
+{
+    unsigned arrived = 0;
+    for (std::uint32_t after = 0; after < 40; ++after) {
+        INFO(after << " half milliseconds after the question");
+        hall it{slow};
+        single_question question{pump.unit(), read_holding_registers{3'201, 1}};
+        it.pass([&](instant at) { it.link().converse(0, question, at); }, microseconds(500 * after + 1));
+        stop_everyone all{press, pump};
+        it.pass(
+            [&](instant at) {
+                it.link().converse_first(all, at);
+                it.link().converse(0, question, at);
+            },
+            milliseconds(60));
+        CHECK(it.spoke_over() == 0);
+        arrived += question.outcome().has_value() ? 1U : 0U;
+    }
+    // The request takes 4.6 ms, the silence behind it 2, the answer 4.
+    CHECK(arrived > 10);
+    CHECK(arrived < 40);
+}
+
+TEST_CASE("motion law: S13 a drive that is not among those to stop loses its order, too, and gets none before the end")
+{
+    hall it;
+    cyclic<atv320::device> loop{pump, {.period = milliseconds(50)}};
+    auto const cycle = [&](instant at) { it.link().converse(0, loop, at); };
+    it.pass(cycle, milliseconds(600));
+    REQUIRE(loop.run(1'200_rpm));
+    it.pass(cycle, milliseconds(3'000));
+    REQUIRE(hall::has_power(it.second));
+    start turn{fan, 30_Hz};
+    it.bring_up(1, turn);
+    // The 8501 of an ATV320 stops the pump as well; what counts is that nothing brings it up again.
+    stop_everyone all{everyone_options{.left_out = atv320::device::profile.cmd}, fan};
+    bool was_refused = false;
+    instant const end = it.now() + milliseconds(20'000);
+    while (not all.settled() and not reached(it.now(), end)) {
+        it.step(
+            [&](instant at) {
+                it.link().converse_first(all, at);
+                cycle(at);
+                was_refused = was_refused or not loop.control().is_ordered();
+                if (not all.settled() and not loop.control().is_ordered() and not hall::has_power(it.second)) {
+                    loop.run(1'200_rpm); // too early
+                }
+            },
+            end);
+    }
+    CHECK(all.succeeded());
+    CHECK(was_refused);
+    // Nobody waited for the pump: it may still be on its ramp, and stays off after it.
+    it.pass(cycle, milliseconds(10'000));
+    CHECK_FALSE(hall::has_power(it.second));
+}
+
+TEST_CASE("motion law: S38 a family is left out of the broadcasts, and its drives are stopped one by one")
+{
+    hall it;
+    start go{press, 50_Hz};
+    start turn{fan, 30_Hz};
+    it.bring_up(1, go);
+    it.bring_up(2, turn);
+    // Something else on the line has its register 400, and must not be written there.
+    stop_everyone all{everyone_options{.left_out = atv28::device::profile.cmd}, press, fan};
+    bool writes_400 = false;
+    bool writes_8501 = false;
+    instant const end = it.now() + milliseconds(20'000);
+    while (not all.settled() and not reached(it.now(), end)) {
+        it.step(
+            [&](instant at) {
+                it.link().converse_first(all, at);
+                if (auto const next = all.next(); next and next->frame()[0] == std::byte{0}) {
+                    writes_400 = writes_400 or u16_at(next->frame(), 2) == 400;
+                    writes_8501 = writes_8501 or u16_at(next->frame(), 2) == 8'501;
+                }
+            },
+            end);
+    }
+    CHECK(all.succeeded());
+    CHECK_FALSE(writes_400);
+    CHECK(writes_8501);
+    CHECK_FALSE(it.has_any_power());
+}
