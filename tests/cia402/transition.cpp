@@ -147,6 +147,8 @@ PROOF("the ways end where they lead, from every state", leads_to_the_goals)
 
 STATIC_CHECK(name_of(transition::t3b) == text{"3B"} and name_of(transition::t0) == text{"0"});
 STATIC_CHECK(name_of(transition::none) == text{"none"});
+// Behind the last name, too.
+STATIC_CHECK(name_of(static_cast<transition>(18)) == text{"none"});
 STATIC_CHECK(name_of(command::quick_stop) == text{"quick stop"});
 STATIC_CHECK(word_of(command::fault_reset) == 0x0080 and word_of(command::none) == 0);
 
