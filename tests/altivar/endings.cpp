@@ -346,6 +346,11 @@ TEST_CASE("pages of identification that do not fit are errors")
     hear(circle, page(more, 1, 1, 6));
     CHECK(circle.outcome() == errc::malformed);
 
+    identify<device> longest_name{drive};
+    hear(longest_name, page(0, 0, 0, 48));
+    REQUIRE(longest_name.outcome());
+    CHECK(longest_name.outcome()->vendor.size() == 48);
+
     identify<device> long_name{drive};
     hear(long_name, page(0, 0, 0, 49));
     CHECK(long_name.outcome() == errc::buffer_too_small);

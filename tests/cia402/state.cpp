@@ -66,4 +66,33 @@ STATIC_CHECK(name_of(state::operation_enabled) == text{"operation enabled"});
 STATIC_CHECK(name_of(state::unknown) == text{"unknown"});
 STATIC_CHECK(has_power(state::quick_stop_active) and not has_power(state::switched_on));
 
+/// Bits 6 to 0 as the manuals print them, bit 4 aside; whether the motor may have power; whether there is a fault.
+struct printed {
+    state which;
+    std::uint16_t bits;
+    bool has_power;
+    bool is_in_fault;
+};
+constexpr printed table[]{{state::unknown, 0x00, false, false},
+                          {state::not_ready_to_switch_on, 0x00, false, false},
+                          {state::switch_on_disabled, 0x40, false, false},
+                          {state::ready_to_switch_on, 0x21, false, false},
+                          {state::switched_on, 0x23, false, false},
+                          {state::operation_enabled, 0x27, true, false},
+                          {state::quick_stop_active, 0x07, true, false},
+                          {state::fault_reaction_active, 0x2F, true, true},
+                          {state::fault, 0x28, false, true}};
+constexpr bool is_as_printed()
+{
+    for (printed const& each : table) {
+        if (status_bits(each.which) != each.bits or has_power(each.which) != each.has_power or
+            is_in_fault(each.which) != each.is_in_fault) {
+            return false;
+        }
+    }
+    return true;
+}
+PROOF("each state shows its bits, and says whether there is power and whether a fault",
+      is_as_printed)
+
 } // namespace

@@ -145,8 +145,30 @@ constexpr bool leads_to_the_goals()
 }
 PROOF("the ways end where they lead, from every state", leads_to_the_goals)
 
+/// The height of each state, in the order above.
+constexpr std::array heights{-1, 0, 1, 2, 3, 4, -1, -1, -1};
+constexpr bool rises_step_by_step()
+{
+    for (std::size_t i = 0; i < all_states.size(); ++i) {
+        if (height_of(all_states[i]) != heights[i]) {
+            return false;
+        }
+    }
+    return true;
+}
+PROOF("the way up has heights of 0 to 4, and off it there is none", rises_step_by_step)
+
+// A drive of which nothing is told has the profile's chart without what drives may lack.
+STATIC_CHECK(step(state::ready_to_switch_on, command::enable_operation, {}).number ==
+             transition::none);
+STATIC_CHECK(step(state::quick_stop_active, command::enable_operation, {}).number ==
+             transition::none);
+STATIC_CHECK(not chart_options{}.quick_stop_waits);
+
 STATIC_CHECK(name_of(transition::t3b) == text{"3B"} and name_of(transition::t0) == text{"0"});
 STATIC_CHECK(name_of(transition::none) == text{"none"});
+// Behind the last name, too.
+STATIC_CHECK(name_of(static_cast<transition>(18)) == text{"none"});
 STATIC_CHECK(name_of(command::quick_stop) == text{"quick stop"});
 STATIC_CHECK(word_of(command::fault_reset) == 0x0080 and word_of(command::none) == 0);
 

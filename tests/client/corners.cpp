@@ -259,7 +259,10 @@ TEST_CASE("units beyond the table are counted for the line alone")
         counts.note_exception(errc::illegal_data_value, unit);
         counts.note_asked(instant{7});
         counts.note_answered(instant{7} + milliseconds(unit), unit);
+        counts.note_stray(5, true, unit);
     }
+    CHECK(counts.line()[line_event::late] == 2);
+    CHECK((*counts.unit(1))[line_event::late] == 1);
     CHECK(counts.line()[line_event::reply] == 2);
     CHECK(counts.line().worst_latency == milliseconds(2));
     REQUIRE(counts.unit(1) != nullptr);

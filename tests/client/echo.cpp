@@ -129,6 +129,52 @@ constexpr bool without_being_told()
 }
 PROOF("an echo that nobody spoke of is never a value", without_being_told)
 
+/// A request on the line, of which so many octets have come back while it leaves.
+constexpr void let_come_back(test::basic_far_end<basic_client<line_statistics>>& unit,
+                             std::size_t count)
+{
+    static_cast<void>(unit.link.start(request{read_eta}, unit.now));
+    static_cast<void>(unit.link.poll_transmit());
+    unit.link.receive(byte_view{read_eta}.first(count), unit.now);
+}
+constexpr bool takes_no_part_for_the_whole()
+{
+    // Behind five the answer's first octet would be the next one of the echo.
+    for (std::size_t const count : {0U, 1U, 3U, 4U, 6U, 7U, 8U}) {
+        test::basic_far_end<basic_client<line_statistics>> unit{plain};
+        let_come_back(unit, count);
+        bool const waits = unit.fault() == errc::busy;
+        unit.now = unit.now + test::line.characters(read_eta.size());
+        unit.link.sent(unit.now);
+        unit.say(answer_1234);
+        bool const is_whole = count == read_eta.size();
+        bool const ends = is_whole ? unit.fault() == errc::echoed : unit.has(0x1234);
+        if (not waits or not ends or
+            unit.link.statistics().line()[line_event::mismatch] != (is_whole ? 1U : 0U)) {
+            return false;
+        }
+    }
+    return true;
+}
+PROOF("a request that came back whole ends when it has left, one that did in part is answered",
+      takes_no_part_for_the_whole)
+
+constexpr bool ends_with_its_last_octet()
+{
+    for (std::size_t count = read_eta.size() / 2; count < read_eta.size(); ++count) {
+        test::basic_far_end<basic_client<line_statistics>> unit{plain};
+        let_come_back(unit, count);
+        unit.link.sent(unit.now);
+        unit.link.receive(byte_view{read_eta}.subspan(count), unit.now);
+        if (unit.fault() != errc::echoed) {
+            return false;
+        }
+    }
+    return true;
+}
+PROOF("a request that comes back in part behind its end is known at its last octet",
+      ends_with_its_last_octet)
+
 /// What the probe finds on a line that does this.
 template <typename Say> constexpr result<bool> probed(Say say)
 {

@@ -162,8 +162,11 @@ constexpr bool has_room_for_two()
     counts.note(line_event::request, 7);
     counts.note(line_event::request, 9);
     counts.note_exception(static_cast<errc>(0x7F), 7);
+    counts.note_exception(static_cast<errc>(12), 7);
+    counts.note_exception(static_cast<errc>(11), 7);
     bool const full = counts.unit(9) == nullptr and counts.line()[line_event::request] == 3;
-    bool const other = counts.unit(7)->by_exception[0] == 1 and counts.unit(4) == nullptr;
+    bool const other = counts.unit(7)->by_exception[0] == 2 and
+                       counts.unit(7)->by_exception[11] == 1 and counts.unit(4) == nullptr;
     counts.reset();
     return full and other and counts.unit(3) == nullptr and counts.line()[line_event::request] == 0;
 }
@@ -178,6 +181,52 @@ constexpr bool stops_at_the_end()
     return counts[line_event::request] == 0xFFFF'FFFF;
 }
 PROOF("a counter stays at its highest value", stops_at_the_end)
+
+constexpr bool times_answers_and_refusals_only()
+{
+    counting_end unit{{.response_timeout = milliseconds(50), .retries = 0}};
+    unit.ask(read_eta);
+    unit.pass(milliseconds(30));
+    unit.say("02 03 02 12 34 F1 33"_hex); // another unit's
+    unit.say("01 04 02 12 34 B4 47"_hex); // another function's
+    auto const& line = unit.link.statistics().line();
+    bool const untimed = line[line_event::foreign] == 1 and line[line_event::mismatch] == 1 and
+                         line.worst_latency == duration{};
+    unit.run(milliseconds(400));
+    static_cast<void>(unit.fault());
+    unit.ask(read_eta);
+    unit.pass(milliseconds(9));
+    unit.say("01 83 02 C0 F1"_hex);
+    duration const refused = milliseconds(9) + test::line.characters(5);
+    return untimed and line[line_event::exception] == 1 and line.worst_latency == refused and
+           unit.link.statistics().unit(1)->worst_latency == refused;
+}
+PROOF("an answer and a refusal have a latency, and no other frame", times_answers_and_refusals_only)
+
+/// How many late answers are counted of a unit that says so after its time, in two parts.
+constexpr std::uint32_t late_of(std::uint8_t number, byte_view begin, byte_view rest)
+{
+    counting_end unit{impatient};
+    std::array<std::byte, 8> place{};
+    unit.ask(*encode_into(place, *unit_id::checked(number), read_holding_registers{3201, 1}));
+    unit.run(milliseconds(100));
+    static_cast<void>(unit.fault());
+    unit.say(begin);
+    unit.say(rest);
+    counters const& own = *unit.link.statistics().unit(number);
+    bool const agrees = unit.link.statistics().line()[line_event::late] == own[line_event::late] and
+                        unit.link.statistics().line()[line_event::noise] == 0;
+    return agrees ? own[line_event::late] : 99;
+}
+constexpr bool counts_a_late_answer_once()
+{
+    // The second part begins with the unit's address by chance.
+    return late_of(1, "01 03 02"_hex, "01 34 B5 33"_hex) == 1 and
+           late_of(246, "F6 03 02"_hex, "F6 34 B5 33"_hex) == 1 and
+           late_of(247, "F7 03 02"_hex, "F7 34 B5 33"_hex) == 1;
+}
+PROOF("a late answer of any unit is counted once, in however many parts it comes",
+      counts_a_late_answer_once)
 
 constexpr auto is_busy = "01 83 06 C1 32"_hex;
 

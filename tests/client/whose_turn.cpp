@@ -266,3 +266,19 @@ TEST_CASE("rule 21: the next in turn is the first behind the asker that comes by
         CHECK(it.asks(behind) == (pass == 1));
     }
 }
+
+TEST_CASE("rule 21: a request that waits is not ended by one who finds its asker missing once")
+{
+    desk it;
+    plain_talk away{1};
+    plain_talk other{2};
+    it.be_disturbed();
+    REQUIRE(it.asks(away)); // it waits for silence
+    it.pass(10'000);
+    CHECK_FALSE(it.asks(other));
+    it.pass(1);
+    CHECK_FALSE(it.asks(away)); // its request may leave
+    it.be_answered();
+    it.link.converse(away, it.now());
+    CHECK(away.answered == 1);
+}

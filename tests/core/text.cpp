@@ -10,6 +10,8 @@ using namespace rtuwire;
 namespace {
 
 STATIC_CHECK(text{}.size() == 0);
+// Behind no characters there is none to look at.
+STATIC_CHECK(text{} == text{} and not(text{} == text{"E"}));
 STATIC_CHECK(text{"ETA"}.size() == 3 and text{"ETA"}[2] == 'A');
 STATIC_CHECK(text{"ETA"} == text{"ETA"} and not(text{"ETA"} == text{"ETI"}));
 STATIC_CHECK(not(text{"ETA"} == text{"ET"}));

@@ -32,6 +32,7 @@ STATIC_CHECK(reached(late + milliseconds(35 * 60'000), late));
 STATIC_CHECK(milliseconds(3) == microseconds(3'000) and milliseconds(2) < milliseconds(3));
 STATIC_CHECK(milliseconds(2) + microseconds(5) == microseconds(2'005));
 STATIC_CHECK(microseconds(7) * 3 == microseconds(21));
+STATIC_CHECK(milliseconds(0) == duration{} and microseconds(0).microseconds == 0);
 
 // Half the counter's range is the horizon: one microsecond less is past, half of it is to come.
 STATIC_CHECK(reached(late + duration{0x7FFF'FFFF}, late));

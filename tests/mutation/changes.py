@@ -33,16 +33,18 @@ class Change:
     start: int
     end: int
     new: str
-    first: int = -1
-    last: int = -1
-    lines: range = range(0)
+    becomes: str
+    first: int
+    last: int
+    lines: range
 
     def apply(self, text):
         return text[:self.start] + self.new + text[self.end:]
 
-    def changed_line(self, text):
-        """The line as it becomes: what survivors.txt names."""
-        return self.apply(text).splitlines()[self.line - 1].strip()
+    @property
+    def key(self):
+        """What survivors.txt names: the header, and the line as it becomes."""
+        return self.header, self.becomes
 
 
 @dataclasses.dataclass
@@ -153,5 +155,7 @@ def changes_of(header, text):
         first, last = span or (-1, -1)
         over = range(text.count("\n", 0, first) + 1, text.count("\n", 0, last) + 2) if span else range(0)
         end = tokens[at + 1].start if token.text == "not" else token.end
-        found.append(Change(header, line, token.start, end, new, first, last, over))
+        begin = text.rfind("\n", 0, token.start) + 1
+        changed = (text[begin:token.start] + new + text[end:]).splitlines()[0].strip()
+        found.append(Change(header, line, token.start, end, new, changed, first, last, over))
     return found

@@ -44,6 +44,21 @@ STATIC_CHECK(may_ask(5, 255) and may_ask(16, 255));
 constexpr auto four_bytes = "02 03 00 00"_hex;
 STATIC_CHECK(after(2, 3).may_be_request(four_bytes));
 
+/// What is told of a frame that is due after a request of unit 2 to read one register.
+constexpr told_end told_of(byte_view so_far) { return after(2, 3).apply(so_far); }
+constexpr auto answer = "02 03 02 12 00 F0 E4"_hex;
+constexpr bool takes_a_response_for_one()
+{
+    // At seven bytes the response ends; with its fifth byte 00 a request would end one byte later.
+    told_end const whole = told_of(answer);
+    told_end const part = told_of(byte_view{answer}.first(6));
+    told_end const begun = told_of(byte_view{answer}.first(3));
+    return whole.is_here and whole.is_response and whole.is_open and whole.next == 8 and
+           not part.is_here and part.next == 7 and not begun.is_here and begun.next == 7;
+}
+PROOF("where the response ends and a request might go on, it ends as the response",
+      takes_a_response_for_one)
+
 constexpr bool ends()
 {
     exchange it = after(2, 3);

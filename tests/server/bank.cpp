@@ -36,6 +36,18 @@ constexpr bool set_and_get()
 }
 PROOF("a word is set and got only where there is one", set_and_get)
 
+constexpr bool writes_no_word_more()
+{
+    // Behind the two words there is no third, in the octets nor at the end of the bank.
+    constexpr register_block two{0x1234, 0x5678};
+    word_bank<4> bank{100};
+    static_cast<void>(bank.set(102, 7));
+    bool const first = bank.write(100, two.view()) == errc::none and bank.get(102) == 7;
+    return first and bank.write(102, two.view()) == errc::none and bank.get(100) == 0x1234 and
+           bank.get(101) == 0x5678 and bank.get(102) == 0x1234 and bank.get(103) == 0x5678;
+}
+PROOF("as many words are written as there are values", writes_no_word_more)
+
 constexpr bool reads_into_what_has_room()
 {
     word_bank<4> bank{100};

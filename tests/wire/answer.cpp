@@ -140,6 +140,10 @@ STATIC_CHECK(answer_size(read) == 7 and answer_size(write) == 8 and answer_size(
 STATIC_CHECK(answer_size(exchange) == 11 and answer_size(loop) == 8);
 STATIC_CHECK(answer_size(identify) == 256);
 STATIC_CHECK(answer_size("02 03 00 00"_hex) == 256);
+// Only pages of identification tell their end; what else function 43 carries ends by silence.
+STATIC_CHECK(longest_answer(identify) == length_so_far{256, true});
+constexpr auto other_type = "02 2B 0D 0E 00 00 00"_hex;
+STATIC_CHECK(longest_answer(other_type) == length_so_far{256, false});
 STATIC_CHECK(answer_size("02 03 00 00 FF FF 00 00"_hex) == 256);
 
 /// One of few questions, so that pairs of them are often nearly alike.

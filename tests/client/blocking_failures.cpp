@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A client that waits, when its port breaks and while its conversation pauses.
+#include <rtuwire/client/blocking.hpp>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "support/catch.hpp"
+
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/pdu/write_single_register.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr line_timing timing{19'200, character_format::even_8_1};
+
+/// A port on which nobody answers. Its clock jumps to each deadline; it breaks so many reads after the first frame.
+struct silent_port {
+    std::optional<unsigned> reads_left{};
+    bool is_broken{false};
+    instant clock{0xFFFF'FF00U};
+    std::vector<instant> sent_at{};
+    unsigned reads{0};
+
+    instant now() const { return clock; }
+    result<void> write(byte_view octets, instant)
+    {
+        if (is_broken) {
+            return errc::device_vanished;
+        }
+        sent_at.push_back(clock);
+        clock = clock + timing.characters(octets.size());
+        return {};
+    }
+    result<byte_span> read(byte_span place, instant until)
+    {
+        ++reads;
+        if (reads_left and not sent_at.empty()) {
+            is_broken = is_broken or *reads_left == 0;
+            --*reads_left;
+        }
+        if (is_broken) {
+            return errc::device_vanished;
+        }
+        clock = reached(clock, until) ? clock + microseconds(10) : until;
+        return place.first(0);
+    }
+};
+
+/// One question; counts what it is told.
+template <typename Request> struct counted : asker {
+    single_question<Request> talk;
+    unsigned told{0};
+    errc last{errc::none};
+
+    template <typename To> counted(To to, Request const& asked) : talk{to, asked} {}
+    std::optional<request> next() const { return talk.next(); }
+    void accept(result<response> const& outcome)
+    {
+        ++told;
+        last = outcome.error();
+        talk.accept(outcome);
+    }
+    bool settled() const { return talk.settled(); }
+};
+
+using counted_read = counted<read_holding_registers>;
+using counted_stop = counted<write_single_register>;
+constexpr read_holding_registers question{3201, 1};
+constexpr write_single_register stop_word{8501, 0};
+
+/// Asks its question so long after it was looked at first.
+struct late_read : counted_read {
+    duration pause;
+    std::optional<instant> due{};
+    bool is_due{false};
+
+    explicit late_read(duration length) : counted_read{unit_id{1}, question}, pause{length} {}
+    void advance(instant now)
+    {
+        due = due ? due : std::optional{now + pause};
+        is_due = is_due or reached(now, *due);
+    }
+    deadline poll_deadline() const { return is_due ? deadline{} : due; }
+    std::optional<request> next() const { return is_due ? counted_read::next() : std::nullopt; }
+};
+
+} // namespace
+
+TEST_CASE("a conversation whose port breaks is told once, whatever its question is")
+{
+    for (unsigned const reads : {0U, 1U}) {
+        INFO("after " << reads << " reads");
+        silent_port port;
+        port.reads_left = reads;
+        blocking_client line{port, timing};
+        counted_read talk{unit_id{1}, question};
+        CHECK(line.run(talk) == errc::device_vanished);
+        CHECK(talk.told == 1);
+        CHECK(talk.last == errc::cancelled);
+    }
+    silent_port port;
+    port.reads_left = 0;
+    blocking_client line{port, timing};
+    counted_stop talk{broadcast, stop_word}; // units still get their time for it
+    CHECK(line.run(talk) == errc::device_vanished);
+    CHECK(talk.told == 1);
+    CHECK(talk.last == errc::cancelled);
+}
+
+TEST_CASE("a conversation whose port broke before it asked is told nothing")
+{
+    silent_port port;
+    port.is_broken = true;
+    blocking_client line{port, timing};
+    counted_read talk{unit_id{1}, question};
+    CHECK(line.run(talk) == errc::device_vanished);
+    CHECK(talk.told == 0);
+    CHECK_FALSE(talk.settled());
+}
+
+TEST_CASE("a conversation that could not ask while a command took its time is not ahead for it")
+{
+    std::array<unsigned, 2> reads{};
+    for (unsigned const has_tried : {0U, 1U}) {
+        silent_port port;
+        port.reads_left = 0;
+        blocking_client line{port, timing};
+        counted_stop everyone{broadcast, stop_word};
+        REQUIRE_FALSE(line.run(everyone));
+        counted_read talk{unit_id{1}, question};
+        if (has_tried == 1) {
+            REQUIRE(line.run(talk) == errc::device_vanished);
+            REQUIRE(talk.told == 0);
+        }
+        port.is_broken = false;
+        port.reads_left.reset();
+        port.clock = port.clock + milliseconds(200); // that time is over
+        unsigned const before = port.reads;
+        REQUIRE(line.run(talk));
+        REQUIRE(port.sent_at.size() == 4); // and two repetitions
+        reads.at(has_tried) = port.reads - before;
+    }
+    CHECK(reads[0] == reads[1]);
+}
+
+TEST_CASE("a conversation that pauses is looked at when its pause ends, and not before")
+{
+    for (duration const pause : {milliseconds(3), milliseconds(30), milliseconds(3'000)}) {
+        silent_port port;
+        blocking_client line{port, timing};
+        late_read talk{pause};
+        instant const begin = port.clock;
+        REQUIRE(line.run(talk));
+        REQUIRE_FALSE(port.sent_at.empty());
+        // The line has to be silent before it is looked at first.
+        instant const due = begin + timing.t3_5() + pause;
+        CHECK(port.sent_at.front() - due < milliseconds(1));
+        CHECK(talk.told == 1);
+    }
+    silent_port port;
+    blocking_client line{port, timing};
+    late_read talk{milliseconds(3'000)};
+    port.reads_left = 0; // breaks behind the question
+    CHECK(line.run(talk) == errc::device_vanished);
+    CHECK(port.reads < 6);
+}

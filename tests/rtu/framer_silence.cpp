@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What silence ends, to the microsecond.
+#include <rtuwire/rtu/framer.hpp>
+
+#include "support/proof.hpp"
+
+#include <rtuwire/core/hex.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr line_timing line{19'200, character_format::even_8_1};
+// Five seconds before the counter wraps.
+constexpr instant start{0xFFFF'FFFFU - 5'000'000U};
+constexpr auto request = "02 03 0C 1E 00 04 27 6C"_hex;
+constexpr auto reply_of_one = "02 03 02 12 00 F0 E4"_hex;
+
+constexpr bool ends_an_open_end()
+{
+    auto const host = line_timing::host(19'200, character_format::even_8_1);
+    for (line_timing const& timing : {line, host}) {
+        framer<direction::request> receiver{timing};
+        receiver.advance(start);
+        receiver.advance(start + milliseconds(100));
+        receiver.overhear(2, 3);
+        instant const last = start + milliseconds(200);
+        receiver.receive(reply_of_one, last); // a byte 00 might follow, and make it a request
+        bool const is_open = not receiver.poll_frame() and not receiver.is_at_start();
+        receiver.advance(last + timing.t3_5() - microseconds(1));
+        bool const stays = not receiver.poll_frame();
+        receiver.advance(last + timing.t3_5());
+        auto const frame = receiver.poll_frame();
+        bool const ended = frame and *frame and receiver.is_overheard() and receiver.is_at_start();
+        if (not is_open or not stays or not ended or
+            not same_bytes((*frame)->octets(), reply_of_one)) {
+            return false;
+        }
+    }
+    return true;
+}
+PROOF("a response with an open end has ended after t3.5, as the response", ends_an_open_end)
+
+/// Damage that is reported so long after the last activity of a line that was not silent yet: whether it is the
+/// first byte of a frame, which is then refused.
+constexpr bool begins_a_frame(duration after)
+{
+    framer<direction::request> receiver{line};
+    receiver.advance(start);
+    instant const then = start + after;
+    receiver.receive_error(then);
+    receiver.receive(request, then + line.characters(request.size()));
+    receiver.advance(then + milliseconds(50));
+    auto const frame = receiver.poll_frame();
+    return frame and frame->error() == errc::uart_error;
+}
+constexpr bool damage_after_silence()
+{
+    duration const least = line.frame_end() + line.characters(1);
+    return begins_a_frame(least) and not begins_a_frame(duration{least.microseconds - 1});
+}
+PROOF("damage is of a new frame where it comes an octet behind the silence that ended the last",
+      damage_after_silence)
+
+} // namespace
