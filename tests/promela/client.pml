@@ -4,7 +4,7 @@
 inline deliver(i) {
     assert(i == asker && !law.asker_gone);                                                      /* L1 */
     if
-    :: response.heard && (slot[i].kind == start || slot[i].order) -> slot[i].power_gap = law.cycled_heard
+    :: response.received && (slot[i].kind == start || slot[i].order) -> slot[i].power_gap = law.cycled_before
     :: else
     fi;
     if
@@ -58,8 +58,8 @@ idle:
     };
     atomic { from_line?_;
         if
-        :: response.heard -> account(); tick()
-        :: !response.heard && !to_all -> tick(); account()
+        :: response.received -> account(); tick()
+        :: !response.received && !to_all -> tick(); account()
         :: else
         fi
     };

@@ -23,15 +23,15 @@ inline withdraw(i) {
 
 inline accept_of_start(i) {
     if
-    :: slot[i].step == WITHDRAWING && (response.heard || slot[i].left <= 1) -> settle(i)
-    :: slot[i].step == WITHDRAWING && !response.heard && slot[i].left > 1 -> slot[i].left--
-    :: slot[i].step != WITHDRAWING && !response.heard && slot[i].missed -> withdraw(i)
-    :: slot[i].step != WITHDRAWING && !response.heard && !slot[i].missed ->
+    :: slot[i].step == WITHDRAWING && (response.received || slot[i].left <= 1) -> settle(i)
+    :: slot[i].step == WITHDRAWING && !response.received && slot[i].left > 1 -> slot[i].left--
+    :: slot[i].step != WITHDRAWING && !response.received && slot[i].missed -> withdraw(i)
+    :: slot[i].step != WITHDRAWING && !response.received && !slot[i].missed ->
         slot[i].missed = 1;
 #ifndef NO_NEW_LOOK
         slot[i].step = LOOKING
 #endif
-    :: slot[i].step == LOOKING && response.heard ->
+    :: slot[i].step == LOOKING && response.received ->
         slot[i].missed = 0;
         note_rest();
         if
@@ -49,11 +49,11 @@ inline accept_of_start(i) {
             fi
         :: response.state == OPERATION -> slot[i].step = REFERRING; slot[i].top = OPERATION; slot[i].looked = 1
         fi
-    :: slot[i].step == SHUTTING_DOWN && response.heard ->
+    :: slot[i].step == SHUTTING_DOWN && response.received ->
         slot[i].missed = 0; slot[i].step = SWITCHING_ON; slot[i].top = READY
-    :: slot[i].step == SWITCHING_ON && response.heard ->
+    :: slot[i].step == SWITCHING_ON && response.received ->
         slot[i].missed = 0; slot[i].step = REFERRING
-    :: slot[i].step == REFERRING && response.heard ->
+    :: slot[i].step == REFERRING && response.received ->
         slot[i].missed = 0;
         if
         :: slot[i].top == OPERATION -> slot[i].step = CHECKING
@@ -63,15 +63,15 @@ inline accept_of_start(i) {
         :: else -> slot[i].step = READING_BACK
 #endif
         fi
-    :: slot[i].step == READING_BACK && response.heard ->
+    :: slot[i].step == READING_BACK && response.received ->
         slot[i].missed = 0;
         if
         :: response.same_command -> slot[i].step = ENABLING
         :: else -> withdraw(i)
         fi
-    :: slot[i].step == ENABLING && response.heard ->
+    :: slot[i].step == ENABLING && response.received ->
         slot[i].missed = 0; slot[i].step = CHECKING
-    :: slot[i].step == CHECKING && response.heard ->
+    :: slot[i].step == CHECKING && response.received ->
         note_rest();
         if
         :: at_rest && response.state != FAULT ->
@@ -99,14 +99,14 @@ inline go_on_stopping(i) {
 }
 inline accept_of_stop(i) {
     if
-    :: !response.heard -> go_on_stopping(i)
-    :: response.heard && request != look ->
+    :: !response.received -> go_on_stopping(i)
+    :: response.received && request != look ->
 #ifdef NO_CONFIRMATION
         say_it_stands(i)
 #else
         slot[i].step = LOOKING
 #endif
-    :: response.heard && request == look ->
+    :: response.received && request == look ->
         note_rest();
         if
         :: response.state == DISABLED || response.state == FAULT -> say_it_stands(i)
@@ -131,7 +131,7 @@ inline accept_of_broadcast(i) {
 
 inline accept_of_cyclic(i) {
     if
-    :: !response.heard ->
+    :: !response.received ->
         slot[i].checked = 0;
 #ifndef NO_NEW_LOOK
         slot[i].step = 0;
@@ -140,13 +140,13 @@ inline accept_of_cyclic(i) {
         :: slot[i].order && slot[i].missed && unit.mode == normal && !unit.ordered -> lose_order(i)
         :: else -> slot[i].missed = 1
         fi
-    :: response.heard && request == read_back ->
+    :: response.received && request == read_back ->
         slot[i].missed = 0;
         if
         :: response.same_command -> slot[i].checked = 1
         :: else -> lose_order(i); slot[i].step = 0
         fi
-    :: response.heard && request != read_back ->
+    :: response.received && request != read_back ->
         slot[i].missed = 0; slot[i].checked = 0;
         note_rest();
         slot[i].step = response.state;

@@ -62,9 +62,9 @@ end_quiet:
         if
         :: arrived && !for_all && drive.state != OFF ->
             printf("    state %d\n", drive.state);
-            response.heard = 1; response.state = drive.state; response.key = drive.key;
+            response.received = 1; response.state = drive.state; response.key = drive.key;
             response.same_command = (drive.command == switch_on);
-            response.power = has_power; law.cycled_heard = law.cycled
+            response.power = has_power; law.cycled_before = law.cycled
         :: printf("    no response\n")
         fi;
         frame = none; allowed = 0; for_all = 0; arrived = 0; from_line!0 }

@@ -72,12 +72,12 @@ mtype:mode = { normal, stop_words, silence };
 
 /* ---- what is checked -------------------------------------------------------------------------------- */
 typedef ghosts {
-    byte alone;        /* ticks since the client last heard the drive, or the user last began a stop */
+    byte alone;        /* ticks since the latest response, or the user last began a stop */
     bit  stop_open;    /* a stop has begun and none has settled since */
     bit  stop_waits;   /* a stop has begun and its word has not left */
     bit  asker_gone;   /* who asked the request under way is there no more */
-    bit  cycled;       /* the drive lost its power since it heard 0007 */
-    bit  cycled_heard; /* ... and had when it gave this response */
+    bit  cycled;       /* the drive lost its power since it received 0007 */
+    bit  cycled_before; /* ... and had when it gave this response */
 };
 ghosts law;
 
@@ -110,7 +110,7 @@ typedef conversation {
     bit  older;        /* its stamp is older than the unit's counter */
     bit  asked;        /* holds the number of the request under way */
     bit  revoked;      /* checked: since the order there was a stop, a broadcast stop or a loss */
-    bit  power_gap;    /* checked: when it last heard the drive, that had lost its power since 0007 */
+    bit  power_gap;    /* checked: at its latest response the drive had lost its power since 0007 */
     bit  spent;        /* checked: one of these, or a fault, or the STOP key */
 };
 #define A 0            /* start, cyclic */
@@ -137,7 +137,7 @@ byte turn;             /* which of A and B was served last */
 
 /* What came back: */
 typedef responses {
-    bit heard;
+    bit received;
     byte state;
     bit key;
     bit same_command;  /* the command register holds 0007 */

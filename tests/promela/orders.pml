@@ -84,9 +84,9 @@ inline take(i) {
 }
 
 inline drop() {
-    request = none; taken = 0; to_all = 0; by_stop = 0; asker = 0; law.asker_gone = 0; law.cycled_heard = 0;
+    request = none; taken = 0; to_all = 0; by_stop = 0; asker = 0; law.asker_gone = 0; law.cycled_before = 0;
     slot[A].asked = 0; slot[B].asked = 0; slot[U].asked = 0;
-    response.heard = 0; response.state = 0; response.key = 0; response.same_command = 0; response.power = 0
+    response.received = 0; response.state = 0; response.key = 0; response.same_command = 0; response.power = 0
 }
 
 inline lose() {
@@ -103,7 +103,7 @@ inline lose() {
 /* What the outcome of an attempt says of the unit. */
 inline account() {
     if
-    :: response.heard ->
+    :: response.received ->
         unit.missed = 0; unit.mode = normal; unit.timer = 0; law.alone = 0;
 #ifdef ORDERED_LATE
         if :: request == enable -> unit.ordered = 1 :: else fi
