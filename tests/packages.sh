@@ -10,7 +10,7 @@ packages_of() {
     case $1 in
         examples) echo cmake make c++ ;;
         build) echo cmake ninja-build g++ ;;
-        tests) echo catch2 python3 binutils ;;
+        tests) echo catch2 python3 binutils spin ;;
         interop) echo pkg-config libmodbus-dev mbpoll python3 python3-pymodbus python3-serial python3-serial-asyncio socat tshark ;;
         arm) echo gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib ;;
         emulator) echo qemu-system-arm ;;
@@ -29,7 +29,7 @@ packages_of() {
 # A tool counts however it came here; a library only counts as the package the build will look for.
 present() {
     case $1 in
-        cmake | make | c++ | g++ | clang | mbpoll | socat | tshark | pkg-config | qemu-system-arm | valgrind | strace | clang-format | clang-tidy)
+        cmake | make | c++ | g++ | clang | mbpoll | socat | tshark | pkg-config | qemu-system-arm | valgrind | strace | clang-format | clang-tidy | spin)
             command -v "$1" >/dev/null ;;
         ninja-build) command -v ninja >/dev/null ;;
         # Only the distribution's interpreter sees the distribution's modules.
