@@ -18,9 +18,9 @@
 #include <rtuwire/port/posix_serial.hpp>
 #include <rtuwire/wire/errc_name.hpp>
 
-#include "drive_panel.hpp"
 #include "emergency_stop.hpp"
 #include "logbook.hpp"
+#include "panel_reading.hpp"
 #include "reason_to_end.hpp"
 
 namespace examples {
@@ -80,13 +80,7 @@ public:
         if (not run(panel_)) {
             return false;
         }
-        auto const& now = panel_.latest();
-        say("   ETA %04X (%s), RFR %.1f Hz, FRH %.1f Hz, LCR %.1f A, ULN %.0f V, THR %.0f %%, "
-            "LFT %s; %zu registers in %zu requests\n",
-            status(), words(name_of(seen_state())).c_str(), number(now.template get<panel::rfr>()),
-            number(now.template get<panel::frh>()), number(now.template get<panel::lcr>()),
-            number(now.template get<panel::uln>()), number(now.template get<panel::thr>()),
-            fault().c_str(), std::size_t{7}, std::size_t{plan::request_count});
+        read().tell();
         return true;
     }
 
@@ -130,10 +124,10 @@ public:
         return until(
             "reference reached",
             [&] {
-                std::uint32_t const word = status();
-                bool const is_reached = (word & rtuwire::altivar::reference_reached_bit) != 0;
-                bool const is_back = (word & rtuwire::altivar::runs_backwards_bit) != 0;
-                return is_reached and is_back == is_reverse and output() != 0;
+                auto const now = read();
+                return now.has(rtuwire::altivar::reference_reached_bit) and
+                       now.has(rtuwire::altivar::runs_backwards_bit) == is_reverse and
+                       now.output() != 0;
             },
             milliseconds(60'000));
     }
@@ -187,7 +181,7 @@ public:
                 state const at = loop_.control().state();
                 bool const has_power = rtuwire::cia402::has_power(at);
                 return not loop_.link_lost() and at != state::unknown and
-                       at != state::switched_on and not has_power and output() == 0;
+                       at != state::switched_on and not has_power and read().output() == 0;
             },
             milliseconds(60'000));
     }
@@ -300,28 +294,15 @@ private:
     // What was seen.
 
     double time() const { return double((port_.now() - begin_).microseconds) / 1e6; }
-    double output() const
-    {
-        double const value = number(panel_.latest().template get<panel::rfr>());
-        bool const is_back = (status() & rtuwire::altivar::runs_backwards_bit) != 0;
-        return is_back and value > 0 ? -value : value;
-    }
-    std::uint16_t status() const { return panel_.latest().template get<panel::eta>().bits; }
-    state seen_state() const { return rtuwire::cia402::decode(status()); }
-    std::string fault() const
-    {
-        return words(rtuwire::name_of(panel_.latest().template get<panel::lft>()));
-    }
+    panel_reading<Device> read() const { return panel_reading<Device>{panel_.latest()}; }
 
     /// Takes a sample.
     void look()
     {
-        bool const is_known = panel_.outcome().has_value();
-        auto const& now = panel_.latest();
-        double const frh = number(now.template get<panel::frh>());
-        bool const is_back = way_ == rtuwire::altivar::heading::reverse and frh > 0;
-        seen_.add({time(), is_back ? -frh : frh, output(), number(now.template get<panel::lcr>()),
-                   seen_state(), is_known});
+        auto const now = read();
+        bool const is_reverse = way_ == rtuwire::altivar::heading::reverse;
+        seen_.add({time(), now.reference(is_reverse), now.output(), now.current(), now.state(),
+                   panel_.outcome().has_value()});
     }
 
     rtuwire::posix_serial& port_;

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstddef>
 #include <ctime>
+#include <exception>
 
 #include <unistd.h>
 
@@ -76,10 +77,17 @@ extern "C" inline void stop_and_die(int number)
     std::raise(number);
 }
 
-/// An error of this program must not leave the motor running: an exception that nobody catches ends as
-/// SIGABRT, a trap or a wrong address as one of the others.
+/// What the program would have done at its end otherwise: say why.
+inline std::terminate_handler last_words = nullptr;
+
+/// An error of this program must not leave the motor running: an exception that nobody catches, a trap, a wrong
+/// address, a stack that is used up.
 inline void stop_motor_before_dying()
 {
+    last_words = std::set_terminate([] {
+        emergency.stop_motor(); // before it is said: the output may block
+        last_words();
+    });
     // The program's own may be what is used up.
     alignas(16) static std::array<std::byte, 32'768> stack;
     stack_t other{};

@@ -15,11 +15,6 @@
 
 namespace examples {
 
-inline std::string words(rtuwire::text characters)
-{
-    return {characters.begin(), characters.end()};
-}
-
 class logbook {
 public:
     using state = rtuwire::cia402::state;

@@ -10,12 +10,20 @@
 
 #include <unistd.h>
 
+#include <rtuwire/core/text.hpp>
+
 #include "printer.hpp"
 
 namespace examples {
 
 inline printer standard_output{STDOUT_FILENO};
 inline printer error_output{STDERR_FILENO};
+
+/// A name of the library, as printf takes it.
+inline std::string words(rtuwire::text characters)
+{
+    return {characters.begin(), characters.end()};
+}
 
 /// What printf would make of it.
 [[gnu::format(printf, 1, 0)]] inline std::string formatted(char const* format, std::va_list values)

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <csignal>
-#include <initializer_list>
 
 namespace examples {
 
@@ -18,8 +17,32 @@ struct signal_notes {
 
 inline signal_notes noted;
 
-inline constexpr std::initializer_list<int> ending_signals = {
-    SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF, SIGXCPU};
+/// Whether a program that does nothing about it is ended by this signal, and can still do something. Not those of
+/// a broken program (`stop_motor_before_dying`) nor those that `take_signals` ignores.
+inline bool asks_for_an_end(int number)
+{
+    switch (number) {
+    case SIGKILL:
+    case SIGSTOP:
+    case SIGCHLD:
+    case SIGURG:
+    case SIGWINCH:
+    case SIGCONT:
+    case SIGTSTP:
+    case SIGTTIN:
+    case SIGTTOU:
+    case SIGPIPE:
+    case SIGXFSZ:
+    case SIGABRT:
+    case SIGSEGV:
+    case SIGBUS:
+    case SIGFPE:
+    case SIGILL:
+    case SIGTRAP:
+    case SIGSYS: return false;
+    default: return true;
+    }
+}
 
 extern "C" inline void note_signal(int number)
 {
@@ -37,8 +60,7 @@ extern "C" inline void note_signal(int number)
 inline void take_signal(int number)
 {
     struct sigaction before {};
-    sigaction(number, nullptr, &before);
-    if (before.sa_handler == SIG_IGN) {
+    if (sigaction(number, nullptr, &before) != 0 or before.sa_handler != SIG_DFL) {
         return;
     }
     struct sigaction taken {};
@@ -49,8 +71,10 @@ inline void take_signal(int number)
 
 inline void take_signals()
 {
-    for (int const each : ending_signals) {
-        take_signal(each);
+    for (int number = 1; number <= SIGRTMAX; ++number) {
+        if (asks_for_an_end(number)) {
+            take_signal(number);
+        }
     }
     take_signal(SIGTSTP);
     take_signal(SIGCONT);

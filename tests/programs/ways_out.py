@@ -5,7 +5,8 @@ before the program is gone.
 
     python3 ways_out.py SIMULATE DEMO DRIVE WAY
 
-A way is a signal (HUP, TSTP...), or one of: head, full, terminal, nobody, twice.
+A way is a signal (HUP, TSTP...), or one of: head, full, terminal, nobody, twice. With the program `breaks` in place
+of the demo: throw, missing, deep.
 """
 import fcntl
 import os
@@ -17,7 +18,7 @@ import sys
 import tempfile
 import termios
 
-from controller import LIMIT, Checks, Drive, demo, own_group, soon
+from controller import LIMIT, UNIT, Checks, Drive, demo, own_group, soon
 
 DYING = ("ABRT", "SEGV", "BUS", "FPE", "ILL")  # too late for a ramp: the motor is left without power
 HEAD_LINES = 14  # the demo's output up to where the motor turns
@@ -122,6 +123,18 @@ def by_two_interrupts(program, drive, check):
     check(drive.has_no_power(), "no power when the program is gone", drive.shown())
 
 
+def by_breaking(program, drive, how, check):
+    process = subprocess.Popen([program, drive.device, str(UNIT), how], stdin=subprocess.DEVNULL,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=own_group)
+    drive.controllers.append(process)
+    check(soon(drive.turns), "the motor turns")
+    status = end(process, check)
+    check(drive.has_no_power(), "no power when the program is gone", drive.shown())
+    check(soon(drive.stands), "the motor stands")
+    check(status < 0, "a signal ends it", status)
+
+
+BROKEN = ("throw", "missing", "deep")
 WAYS = {"TSTP": by_suspension, "head": by_head, "full": by_a_full_disk, "terminal": by_its_terminal,
         "nobody": with_nobody_listening, "twice": by_two_interrupts}
 
@@ -131,6 +144,8 @@ def main(simulate, program, name, way):
     with Drive(simulate, name) as drive:
         if way in WAYS:
             WAYS[way](program, drive, check)
+        elif way in BROKEN:
+            by_breaking(program, drive, way, check)
         else:
             by_signal(program, drive, way, check)
     return check.status()
