@@ -111,7 +111,7 @@ int demonstrate(options const& chosen, station<Device> const& drive, posix_seria
     }
     if (noted.suspend != 0) {
         standard_output.finish(std::chrono::milliseconds{500});
-        suspend(); // the motor stands
+        suspend(); // nothing is asked of the drive any more
     }
     print_plot(demo.seen());
     bool const is_drawn = svg_plot{demo.seen()}.write(chosen.svg);

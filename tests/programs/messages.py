@@ -6,6 +6,7 @@
 """
 import csv
 import io
+import os
 import pathlib
 import subprocess
 import sys
@@ -79,6 +80,14 @@ def check_lists(program, check):
     check(ended.returncode == 1 and "standard output" in ended.stderr, "a closed output, too", ended.stderr)
 
 
+def check_drawing(demo, simulate, check):
+    with Simulator(simulate, "atv12:1") as device, open(os.devnull, "rb") as nothing:
+        ended = subprocess.run([demo, "--drive", "atv12", "--port", device, "--svg", "/dev/full"], stdin=nothing,
+                               stdout=subprocess.PIPE, text=True, timeout=20, check=False)
+    check(ended.returncode == 1 and "NO drawing could be written to /dev/full" in ended.stdout,
+          "a drawing that cannot be written is a failure", ended.returncode)
+
+
 def check_signs(program, check):
     """A motor that turns backwards is shown with its sign, also below one hertz."""
     simulator = Simulator(program, "atv320:1")
@@ -98,6 +107,7 @@ def main(simulate, demo, list_registers):
     check_refusals(programs, check)
     check_help(programs, check)
     check_lists(list_registers, check)
+    check_drawing(demo, simulate, check)
     check_signs(simulate, check)
     return check.status()
 
