@@ -5,7 +5,10 @@
 
 #include <rtuwire/rtuwire.hpp>
 
+#include "support/figures.hpp"
+
 using namespace rtuwire;
+using examples::figures;
 
 namespace pump {
 
@@ -34,7 +37,8 @@ int main()
     auto const asked = decode_adu(tell.next()->frame());
     auto const answer = respond(asked->pdu(), registers, server_profile{}, place);
     bool const is_written = registers.take_written<pump::setpoint>();
-    std::printf("setpoint %u.%u Hz\n", registers.get<pump::setpoint>().count() / 10U,
-                registers.get<pump::setpoint>().count() % 10U);
+    std::printf("setpoint %s Hz, bearing %s degrees\n",
+                figures(registers.get<pump::setpoint>()).c_str(),
+                figures(registers.get<pump::bearing>()).c_str());
     return is_written and answer.size() == 5 ? 0 : 1;
 }

@@ -6,8 +6,11 @@
 
 #include <rtuwire/rtuwire.hpp>
 
+#include "support/figures.hpp"
+
 using namespace rtuwire;
 using namespace rtuwire::altivar;
+using examples::figures;
 
 namespace {
 
@@ -61,10 +64,9 @@ int main()
 
     auto const& seen = panel.latest();
     bool const runs = seen.get<atv12::eta>().has(status_bit::operation_enabled);
-    std::printf("%zu requests: %s at %d.%d Hz, ramp %u.%u s\n", monitor::request_count,
-                runs ? "running" : "stopped", seen.get<atv12::rfr>().count() / 10,
-                seen.get<atv12::rfr>().count() % 10, seen.get<atv12::acc>().count() / 10U,
-                seen.get<atv12::acc>().count() % 10U);
+    std::printf("%zu requests: %s at %s Hz, ramp %s s\n", monitor::request_count,
+                runs ? "running" : "stopped", figures(seen.get<atv12::rfr>()).c_str(),
+                figures(seen.get<atv12::acc>()).c_str());
     bool const is_read = ask.outcome() == signed_decihertz{487};
     bool const is_written =
         tell.outcome().has_value() and seen.get<atv12::acc>() == deciseconds{13};

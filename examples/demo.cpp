@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A client drives a drive: a simulated one in a process of its own, or with --port a real one, which is
-// only read unless --allow-run is given. Ctrl-C stops the motor first, and so does an error of this program.
-#include <csignal>
-#include <cstdio>
-#include <optional>
+// only read unless --allow-run is given. Whatever ends or suspends this program stops the motor first: Ctrl-C,
+// Ctrl-Z, any other signal but KILL and STOP, an output that takes no more, an error of this program.
+#include <chrono>
 #include <string>
 
 #include "support/demonstration.hpp"
 #include "support/simulated_process.hpp"
+#include "support/standard_descriptors.hpp"
 
 using namespace rtuwire;
 using namespace examples;
@@ -24,28 +24,20 @@ struct options {
     bool may_run{false};
 };
 
-std::optional<options> parse(int argc, char** argv)
+options parse(arguments words)
 {
     options chosen;
-    for (int i = 1; i < argc; ++i) {
-        std::string const flag = argv[i];
-        if (flag == "--allow-run") {
+    while (words.next()) {
+        if (words.flag() == "--allow-run") {
             chosen.may_run = true;
-            continue;
-        }
-        if (++i == argc) {
-            return std::nullopt;
-        }
-        std::string const value = argv[i];
-        auto const number = number_in(value);
-        if (flag == "--drive") {
-            chosen.drive = value;
-        } else if (flag == "--unit" and number) {
-            chosen.unit = *number;
-        } else if (flag == "--svg") {
-            chosen.svg = value;
-        } else if (not chosen.line.take(flag, value)) {
-            return std::nullopt;
+        } else if (words.flag() == "--drive") {
+            chosen.drive = words.value();
+        } else if (words.flag() == "--unit") {
+            chosen.unit = words.number();
+        } else if (words.flag() == "--svg") {
+            chosen.svg = words.value();
+        } else if (not chosen.line.take(words)) {
+            words.refuse();
         }
     }
     return chosen;
@@ -93,7 +85,7 @@ bool drive_motor(Demo& demo, simulated_process const* simulated, duration timeou
     }
     demo.step("Stop");
     bool const is_stopped = demo.stop();
-    std::printf("\n%s\n", is_stopped ? "The motor stands." : "THE MOTOR WAS NOT SEEN TO STOP.");
+    say("\n%s\n", is_stopped ? "The motor stands." : "THE MOTOR WAS NOT SEEN TO STOP.");
     return is_stopped and ok;
 }
 
@@ -102,13 +94,13 @@ int demonstrate(options const& chosen, station<Device> const& drive, posix_seria
                 line_timing const& timing, simulated_process const* simulated)
 {
     bool const is_short = simulated != nullptr and Device::profile.scanner_words > 0;
-    duration const timeout = is_short ? milliseconds(2'000) : Device::silence.factory;
+    duration const timeout = is_short ? milliseconds(3'000) : Device::silence.factory;
     demonstration<Device> demo{port, timing, drive, timeout};
-    std::printf("%s, unit %u on %s\n", chosen.drive.c_str(), chosen.unit, port.device().c_str());
+    say("%s, unit %u on %s\n", chosen.drive.c_str(), chosen.unit, port.device().c_str());
     demo.step("Who is it?");
     bool ok = demo.identify() and demo.read_panel();
     if (ok and simulated != nullptr) {
-        std::puts("   (a simulated drive: ramps are set to 1 s, TTO to 2 s where there is one)");
+        say("   (a simulated drive: ramps are set to 1 s, TTO to 3 s where there is one)\n");
         ok = demo.shorten_times();
     }
     if (ok and (simulated != nullptr or chosen.may_run)) {
@@ -117,13 +109,18 @@ int demonstrate(options const& chosen, station<Device> const& drive, posix_seria
         demo.step("Only read: --allow-run would run the motor");
         ok = demo.watch(milliseconds(3'000));
     }
-    print_plot(demo.seen());
-    if (svg_plot{demo.seen()}.write(chosen.svg)) {
-        std::printf("\nThe same as a drawing: %s\n", chosen.svg.c_str());
+    if (noted.suspend != 0) {
+        standard_output.finish(std::chrono::milliseconds{500});
+        suspend(); // nothing is asked of the drive any more
     }
+    print_plot(demo.seen());
+    bool const is_drawn = svg_plot{demo.seen()}.write(chosen.svg);
+    say("\n%s %s\n", is_drawn ? "The same as a drawing:" : "NO drawing could be written to",
+        chosen.svg.c_str());
+    ok = ok and is_drawn;
     demo.print_counts();
-    std::puts(ok ? "All went as it should." : "Not all went as it should.");
-    return ok ? 0 : interruptions > 0 ? 130 : 1;
+    say("%s\n", ok ? "All went as it should." : "Not all went as it should.");
+    return status_of_end(ok ? 0 : 1);
 }
 
 /// On the line that was chosen, or on a simulated one.
@@ -138,48 +135,42 @@ template <device_type Device> int run_on_line(options const& chosen, station<Dev
                             ? line_timing::host(set.bits_per_second, set.format)
                             : line_timing::host(set.bits_per_second, set.format, milliseconds(5));
     if (not is_real and not simulated.start(chosen.drive, chosen.unit, timing)) {
-        std::fputs("demo: no simulated drive to be had\n", stderr);
+        complain("demo: no simulated drive to be had\n");
         return 1;
     }
     if (not port.open(is_real ? chosen.line.port : simulated.path(), set)) {
-        std::fprintf(stderr, "%s\n", port.failure().c_str());
+        complain("%s\n", port.failure().c_str());
         return 1;
     }
     return demonstrate(chosen, drive, port, timing, is_real ? nullptr : &simulated);
 }
-
-extern "C" void interrupt(int) { interruptions = interruptions + 1; }
 
 } // namespace
 
 /// An error of this program must not leave the motor running.
 void rtuwire::on_missing_value(rtuwire::errc why) noexcept
 {
-    std::fprintf(stderr, "demo: read a value that is not there (%s); stopping the motor\n",
-                 std::string{name(why)}.c_str());
     emergency.stop_motor();
+    complain("demo: read a value that is not there (%s); the motor was stopped\n",
+             std::string{name(why)}.c_str());
+    error_output.finish(std::chrono::milliseconds{500});
 }
 
 int main(int argc, char** argv)
 {
-    auto const chosen = parse(argc, argv);
-    std::optional<int> status;
-    std::signal(SIGINT, interrupt);
-    std::signal(SIGTERM, interrupt);
-    if (chosen) {
-        with_drive(chosen->drive, [&](auto device) {
+    keep_standard_descriptors();
+    std::string const usage = std::string{"[--drive "} + drive_names +
+                              "] [--port DEVICE [--allow-run]] [--unit 1..247] [--baud RATE] "
+                              "[--format 8E1|8O1|8N1|8N2] [--svg FILE]";
+    return with_usage("demo", usage, argc, argv, [&] {
+        options const chosen = parse({argc, argv});
+        take_signals();
+        stop_motor_before_dying();
+        int status = 0;
+        with_drive(chosen.drive, [&](auto device) {
             using type = typename decltype(device)::type;
-            if (auto const drive = station<type>::checked(chosen->unit)) {
-                status = run_on_line(*chosen, *drive);
-            }
+            status = run_on_line(chosen, station_at<type>(chosen.unit, chosen.drive));
         });
-    }
-    if (not status) {
-        std::fprintf(stderr,
-                     "usage: demo [--drive %s] [--port DEVICE [--allow-run]] [--unit 1..247] "
-                     "[--baud RATE] [--format 8E1|8O1|8N1|8N2] [--svg FILE]\n",
-                     drive_names);
-        return 2;
-    }
-    return *status;
+        return end_of_output("demo", status);
+    });
 }

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A drive's registers as a table, or with --csv for another program: list_registers --drive atv320 [--csv]
+#include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <string>
 
 #include "support/command_line.hpp"
+#include "support/standard_descriptors.hpp"
 
 using namespace rtuwire;
 using namespace examples;
@@ -33,12 +34,12 @@ std::string shown(bound const& limit)
     return share + words(limit.code()) + (factor.empty() ? "" : "*" + factor);
 }
 
-char const* shown(access mode)
+char const* shown(rtuwire::access mode)
 {
     switch (mode) {
-    case access::read_only: return "r";
-    case access::read_write: return "rw";
-    case access::configuration: return "conf";
+    case rtuwire::access::read_only: return "r";
+    case rtuwire::access::read_write: return "rw";
+    case rtuwire::access::configuration: return "conf";
     }
     return "";
 }
@@ -99,12 +100,25 @@ template <auto const& R> row row_of()
              shown(R.min), shown(R.max), factory, name}};
 }
 
+/// A field of a line of comma-separated values, quoted as RFC 4180 says.
+std::string quoted(std::string const& field)
+{
+    if (field.find_first_of(",\"\r\n") == std::string::npos) {
+        return field;
+    }
+    std::string text = "\"";
+    for (char const each : field) {
+        text += each == '"' ? "\"\"" : std::string{each};
+    }
+    return text + "\"";
+}
+
 void print(row const& line, bool as_csv)
 {
     constexpr int widths[] = {-6, 6, -5, -5, -4, 6, 8, 8, 8, -1};
     for (int i = 0; i < 10; ++i) {
         if (as_csv) {
-            std::printf("%s%s", i > 0 ? "," : "", line.fields[i].c_str());
+            std::printf("%s%s", i > 0 ? "," : "", quoted(line.fields[i]).c_str());
         } else {
             std::printf("%s%*s", i > 0 ? "  " : "", widths[i], line.fields[i].c_str());
         }
@@ -119,26 +133,48 @@ template <typename Device> void list(bool as_csv)
     Device::registers::for_each([&]<auto const & R>() { print(row_of<R>(), as_csv); });
 }
 
+struct options {
+    std::string drive{"atv320"};
+    bool as_csv{false};
+};
+
+options parse(arguments words)
+{
+    options chosen;
+    while (words.next()) {
+        if (words.flag() == "--csv") {
+            chosen.as_csv = true;
+        } else if (words.flag() == "--drive") {
+            chosen.drive = words.value();
+        } else {
+            words.refuse();
+        }
+    }
+    return chosen;
+}
+
+/// Whether all that was printed has left; says why where it has not.
+bool is_all_printed()
+{
+    bool const is_good = std::fflush(stdout) == 0 and std::ferror(stdout) == 0;
+    if (not is_good) {
+        std::perror("list_registers: standard output");
+    }
+    return is_good;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
-    std::string drive = argc == 1 ? "atv320" : "";
-    bool as_csv = false;
-    for (int i = 1; i < argc; ++i) {
-        if (std::strcmp(argv[i], "--csv") == 0) {
-            as_csv = true;
-        } else if (std::strcmp(argv[i], "--drive") == 0 and i + 1 < argc) {
-            drive = argv[++i];
-        } else {
-            drive.clear();
-            break;
-        }
-    }
-    bool const is_known =
-        with_drive(drive, [as_csv](auto device) { list<typename decltype(device)::type>(as_csv); });
-    if (not is_known) {
-        std::fprintf(stderr, "usage: list_registers --drive %s [--csv]\n", drive_names);
-    }
-    return is_known ? 0 : 2;
+    keep_standard_descriptors();
+    std::signal(SIGPIPE, SIG_IGN); // a reader that went away is told as any other failure
+    std::string const usage = std::string{"[--drive "} + drive_names + "] [--csv]";
+    return with_usage("list_registers", usage, argc, argv, [&] {
+        options const chosen = parse({argc, argv});
+        with_drive(chosen.drive, [&chosen](auto device) {
+            list<typename decltype(device)::type>(chosen.as_csv);
+        });
+        return is_all_printed() ? 0 : 1;
+    });
 }

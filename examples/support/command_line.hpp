@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// What the examples understand of their command lines: names of drives, numbers, serial settings.
+// What the examples understand of their command lines beside plain flags: drives, units, serial settings.
 #pragma once
 
-#include <cstdlib>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -14,12 +13,14 @@
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/port/serial_settings.hpp>
 
+#include "arguments.hpp"
+
 namespace examples {
 
 inline constexpr char drive_names[] = "atv12|atv28|atv310|atv310_2026|atv320";
 
-/// Calls `use` with the device of that name, as a `std::type_identity`; false for a name of none.
-template <typename Use> bool with_drive(std::string const& name, Use use)
+/// Calls `use` with the device of that name, as a `std::type_identity`. Refuses the name of none.
+template <typename Use> void with_drive(std::string const& name, Use use)
 {
     using namespace rtuwire::altivar;
     if (name == "atv12") {
@@ -33,20 +34,21 @@ template <typename Use> bool with_drive(std::string const& name, Use use)
     } else if (name == "atv320") {
         use(std::type_identity<atv320::device>{});
     } else {
-        return false;
+        throw usage_error{"there is no drive " + name + ", only " + drive_names};
     }
-    return true;
 }
 
-/// A whole decimal number of at most nine digits, or nothing.
-inline std::optional<std::uint32_t> number_in(std::string const& word)
+/// The drive of that kind at a unit address. Refuses one out of the device's range.
+template <rtuwire::device_type Device>
+rtuwire::station<Device> station_at(std::uint32_t unit, std::string const& name)
 {
-    bool const is_number = not word.empty() and word.size() < 10 and
-                           word.find_first_not_of("0123456789") == std::string::npos;
-    if (not is_number) {
-        return std::nullopt;
+    auto const found = rtuwire::station<Device>::checked(unit);
+    if (not found) {
+        throw usage_error{"unit " + std::to_string(unit) + " is out of range: an " + name +
+                          " has one from " + std::to_string(Device::units.first) + " to " +
+                          std::to_string(Device::units.last)};
     }
-    return static_cast<std::uint32_t>(std::strtoul(word.c_str(), nullptr, 10));
+    return *found;
 }
 
 /// The format of that name.
@@ -73,24 +75,38 @@ struct line_choice {
     std::string port{};
     rtuwire::serial_settings settings{};
 
-    /// Takes --port, --baud or --format; false for another flag or a wrong value.
-    bool take(std::string const& flag, std::string const& value)
+    /// Takes --port, --baud or --format; false for another flag. Refuses a wrong value.
+    bool take(arguments& words)
     {
-        auto const rate = number_in(value);
-        auto const format = format_named(value);
-        if (flag == "--port") {
-            port = value;
-            return not value.empty();
+        if (words.flag() == "--port") {
+            port = words.value();
+        } else if (words.flag() == "--baud") {
+            settings.bits_per_second = rate(words.number());
+        } else if (words.flag() == "--format") {
+            settings.format = format(words.value());
+        } else {
+            return false;
         }
-        if (flag == "--baud" and rate and rtuwire::speed_code(*rate)) {
-            settings.bits_per_second = *rate;
-            return true;
+        return true;
+    }
+
+private:
+    static std::uint32_t rate(std::uint32_t number)
+    {
+        if (not rtuwire::speed_code(number)) {
+            throw usage_error{"--baud " + std::to_string(number) +
+                              ": this system has no such bit rate"};
         }
-        if (flag == "--format" and format) {
-            settings.format = *format;
-            return true;
+        return number;
+    }
+
+    static rtuwire::character_format format(std::string const& name)
+    {
+        auto const found = format_named(name);
+        if (not found) {
+            throw usage_error{"--format " + name + ": there are only 8E1, 8O1, 8N1 and 8N2"};
         }
-        return false;
+        return *found;
     }
 };
 

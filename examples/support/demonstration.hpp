@@ -5,11 +5,8 @@
 #pragma once
 
 #include <array>
-#include <csignal>
-#include <cstdio>
-#include <cstring>
+#include <chrono>
 #include <string>
-#include <vector>
 
 #include <rtuwire/altivar/cyclic.hpp>
 #include <rtuwire/altivar/identify.hpp>
@@ -17,25 +14,19 @@
 #include <rtuwire/client/bus.hpp>
 #include <rtuwire/client/poller.hpp>
 #include <rtuwire/client/statistics.hpp>
+#include <rtuwire/port/chrono.hpp>
 #include <rtuwire/port/posix_serial.hpp>
 #include <rtuwire/wire/errc_name.hpp>
 
-#include "drive_panel.hpp"
 #include "emergency_stop.hpp"
-#include "plot.hpp"
+#include "logbook.hpp"
+#include "panel_reading.hpp"
+#include "reason_to_end.hpp"
 
 namespace examples {
 
 using rtuwire::milliseconds;
 using rtuwire::cia402::state;
-
-/// How often somebody pressed Ctrl-C.
-inline volatile std::sig_atomic_t interruptions = 0;
-
-inline std::string words(rtuwire::text characters)
-{
-    return {characters.begin(), characters.end()};
-}
 
 template <rtuwire::device_type Device> class demonstration {
     using panel = panel_of<Device>;
@@ -46,12 +37,13 @@ template <rtuwire::device_type Device> class demonstration {
 public:
     demonstration(demonstration const&) = delete;
     demonstration& operator=(demonstration const&) = delete;
-    ~demonstration() { emergency = {}; }
+    ~demonstration() { emergency.disarm(); }
 
     demonstration(rtuwire::posix_serial& port, rtuwire::line_timing const& timing,
                   rtuwire::station<Device> const& drive, rtuwire::duration drive_timeout)
         : port_{port}, drive_{drive}, link_{timing, patience, {.silent_share = 50}},
-          loop_{drive, {.drive_timeout = drive_timeout}}, panel_{drive}, begin_{port.now()}
+          loop_{drive, {.drive_timeout = drive_timeout}}, panel_{drive}, begin_{port.now()},
+          must_end_{to_chrono(drive_timeout) / 3}
     {}
 
     // What it does, step by step. Each tells whether it went as it should.
@@ -67,11 +59,11 @@ public:
                 return std::string{reinterpret_cast<char const*>(octets.data()), octets.size()};
             };
             auto const& found = *who.outcome();
-            std::printf("   %s, %s, revision %s\n", shown(found.vendor).c_str(),
-                        shown(found.product).c_str(), shown(found.revision).c_str());
+            say("   %s, %s, revision %s\n", shown(found.vendor).c_str(),
+                shown(found.product).c_str(), shown(found.revision).c_str());
         } else {
-            std::printf("   no function 43; nominal drive current %.1f A\n",
-                        number(who.latest().template get<atv28::inv>()));
+            say("   no function 43; nominal drive current %.1f A\n",
+                number(who.latest().template get<atv28::inv>()));
         }
         return true;
     }
@@ -88,14 +80,7 @@ public:
         if (not run(panel_)) {
             return false;
         }
-        auto const& now = panel_.latest();
-        std::printf(
-            "   ETA %04X (%s), RFR %.1f Hz, FRH %.1f Hz, LCR %.1f A, ULN %.0f V, THR %.0f %%, "
-            "LFT %s; %zu registers in %zu requests\n",
-            status(), words(name_of(seen_state())).c_str(), number(now.template get<panel::rfr>()),
-            number(now.template get<panel::frh>()), number(now.template get<panel::lcr>()),
-            number(now.template get<panel::uln>()), number(now.template get<panel::thr>()),
-            fault().c_str(), std::size_t{7}, std::size_t{plan::request_count});
+        read().tell();
         return true;
     }
 
@@ -121,7 +106,7 @@ public:
             "drive ready for an order", [this] { return loop_.control().is_able(); },
             milliseconds(5'000));
         bool const was_running = loop_.control().is_running();
-        mark();
+        seen_.mark();
         if (not is_able or not order(way)) {
             return false;
         }
@@ -129,8 +114,8 @@ public:
         return until(
                    "operation enabled", [this] { return loop_.control().is_running(); },
                    milliseconds(5'000)) and
-               (was_running or has_passed({state::ready_to_switch_on, state::switched_on,
-                                           state::operation_enabled}));
+               (was_running or seen_.has_passed({state::ready_to_switch_on, state::switched_on,
+                                                 state::operation_enabled}));
     }
 
     bool reach_reference()
@@ -139,10 +124,10 @@ public:
         return until(
             "reference reached",
             [&] {
-                std::uint32_t const word = status();
-                bool const is_reached = (word & rtuwire::altivar::reference_reached_bit) != 0;
-                bool const is_back = (word & rtuwire::altivar::runs_backwards_bit) != 0;
-                return is_reached and is_back == is_reverse and output() != 0;
+                auto const now = read();
+                return now.has(rtuwire::altivar::reference_reached_bit) and
+                       now.has(rtuwire::altivar::runs_backwards_bit) == is_reverse and
+                       now.output() != 0;
             },
             milliseconds(60'000));
     }
@@ -158,13 +143,13 @@ public:
 
     bool reset()
     {
-        mark();
+        seen_.mark();
         loop_.reset_fault();
         return until(
                    "fault cleared",
                    [this] { return loop_.control().state() == state::switch_on_disabled; },
                    milliseconds(5'000)) and
-               has_passed({state::switch_on_disabled});
+               seen_.has_passed({state::switch_on_disabled});
     }
 
     bool lose_link()
@@ -188,6 +173,7 @@ public:
     bool stop()
     {
         is_stopping_ = true;
+        interrupts_before_ = noted.interrupts;
         loop_.stop();
         return until(
             "motor at rest",
@@ -195,7 +181,7 @@ public:
                 state const at = loop_.control().state();
                 bool const has_power = rtuwire::cia402::has_power(at);
                 return not loop_.link_lost() and at != state::unknown and
-                       at != state::switched_on and not has_power and output() == 0;
+                       at != state::switched_on and not has_power and read().output() == 0;
             },
             milliseconds(60'000));
     }
@@ -205,25 +191,29 @@ public:
     {
         using rtuwire::line_event;
         rtuwire::counters const& line = link_.statistics().line();
-        std::printf("%u requests, %u of them repeated; %u time-outs, %u damaged frames\n",
-                    unsigned{line[line_event::request]}, unsigned{line[line_event::repetition]},
-                    unsigned{line[line_event::timeout]}, unsigned{line[line_event::crc]});
+        say("%u requests, %u of them repeated; %u time-outs, %u damaged frames\n",
+            unsigned{line[line_event::request]}, unsigned{line[line_event::repetition]},
+            unsigned{line[line_event::timeout]}, unsigned{line[line_event::crc]});
     }
 
     /// Tells, and marks where the states of the next step begin.
     void step(char const* what)
     {
-        std::printf("\n%d  %s\n", ++steps_, what);
-        mark();
+        say("\n%d  %s\n", ++steps_, what);
+        seen_.mark();
     }
 
-    history const& seen() const { return history_; }
+    history const& seen() const { return seen_.samples(); }
 
 private:
     // One pass, and what is shown of it.
 
     template <typename Talk> bool pass(Talk& talk)
     {
+        must_end_.look();
+        if (must_end_ and not is_stopping_) {
+            return false;
+        }
         rtuwire::instant const now = port_.now();
         link_.advance(now);
         if (is_commanding_) {
@@ -232,9 +222,11 @@ private:
         link_.converse(1, talk, now);
         auto const passed = pump(link_, port_, input_, now + milliseconds(10));
         if (not passed) {
-            std::printf("   %s\n", port_.failure().c_str());
+            say("   %s\n", port_.failure().c_str());
         }
-        note_state();
+        if (is_commanding_ and not loop_.link_lost()) {
+            seen_.note(loop_.control().state(), time());
+        }
         return passed.has_value();
     }
 
@@ -247,7 +239,7 @@ private:
             }
         }
         if (not talk.outcome()) {
-            std::printf("   %s\n", std::string{name(talk.outcome().error())}.c_str());
+            say("   %s\n", std::string{name(talk.outcome().error())}.c_str());
         }
         return talk.outcome().has_value();
     }
@@ -258,8 +250,9 @@ private:
     {
         rtuwire::instant const end = port_.now() + limit;
         while (true) {
-            if (interruptions > (is_stopping_ ? 1 : 0)) {
-                std::puts("   interrupted");
+            if (is_stopping_ and noted.interrupts > interrupts_before_) {
+                say("   interrupted again: the motor is left without power\n");
+                emergency.stop_motor();
                 return false;
             }
             if (panel_.settled()) {
@@ -273,7 +266,7 @@ private:
                 return true;
             }
             if (reached(port_.now(), end)) {
-                std::printf("   NOT within %u ms: %s\n", limit.microseconds / 1'000U, what);
+                say("   NOT within %u ms: %s\n", limit.microseconds / 1'000U, what);
                 return false;
             }
         }
@@ -293,78 +286,23 @@ private:
     {
         bool const is_lost = not loop_.control().is_ordered();
         auto const reason = loop_.control().reason();
-        std::printf("   the order to run is %s: %s\n", is_lost ? "dropped" : "STILL THERE",
-                    words(name_of(reason.how)).c_str());
+        say("   the order to run is %s: %s\n", is_lost ? "dropped" : "STILL THERE",
+            words(name_of(reason.how)).c_str());
         return is_lost;
     }
 
     // What was seen.
 
     double time() const { return double((port_.now() - begin_).microseconds) / 1e6; }
-    double output() const
-    {
-        double const value = number(panel_.latest().template get<panel::rfr>());
-        bool const is_back = (status() & rtuwire::altivar::runs_backwards_bit) != 0;
-        return is_back and value > 0 ? -value : value;
-    }
-    std::uint16_t status() const { return panel_.latest().template get<panel::eta>().bits; }
-    state seen_state() const { return rtuwire::cia402::decode(status()); }
-    std::string fault() const
-    {
-        return words(rtuwire::name_of(panel_.latest().template get<panel::lft>()));
-    }
+    panel_reading<Device> read() const { return panel_reading<Device>{panel_.latest()}; }
 
-    /// Takes a sample, and shows it twice a second.
+    /// Takes a sample.
     void look()
     {
-        bool const is_known = panel_.outcome().has_value();
-        auto const& now = panel_.latest();
-        double const frh = number(now.template get<panel::frh>());
-        bool const is_back = way_ == rtuwire::altivar::heading::reverse and frh > 0;
-        history_.push_back({time(), is_back ? -frh : frh, output(),
-                            number(now.template get<panel::lcr>()), seen_state(), is_known});
-        if (time() >= next_row_) {
-            next_row_ = time() + 0.5;
-            show(history_.back());
-        }
-    }
-
-    void show(sample const& at)
-    {
-        if (rows_++ == 0) {
-            std::puts("     time   state                   reference     output    current");
-        }
-        if (at.is_known) {
-            std::printf("  %6.2f s  %-22s  %6.1f Hz  %6.1f Hz  %6.1f A\n", at.time,
-                        words(name_of(at.state)).c_str(), at.reference, at.output, at.current);
-        } else {
-            std::printf("  %6.2f s  no answer\n", at.time);
-        }
-        std::fflush(stdout);
-    }
-
-    void note_state()
-    {
-        if (is_commanding_ and not loop_.link_lost() and loop_.control().state() != last_state_) {
-            last_state_ = loop_.control().state();
-            states_.push_back(last_state_);
-            std::printf("  %6.2f s  -> %s\n", time(), words(name_of(last_state_)).c_str());
-        }
-    }
-
-    void mark() { states_.clear(); }
-
-    /// Whether the states since the mark were just these.
-    bool has_passed(std::vector<state> const& expected) const
-    {
-        bool const is_right = states_ == expected or
-                              // A drive may begin higher up.
-                              (states_.size() < expected.size() and not states_.empty() and
-                               std::equal(states_.rbegin(), states_.rend(), expected.rbegin()));
-        if (not is_right) {
-            std::puts("   NOT the states that the manual tells");
-        }
-        return is_right;
+        auto const now = read();
+        bool const is_reverse = way_ == rtuwire::altivar::heading::reverse;
+        seen_.add({time(), now.reference(is_reverse), now.output(), now.current(), now.state(),
+                   panel_.outcome().has_value()});
     }
 
     rtuwire::posix_serial& port_;
@@ -374,13 +312,11 @@ private:
     rtuwire::poller<plan> panel_;
     rtuwire::instant begin_;
     std::array<std::byte, rtuwire::max_adu_size> input_{};
-    history history_{};
-    std::vector<state> states_{};
-    state last_state_{state::unknown};
+    reason_to_end must_end_;
+    logbook seen_{};
     rtuwire::altivar::heading way_{rtuwire::altivar::heading::forward};
-    double next_row_{0};
-    int rows_{0};
     int steps_{0};
+    std::sig_atomic_t interrupts_before_{0}; ///< the stop
     bool is_commanding_{false};
     bool is_stopping_{false};
 };

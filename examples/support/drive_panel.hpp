@@ -55,7 +55,7 @@ template <typename Quantity> double number(Quantity value)
 }
 
 /// Hands `run` the conversations that set ramps of one second and, where it can be set, a time-out of
-/// one second; whether all went well.
+/// three seconds; whether all went well.
 template <typename Device, typename Run>
 bool set_short_times(rtuwire::station<Device> const& drive, Run run)
 {
@@ -63,15 +63,15 @@ bool set_short_times(rtuwire::station<Device> const& drive, Run run)
     if constexpr (std::is_same_v<Device, atv320::device>) {
         return run(write_in_steps_of<deciseconds, atv320::acc>(drive, 1_s)) and
                run(write_in_steps_of<deciseconds, atv320::dec>(drive, 1_s)) and
-               run(write<atv320::tto>(drive, 2_s));
+               run(write<atv320::tto>(drive, 3_s));
     } else if constexpr (std::is_same_v<Device, atv28::device>) {
         return run(write<atv28::acc>(drive, 1_s)) and run(write<atv28::dec>(drive, 1_s));
     } else if constexpr (std::is_same_v<Device, atv12::device>) {
         return run(write<atv12::acc>(drive, 1_s)) and run(write<atv12::dec>(drive, 1_s)) and
-               run(write<atv12::tto>(drive, 2_s));
+               run(write<atv12::tto>(drive, 3_s));
     } else {
         return run(write<atv310::acc>(drive, 1_s)) and run(write<atv310::dec>(drive, 1_s)) and
-               run(write<atv310::tto>(drive, 2_s));
+               run(write<atv310::tto>(drive, 3_s));
     }
 }
 

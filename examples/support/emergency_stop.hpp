@@ -1,13 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// What stops the motor when the program must not go on: one frame, made beforehand, straight to the port.
-// It uses nothing of the client, whose state may be wrong.
+// What stops the motor when the program must not go on: one frame, made beforehand, straight to the port's
+// descriptor. It uses nothing of the client or the port, whose state may be wrong, and nothing that a signal
+// handler may not use.
 #pragma once
 
 #include <array>
-#include <chrono>
+#include <cerrno>
+#include <csignal>
 #include <cstddef>
-#include <thread>
+#include <ctime>
+#include <exception>
+
+#include <unistd.h>
 
 #include <rtuwire/cia402/command.hpp>
 #include <rtuwire/port/posix_serial.hpp>
@@ -17,33 +22,84 @@
 
 namespace examples {
 
-/// The frame that stops the motor and the port it goes to; no port while no motor is commanded.
+/// The frame that stops the motor and the line it goes to; no line while no motor is commanded.
 struct emergency_stop {
-    rtuwire::posix_serial* port{nullptr};
+    int volatile line{-1};
     std::array<std::byte, 8> frame{};
 
     template <rtuwire::device_type Device>
-    void arm(rtuwire::posix_serial& line, rtuwire::station<Device> const& drive)
+    void arm(rtuwire::posix_serial const& port, rtuwire::station<Device> const& drive)
     {
         using namespace rtuwire;
         auto const written =
             encode_into(frame, drive.unit(),
                         write_single_register{Device::profile.cmd,
                                               cia402::word_of(cia402::command::disable_voltage)});
-        port = written ? &line : nullptr;
+        line = written ? port.descriptor_number() : -1;
     }
 
-    /// Sends it twice: each time the line had time to fall silent, and the driver to send it.
-    void stop_motor() const noexcept
+    void disarm() noexcept { line = -1; }
+
+    /// Sends it twice: each time the line had time to fall silent, and the driver to send it. Does nothing
+    /// when it is called again.
+    void stop_motor() noexcept
     {
-        for (int i = 0; i < 2 and port != nullptr; ++i) {
-            std::this_thread::sleep_for(std::chrono::milliseconds{400});
-            static_cast<void>(port->write(frame, port->now() + rtuwire::milliseconds(1'000)));
+        int const target = line;
+        line = -1;
+        for (int i = 0; i < 2 and target >= 0; ++i) {
+            wait(400);
+            // The port does not block. What it does not take is lost, and sent again.
+            ssize_t written = -1;
+            do {
+                written = ::write(target, frame.data(), frame.size());
+            } while (written < 0 and errno == EINTR);
         }
-        std::this_thread::sleep_for(std::chrono::milliseconds{100});
+        if (target >= 0) {
+            wait(100);
+        }
+    }
+
+private:
+    static void wait(long milliseconds) noexcept
+    {
+        timespec left{0, milliseconds * 1'000'000};
+        while (::nanosleep(&left, &left) != 0 and errno == EINTR) {
+        }
     }
 };
 
-inline emergency_stop emergency{};
+inline emergency_stop emergency;
+
+/// Stops the motor, and lets the signal do what it does.
+extern "C" inline void stop_and_die(int number)
+{
+    emergency.stop_motor();
+    std::raise(number);
+}
+
+/// What the program would have done at its end otherwise: say why.
+inline std::terminate_handler last_words = nullptr;
+
+/// An error of this program must not leave the motor running: an exception that nobody catches, a trap, a wrong
+/// address, a stack that is used up.
+inline void stop_motor_before_dying()
+{
+    last_words = std::set_terminate([] {
+        emergency.stop_motor(); // before it is said: the output may block
+        last_words();
+    });
+    // The program's own may be what is used up.
+    alignas(16) static std::array<std::byte, 32'768> stack;
+    stack_t other{};
+    other.ss_sp = stack.data();
+    other.ss_size = stack.size();
+    ::sigaltstack(&other, nullptr);
+    struct sigaction taken {};
+    taken.sa_handler = stop_and_die;
+    taken.sa_flags = static_cast<int>(SA_RESETHAND) | SA_NODEFER | SA_ONSTACK;
+    for (int const each : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS}) {
+        sigaction(each, &taken, nullptr);
+    }
+}
 
 } // namespace examples

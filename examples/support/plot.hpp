@@ -11,6 +11,8 @@
 
 #include <rtuwire/cia402/state.hpp>
 
+#include "say.hpp"
+
 namespace examples {
 
 /// One look at a drive.
@@ -66,8 +68,7 @@ public:
     {
         for (std::size_t row = 0; row < rows_.size(); ++row) {
             double const share = double(row) / double(rows_.size() - 1);
-            std::printf("%7.1f %-2s|%s\n", high_ - share * (high_ - low_), unit,
-                        rows_[row].c_str());
+            say("%7.1f %-2s|%s\n", high_ - share * (high_ - low_), unit, rows_[row].c_str());
         }
     }
 
@@ -111,12 +112,12 @@ inline void print_plot(history const& all)
             current.mark(column, each.current, '*');
         }
     }
-    std::puts("\n# output and . reference");
+    say("\n# output and . reference\n");
     frequency.print("Hz");
-    std::puts("* motor current");
+    say("* motor current\n");
     current.print("A");
-    std::printf("  state   |%s\n", states.c_str());
-    std::printf("          0 s %*.1f s\n          %s\n", int(columns) - 6, length, letters);
+    say("  state   |%s\n", states.c_str());
+    say("          0 s %*.1f s\n          %s\n", int(columns) - 6, length, letters);
 }
 
 /// The same as a drawing of its own.

@@ -14,6 +14,7 @@
 
 #include "command_line.hpp"
 #include "drive_events.hpp"
+#include "figures.hpp"
 
 namespace examples {
 
@@ -34,6 +35,9 @@ public:
 
     virtual rtuwire::unit_id address() const = 0;
     virtual bool is_at_rest() const = 0;
+
+    /// What it does, in words: its state, its output frequency, and its last fault's number (LFT).
+    virtual std::string shown() const = 0;
 
     /// Lets something happen to it, one of `drive_events`; false for what it does not know.
     virtual bool suffer(std::string const& what, rtuwire::instant now) = 0;
@@ -68,6 +72,14 @@ public:
     rtuwire::deadline poll_deadline() const override { return unit_.poll_deadline(); }
     rtuwire::unit_id address() const override { return address_; }
     bool is_at_rest() const override { return unit_.inside().motor().is_at_rest(); }
+    std::string shown() const override
+    {
+        auto const& drive = unit_.inside();
+        auto const state = name_of(drive.chart().state());
+        return std::string{state.begin(), state.end()} + ", " +
+               figures(drive.motor().frequency() / 100, 1) + " Hz, LFT " +
+               std::to_string(drive.fault());
+    }
 
     bool suffer(std::string const& what, rtuwire::instant now) override
     {
@@ -97,24 +109,17 @@ public:
         : port_{port}, timing_{timing}, last_{port.now()}, vendor_{vendor}
     {}
 
-    /// Adds a drive by its name; false where the name is none, or the address taken or out of the
-    /// device's range.
-    bool add(std::string const& name, std::uint32_t address)
+    /// Adds a drive by its name. Refuses a name of none, and an address that is taken or out of the device's range.
+    void add(std::string const& name, std::uint32_t address)
     {
-        auto const unit = rtuwire::unit_id::checked(address);
-        if (not unit or find(address) != nullptr) {
-            return false;
+        if (find(address) != nullptr) {
+            throw usage_error{"unit " + std::to_string(address) + " is given twice"};
         }
-        bool is_added = false;
         with_drive(name, [&](auto device) {
             using type = typename decltype(device)::type;
-            if (rtuwire::station<type>::checked(address)) {
-                drives_.push_back(std::make_unique<simulated<type>>(*unit, timing_, last_,
-                                                                    identity_of_a<type>()));
-                is_added = true;
-            }
+            drives_.push_back(std::make_unique<simulated<type>>(
+                station_at<type>(address, name).unit(), timing_, last_, identity_of_a<type>()));
         });
-        return is_added;
     }
 
     simulated_drive* find(std::uint32_t address) const

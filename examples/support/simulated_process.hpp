@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <string>
 
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -40,11 +41,10 @@ public:
         if (not port.open() or ::pipe(ends) != 0) {
             return false;
         }
-        std::fflush(nullptr);
         child_ = ::fork();
         if (child_ == 0) {
             ::close(ends[1]);
-            std::signal(SIGINT, SIG_IGN); // whoever controls it stops the motor first
+            stand_apart();
             serve(port, name, unit, timing, ends[0]);
         }
         ::close(ends[0]);
@@ -63,12 +63,28 @@ public:
     }
 
 private:
+    /// A drive hears nothing of the terminal that its controller is started from: whoever presses Ctrl-C or Ctrl-Z
+    /// there, or closes it, needs a drive that can still be stopped. It does not hold the terminal or a pipe either.
+    static void stand_apart() noexcept
+    {
+        ::setsid();
+        for (int const each : {SIGTERM, SIGINT, SIGHUP, SIGQUIT}) {
+            std::signal(each, SIG_DFL);
+        }
+        int const nowhere = ::open("/dev/null", O_RDWR);
+        for (int const place : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+            ::dup2(nowhere, place);
+        }
+    }
+
     [[noreturn]] static void serve(rtuwire::pseudo_terminal& port, std::string const& name,
-                                   std::uint32_t unit, rtuwire::line_timing const& timing, int from)
+                                   std::uint32_t unit, rtuwire::line_timing const& timing,
+                                   int from) noexcept
     {
         simulated_line line{port, timing};
         orders input{from};
-        bool is_good = line.add(name, unit);
+        line.add(name, unit);
+        bool is_good = true;
         while (is_good and not(input.has_ended() and line.is_at_rest())) {
             is_good = line.pass(rtuwire::milliseconds(10)).has_value();
             while (auto const order = input.next()) {

@@ -49,6 +49,13 @@ class Simulator:
         self.process.stdin.write(what + "\n")
         self.process.stdin.flush()
 
+    def shown(self, unit):
+        """State, output frequency in Hz and last fault (LFT) of a drive. No request goes over its line, so that
+        looking does not keep it running."""
+        self.suffer(f"{unit} show")
+        state, frequency, fault = self.process.stdout.readline().split(": ")[1].split(", ")
+        return state, float(frequency.removesuffix(" Hz")), int(fault.split()[1])
+
 
 class Repetitions:
     """Counts the requests of this run that are made again because nobody answered. On a machine that is busy

@@ -21,6 +21,7 @@
 #include <rtuwire/port/error_marks.hpp>
 #include <rtuwire/port/exclusive_device.hpp>
 #include <rtuwire/port/serial_settings.hpp>
+#include <rtuwire/port/standard_places.hpp>
 #include <rtuwire/wire/errc_name.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -30,15 +31,20 @@ class posix_serial {
 public:
     /// Opens a device and sets it up; what was open before is closed. On an error nothing is open and
     /// `failure()` says why: `device_not_found`, `device_access_denied`, `device_in_use`,
-    /// `device_not_serial`, `device_setting_refused`, `device_vanished`, `device_failed`.
+    /// `device_not_serial`, `device_setting_refused`, `device_vanished`, `device_failed`. The device never becomes
+    /// standard input, output or error output, closed as these may be.
     result<void> open(std::string const& device, serial_settings const& settings = {})
     {
         close();
         device_ = device;
+        standard_places const kept;
         exclusive_device opened{
             descriptor{::open(device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)}};
         if (not opened.is_open()) {
             return failed(device_error(errno), errno);
+        }
+        if (not standard_places::is_above(opened.number())) {
+            return failed(errc::device_failed);
         }
         if (::isatty(opened.number()) == 0) {
             return failed(errc::device_not_serial);
@@ -68,6 +74,10 @@ public:
     }
 
     [[nodiscard]] bool is_open() const noexcept { return opened_.is_open(); }
+
+    /// The system's number of the open device, in non-blocking mode, for a signal handler that must not call `write`;
+    /// -1 where none is open.
+    [[nodiscard]] int descriptor_number() const noexcept { return opened_.number(); }
 
     /// The device's name as it was given to `open`.
     [[nodiscard]] std::string const& device() const noexcept { return device_; }

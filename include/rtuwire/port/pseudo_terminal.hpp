@@ -21,18 +21,21 @@
 #include <rtuwire/port/chrono.hpp>
 #include <rtuwire/port/descriptor.hpp>
 #include <rtuwire/port/serial_settings.hpp>
+#include <rtuwire/port/standard_places.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The near end of a pseudo-terminal. Can be moved; the far end vanishes with it.
 class pseudo_terminal {
 public:
-    /// Makes the pair. Errors: `device_failed`, and those of setting a line up.
+    /// Makes the pair, neither of which becomes standard input, output or error output. Errors: `device_failed`,
+    /// and those of setting a line up.
     result<void> open()
     {
         close();
+        standard_places const kept;
         descriptor near{::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)};
-        if (not near.is_open()) {
+        if (not standard_places::is_above(near.number())) {
             return errc::device_failed;
         }
         char path[64]{};
@@ -43,7 +46,7 @@ public:
             return errc::device_failed;
         }
         descriptor far{::open(path, O_RDWR | O_NOCTTY | O_CLOEXEC)};
-        if (not far.is_open()) {
+        if (not standard_places::is_above(far.number())) {
             return errc::device_failed;
         }
         if (auto const set = apply_line(far.number(), {}); not set) {

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Why a program that runs a motor has to stop it and end, whatever else it was about to do.
+#pragma once
+
+#include <cstring>
+#include <optional>
+#include <string>
+
+#include "missed_time.hpp"
+#include "say.hpp"
+#include "signals.hpp"
+
+namespace examples {
+
+class reason_to_end {
+public:
+    /// More than `longest_pause` between two looks means that nobody minded the drive.
+    explicit reason_to_end(std::chrono::nanoseconds longest_pause) : pause_{longest_pause} {}
+
+    /// To be called in each pass, before anything is sent. Once there is a reason, it stays.
+    void look()
+    {
+        bool const has_paused = pause_.is_too_long() or noted.resumed != 0;
+        if (why_) {
+            return;
+        }
+        if (noted.end != 0) {
+            why_ = ::strsignal(noted.end);
+        } else if (noted.suspend != 0) {
+            why_ = "to be suspended";
+        } else if (has_paused) {
+            why_ = "this program did not run for a while: the order to run is gone";
+        } else if (int const failure = standard_output.failure(); failure != 0) {
+            why_ = std::string{"standard output: "} + std::strerror(failure);
+        }
+        if (why_) {
+            say("   %s\n", why_->c_str());
+        }
+    }
+
+    explicit operator bool() const { return why_.has_value(); }
+
+private:
+    missed_time pause_;
+    std::optional<std::string> why_{};
+};
+
+/// The status that a shell expects of a program that a signal ended; `otherwise` where none did.
+inline int status_of_end(int otherwise) { return noted.end != 0 ? 128 + noted.end : otherwise; }
+
+} // namespace examples

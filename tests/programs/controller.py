@@ -1,0 +1,83 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Runs the demo as a process of its own against a drive of `simulate`, which tells what its motor does."""
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "interop"))
+
+from simulator import Checks, Registers, Simulator  # noqa: E402,F401
+
+UNIT = 3
+TTO = 300  # in 0.1 s: the drive's own time-out comes too late to be taken for a stop by the program
+LIMIT = 30  # in seconds, for what has to happen
+
+DISABLED = "switch on disabled"
+RUNS = "operation enabled"
+
+
+def own_group():
+    """What a shell does for a command: a process group of its own, and the signals as they are by default."""
+    os.setpgid(0, 0)
+    for each in (signal.SIGHUP, signal.SIGINT, signal.SIGQUIT, signal.SIGTSTP, signal.SIGPIPE):
+        signal.signal(each, signal.SIG_DFL)
+
+
+class Drive:
+    """with Drive(simulate, "atv320") as drive: one simulated drive, and what it does."""
+
+    def __init__(self, program, name):
+        self.name = name
+        self.simulator = Simulator(program, f"{name}:{UNIT}")
+        self.controllers = []
+
+    def __enter__(self):
+        self.device = self.simulator.__enter__()
+        at = Registers(self.name)
+        if at.tto:
+            self.simulator.suffer(f"{UNIT} write {at.tto} {TTO}")
+        return self
+
+    def __exit__(self, *_):
+        for each in self.controllers:
+            if each.poll() is None:
+                each.kill()
+                each.wait()
+        self.simulator.__exit__()
+
+    def shown(self):
+        return self.simulator.shown(UNIT)
+
+    def turns(self):
+        state, frequency, _ = self.shown()
+        return state == RUNS and frequency > 10
+
+    def turns_back(self):
+        return self.shown()[1] < -10
+
+    def stands(self):
+        """Not because the drive itself gave up: a fault would show."""
+        return self.shown() == (DISABLED, 0, 0)
+
+    def has_no_power(self):
+        state, _, fault = self.shown()
+        return state == DISABLED and fault == 0
+
+
+def soon(is_so, limit=LIMIT):
+    """Looks until it is so; whether it is."""
+    end = time.monotonic() + limit
+    while not (found := is_so()) and time.monotonic() < end:
+        time.sleep(0.02)
+    return found
+
+
+def demo(program, drive, *options, stdout=subprocess.PIPE, stderr=subprocess.PIPE, before=own_group):
+    drive.controllers.append(subprocess.Popen(
+        [program, "--drive", drive.name, "--port", drive.device, "--unit", str(UNIT), "--svg", os.devnull,
+         "--allow-run", *options], stdin=subprocess.DEVNULL, stdout=stdout, stderr=stderr, preexec_fn=before))
+    return drive.controllers[-1]

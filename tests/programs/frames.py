@@ -1,0 +1,75 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Serial lines of this test program's own, on which every octet is kept, and what a frame is."""
+import os
+import select
+import threading
+import tty
+
+SHORTEST, LONGEST = 4, 256
+
+
+def crc(octets):
+    remainder = 0xFFFF
+    for octet in octets:
+        remainder ^= octet
+        for _ in range(8):
+            remainder = remainder >> 1 ^ (0xA001 if remainder & 1 else 0)
+    return remainder
+
+
+def with_crc(octets):
+    return octets + crc(octets).to_bytes(2, "little")
+
+
+def are_frames(octets):
+    """Whether these are nothing but whole frames, one behind the other. A CRC over a frame and its CRC is 0."""
+    while octets:
+        ends = [end for end in range(SHORTEST, min(LONGEST, len(octets)) + 1) if crc(octets[:end]) == 0]
+        if not ends:
+            return False
+        octets = octets[ends[0]:]
+    return True
+
+
+class Line:
+    """with Line() as line: a program opens `line.name`, and `line.heard` is what it wrote there. What the program
+    asks goes on to `far`, a device, if there is one."""
+
+    def __init__(self, far=None):
+        self.near, self.kept_open = os.openpty()
+        tty.setraw(self.kept_open)
+        self.name = os.ttyname(self.kept_open)
+        self.far = os.open(far, os.O_RDWR | os.O_NOCTTY) if far else None
+        if far:
+            tty.setraw(self.far)
+        self.ends = os.pipe()
+        self.heard = b""
+        self.thread = threading.Thread(target=self.forward, daemon=True)
+
+    def __enter__(self):
+        self.thread.start()
+        return self
+
+    def __exit__(self, *_):
+        os.write(self.ends[1], b".")
+        self.thread.join()
+        for number in (self.near, self.kept_open, *self.ends, *([self.far] if self.far else [])):
+            os.close(number)
+
+    def say(self, octets):
+        os.write(self.near, octets)
+
+    def forward(self):
+        watched = [self.near, self.ends[0]] + ([self.far] if self.far else [])
+        while True:
+            ready, _, _ = select.select(watched, [], [])
+            if self.near in ready:
+                octets = os.read(self.near, 512)
+                self.heard += octets
+                if self.far:
+                    os.write(self.far, octets)
+            if self.far in ready:
+                self.say(os.read(self.far, 512))
+            if self.ends[0] in ready:
+                return

@@ -1,0 +1,158 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Lets the demo run a simulated motor while its output blocks, or while it does not run itself.
+
+    python3 no_time_for_output.py SIMULATE DEMO DRIVE pipe|ctrl-s|stopped|asleep
+    python3 no_time_for_output.py SIMULATE DEMO DRIVE simulate    the same for a full pipe of `simulate`
+"""
+import fcntl
+import os
+import re
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+from controller import LIMIT, UNIT, Checks, Drive, demo, own_group, soon
+from frames import Line, with_crc
+
+PAGE = 4096  # octets: the smallest pipe
+PAUSE = 0.5  # s
+LONG_PAUSE = 4  # s, more than a third of the 10 s that the demo takes for the time-out of a later Altivar
+ETA = {"atv28": 458, "atv320": 3201}
+XOFF, XON = b"\x13", b"\x11"
+DROPPED = re.compile(rb"demo: (\d+) lines were dropped: the output is blocked")
+
+
+def full_pipe():
+    ends = os.pipe()
+    size = fcntl.fcntl(ends[1], fcntl.F_SETPIPE_SZ, PAGE)
+    os.write(ends[1], bytes(size))
+    return ends
+
+
+def nobody_reads(program, drive, check):
+    reader, writer = full_pipe()
+    process = demo(program, drive, stdout=writer)
+    check(soon(drive.turns), "the motor turns")
+    check(soon(drive.turns_back), "and turns back, so that the cycle goes on")
+    _, errors = process.communicate(timeout=LIMIT)
+    check(process.returncode == 0, "it ends well", process.returncode)
+    check(drive.stands(), "the motor stands when the program is gone", drive.shown())
+    said = DROPPED.search(errors)
+    check(said and int(said.group(1)) > 20, "it says how much was dropped", errors)
+    os.close(reader)
+    os.close(writer)
+
+
+class Terminal:
+    """A terminal that somebody reads all the time."""
+
+    def __init__(self):
+        self.near, self.far = os.openpty()
+        self.text = b""
+        self.thread = threading.Thread(target=self.read, daemon=True)
+        self.thread.start()
+
+    def read(self):
+        try:
+            while octets := os.read(self.near, 512):
+                self.text += octets
+        except OSError:
+            pass
+
+    def press(self, key):
+        os.write(self.near, key)
+
+
+def somebody_presses_ctrl_s(program, drive, check):
+    terminal = Terminal()
+    process = demo(program, drive, stdout=terminal.far)
+    check(soon(drive.turns), "the motor turns")
+    terminal.press(XOFF)
+    time.sleep(PAUSE)
+    before = terminal.text
+    check(soon(drive.turns_back), "it turns back, so that the cycle goes on")
+    check(terminal.text == before, "while nothing is shown")
+    terminal.press(XON)
+    process.communicate(timeout=LIMIT)
+    check(process.returncode == 0, "it ends well", process.returncode)
+    check(drive.stands(), "the motor stands when the program is gone", drive.shown())
+    check(soon(lambda: b"The motor stands." in terminal.text, 5), "the rest is shown")
+
+
+def it_is_stopped(program, drive, check):
+    process = demo(program, drive)
+    check(soon(drive.turns), "the motor turns")
+    process.send_signal(signal.SIGSTOP)
+    os.waitpid(process.pid, os.WUNTRACED)
+    time.sleep(PAUSE)
+    process.send_signal(signal.SIGCONT)
+    text, _ = process.communicate(timeout=LIMIT)
+    check(b"the order to run is gone" in text, "it says that the order is gone")
+    check(process.returncode == 1, "its status tells it", process.returncode)
+    check(drive.stands(), "the motor stands when the program is gone", drive.shown())
+
+
+def it_is_not_told_that_it_was_stopped(program, drive, check):
+    """As when the machine slept: only the clock tells."""
+    def deaf_to_cont():
+        own_group()
+        signal.signal(signal.SIGCONT, signal.SIG_IGN)
+
+    process = demo(program, drive, before=deaf_to_cont)
+    check(soon(drive.turns), "the motor turns")
+    process.send_signal(signal.SIGSTOP)
+    os.waitpid(process.pid, os.WUNTRACED)
+    time.sleep(LONG_PAUSE)
+    check(drive.turns(), "nobody has stopped it", drive.shown())
+    process.send_signal(signal.SIGCONT)
+    text, _ = process.communicate(timeout=LIMIT)
+    check(b"the order to run is gone" in text, "it says that the order is gone")
+    check(process.returncode == 1, "its status tells it", process.returncode)
+    check(drive.stands(), "the motor stands when the program is gone", drive.shown())
+
+
+CASES = {"pipe": nobody_reads, "ctrl-s": somebody_presses_ctrl_s, "stopped": it_is_stopped,
+         "asleep": it_is_not_told_that_it_was_stopped}
+
+
+def simulate_answers(program, name, check):
+    """Its drives answer although nobody reads what it was asked to show."""
+    reader, writer = full_pipe()
+    question = with_crc(bytes([UNIT, 3, *ETA[name].to_bytes(2, "big"), 0, 1]))
+    with Line() as line:
+        process = subprocess.Popen([program, "--drive", f"{name}:{UNIT}", "--port", line.name],
+                                   stdin=subprocess.PIPE, stdout=writer, stderr=writer)
+        process.stdin.write(f"{UNIT} show\n{UNIT} nonsense\n".encode() * 500)
+        process.stdin.flush()
+        time.sleep(PAUSE)
+        for _ in range(3):
+            before = len(line.heard)
+            line.say(question)
+            check(soon(lambda count=before: len(line.heard) > count, 1), "it answers", line.heard[before:])
+        process.terminate()
+        check(soon(lambda: process.poll() is not None), "it ends")
+        process.kill()
+        check(process.wait() == 0, "and well", process.returncode)
+    os.close(reader)
+    os.close(writer)
+
+
+def main(simulate, program, name, case):
+    check = Checks()
+    if case == "simulate":
+        simulate_answers(simulate, name, check)
+        return check.status()
+    with Drive(simulate, name) as drive:
+        CASES[case](program, drive, check)
+    return check.status()
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main(*sys.argv[1:]))
+    except subprocess.TimeoutExpired as error:
+        error.cmd = os.path.basename(error.cmd[0])
+        sys.exit(f"FAIL it does not end: {error}")
