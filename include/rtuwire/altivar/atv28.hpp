@@ -259,7 +259,13 @@ struct device {
                                            .direct_control = 0x8000,
                                            .eeprom_time = milliseconds(2'100),
                                            .rfrd = 605,
-                                           .cmi_orders = 0x0007};
+                                           .cmi_orders = 0x0007,
+                                           .safeguards = {.nto = 0x4000,
+                                                          .fixed_timeout = milliseconds(7'000),
+                                                          .atr = atr.address,
+                                                          .inputs = iolr.address,
+                                                          .tcc = tcc.address,
+                                                          .is_local_at_power_up = true}};
     /// What tells who it is, without function 43.
     struct nameplate {
         template <typename Device> using plan = read_plan<Device, cpu, ncv, vcal, inv>;
