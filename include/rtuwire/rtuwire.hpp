@@ -19,6 +19,7 @@
 #include <rtuwire/altivar/cyclic_control.hpp>
 #include <rtuwire/altivar/drive_talk.hpp>
 #include <rtuwire/altivar/identify.hpp>
+#include <rtuwire/altivar/period_rule.hpp>
 #include <rtuwire/altivar/profile.hpp>
 #include <rtuwire/altivar/reason.hpp>
 #include <rtuwire/altivar/reference.hpp>
@@ -28,6 +29,8 @@
 #include <rtuwire/altivar/script.hpp>
 #include <rtuwire/altivar/start.hpp>
 #include <rtuwire/altivar/stop.hpp>
+#include <rtuwire/altivar/supervision.hpp>
+#include <rtuwire/altivar/supervision_report.hpp>
 #include <rtuwire/altivar/words.hpp>
 #include <rtuwire/cia402/command.hpp>
 #include <rtuwire/cia402/state.hpp>

@@ -74,4 +74,4 @@ inline constexpr std::uint16_t io_profile = 3;
 /// others, so that until its CHCF was read, since it was last switched on, it is only told 0000.
 enum class word_meaning : std::uint8_t { unknown, drive_profile };
 
-} // namespace rtuwire::inline RTUWIRE_BUILD::altivar
+} // namespace rtuwire::altivar
