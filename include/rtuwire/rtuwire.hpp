@@ -31,6 +31,7 @@
 #include <rtuwire/altivar/stop.hpp>
 #include <rtuwire/altivar/supervision.hpp>
 #include <rtuwire/altivar/supervision_report.hpp>
+#include <rtuwire/altivar/watch.hpp>
 #include <rtuwire/altivar/words.hpp>
 #include <rtuwire/cia402/command.hpp>
 #include <rtuwire/cia402/state.hpp>

@@ -25,7 +25,7 @@ namespace {
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
 constexpr std::uint16_t sll = 7010, tto = 6005, chcf = 8401, fr1 = 8413, cd1 = 8423, flo = 8431,
                         atr = 7122, dotd = 8652, cmi_28 = 402, atr_28 = 150, tcc_28 = 6,
-                        inputs_28 = 478, eta = 3201, eta_28 = 458;
+                        inputs_28 = 478, eta = 3201;
 
 /// A client, a commissioned drive, and a count of what is written to it.
 template <typename Device> struct checked : test::party_line<client, Device> {
