@@ -4,6 +4,7 @@
 // Every portable header, for the impatient. What needs an operating system is in port/.
 #pragma once
 
+#include <rtuwire/altivar/at_rest.hpp>
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv28_values.hpp>
@@ -13,6 +14,7 @@
 #include <rtuwire/altivar/atv320_values.hpp>
 #include <rtuwire/altivar/broadcast.hpp>
 #include <rtuwire/altivar/change_reference.hpp>
+#include <rtuwire/altivar/channel.hpp>
 #include <rtuwire/altivar/compact_values.hpp>
 #include <rtuwire/altivar/configure_scanner.hpp>
 #include <rtuwire/altivar/cyclic.hpp>
