@@ -7,12 +7,15 @@
 #include <rtuwire/altivar/at_rest.hpp>
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/atv28_direct.hpp>
+#include <rtuwire/altivar/atv28_link.hpp>
 #include <rtuwire/altivar/atv28_values.hpp>
 #include <rtuwire/altivar/atv28_words.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/atv320_values.hpp>
 #include <rtuwire/altivar/broadcast.hpp>
+#include <rtuwire/altivar/broadcast_setting.hpp>
 #include <rtuwire/altivar/change_reference.hpp>
 #include <rtuwire/altivar/channel.hpp>
 #include <rtuwire/altivar/compact_values.hpp>
@@ -24,6 +27,7 @@
 #include <rtuwire/altivar/period_rule.hpp>
 #include <rtuwire/altivar/profile.hpp>
 #include <rtuwire/altivar/reason.hpp>
+#include <rtuwire/altivar/recall_from_eeprom.hpp>
 #include <rtuwire/altivar/reference.hpp>
 #include <rtuwire/altivar/reset_fault.hpp>
 #include <rtuwire/altivar/restore_factory_settings.hpp>
