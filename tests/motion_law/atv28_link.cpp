@@ -194,6 +194,20 @@ TEST_CASE("a direct start runs at its reference, either way, and a direct stop l
     }
 }
 
+TEST_CASE("an ordinary stop stops a drive that was started directly")
+{
+    for (stop_by const how : {stop_by::ramp, stop_by::freewheel, stop_by::quick_stop}) {
+        bench it;
+        REQUIRE(it.told(direct_start{it.drive, -20_Hz}).how == ending::succeeded);
+        it.idle(milliseconds(5'000));
+        CHECK(it.told(stop{it.drive, how}).how == ending::succeeded);
+        CHECK(it.far().chart().state() == state::switch_on_disabled);
+        // Nothing stands there that would run it again.
+        it.tell(cmd_at, 0x000F);
+        CHECK_FALSE(it.has_power());
+    }
+}
+
 TEST_CASE(
     "motion law: S1 a direct start checks the reference that stands in the drive before its word")
 {
@@ -296,6 +310,11 @@ TEST_CASE("a recall brings back what was saved, and is refused where it could mo
     bench closed;
     closed.taken().close(1);
     CHECK(closed.told(recall_from_eeprom{closed.drive}).how == ending::run_input_closed);
+    // The stop input of three-wire control, closed as a rule: what is recalled may be two-wire control.
+    bench three_wire;
+    three_wire.tell(6, 1);
+    three_wire.taken().close(1);
+    CHECK(three_wire.told(recall_from_eeprom{three_wire.drive}).how == ending::run_input_closed);
     bench gone;
     gone.taken();
     gone.cut(0, true);

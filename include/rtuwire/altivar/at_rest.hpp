@@ -21,12 +21,19 @@ struct terminal_options {
     bool accept_unseen_inputs{false};
 };
 
-/// Decides the look, word by word. It ends as `succeeded` in states 2, 3 and 4 with the run inputs open. In three-wire
-/// control a standing input does not start the motor, so none is looked at.
+/// What else counts as standing, by what is to be written.
+struct at_rest_rules {
+    bool accepts_fault{false};   ///< for what may be the fault's remedy
+    bool ends_three_wire{false}; ///< two-wire control may come back by it, where a closed LI1 runs
+};
+
+/// Decides the look, word by word. It ends as `succeeded` in states 2, 3 and 4, and in 8 where that is said, with the
+/// run inputs open. In three-wire control a standing input does not start the motor, so none is looked at.
 class at_rest_script : public script {
 public:
-    constexpr at_rest_script(drive_profile const& profile, terminal_options const& options) noexcept
-        : script{profile}, options_{options}
+    constexpr at_rest_script(drive_profile const& profile, terminal_options const& options,
+                             at_rest_rules const& rules = {}) noexcept
+        : script{profile}, options_{options}, rules_{rules}
     {}
 
     constexpr wish step(event const& what) noexcept
@@ -72,22 +79,23 @@ private:
 
     constexpr wish judge(cia402::state at) noexcept
     {
-        if (cia402::is_in_fault(at)) {
+        bool const is_trusted = at == cia402::state::fault and rules_.accepts_fault;
+        if (cia402::is_in_fault(at) and not is_trusted) {
             return ask(asked::fault, profile().lft);
         }
         if (cia402::has_power(at)) {
             return end(ending::refused_while_running);
         }
-        bool const stands = at == cia402::state::switch_on_disabled or
+        bool const stands = is_trusted or at == cia402::state::switch_on_disabled or
                             at == cia402::state::ready_to_switch_on or
                             at == cia402::state::switched_on;
         if (not stands) {
             return end(ending::stuck);
         }
         safeguard_layout const& where = profile().safeguards;
-        return options_.run_inputs == 0 ? end(ending::succeeded)
-               : where.tcc == 0         ? look_at_inputs()
-                                        : ask(asked::wiring, where.tcc);
+        return options_.run_inputs == 0                   ? end(ending::succeeded)
+               : where.tcc == 0 or rules_.ends_three_wire ? look_at_inputs()
+                                                          : ask(asked::wiring, where.tcc);
     }
 
     constexpr wish judge_wiring(std::uint16_t word) noexcept
@@ -126,6 +134,7 @@ private:
     std::uint16_t address_{0};
     std::uint16_t word_{0};
     asked asked_{asked::status};
+    at_rest_rules rules_;
 };
 
 } // namespace rtuwire::altivar

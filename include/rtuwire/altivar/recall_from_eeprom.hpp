@@ -21,7 +21,7 @@ inline constexpr std::uint16_t recall_bit = 0x0004;
 class recall_script : public script {
 public:
     constexpr recall_script(drive_profile const& profile, terminal_options const& options) noexcept
-        : script{profile}, look_{profile, options}
+        : script{profile}, look_{profile, options, {.ends_three_wire = true}}
     {}
 
     constexpr wish step(event const& what) noexcept
