@@ -7,8 +7,6 @@
 #include <rtuwire/altivar/at_rest.hpp>
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv28_direct.hpp>
-#include <rtuwire/altivar/atv28_link.hpp>
 #include <rtuwire/altivar/atv28_values.hpp>
 #include <rtuwire/altivar/atv28_words.hpp>
 #include <rtuwire/altivar/atv310.hpp>
@@ -22,6 +20,7 @@
 #include <rtuwire/altivar/configure_scanner.hpp>
 #include <rtuwire/altivar/cyclic.hpp>
 #include <rtuwire/altivar/cyclic_control.hpp>
+#include <rtuwire/altivar/direct_control.hpp>
 #include <rtuwire/altivar/drive_talk.hpp>
 #include <rtuwire/altivar/identify.hpp>
 #include <rtuwire/altivar/period_rule.hpp>
@@ -29,6 +28,7 @@
 #include <rtuwire/altivar/reason.hpp>
 #include <rtuwire/altivar/recall_from_eeprom.hpp>
 #include <rtuwire/altivar/reference.hpp>
+#include <rtuwire/altivar/release_link.hpp>
 #include <rtuwire/altivar/reset_fault.hpp>
 #include <rtuwire/altivar/restore_factory_settings.hpp>
 #include <rtuwire/altivar/save_to_eeprom.hpp>

@@ -6,12 +6,12 @@
 #include <rtuwire/altivar/at_rest.hpp>
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv28_direct.hpp>
-#include <rtuwire/altivar/atv28_link.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/channel.hpp>
+#include <rtuwire/altivar/direct_control.hpp>
 #include <rtuwire/altivar/recall_from_eeprom.hpp>
+#include <rtuwire/altivar/release_link.hpp>
 #include <rtuwire/altivar/restore_factory_settings.hpp>
 #include <rtuwire/altivar/supervision.hpp>
 

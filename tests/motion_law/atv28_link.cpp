@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include <rtuwire/altivar/atv28_direct.hpp>
-#include <rtuwire/altivar/atv28_link.hpp>
+#include <rtuwire/altivar/direct_control.hpp>
 #include <rtuwire/altivar/recall_from_eeprom.hpp>
+#include <rtuwire/altivar/release_link.hpp>
 #include <rtuwire/altivar/save_to_eeprom.hpp>
 #include <rtuwire/altivar/start.hpp>
 

@@ -9,9 +9,9 @@
 #include <type_traits>
 
 #include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv28_link.hpp>
 #include <rtuwire/altivar/drive_talk.hpp>
 #include <rtuwire/altivar/reference.hpp>
+#include <rtuwire/altivar/release_link.hpp>
 #include <rtuwire/altivar/stop.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
