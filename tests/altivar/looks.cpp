@@ -238,6 +238,16 @@ STATIC_CHECK(ends(told(go, begins, fails(errc::timed_out)), ending::silent, errc
 STATIC_CHECK(ends(told(go, begins, read(fault_28), read(9)), ending::in_fault));
 STATIC_CHECK(told(go, begins, read(fault_28), read(9)).fault == 9);
 STATIC_CHECK(ends(told(go, begins, late), ending::stuck));
+// Somebody commanded it between the look and its word: what was told is taken back.
+constexpr bool gives_up_where_it_is_not_locked()
+{
+    direct_start_script it = go;
+    wish const last =
+        after(it, begins, read(free_28), written, written, read(200), read(0), read(0x0221));
+    return writes(last, old.cmd, 0x0000);
+}
+PROOF("a direct start finds its drive locked, or gives up", gives_up_where_it_is_not_locked)
+
 // A fault before its word: 0000 stands there already.
 STATIC_CHECK(ends(told(go, begins, read(free_28), written, written, read(200), read(0),
                        read(fault_28), read(16)),

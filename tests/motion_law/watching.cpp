@@ -147,3 +147,18 @@ TEST_CASE("a watch asks two requests a period, and no more")
     CHECK(it.requests <= 200);
     CHECK(it.requests >= 140);
 }
+
+TEST_CASE("a watch takes no response of another length")
+{
+    watch<atv320::device> eye{station<atv320::device>{unit_id{3}}};
+    eye.advance(instant{0});
+    REQUIRE(eye.next());
+    std::array<std::byte, 4> const short_pdu{std::byte{3}, std::byte{2}, std::byte{2},
+                                             std::byte{0x37}};
+    eye.accept(response{short_pdu});
+    CHECK(eye.error() == errc::wrong_length);
+    CHECK(eye.state() == state::unknown);
+    CHECK(eye.rounds() == 0);
+    CHECK_FALSE(eye.next());
+    CHECK(eye.poll_deadline() == instant{500'000});
+}

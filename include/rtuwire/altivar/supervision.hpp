@@ -53,8 +53,7 @@ private:
         disable,
         wiring,
         inputs,
-        status,
-        done,
+        status, ///< which each drive has
     };
 
     static constexpr std::uint16_t together = 1, apart = 2;
@@ -74,21 +73,17 @@ private:
         case look::disable: return at.dotd;
         case look::wiring: return is_local_first ? at.tcc : std::uint16_t{0};
         case look::inputs: return is_local_first ? at.inputs : std::uint16_t{0};
-        case look::status: return profile().eta;
-        case look::done: break;
+        case look::status: break;
         }
-        return 0;
+        return profile().eta;
     }
 
     constexpr wish ask() noexcept
     {
-        while (at_ != look::done) {
-            if (address() != 0) {
-                return to_read(address());
-            }
+        while (address() == 0) {
             at_ = after(at_);
         }
-        return finish();
+        return to_read(address());
     }
 
     static constexpr look after(look at) noexcept
@@ -115,7 +110,6 @@ private:
         case look::status:
             note(word);
             return unless((word & remote_bit) != 0, ending::local_control);
-        case look::done: break;
         }
         return ending::succeeded;
     }
@@ -187,6 +181,9 @@ private:
             if (not accepts(found)) {
                 return end(found, error);
             }
+        }
+        if (at_ == look::status) {
+            return finish();
         }
         at_ = after(at_);
         return ask();
