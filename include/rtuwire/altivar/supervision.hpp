@@ -229,7 +229,7 @@ private:
     bool is_three_wire_{false};
 };
 
-/// Checks a drive before its first order: at most 11 reads. It ends as `succeeded` (`ready`), or with what is
+/// Checks a drive before its first order: at most nine reads. It ends as `succeeded` (`ready`), or with what is
 /// against it; the report then names the register and its word, and for `timeout_too_short` both times. An ATV12 and
 /// an ATV310 have no ATR; a second channel that an input switches to (CCS, RFC) is not looked for.
 class check_supervision : public drive_talk<supervision_script> {
