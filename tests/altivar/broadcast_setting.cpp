@@ -28,7 +28,7 @@ STATIC_CHECK(not is_for_everyone<atv320::add>() and not is_for_everyone<atv320::
 STATIC_CHECK(not is_for_everyone<atv320::tfo>() and not is_for_everyone<atv28::bdr>());
 STATIC_CHECK(not is_for_everyone<atv28::tcc>() and not is_for_everyone<atv28::li4>());
 STATIC_CHECK(not is_for_everyone<atv320::nc1>() and not is_for_everyone<atv320::nca8>());
-STATIC_CHECK(not is_for_everyone<atv320::nma1>());
+STATIC_CHECK(not is_for_everyone<atv320::nma1>() and not is_for_everyone<atv320::nc8>());
 STATIC_CHECK(is_for_everyone<atv12::acc>() and is_for_everyone<atv320::hsp>());
 STATIC_CHECK(is_for_everyone<atv320::tto>() and is_for_everyone<atv28::dec>());
 

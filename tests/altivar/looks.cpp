@@ -56,6 +56,31 @@ constexpr bool writes(wish const& what, std::uint16_t address, std::uint16_t wor
     return what.what == wish::kind::write and what.address == address and what.word == word;
 }
 
+/// How long a conversation takes at most, told before its first question.
+template <typename Talk> constexpr duration limit_of(Talk talk)
+{
+    talk.advance(instant{0xFFFF'FF00U});
+    return *talk.poll_deadline() - instant{0xFFFF'FF00U};
+}
+constexpr bool ends_in_time()
+{
+    constexpr station<atv320::device> drive{unit_id{7}};
+    constexpr station<atv28::device> other{unit_id{7}};
+    using settings = channel_settings<atv320::device>;
+    return limit_of(check_supervision{drive}) == milliseconds(10'000) and
+           limit_of(set_channel{drive, settings::by_modbus()}) == milliseconds(10'000) and
+           limit_of(atv28::release_link{other}) == milliseconds(3'000) and
+           limit_of(atv28::activate_link{other}) == milliseconds(3'000) and
+           limit_of(atv28::direct_start{other, 50_Hz}) == milliseconds(3'000) and
+           limit_of(atv28::direct_stop{other, atv28::direct_stop_by::ramp}) ==
+               milliseconds(30'000) and
+           limit_of(recall_from_eeprom{other}) == milliseconds(8'000) and
+           limit_of(restore_factory_settings{drive, losing_control_and_address{}}) ==
+               milliseconds(5'000) and
+           atv28::direct_start_script::grace == milliseconds(30'000);
+}
+PROOF("who names no limit has one, from the first pass on: looks and links", ends_in_time)
+
 constexpr supervision_script check{later};
 constexpr errc missing = errc::illegal_data_address;
 

@@ -31,8 +31,9 @@ struct bench : test::party_line<client, device> {
     static constexpr station<device> drive{unit_id{3}};
     std::vector<std::pair<std::uint16_t, std::uint16_t>> writes;
     unsigned frames{0};
-    unsigned lost_frame{0};     ///< from 1 on, requests and responses; 0: none
-    bool is_cut_from_it{false}; ///< and all that follow
+    unsigned lost_frame{0};         ///< from 1 on, requests and responses; 0: none
+    bool is_cut_from_it{false};     ///< and all that follow
+    bool has_ever_said_more{false}; ///< than 0000, to the drive
 
     bench() : test::party_line<client, device>{client{test::party_timing, patient}}
     {
@@ -112,6 +113,12 @@ TEST_CASE("an ATV28 is released and taken back while it stands")
     CHECK(it.is_by_link());
     it.close(1);
     CHECK_FALSE(it.has_power());
+    // A run input that starts nothing, say because of the STOP key, keeps nobody from taking it.
+    bench held;
+    held.far().hold_stop(true);
+    held.close(1);
+    REQUIRE_FALSE(held.is_by_link());
+    CHECK(held.told(activate_link{held.drive}).how == ending::succeeded);
 }
 
 TEST_CASE("motion law: S29 an ATV28 is not released under a closed run input")
@@ -213,6 +220,10 @@ TEST_CASE(
 {
     bench it;
     it.disturb([&](std::vector<std::byte>& frame, bool is_request) {
+        it.has_ever_said_more =
+            it.has_ever_said_more or
+            (is_request and frame[1] == std::byte{6} and u16_at(byte_view{frame}, 2) == cmd_at and
+             u16_at(byte_view{frame}, 4) != 0);
         // Another master's reference comes right behind ours.
         if (not is_request and frame[1] == std::byte{6} and u16_at(byte_view{frame}, 2) == lfr_at) {
             register_block const value{std::uint16_t{500}};
@@ -222,6 +233,7 @@ TEST_CASE(
     CHECK(it.told(direct_start{it.drive, 10_Hz}).how == ending::not_taken);
     it.idle(milliseconds(1'000));
     CHECK_FALSE(it.has_power());
+    CHECK_FALSE(it.has_ever_said_more);
 }
 
 TEST_CASE("motion law: S22 a drive whose power comes back while it is started directly stands")

@@ -13,8 +13,8 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/start.hpp>
 #include <rtuwire/altivar/supervision.hpp>
+#include <rtuwire/client/single_question.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -56,6 +56,17 @@ template <typename Device> struct checked : test::party_line<client, Device> {
         REQUIRE(far().check_write(address, value) == errc::none);
         static_cast<void>(far().write(address, value));
         this->idle(milliseconds(20));
+    }
+    /// Runs as a controller does that checks nothing; it is silent afterwards.
+    void run_anyway(std::uint16_t tenths)
+    {
+        single_question contact{drive.unit(), read_holding_registers{Device::profile.eta, 1}};
+        REQUIRE(this->run(contact));
+        set(Device::frequency_reference.address, tenths);
+        for (std::uint16_t const word : std::array<std::uint16_t, 3>{0x0006, 0x0007, 0x000F}) {
+            set(Device::profile.cmd, word);
+        }
+        REQUIRE(far().chart().state() == state::operation_enabled);
     }
     check_supervision look(supervision_options const& options = {})
     {
@@ -131,6 +142,7 @@ TEST_CASE("motion law: S19 a commissioned drive is ready, and its time-out is kn
         CHECK(talk.report().words == word_meaning::drive_profile);
         CHECK(talk.report().accepted == none);
         CHECK(talk.report().address == 0);
+        CHECK(talk.report().word == 0);
         CHECK_FALSE(talk.report().has_local_input);
     });
 }
@@ -231,6 +243,8 @@ TEST_CASE("motion law: S19 what is not known is refused, and the register named"
         bool const has_bits = Device::profile.chcf != 0;
         CHECK(it.look({.risks = unknown}).report().words ==
               (has_bits ? word_meaning::unknown : word_meaning::drive_profile));
+        it.missing = sll; // a time-out is a time-out
+        CHECK(it.look({.risks = unknown}).report().period.timeout == milliseconds(10'000));
         it.missing = flo; // tells nothing that the status does not
         CHECK(it.look().ready());
     });
@@ -255,6 +269,37 @@ TEST_CASE("motion law: S19 a line that fails is not a drive that is ready")
     CHECK(talk.reason().error == errc::timed_out);
 }
 
+TEST_CASE("motion law: S19 what is refused runs on for minutes once its controller is gone")
+{
+    for_later_drives([]<typename Device>(Device) {
+        checked<Device> ready;
+        ready.run_anyway(400);
+        ready.idle(milliseconds(120'000));
+        CHECK(ready.far().chart().state() == state::fault);
+        CHECK(ready.far().motor().frequency() == 0);
+        checked<Device> off;
+        off.set(sll, 0);
+        off.run_anyway(400);
+        off.idle(milliseconds(120'000));
+        CHECK(off.far().motor().frequency() == 40'000);
+        checked<Device> falls_back;
+        falls_back.set(sll, 4);
+        falls_back.run_anyway(400);
+        falls_back.idle(milliseconds(120'000));
+        CHECK(cia402::has_power(falls_back.far().chart().state()));
+    });
+    checked<atv320::device> keeps;
+    keeps.set(sll, 5);
+    keeps.run_anyway(400);
+    keeps.idle(milliseconds(120'000));
+    CHECK(keeps.far().motor().frequency() == 40'000);
+    checked<atv28::device> old;
+    old.set(cmi_28, 0x4000);
+    old.run_anyway(400);
+    old.idle(milliseconds(120'000));
+    CHECK(old.far().motor().frequency() == 40'000);
+}
+
 TEST_CASE("motion law: S28 a drive that restarts by itself runs again by mere reads, and is "
           "refused before")
 {
@@ -262,9 +307,7 @@ TEST_CASE("motion law: S28 a drive that restarts by itself runs again by mere re
     it.set(atr, 1);
     refuses(it, ending::restarts_by_itself, atr, 1, automatic_restart);
 
-    start go{it.drive, 40_Hz};
-    REQUIRE(it.run(go));
-    REQUIRE(go.succeeded());
+    it.run_anyway(400);
     it.idle(milliseconds(15'000)); // past its time-out of 10 s
     REQUIRE(it.far().chart().state() == state::fault);
     it.writes = 0;

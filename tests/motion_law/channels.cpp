@@ -195,7 +195,10 @@ TEST_CASE("motion law: S29 where the inputs cannot be seen the risk has to be ta
     // The same where the drive turns out not to have the register.
     bench_320 other;
     other.missing = 5202;
-    CHECK(other.told(apart_by_terminals).reason().how == ending::unknown_register);
+    set_channel const unseen = other.told(apart_by_terminals);
+    CHECK(unseen.reason().how == ending::unknown_register);
+    CHECK(unseen.address() == 5202);
+    CHECK(unseen.word() == 0);
     CHECK(other.told(apart_by_terminals, {.accept_unseen_inputs = true}).succeeded());
 }
 
@@ -273,6 +276,7 @@ TEST_CASE("a setting that reads back otherwise, or is not there, is told by its 
     set_channel const missing = without.told(settings_320::by_modbus());
     CHECK(missing.reason().how == ending::unknown_register);
     CHECK(missing.address() == chcf);
+    CHECK(missing.word() == 0);
     CHECK(without.writes.empty());
 }
 
@@ -285,4 +289,30 @@ TEST_CASE("in three-wire control a standing input starts nothing, and counts for
     it.set(flo, 132);
     it.close(1);
     CHECK(it.told(settings_320::by_modbus()).succeeded());
+}
+
+TEST_CASE("a write that is refused is told by its register, and nothing of nothing")
+{
+    bench_320 it;
+    it.set(fr1, 1);
+    it.disturb([&](std::vector<std::byte>& frame, bool is_request) {
+        if (not is_request and frame[1] == std::byte{6} and u16_at(byte_view{frame}, 2) == fr1) {
+            bench_320::seal(frame = {frame[0], std::byte{0x86}, std::byte{4}});
+        }
+    });
+    set_channel const refused = it.told(settings_320::by_modbus());
+    CHECK(refused.reason().how == ending::refused);
+    CHECK(refused.reason().error == errc::server_device_failure);
+    CHECK(refused.address() == fr1);
+    CHECK(refused.word() == 0);
+    CHECK(refused.written() == 0);
+
+    bench_320 other;
+    set_channel const nothing = other.told(settings_320{});
+    CHECK(nothing.succeeded());
+    CHECK(nothing.address() == 0);
+    CHECK(nothing.word() == 0);
+    CHECK(nothing.written() == 0);
+    constexpr auto by_line = settings_320{}.with<atv320::fr1>(atv320::reference_channel::mdb);
+    CHECK(other.told(by_line).succeeded());
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
@@ -146,6 +147,86 @@ TEST_CASE("a watch asks two requests a period, and no more")
     // A period begins where the round before it ended: about 25 ms for two exchanges.
     CHECK(it.requests <= 200);
     CHECK(it.requests >= 140);
+}
+
+namespace {
+
+/// A watch by hand.
+template <typename Device> struct by_hand {
+    watch<Device> eye{station<Device>{unit_id{3}}};
+    instant now{0xFFFF'0000U};
+
+    /// A round whose two responses hold these words.
+    void hear(std::vector<std::uint16_t> const& first, std::vector<std::uint16_t> const& second)
+    {
+        wait();
+        for (auto const& words : {first, second}) {
+            REQUIRE(eye.next());
+            std::vector<std::byte> pdu{std::byte{3},
+                                       to_byte(static_cast<unsigned>(2 * words.size()))};
+            for (std::uint16_t const word : words) {
+                pdu.push_back(to_byte(word >> 8U));
+                pdu.push_back(to_byte(word));
+            }
+            eye.accept(response{pdu});
+        }
+    }
+    void miss(unsigned rounds)
+    {
+        for (unsigned i = 0; i < rounds; ++i) {
+            wait();
+            REQUIRE(eye.next());
+            eye.accept(errc::timed_out);
+        }
+    }
+    void wait()
+    {
+        now = now + milliseconds(500);
+        eye.advance(now);
+    }
+};
+
+} // namespace
+
+TEST_CASE("a watch bears one round that fails, and none that fails behind it")
+{
+    by_hand<atv320::device> it;
+    CHECK_FALSE(it.eye.next());
+    CHECK_FALSE(it.eye.poll_deadline());
+    it.eye.advance(it.now);
+    CHECK(it.eye.next());
+    CHECK_FALSE(it.eye.poll_deadline());
+    it.hear({0x0237, 250}, {0});
+    CHECK(it.eye.poll_deadline() == it.now + milliseconds(500));
+    CHECK_FALSE(it.eye.next());
+    it.eye.advance(it.now + microseconds(499'999));
+    CHECK_FALSE(it.eye.next());
+    CHECK(it.eye.rounds() == 1);
+    CHECK_FALSE(it.eye.link_lost());
+    for (unsigned i = 0; i < 2; ++i) {
+        it.miss(1);
+        CHECK_FALSE(it.eye.link_lost());
+        CHECK(it.eye.error() == errc::timed_out);
+        it.miss(1);
+        CHECK(it.eye.link_lost());
+        it.miss(300);
+        CHECK(it.eye.link_lost());
+        it.hear({0x0237, 250}, {0});
+        CHECK_FALSE(it.eye.link_lost());
+        CHECK(it.eye.error() == errc::none);
+        CHECK(it.eye.rounds() == 2 + i);
+    }
+}
+
+TEST_CASE("a watch tells a tenth of a hertz in reverse, of a drive that shows sizes as well")
+{
+    by_hand<atv28::device> it;
+    it.hear({5, 0x8227}, {1});
+    CHECK(it.eye.frequency() == signed_decihertz{-1});
+    CHECK(it.eye.last_fault() == 5);
+    CHECK(it.eye.fault() == 0);
+    it.hear({5, 0x0227}, {1});
+    CHECK(it.eye.frequency() == signed_decihertz{1});
 }
 
 TEST_CASE("a watch takes no response of another length")

@@ -5,7 +5,6 @@
 // drive of another type takes it, too, if it has a register at the address.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include <rtuwire/altivar/restore_factory_settings.hpp>
@@ -22,15 +21,15 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Registers that are no settings for all: commands and references, and what their scanner words stand for; who
 /// commands; the address, rate and format by which a drive is reached.
-inline constexpr std::array<text, 20> not_for_everyone{
-    "CMD", "CMDD", "LFR", "LFRD", "PISP", "RPI", "CMI", "CHCF", "CD1", "CD2",
-    "FR1", "FR2",  "FLO", "TCC",  "LI3",  "LI4", "ADD", "TBR",  "TFO", "BDR"};
+inline constexpr text not_for_everyone[]{"CMD",  "CMDD", "LFR", "LFRD", "PISP", "RPI", "CMI",
+                                         "CHCF", "CD1",  "CD2", "FR1",  "FR2",  "FLO", "TCC",
+                                         "LI3",  "LI4",  "ADD", "TBR",  "TFO",  "BDR"};
 
 /// Whether a register may be written to all drives at once.
 template <auto const& R> [[nodiscard]] consteval bool is_for_everyone() noexcept
 {
-    constexpr std::uint16_t scanner_from = 12'701, scanner_to = 12'799;
-    bool is_named = R.address >= scanner_from and R.address <= scanner_to;
+    constexpr std::uint16_t scanner = 127; // NMA, NCA, NM and NC
+    bool is_named = R.address / 100 == scanner;
     for (text const each : not_for_everyone) {
         is_named = is_named or each == R.code;
     }

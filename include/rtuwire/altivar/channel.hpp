@@ -31,7 +31,7 @@ using channel_words = std::array<channel_word, 4>;
 /// The channels that a drive is to have; what is not named stays as it is.
 template <device_type Device> class channel_settings {
     static constexpr safeguard_layout const& at = Device::profile.safeguards;
-    static constexpr std::array<std::uint16_t, 4> order{at.fr1, at.cd1, at.chcf, at.flo};
+    static constexpr std::array order{at.fr1, at.cd1, at.chcf, at.flo};
 
     template <auto const& R> static constexpr std::size_t place_of() noexcept
     {

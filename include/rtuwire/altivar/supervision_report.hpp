@@ -4,7 +4,6 @@
 // What a check of a drive finds, and which findings its user takes upon himself.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include <rtuwire/altivar/period_rule.hpp>
@@ -16,9 +15,9 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Findings that somebody takes upon himself; also which of those were found.
 struct supervision_risks {
-    bool accept_unsupervised{false};      ///< SLL 0, TTO 0 or NTO: it runs without its line for ever
-    bool accept_running_on{false};        ///< SLL 4 or 5: so it does, at some speed
-    bool accept_other_channel{false};     ///< command or reference come from elsewhere
+    bool accept_unsupervised{false};  ///< SLL 0, TTO 0 or NTO: it runs without its line for ever
+    bool accept_running_on{false};    ///< SLL 4 or 5: so it does, at some speed
+    bool accept_other_channel{false}; ///< command or reference come from elsewhere
     bool accept_automatic_restart{false}; ///< ATR
     bool accept_closed_run_input{false};  ///< of a drive whose terminals command after power-up
     bool accept_unknown_registers{false}; ///< exception 02, or a value that nobody has described
@@ -36,7 +35,7 @@ struct named_risk {
 
 /// All that can be accepted. A control word of single bits (`not_drive_profile`) cannot: no order means there what it
 /// says.
-inline constexpr std::array<named_risk, 8> named_risks{{
+inline constexpr named_risk named_risks[]{
     {ending::unsupervised, &supervision_risks::accept_unsupervised},
     {ending::runs_on_without_link, &supervision_risks::accept_running_on},
     {ending::other_channel, &supervision_risks::accept_other_channel},
@@ -45,7 +44,7 @@ inline constexpr std::array<named_risk, 8> named_risks{{
     {ending::run_input_closed, &supervision_risks::accept_closed_run_input},
     {ending::unknown_register, &supervision_risks::accept_unknown_registers},
     {ending::timeout_too_short, &supervision_risks::accept_short_timeout},
-}};
+};
 
 /// Against what a drive is checked.
 struct supervision_options {
