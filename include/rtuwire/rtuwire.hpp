@@ -4,6 +4,7 @@
 // Every portable header, for the impatient. What needs an operating system is in port/.
 #pragma once
 
+#include <rtuwire/altivar/at_rest.hpp>
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv28_values.hpp>
@@ -12,17 +13,23 @@
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/atv320_values.hpp>
 #include <rtuwire/altivar/broadcast.hpp>
+#include <rtuwire/altivar/broadcast_setting.hpp>
 #include <rtuwire/altivar/change_reference.hpp>
+#include <rtuwire/altivar/channel.hpp>
 #include <rtuwire/altivar/compact_values.hpp>
 #include <rtuwire/altivar/configure_scanner.hpp>
 #include <rtuwire/altivar/cycle_words.hpp>
 #include <rtuwire/altivar/cyclic.hpp>
 #include <rtuwire/altivar/cyclic_control.hpp>
+#include <rtuwire/altivar/direct_control.hpp>
 #include <rtuwire/altivar/drive_talk.hpp>
 #include <rtuwire/altivar/identify.hpp>
+#include <rtuwire/altivar/period_rule.hpp>
 #include <rtuwire/altivar/profile.hpp>
 #include <rtuwire/altivar/reason.hpp>
+#include <rtuwire/altivar/recall_from_eeprom.hpp>
 #include <rtuwire/altivar/reference.hpp>
+#include <rtuwire/altivar/release_link.hpp>
 #include <rtuwire/altivar/reset_fault.hpp>
 #include <rtuwire/altivar/restore_factory_settings.hpp>
 #include <rtuwire/altivar/save_to_eeprom.hpp>
@@ -30,6 +37,9 @@
 #include <rtuwire/altivar/start.hpp>
 #include <rtuwire/altivar/stop.hpp>
 #include <rtuwire/altivar/stop_everyone.hpp>
+#include <rtuwire/altivar/supervision.hpp>
+#include <rtuwire/altivar/supervision_report.hpp>
+#include <rtuwire/altivar/watch.hpp>
 #include <rtuwire/altivar/words.hpp>
 #include <rtuwire/cia402/command.hpp>
 #include <rtuwire/cia402/state.hpp>

@@ -391,7 +391,7 @@ TEST_CASE(
 TEST_CASE("everything that is told has a name")
 {
     auto const is_named = [](text name) { return name.size() > 0; };
-    for (unsigned i = 0; i <= static_cast<unsigned>(ending::contradictory); ++i) {
+    for (unsigned i = 0; i <= static_cast<unsigned>(ending::started_by_terminals); ++i) {
         CHECK(is_named(name_of(static_cast<ending>(i))));
     }
     CHECK(name_of(static_cast<ending>(99)) == text{"unknown"});

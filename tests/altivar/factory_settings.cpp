@@ -42,13 +42,19 @@ template <typename Device> struct pair : test::party_line<drive_client<4>, Devic
 };
 
 constexpr losing_control_and_address knowingly{};
+constexpr terminal_options unseen{.accept_unseen_inputs = true};
 
 template <typename Device> void is_delivered_again()
 {
     pair<Device> it;
     it.tell(Device::registers::template contains<atv28::acc> ? 252 : 9001, 99);
     REQUIRE(it.far().word("ACC") == 99);
-    CHECK(it.end_of(restore_factory_settings{it.drive, knowingly}) == ending::executed_unconfirmed);
+    if (Device::profile.safeguards.inputs == 0) {
+        CHECK(it.end_of(restore_factory_settings{it.drive, knowingly}) == ending::unknown_register);
+        REQUIRE(it.far().word("ACC") == 99);
+    }
+    CHECK(it.end_of(restore_factory_settings{it.drive, knowingly, unseen}) ==
+          ending::executed_unconfirmed);
     CHECK(it.far().word("ACC") == 30);
     CHECK(it.far().eeprom_writes() == 0);
 }
@@ -91,5 +97,39 @@ TEST_CASE("what else stands in CMI stays as it was")
     it.tell(402, 0x4010);
     CHECK(it.end_of(restore_factory_settings{it.drive, knowingly}) == ending::executed_unconfirmed);
     CHECK(it.far().word("CMI") == 0x4010);
+    CHECK(it.far().word("ACC") == 30);
+}
+
+TEST_CASE("motion law: S29 factory settings, which give the command to the terminals, wait for "
+          "open run inputs")
+{
+    for (bool const is_three_wire : {false, true}) {
+        {
+            // What a bare write does.
+            pair<atv320::device> it;
+            it.tell(11101, is_three_wire ? 1 : 0);
+            it.far().set_input(1, true);
+            it.tell(8504, 0x0001);
+            it.idle(milliseconds(100));
+            REQUIRE(cia402::has_power(it.far().chart().state()));
+        }
+        pair<atv320::device> it;
+        it.tell(11101, is_three_wire ? 1 : 0);
+        it.far().set_input(1, true);
+        it.idle(milliseconds(20));
+        CHECK(it.end_of(restore_factory_settings{it.drive, knowingly}) == ending::run_input_closed);
+        CHECK(it.far().word("FR1") == 164);
+        it.idle(milliseconds(100));
+        CHECK_FALSE(cia402::has_power(it.far().chart().state()));
+    }
+}
+
+TEST_CASE("factory settings are taken by a drive in fault: they may be the remedy")
+{
+    pair<atv28::device> it;
+    it.tell(252, 99);
+    it.far().inject_fault(2);
+    it.idle(milliseconds(100));
+    CHECK(it.end_of(restore_factory_settings{it.drive, knowingly}) == ending::executed_unconfirmed);
     CHECK(it.far().word("ACC") == 30);
 }

@@ -167,6 +167,16 @@ template <typename Device> bool is_explained(reason const& told, life<Device>& i
     case ending::overwritten:
     case ending::overruled:
     case ending::contradictory:
+    case ending::unsupervised:
+    case ending::runs_on_without_link:
+    case ending::other_channel:
+    case ending::not_drive_profile:
+    case ending::restarts_by_itself:
+    case ending::unknown_register:
+    case ending::timeout_too_short:
+    case ending::run_input_closed:
+    case ending::not_taken:
+    case ending::started_by_terminals:
     case ending::reference_limited: return false;
     case ending::succeeded: return true;
     case ending::refused: return it.was_local;

@@ -54,6 +54,8 @@ inline constexpr reg<product_state> hmis{.code = "HMIS", .address = 3240, .mode 
     .name = "Product state"};
 inline constexpr reg<plain> vdp{.code = "VDP", .address = 3302, .mode = access::read_only, .min = {0}, .max = {65535}, .factory = 0,
     .name = "Firmware version"};
+inline constexpr reg<input_image> il1i{.code = "IL1I", .address = 5201, .mode = access::read_only,
+    .name = "Logic inputs"};
 inline constexpr reg<plain> add{.code = "ADD", .address = 6001, .mode = access::configuration, .min = {0}, .max = {247}, .factory = 0,
     .name = "Unit address"};
 inline constexpr reg<serial_rate> tbr{.code = "TBR", .address = 6003, .mode = access::configuration, .factory = 32,
@@ -121,6 +123,8 @@ inline constexpr reg<deciamperes> ith{.code = "ITH", .address = 9622, .min = {0}
     .name = "Motor thermal protection current"};
 inline constexpr reg<percent> thr{.code = "THR", .address = 9630, .mode = access::read_only, .min = {0}, .max = {200}, .factory = 0,
     .name = "Motor thermal state"};
+inline constexpr reg<control_mode> tcc{.code = "TCC", .address = 11101, .mode = access::configuration, .factory = 0,
+    .name = "2-wire/3-wire control via terminals"};
 inline constexpr reg<stop_mode> stt{.code = "STT", .address = 11201, .mode = access::configuration,
     .name = "Normal stop"};
 inline constexpr reg<plain> nma1{.code = "NMA1", .address = 12701, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 3201,
@@ -182,12 +186,20 @@ struct device {
                                            .eti = eti.address,
                                            .rfr = rfr.address,
                                            .chart = {.enables_from_ready = true},
-                                           .scanner_words = 4};
+                                           .scanner_words = 4,
+                                           .safeguards = {.sll = sll.address,
+                                                          .tto = tto.address,
+                                                          .chcf = chcf.address,
+                                                          .cd1 = cd1.address,
+                                                          .fr1 = fr1.address,
+                                                          .flo = flo.address,
+                                                          .inputs = il1i.address,
+                                                          .tcc = tcc.address}};
     using registers =
         table<ncv, vcal, inv, sfr, tfr, hsp, lsp, eta, rfr, frh, lcr, eti, uln, thd, opr, rthi, pth,
-              hmis, vdp, add, tbr, tfo, tto, sll, lft, cic, dp0, dp1, dp2, dp3, dp4, chcf, fr1, cd1,
+              hmis, vdp, il1i, add, tbr, tfo, tto, sll, lft, cic, dp0, dp1, dp2, dp3, dp4, chcf, fr1, cd1,
               flo, cmd, lfr, pisp, cmi, cmdd, lfrd, etad, rfrd, acc, dec, ac2, de2, uns, frs, ncr,
-              nsp, cos, npr, ith, thr, stt, nma1, nma2, nma3, nma4, nca1, nca2, nca3, nca4, nm1,
+              nsp, cos, npr, ith, thr, tcc, stt, nma1, nma2, nma3, nma4, nca1, nca2, nca3, nca4, nm1,
               nm2, nm3, nm4, nc1, nc2, nc3, nc4>;
 };
 

@@ -261,7 +261,13 @@ struct device {
                                            .fails_when_cut_short = true,
                                            .eeprom_time = milliseconds(2'100),
                                            .rfrd = 605,
-                                           .cmi_orders = 0x0007};
+                                           .cmi_orders = 0x0007,
+                                           .safeguards = {.nto = 0x4000,
+                                                          .fixed_timeout = milliseconds(7'000),
+                                                          .atr = atr.address,
+                                                          .inputs = iolr.address,
+                                                          .tcc = tcc.address,
+                                                          .is_local_at_power_up = true}};
     /// What tells who it is, without function 43.
     struct nameplate {
         template <typename Device> using plan = read_plan<Device, cpu, ncv, vcal, inv>;

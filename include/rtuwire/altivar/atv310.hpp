@@ -216,7 +216,13 @@ struct device {
                                            .eti = eti.address,
                                            .rfr = rfr.address,
                                            .chart = {.enables_from_ready = true},
-                                           .scanner_words = 4};
+                                           .scanner_words = 4,
+                                           .safeguards = {.sll = sll.address,
+                                                          .tto = tto.address,
+                                                          .chcf = chcf.address,
+                                                          .cd1 = cd1.address,
+                                                          .fr1 = fr1.address,
+                                                          .flo = flo.address}};
     using registers =
         table<ncv, vcal, inv, sfr, tfr, hsp, lsp, eta, rfr, frh, lcr, eti, uln, thd, opr, rthi, pth,
               hmis, vdp, add, tbr, tfo, tto, sll, lft, cic, dp0, dp1, dp2, dp3, dp4, chcf, fr1, cd1,

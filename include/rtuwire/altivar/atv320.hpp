@@ -56,6 +56,8 @@ inline constexpr reg<product_state> hmis{.code = "HMIS", .address = 3240, .mode 
     .name = "Product state", .source = trust::inferred};
 inline constexpr reg<plain> vdp{.code = "VDP", .address = 3302, .mode = access::read_only, .min = {0}, .max = {65535},
     .name = "Firmware version", .source = trust::inferred};
+inline constexpr reg<input_image> il1r{.code = "IL1R", .address = 5202, .mode = access::read_only,
+    .name = "Logic inputs", .source = trust::inferred};
 inline constexpr reg<plain> add{.code = "ADD", .address = 6001, .mode = access::configuration, .min = {0}, .max = {247}, .factory = 0,
     .name = "Unit address", .source = trust::inferred};
 inline constexpr reg<serial_rate> tbr{.code = "TBR", .address = 6003, .mode = access::configuration,
@@ -67,6 +69,8 @@ inline constexpr reg<deciseconds> tto{.code = "TTO", .address = 6005, .mode = ac
 inline constexpr reg<link_lost_reaction> sll{.code = "SLL", .address = 7010, .mode = access::configuration,
     .name = "Reaction to a lost link", .source = trust::inferred};
 inline constexpr reg<fault_code> lft{.code = "LFT", .address = 7121, .mode = access::read_only, .name = "Last fault", .source = trust::inferred};
+inline constexpr reg<no_yes> atr{.code = "ATR", .address = 7122, .mode = access::configuration, .factory = 0,
+    .name = "Automatic restart", .source = trust::inferred};
 inline constexpr reg<configuration_faults> cic{.code = "CIC", .address = 7130, .mode = access::configuration,
     .name = "What is wrong with the configuration", .source = trust::inferred};
 inline constexpr reg<fault_code> dp0{.code = "DP0", .address = 7200, .mode = access::read_only,
@@ -114,6 +118,8 @@ inline constexpr reg<signed_rpm> frhd{.code = "FRHD", .address = 8605, .mode = a
     .name = "Speed reference before the ramp", .source = trust::inferred};
 inline constexpr reg<plain> errd{.code = "ERRD", .address = 8606, .mode = access::read_only,
     .name = "Fault code of the drive profile", .source = trust::inferred};
+inline constexpr reg<disable_stop> dotd{.code = "DOTD", .address = 8652, .mode = access::configuration, .factory = 1,
+    .name = "How disable operation stops", .source = trust::inferred};
 inline constexpr reg<deciseconds> acc{.code = "ACC", .address = 9001,
     .name = "Acceleration ramp time", .steps_set_by = "INR"};
 inline constexpr reg<deciseconds> dec{.code = "DEC", .address = 9002,
@@ -139,6 +145,8 @@ inline constexpr reg<plain> npr{.code = "NPR", .address = 9613, .mode = access::
 inline constexpr reg<deciamperes> ith{.code = "ITH", .address = 9622, .name = "Motor thermal protection current", .source = trust::inferred};
 inline constexpr reg<percent> thr{.code = "THR", .address = 9630, .mode = access::read_only, .min = {0}, .max = {200},
     .name = "Motor thermal state", .source = trust::inferred};
+inline constexpr reg<control_mode> tcc{.code = "TCC", .address = 11101, .mode = access::configuration, .factory = 0,
+    .name = "2-wire/3-wire control via terminals", .source = trust::inferred};
 inline constexpr reg<stop_mode> stt{.code = "STT", .address = 11201, .mode = access::configuration,
     .name = "Normal stop", .source = trust::inferred};
 inline constexpr reg<plain> nma1{.code = "NMA1", .address = 12701, .mode = access::configuration, .min = {0}, .max = {65535}, .factory = 3201,
@@ -234,12 +242,22 @@ struct device {
         .rfr = rfr.address,
         .chart = {.enables_from_ready = true, .quick_stop_waits = true},
         .scanner_words = 8,
-        .chcf = chcf.address};
+        .chcf = chcf.address,
+        .safeguards = {.sll = sll.address,
+                       .tto = tto.address,
+                       .chcf = chcf.address,
+                       .cd1 = cd1.address,
+                       .fr1 = fr1.address,
+                       .flo = flo.address,
+                       .atr = atr.address,
+                       .dotd = dotd.address,
+                       .inputs = il1r.address,
+                       .tcc = tcc.address}};
     using registers =
         table<ncv, vcal, inv, sfr, tfr, hsp, lsp, eta, rfr, frh, lcr, otr, eti, uln, uop, thd, opr,
-              rth, pth, hmis, vdp, add, tbr, tfo, tto, sll, lft, cic, dp0, dp1, dp2, dp3, dp4, dp5,
+              rth, pth, hmis, vdp, il1r, add, tbr, tfo, tto, sll, lft, atr, cic, dp0, dp1, dp2, dp3, dp4, dp5,
               dp6, dp7, dp8, chcf, fr1, fr2, cd1, cd2, flo, cmd, lfr, pisp, cmi, lfrd, etad, rfrd,
-              frhd, errd, acc, dec, ac2, de2, inr, uns, frs, ncr, nsp, cos, npr, ith, thr, stt,
+              frhd, errd, dotd, acc, dec, ac2, de2, inr, uns, frs, ncr, nsp, cos, npr, ith, thr, tcc, stt,
               nma1, nma2, nma3, nma4, nma5, nma6, nma7, nma8, nca1, nca2, nca3, nca4, nca5, nca6,
               nca7, nca8, nm1, nm2, nm3, nm4, nm5, nm6, nm7, nm8, nc1, nc2, nc3, nc4, nc5, nc6, nc7,
               nc8>;

@@ -59,6 +59,21 @@ enum class link_lost_reaction : std::uint16_t {
     no = 0, yes = 1, stt = 2, lff = 4, rls = 5, rmp = 6, fst = 7, dci = 8,
 };
 
+/// How the terminals command.
+enum class control_mode : std::uint16_t {
+    two_wire = 0, three_wire = 1,
+};
+
+/// A switch.
+enum class no_yes : std::uint16_t {
+    no = 0, yes = 1,
+};
+
+/// How "disable operation" stops the motor.
+enum class disable_stop : std::uint16_t {
+    freewheel = 0, ramp = 1,
+};
+
 /// What the drive is doing.
 enum class product_state : std::uint16_t {
     tun = 0, dcb = 1, rdy = 2, nst = 3, run = 4, acc = 5, dec = 6, cli = 7, fst = 8, flu = 9,
@@ -140,6 +155,18 @@ inline constexpr auto enumerators<altivar::atv320::stop_mode> = name_list<altiva
 template <>
 inline constexpr auto enumerators<altivar::atv320::link_lost_reaction> = name_list<altivar::atv320::link_lost_reaction>({
     {0, "nO"}, {1, "YES"}, {2, "Stt"}, {4, "LFF"}, {5, "rLS"}, {6, "rMP"}, {7, "FSt"}, {8, "dCI"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv320::control_mode> = name_list<altivar::atv320::control_mode>({
+    {0, "2C"}, {1, "3C"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv320::no_yes> = name_list<altivar::atv320::no_yes>({
+    {0, "nO"}, {1, "YES"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv320::disable_stop> = name_list<altivar::atv320::disable_stop>({
+    {0, "nSt"}, {1, "rMP"},
 });
 template <>
 inline constexpr auto enumerators<altivar::atv320::product_state> = name_list<altivar::atv320::product_state>({

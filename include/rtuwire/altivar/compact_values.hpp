@@ -55,6 +55,11 @@ enum class link_lost_reaction : std::uint16_t {
     no = 0, yes = 1, lff = 4,
 };
 
+/// How the terminals command.
+enum class control_mode : std::uint16_t {
+    two_wire = 0, three_wire = 1,
+};
+
 /// What the drive is doing.
 enum class product_state : std::uint16_t {
     tun = 0, dcb = 1, rdy = 2, nst = 3, run = 4, acc = 5, dec = 6, cli = 7, fst = 8, nlp = 11,
@@ -123,6 +128,10 @@ inline constexpr auto enumerators<altivar::compact::stop_mode> = name_list<altiv
 template <>
 inline constexpr auto enumerators<altivar::compact::link_lost_reaction> = name_list<altivar::compact::link_lost_reaction>({
     {0, "nO"}, {1, "YES"}, {4, "LFF"},
+});
+template <>
+inline constexpr auto enumerators<altivar::compact::control_mode> = name_list<altivar::compact::control_mode>({
+    {0, "2C"}, {1, "3C"},
 });
 template <>
 inline constexpr auto enumerators<altivar::compact::product_state> = name_list<altivar::compact::product_state>({

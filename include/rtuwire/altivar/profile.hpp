@@ -24,6 +24,24 @@ inline constexpr std::uint16_t runs_backwards_bit = 0x8000;
 inline constexpr std::uint16_t reverse_bit = 0x0800;
 inline constexpr std::uint16_t save_bit = 0x0002; ///< of CMI
 
+/// Where a drive tells what it does when its link is lost, who commands it, and whether it starts by itself. An
+/// address of 0: it has no such register.
+struct safeguard_layout {
+    std::uint16_t sll{0};             ///< reaction to a lost link
+    std::uint16_t tto{0};             ///< time-out, 0.1 s
+    std::uint16_t nto{0};             ///< the bit of CMI that switches a fixed time-out off
+    duration fixed_timeout{};         ///< where there is no TTO
+    std::uint16_t chcf{0};            ///< whether command and reference have one channel
+    std::uint16_t cd1{0};             ///< channel of the command
+    std::uint16_t fr1{0};             ///< channel of the reference
+    std::uint16_t flo{0};             ///< the input that forces local control
+    std::uint16_t atr{0};             ///< automatic restart
+    std::uint16_t dotd{0};            ///< how "disable operation" stops; 0: on the ramp
+    std::uint16_t inputs{0};          ///< image of the logic inputs, LI1 in bit 0
+    std::uint16_t tcc{0};             ///< two-wire or three-wire control by the terminals
+    bool is_local_at_power_up{false}; ///< terminals command until the line does
+};
+
 /// Addresses and habits of one device.
 struct drive_profile {
     std::uint16_t cmd; ///< control word
@@ -46,8 +64,9 @@ struct drive_profile {
     duration eeprom_time{milliseconds(50)}; ///< without communication while it saves
     std::uint8_t scanner_words{0};          ///< slots each way; 0: has no scanner
     std::uint16_t rfrd{8604};               ///< output speed, which a scanner shows as delivered
-    std::uint16_t cmi_orders{0x0003};       ///< the bits of CMI that do something: factory settings, save
-    std::uint16_t chcf{0};                  ///< the register of its I/O profile; 0: has none
+    std::uint16_t cmi_orders{0x0003}; ///< the bits of CMI that do something: factory settings, save
+    std::uint16_t chcf{0};            ///< the register of its I/O profile; 0: has none
+    safeguard_layout safeguards{};
 };
 
 /// CHCF of a drive whose control word runs and reverses by single bits.

@@ -32,6 +32,16 @@ enum class ending : std::uint8_t {
     overwritten,           ///< the command or reference in the drive is not the one written last
     overruled,             ///< a stop was ordered later, or is under way
     contradictory,         ///< a negative reference and "reverse" at once: one sign for the direction
+    unsupervised,          ///< the drive does not watch its link: it would never stop by itself
+    runs_on_without_link,  ///< a lost link leaves the motor at its speed, or at a fallback speed
+    other_channel,         ///< command or reference come from elsewhere than Modbus
+    not_drive_profile,     ///< single bits of the control word run the drive (CHCF = IO)
+    restarts_by_itself,    ///< after a fault, or by a closed run input after its power came back
+    unknown_register,      ///< the drive does not have a register that has to be known
+    timeout_too_short,     ///< the drive's time-out against the longest gap of the line
+    run_input_closed,      ///< a terminal asks to run, and would as soon as it commands
+    not_taken,             ///< a setting was written and reads back otherwise
+    started_by_terminals,  ///< a local command runs the motor; the line cannot stop it
 };
 
 /// An ending with what was known.
@@ -66,6 +76,16 @@ struct reason {
     case ending::overwritten: return "another master commands the drive, or it lost its power";
     case ending::overruled: return "a stop was ordered later";
     case ending::contradictory: return "a negative reference and reverse at once";
+    case ending::unsupervised: return "the drive does not watch its link";
+    case ending::runs_on_without_link: return "the drive runs on when its link is lost";
+    case ending::other_channel: return "another channel commands the drive";
+    case ending::not_drive_profile: return "single bits of the control word run the drive";
+    case ending::restarts_by_itself: return "the drive restarts by itself";
+    case ending::unknown_register: return "the drive does not have a register that has to be known";
+    case ending::timeout_too_short: return "the drive's time-out is too short for the line";
+    case ending::run_input_closed: return "a run input is closed";
+    case ending::not_taken: return "a setting reads back otherwise";
+    case ending::started_by_terminals: return "the terminals run the motor";
     }
     return "unknown";
 }

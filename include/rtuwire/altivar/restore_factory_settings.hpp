@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Brings a drive's settings back to those as delivered. Terminals command a drive as delivered, and a later
-// Altivar has no unit address then: whoever orders this says that he knows, and nobody confirms it.
+// Altivar has no unit address then: whoever orders this says that he knows, and nobody confirms it. A run input that
+// is closed would start the motor by it, so the drive is looked at first.
 #pragma once
 
 #include <cstdint>
 
+#include <rtuwire/altivar/at_rest.hpp>
 #include <rtuwire/altivar/drive_talk.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
@@ -21,12 +23,16 @@ struct losing_control_and_address {
 /// Decides it, word by word.
 class factory_script : public script {
 public:
-    explicit constexpr factory_script(drive_profile const& profile) noexcept : script{profile} {}
+    constexpr factory_script(drive_profile const& profile, terminal_options const& options) noexcept
+        : script{profile}, look_{profile, options, {.accepts_fault = true, .ends_three_wire = true}}
+    {}
 
     constexpr wish step(event const& what) noexcept
     {
+        if (not has_looked_ and what.what != event::kind::late) {
+            return look(what);
+        }
         switch (what.what) {
-        case event::kind::begun: return to_read(profile().eta);
         case event::kind::word_read: return heard(what.word);
         case event::kind::written:
             return is_taking_back_ ? end(ending::executed_unconfirmed)
@@ -34,6 +40,7 @@ public:
         case event::kind::pause_over: return take_back();
         case event::kind::failed:
             return is_taking_back_ ? end(ending::executed_unconfirmed) : end(what.error);
+        case event::kind::begun:
         case event::kind::late: break;
         }
         return end(is_taking_back_ ? ending::executed_unconfirmed : ending::silent,
@@ -41,15 +48,25 @@ public:
     }
 
 private:
+    constexpr wish look(event const& what) noexcept
+    {
+        wish const next = look_.step(what);
+        if (next.what != wish::kind::end) {
+            return next;
+        }
+        altivar::reason const found = look_.reason();
+        note_state(found.state);
+        has_looked_ = found.how == ending::succeeded;
+        if (found.how == ending::in_fault) {
+            return end_in_fault(found.fault);
+        }
+        return has_looked_ ? to_read(profile().cmi) : end(found.how, found.error);
+    }
+
     constexpr wish heard(std::uint16_t word) noexcept
     {
         // Orders in what was read are not given again: factory settings, save, recall.
         constexpr std::uint16_t factory_bit = 0x0001;
-        if (not has_looked_) {
-            has_looked_ = true;
-            return cia402::has_power(note(word)) ? end(ending::refused_while_running)
-                                                 : to_read(profile().cmi);
-        }
         control_ = static_cast<std::uint16_t>(word & ~profile().cmi_orders);
         return to_write(profile().cmi, static_cast<std::uint16_t>(control_ | factory_bit));
     }
@@ -61,20 +78,24 @@ private:
         return to_write(profile().cmi, control_);
     }
 
+    at_rest_script look_;
     std::uint16_t control_{0};
     bool has_looked_{false};
     bool is_taking_back_{false};
 };
 
-/// Restores the factory settings of a stopped drive. Nothing is saved: they are gone with the power unless
-/// `save_to_eeprom` follows, where the drive still hears it. Where all went well it ends as
-/// `executed_unconfirmed`; `succeeded` is never said.
+/// Restores the factory settings of a drive that stands or is in fault, with its run inputs open
+/// (`run_input_closed`): also that of three-wire control, because two-wire control comes back. Where the inputs cannot
+/// be read, as on an ATV310, the risk has to be taken (`accept_unseen_inputs`), or it ends as `unknown_register`.
+/// Nothing is saved: the settings are gone with the power unless `save_to_eeprom` follows, where the drive still hears
+/// it. Where all went well it ends as `executed_unconfirmed`; `succeeded` is never said.
 class restore_factory_settings : public drive_talk<factory_script> {
 public:
     template <device_type Device>
     constexpr restore_factory_settings(station<Device> const& drive, losing_control_and_address,
+                                       terminal_options const& options = {},
                                        duration limit = milliseconds(5'000)) noexcept
-        : drive_talk{drive.unit(), factory_script{Device::profile}, limit}
+        : drive_talk{drive.unit(), factory_script{Device::profile, options}, limit}
     {}
 
     /// Refused: nobody has said it.

@@ -71,6 +71,10 @@ enum class extended_status_bit : std::uint8_t {
 };
 using extended_status_word = flags<extended_status_bit>;
 
+/// IL1R and IL1I, the logic inputs; an ATV12 has the first four.
+enum class input_bit : std::uint8_t { li1 = 0, li2 = 1, li3 = 2, li4 = 3, li5 = 4, li6 = 5 };
+using input_image = flags<input_bit>;
+
 /// CIC.
 enum class configuration_fault_bit : std::uint8_t {
     rating_changed = 0,

@@ -26,6 +26,12 @@ public:
         return number > 0 and number <= 16 and ((closed_ >> (number - 1)) & 1U) != 0;
     }
 
+    /// The closed ones as bits, LI1 in bit 0.
+    [[nodiscard]] constexpr std::uint16_t image() const noexcept
+    {
+        return static_cast<std::uint16_t>(closed_);
+    }
+
 private:
     std::uint32_t closed_{0};
 };

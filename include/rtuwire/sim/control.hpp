@@ -151,6 +151,17 @@ public:
         return true;
     }
 
+    /// Resets a fault by itself and goes on with the word that stands, as an automatic restart does.
+    constexpr void restart() noexcept
+    {
+        chart_.obey(cia402::command::fault_reset, not has_cause_);
+        fault_ = has_fault() ? fault_ : std::uint16_t{0};
+        constexpr std::uint16_t running = 0x000F;
+        if (not has_fault() and is_by_link() and (last_command_ & running) == running) {
+            chart_.enable_directly();
+        }
+    }
+
     /// While a fault has its cause, no reset ends it.
     constexpr void set_cause(bool is_there) noexcept { has_cause_ = is_there; }
 

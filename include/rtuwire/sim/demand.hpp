@@ -13,6 +13,7 @@
 #include <rtuwire/sim/control.hpp>
 #include <rtuwire/sim/fault_record.hpp>
 #include <rtuwire/sim/image.hpp>
+#include <rtuwire/sim/motor.hpp>
 #include <rtuwire/sim/parameters.hpp>
 #include <rtuwire/sim/places.hpp>
 
@@ -48,6 +49,10 @@ public:
     {
         if (commands_.chart().state() == cia402::state::fault_reaction_active) {
             return how_a_fault_stops();
+        }
+        if (commands_.chart().is_leaving() and commands_.is_by_link() and
+            set().freewheels_when_disabled()) {
+            return stopping::freewheel;
         }
         stopping const how = commands_.how_it_stops();
         return how == stopping::as_set ? set().as_set() : how;
@@ -97,5 +102,22 @@ private:
     std::int32_t analog_;
     bool is_link_lost_;
 };
+
+/// Moves a motor for a while, as is asked of it.
+template <device_type Device>
+constexpr void drive_motor(motor& shaft, demand<Device> const& asked, bool has_power,
+                           duration passed, motor_settings settings) noexcept
+{
+    constexpr std::int64_t fast = 4; ///< of the ramp, as dCF is delivered
+    stopping const how = asked.how_it_stops();
+    if (not has_power or how == stopping::freewheel) {
+        shaft.coast(passed, settings);
+    } else if (how == stopping::injection) {
+        shaft.inject(passed, settings);
+    } else {
+        settings.deceleration /= how == stopping::fast ? fast : 1;
+        shaft.drive(asked.target(), passed, settings);
+    }
+}
 
 } // namespace rtuwire::sim

@@ -10,6 +10,7 @@
 #include <rtuwire/altivar/profile.hpp>
 #include <rtuwire/cia402/state.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/sim/channels.hpp>
 #include <rtuwire/sim/image.hpp>
 #include <rtuwire/sim/motor.hpp>
 #include <rtuwire/sim/parameters.hpp>
@@ -147,6 +148,17 @@ constexpr void display(image<Device>& registers, appearance const& seen,
     registers.put(at.uln, volts_of_mains * registers.scale(at.uln));
     registers.put(at.thr, shaft.thermal_state());
     registers.put(at.thd, shaft.thermal_state() / 2);
+}
+
+/// The logic inputs; the image of an ATV28 has outputs beside its four.
+template <device_type Device>
+constexpr void show_inputs(image<Device>& registers, logic_inputs const& terminals) noexcept
+{
+    constexpr places<Device> at{};
+    constexpr std::uint32_t four = 0x000F;
+    registers.put(at.il1r, terminals.image());
+    registers.put(at.il1i, terminals.image());
+    registers.put(at.iolr, (registers.get(at.iolr) & ~four) | (terminals.image() & four));
 }
 
 } // namespace rtuwire::sim

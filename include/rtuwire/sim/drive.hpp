@@ -56,6 +56,7 @@ public:
         if (supervision_.is_lost(now, set().time_out())) {
             lose_link();
         }
+        restart_by_itself();
         settle();
     }
 
@@ -63,7 +64,6 @@ public:
     constexpr void note_contact() noexcept
     {
         supervision_.note_contact(now_);
-        is_link_lost_ = false;
     }
 
     [[nodiscard]] constexpr errc check_read(std::uint16_t start, std::size_t count) const noexcept
@@ -207,7 +207,6 @@ private:
         control_.power_up();
         motor_ = sim::motor{};
         supervision_ = supervision{};
-        is_link_lost_ = false;
         line_ = set().line();
         arrange();
         show();
@@ -311,18 +310,28 @@ private:
 
     constexpr void lose_link() noexcept
     {
-        is_link_lost_ = true;
         loss_reaction const how = set().reaction_to_loss();
         if (how == loss_reaction::stop_without_fault) {
             control_.abandon();
         } else if (is_fault(how)) {
             trip(link_fault);
+            if (set().restarts_by_itself() and at.has(at.sll)) { // an ATV28 forgets its orders in any case
+                return;
+            }
             control_.forget_command();
         } else {
             return;
         }
         for (std::size_t const order : std::array{at.cmd, at.cmdd, at.lfr, at.lfrd}) {
             registers_.put(order, 0);
+        }
+    }
+
+    /// What ATR does once the link is back. Of the faults that it restarts after, this is the only one.
+    constexpr void restart_by_itself() noexcept
+    {
+        if (set().restarts_by_itself() and fault() == link_fault and supervision_.is_back(now_)) {
+            control_.restart();
         }
     }
 
@@ -340,22 +349,12 @@ private:
 
     constexpr sim::demand<Device> demand() const noexcept
     {
-        return {registers_, control_, analog_, is_link_lost_};
+        return {registers_, control_, analog_, supervision_.has_lost()};
     }
 
     constexpr void turn(duration passed) noexcept
     {
-        constexpr std::int64_t fast = 4; ///< of the ramp, as dCF is delivered
-        motor_settings settings = set().motor();
-        stopping const how = demand().how_it_stops();
-        if (not cia402::has_power(chart().state()) or how == stopping::freewheel) {
-            motor_.coast(passed, settings);
-        } else if (how == stopping::injection) {
-            motor_.inject(passed, settings);
-        } else {
-            settings.deceleration /= how == stopping::fast ? fast : 1;
-            motor_.drive(demand().target(), passed, settings);
-        }
+        drive_motor(motor_, demand(), cia402::has_power(chart().state()), passed, set().motor());
         if (motor_.is_at_rest()) {
             control_.at_rest();
         }
@@ -381,6 +380,7 @@ private:
             .is_memory_busy = memory_.is_busy()};
         display(registers_, seen, motor_);
         show_active_fault(registers_, fault());
+        show_inputs(registers_, terminals_);
     }
 
     registers registers_{};
@@ -392,7 +392,6 @@ private:
     line_setting line_{};
     instant now_{0};
     std::int32_t analog_{0};
-    bool is_link_lost_{false};
 };
 
 } // namespace rtuwire::sim

@@ -104,6 +104,19 @@ public:
         return at.has(at.sll) ? static_cast<loss_reaction>(get(at.sll)) : loss_reaction::freewheel;
     }
 
+    /// Whether it resets a lost link by itself once it is back, and goes on with what it was told (ATR).
+    [[nodiscard]] constexpr bool restarts_by_itself() const noexcept
+    {
+        constexpr std::int32_t always = 1;
+        return at.has(at.atr) and get(at.atr) == always;
+    }
+
+    /// Whether "disable operation" takes the torque away (DOTD) instead of following the ramp.
+    [[nodiscard]] constexpr bool freewheels_when_disabled() const noexcept
+    {
+        return at.has(at.dotd) and get(at.dotd) == 0;
+    }
+
     /// How STT says that a motor is stopped. The numbers of the compact drives and of the ATV320 do not meet.
     [[nodiscard]] constexpr stopping as_set() const noexcept
     {

@@ -38,7 +38,9 @@ template <device_type Device> struct places {
     std::size_t add{registers::at("ADD")}, tbr{registers::at("TBR")};
     std::size_t tfo{registers::at("TFO")}, bdr{registers::at("BDR")};
     std::size_t eti2{registers::at("ETI2")}, ftd{registers::at("FTD")};
-    std::size_t ctd{registers::at("CTD")};
+    std::size_t ctd{registers::at("CTD")}, atr{registers::at("ATR")};
+    std::size_t dotd{registers::at("DOTD")}, il1r{registers::at("IL1R")};
+    std::size_t il1i{registers::at("IL1I")}, iolr{registers::at("IOLR")};
 
     [[nodiscard]] static constexpr bool has(std::size_t place) noexcept
     {

@@ -15,8 +15,19 @@ public:
     /// A request has come.
     constexpr void note_contact(instant now) noexcept
     {
+        back_at_ = has_lost_ ? now : back_at_;
+        has_lost_ = false;
         is_armed_ = true;
         last_ = now;
+    }
+
+    /// Whether it was lost, and no request has come since.
+    [[nodiscard]] constexpr bool has_lost() const noexcept { return has_lost_; }
+
+    /// Whether requests have come again for a second: as long as a drive waits that restarts by itself.
+    [[nodiscard]] constexpr bool is_back(instant now) const noexcept
+    {
+        return not has_lost_ and now - back_at_ >= milliseconds(1'000);
     }
 
     /// Whether the time-out has passed since the last request, once; 0 is never.
@@ -26,12 +37,15 @@ public:
                              (now - last_).microseconds >= time_out.microseconds;
         if (is_over) {
             is_armed_ = false;
+            has_lost_ = true;
         }
         return is_over;
     }
 
 private:
     instant last_{0};
+    instant back_at_{0};
+    bool has_lost_{false};
     bool is_armed_{false};
 };
 

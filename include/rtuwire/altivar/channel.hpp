@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Sets where a drive takes its command and its reference from, and reads back what it took. Each of these writes may
+// give the motor to whoever stands at the terminals, so each goes only to a drive that was just seen to stand, with its
+// run inputs open and its control word 0000.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/altivar/at_rest.hpp>
+#include <rtuwire/altivar/drive_talk.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/table/device.hpp>
+#include <rtuwire/table/setting.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// One setting of a channel; an address of 0 leaves it as it is.
+struct channel_word {
+    std::uint16_t address{0};
+    std::uint16_t word{0};
+};
+
+/// Where they are written in this order, no drive is between two writes in a channel that is neither the old nor the
+/// new one: FR1 and CD1 before CHCF, which says what they mean, and the input that forces local control last.
+using channel_words = std::array<channel_word, 4>;
+
+/// The channels that a drive is to have; what is not named stays as it is.
+template <device_type Device> class channel_settings {
+    static constexpr safeguard_layout const& at = Device::profile.safeguards;
+    static constexpr std::array order{at.fr1, at.cd1, at.chcf, at.flo};
+
+    template <auto const& R> static constexpr std::size_t place_of() noexcept
+    {
+        std::size_t place = 0;
+        while (place < order.size() and order[place] != R.address) {
+            ++place;
+        }
+        return place;
+    }
+
+public:
+    static_assert(at.chcf != 0, "this device has no channel to set");
+
+    constexpr channel_settings() noexcept = default;
+
+    /// The same with CHCF, CD1, FR1 or FLO set so.
+    template <auto const& R>
+    [[nodiscard]] constexpr channel_settings with(setting<R> value) const noexcept
+    {
+        static_assert(Device::registers::template contains<R>, "this device has no such register");
+        static_assert(place_of<R>() < order.size(), "this register chooses no channel");
+        channel_settings next = *this;
+        next.words_[place_of<R>()] = {R.address, value.word()};
+        return next;
+    }
+
+    /// Command and reference together over Modbus, and no input that takes them away.
+    [[nodiscard]] static constexpr channel_settings by_modbus() noexcept
+    {
+        channel_settings all;
+        all.words_ = {{{at.fr1, 164}, {at.cd1, 10}, {at.chcf, 1}, {at.flo, 0}}};
+        return all;
+    }
+
+    [[nodiscard]] constexpr channel_words const& words() const noexcept { return words_; }
+
+private:
+    channel_words words_{};
+};
+
+/// Decides the set-up, word by word: reads all settings before it writes one, looks at the drive before each write,
+/// reads each back, and looks at the drive once more.
+class channel_script : public script {
+public:
+    constexpr channel_script(drive_profile const& profile, channel_words const& wanted,
+                             terminal_options const& options) noexcept
+        : script{profile}, wanted_{wanted}, options_{options}, look_{profile, options}
+    {}
+
+    constexpr wish step(event const& what) noexcept
+    {
+        if (stage_ == stage::looking and what.what != event::kind::late) {
+            return look(what);
+        }
+        switch (what.what) {
+        case event::kind::begun: return compare_next(0);
+        case event::kind::word_read: return heard(what.word);
+        case event::kind::written: return after_write();
+        case event::kind::pause_over: return to_read(profile().eta);
+        case event::kind::failed: return go_without(what.error);
+        case event::kind::late: break;
+        }
+        return end(ending::stuck, errc::timed_out);
+    }
+
+    /// The register that the ending is about, and what it held.
+    [[nodiscard]] constexpr std::uint16_t address() const noexcept { return address_; }
+    [[nodiscard]] constexpr std::uint16_t word() const noexcept { return word_; }
+
+    /// How many settings were written; those that were right are not.
+    [[nodiscard]] constexpr unsigned written() const noexcept { return written_; }
+
+private:
+    enum class stage : std::uint8_t {
+        comparing,
+        looking,
+        clearing, ///< the control word
+        setting,
+        reading_back,
+        confirming, ///< that the drive still stands
+        reading_fault,
+        taking_back, ///< the command, from a motor that runs
+    };
+
+    constexpr wish compare_next(std::size_t from) noexcept
+    {
+        stage_ = stage::comparing;
+        at_ = from;
+        while (at_ < wanted_.size() and wanted_[at_].address == 0) {
+            ++at_;
+        }
+        return at_ < wanted_.size() ? read_setting() : set_next(0);
+    }
+
+    constexpr wish read_setting() noexcept
+    {
+        address_ = wanted_[at_].address;
+        word_ = 0;
+        return to_read(address_);
+    }
+
+    constexpr wish set_next(std::size_t from) noexcept
+    {
+        at_ = from;
+        while (at_ < wanted_.size() and ((is_wrong_ >> at_) & 1U) == 0) {
+            ++at_;
+        }
+        if (at_ < wanted_.size()) {
+            stage_ = stage::looking;
+            look_ = at_rest_script{profile(), options_};
+            return look({event::kind::begun});
+        }
+        address_ = 0;
+        stage_ = stage::confirming;
+        return written_ == 0 ? end(ending::succeeded) : to_pause(look_period);
+    }
+
+    constexpr wish look(event const& what) noexcept
+    {
+        wish const next = look_.step(what);
+        if (next.what != wish::kind::end) {
+            return next;
+        }
+        altivar::reason const found = look_.reason();
+        note_state(found.state);
+        if (found.how == ending::succeeded) {
+            // A control word that stands there from before would count once Modbus commands.
+            stage_ = is_cleared_ ? stage::setting : stage::clearing;
+            return is_cleared_ ? write_setting() : to_write(profile().cmd, 0);
+        }
+        address_ = look_.address();
+        word_ = look_.word();
+        return found.how == ending::in_fault ? end_in_fault(found.fault)
+                                             : end(found.how, found.error);
+    }
+
+    constexpr wish write_setting() noexcept
+    {
+        address_ = wanted_[at_].address;
+        word_ = 0;
+        return to_write(address_, wanted_[at_].word);
+    }
+
+    constexpr wish after_write() noexcept
+    {
+        if (stage_ == stage::clearing) {
+            is_cleared_ = true;
+            stage_ = stage::setting;
+            return write_setting();
+        }
+        if (stage_ == stage::taking_back) {
+            return end(ending::started_by_terminals);
+        }
+        ++written_;
+        stage_ = stage::reading_back;
+        return read_setting();
+    }
+
+    constexpr wish heard(std::uint16_t word) noexcept
+    {
+        word_ = word;
+        switch (stage_) {
+        case stage::comparing:
+            is_wrong_ |= word != wanted_[at_].word ? 1U << at_ : 0U;
+            return compare_next(at_ + 1);
+        case stage::reading_back:
+            return word == wanted_[at_].word ? set_next(at_ + 1) : end(ending::not_taken);
+        case stage::reading_fault: return end_in_fault(word);
+        case stage::looking:
+        case stage::clearing:
+        case stage::setting:
+        case stage::confirming:
+        case stage::taking_back: break;
+        }
+        return confirm(note(word));
+    }
+
+    constexpr wish confirm(cia402::state at) noexcept
+    {
+        if (cia402::is_in_fault(at)) {
+            stage_ = stage::reading_fault;
+            return to_read(profile().lft);
+        }
+        if (cia402::has_power(at)) {
+            address_ = profile().eta;
+            // The line may not reach it any more, but whoever sends nothing cannot know.
+            stage_ = stage::taking_back;
+            return to_write(profile().cmd, 0);
+        }
+        return end(ending::succeeded);
+    }
+
+    constexpr wish go_without(errc error) noexcept
+    {
+        if (stage_ == stage::taking_back) {
+            return end(ending::started_by_terminals, error);
+        }
+        bool const is_missing = error == errc::illegal_data_address;
+        return is_missing and stage_ == stage::comparing ? end(ending::unknown_register, error)
+                                                         : end(error);
+    }
+
+    channel_words wanted_;
+    terminal_options options_;
+    at_rest_script look_;
+    std::size_t at_{0};
+    unsigned is_wrong_{0}; ///< settings to be written, a bit each
+    unsigned written_{0};
+    std::uint16_t address_{0};
+    std::uint16_t word_{0};
+    stage stage_{stage::comparing};
+    bool is_cleared_{false};
+};
+
+/// Sets the channels of a drive in states 2, 3 or 4. Done where each setting reads back as it was asked for, and the
+/// drive stands after the last; `not_taken` where one does not, `run_input_closed` and `refused_while_running` with
+/// nothing more written, `unknown_register` where a setting or the inputs cannot be read. `address()` names the
+/// register, and `word()` what it held.
+///
+/// What cannot be seen: the inputs of an ATV310, a command of the keypad, and an input that somebody closes between the
+/// look and the write. A motor that runs after a write is told 0000 once and reported as `started_by_terminals`: stop it
+/// where it was started. Nothing is saved; `save_to_eeprom` does that.
+class set_channel : public drive_talk<channel_script> {
+public:
+    template <device_type Device>
+    constexpr set_channel(station<Device> const& drive, channel_settings<Device> const& wanted,
+                          terminal_options const& options = {},
+                          duration limit = milliseconds(10'000)) noexcept
+        : drive_talk{drive.unit(), channel_script{Device::profile, wanted.words(), options}, limit}
+    {}
+
+    /// The register that the ending is about; 0 for none.
+    [[nodiscard]] constexpr std::uint16_t address() const noexcept { return told().address(); }
+    /// What it held; 0 where that was not read.
+    [[nodiscard]] constexpr std::uint16_t word() const noexcept { return told().word(); }
+    /// How many settings were written.
+    [[nodiscard]] constexpr unsigned written() const noexcept { return told().written(); }
+};
+
+} // namespace rtuwire::altivar

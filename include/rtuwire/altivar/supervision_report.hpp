@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What a check of a drive finds, and which findings its user takes upon himself.
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/altivar/period_rule.hpp>
+#include <rtuwire/altivar/profile.hpp>
+#include <rtuwire/altivar/reason.hpp>
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// Findings that somebody takes upon himself; also which of those were found.
+struct supervision_risks {
+    bool accept_unsupervised{false};  ///< SLL 0, TTO 0 or NTO: it runs without its line for ever
+    bool accept_running_on{false};    ///< SLL 4 or 5: so it does, at some speed
+    bool accept_other_channel{false}; ///< command or reference come from elsewhere
+    bool accept_automatic_restart{false}; ///< ATR
+    bool accept_closed_run_input{false};  ///< of a drive whose terminals command after power-up
+    bool accept_unknown_registers{false}; ///< exception 02, or a value that nobody has described
+    bool accept_short_timeout{false};     ///< it may trip although the line is good
+
+    friend constexpr bool operator==(supervision_risks const&,
+                                     supervision_risks const&) noexcept = default;
+};
+
+/// Which risk a finding is.
+struct named_risk {
+    ending found;
+    bool supervision_risks::*risk;
+};
+
+/// All that can be accepted. A control word of single bits (`not_drive_profile`) cannot: no order means there what it
+/// says.
+inline constexpr named_risk named_risks[]{
+    {ending::unsupervised, &supervision_risks::accept_unsupervised},
+    {ending::runs_on_without_link, &supervision_risks::accept_running_on},
+    {ending::other_channel, &supervision_risks::accept_other_channel},
+    {ending::local_control, &supervision_risks::accept_other_channel},
+    {ending::restarts_by_itself, &supervision_risks::accept_automatic_restart},
+    {ending::run_input_closed, &supervision_risks::accept_closed_run_input},
+    {ending::unknown_register, &supervision_risks::accept_unknown_registers},
+    {ending::timeout_too_short, &supervision_risks::accept_short_timeout},
+};
+
+/// Against what a drive is checked.
+struct supervision_options {
+    supervision_risks risks{};
+    /// The longest time without a request that the line may cause (`longest_gap_of`); 0: not checked.
+    duration longest_gap{};
+    /// Logic inputs that ask to run in two-wire control: LI1 forward, LI2 reverse. The others may be closed.
+    std::uint16_t run_inputs{0x0003};
+};
+
+/// What was found.
+struct supervision_report {
+    period_rule period{};     ///< the time-out that was read, 0 for none, and the line's gap
+    std::uint16_t address{0}; ///< the register that was refused, or accepted last; 0: none
+    std::uint16_t word{0};    ///< what it held; 0 where it is not there
+    word_meaning words{word_meaning::unknown}; ///< CHCF is not IO, DOTD is the ramp
+    bool has_local_input{false};               ///< FLO: an input can take the command away
+    supervision_risks accepted{};              ///< those that are there, and were accepted
+};
+
+} // namespace rtuwire::altivar
