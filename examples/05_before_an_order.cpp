@@ -15,7 +15,7 @@ namespace {
 template <device_type Device> struct line_of_two {
     static constexpr line_timing timing{19'200, character_format::even_8_1};
     instant now{0};
-    client link{timing};
+    drive_client<> link{timing};
     sim::unit<Device> far{unit_id{7}, timing, now};
 
     template <conversation Talk> void pass(Talk& talk)

@@ -35,8 +35,8 @@ STATIC_CHECK(is_for_everyone<atv320::tto>() and is_for_everyone<atv28::dec>());
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
 constexpr losing_control_and_address knowingly{};
 
-template <typename Device> struct line : test::party_line<client, Device> {
-    line() : test::party_line<client, Device>{client{test::party_timing, patient}}
+template <typename Device> struct line : test::party_line<drive_client<4>, Device> {
+    line() : test::party_line<drive_client<4>, Device>{drive_client<4>{test::party_timing, patient}}
     {
         this->add(unit_id{3});
         this->add(unit_id{4});

@@ -29,7 +29,7 @@ enum fault : int {
     server_device_failure = 4,
     unlisted_exception = 0x7F,
     buffer_too_small = 0x80,
-    frame_too_short = 0x89,
+    frame_too_short = 0x8C,
     frame_too_long,
     wrong_length,
     crc_mismatch,

@@ -27,7 +27,7 @@ constexpr client_options patient{.response_timeout = milliseconds(100), .retries
 constexpr std::uint16_t cmd_at = 400, lfr_at = 401, cmi_at = 402, acc_at = 252;
 
 /// A client and an ATV28, its potentiometer at 30 Hz; all that is written; the n-th frame lost where one is asked for.
-struct bench : test::party_line<client, device> {
+struct bench : test::party_line<drive_client<4>, device> {
     static constexpr station<device> drive{unit_id{3}};
     std::vector<std::pair<std::uint16_t, std::uint16_t>> writes;
     unsigned frames{0};
@@ -35,7 +35,7 @@ struct bench : test::party_line<client, device> {
     bool is_cut_from_it{false};     ///< and all that follow
     bool has_ever_said_more{false}; ///< than 0000, to the drive
 
-    bench() : test::party_line<client, device>{client{test::party_timing, patient}}
+    bench() : test::party_line<drive_client<4>, device>{drive_client<4>{test::party_timing, patient}}
     {
         add(unit_id{3});
         idle(milliseconds(20));

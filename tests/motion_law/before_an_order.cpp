@@ -28,13 +28,13 @@ constexpr std::uint16_t sll = 7010, tto = 6005, chcf = 8401, fr1 = 8413, cd1 = 8
                         inputs_28 = 478, eta = 3201;
 
 /// A client, a commissioned drive, and a count of what is written to it.
-template <typename Device> struct checked : test::party_line<client, Device> {
+template <typename Device> struct checked : test::party_line<drive_client<4>, Device> {
     static constexpr station<Device> drive{unit_id{3}};
     unsigned writes{0};
     std::uint16_t missing{0}; ///< the register that the drive does not have
     std::uint16_t asked{0};
 
-    checked() : test::party_line<client, Device>{client{test::party_timing, patient}}
+    checked() : test::party_line<drive_client<4>, Device>{drive_client<4>{test::party_timing, patient}}
     {
         this->add(unit_id{3});
         this->idle(milliseconds(20));

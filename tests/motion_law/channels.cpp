@@ -26,7 +26,7 @@ constexpr client_options patient{.response_timeout = milliseconds(100), .retries
 constexpr std::uint16_t cmd = 8501, chcf = 8401, fr1 = 8413, cd1 = 8423, flo = 8431, tcc = 11101;
 
 /// A client, a commissioned drive whose analog input asks for 30 Hz, and all that is written to it.
-template <typename Device> struct bench : test::party_line<client, Device> {
+template <typename Device> struct bench : test::party_line<drive_client<4>, Device> {
     static constexpr station<Device> drive{unit_id{3}};
     using settings = channel_settings<Device>;
     using words = std::vector<std::pair<std::uint16_t, std::uint16_t>>;
@@ -35,7 +35,7 @@ template <typename Device> struct bench : test::party_line<client, Device> {
     std::uint16_t missing{0};  ///< the register that the drive does not have
     std::uint16_t asked{0};
 
-    bench() : test::party_line<client, Device>{client{test::party_timing, patient}}
+    bench() : test::party_line<drive_client<4>, Device>{drive_client<4>{test::party_timing, patient}}
     {
         this->add(unit_id{3});
         this->idle(milliseconds(20));
