@@ -95,7 +95,7 @@ int demonstrate(options const& chosen, station<Device> const& drive, posix_seria
 {
     bool const is_short = simulated != nullptr and Device::profile.scanner_words > 0;
     duration const timeout = is_short ? milliseconds(3'000) : Device::silence.factory;
-    demonstration<Device> demo{port, timing, drive, timeout};
+    demonstration<Device> demo{port, timing, drive};
     say("%s, unit %u on %s\n", chosen.drive.c_str(), chosen.unit, port.device().c_str());
     demo.step("Who is it?");
     bool ok = demo.identify() and demo.read_panel();

@@ -40,10 +40,10 @@ public:
     ~demonstration() { emergency.disarm(); }
 
     demonstration(rtuwire::posix_serial& port, rtuwire::line_timing const& timing,
-                  rtuwire::station<Device> const& drive, rtuwire::duration drive_timeout)
+                  rtuwire::station<Device> const& drive)
         : port_{port}, drive_{drive}, link_{timing, patience, {.silent_share = 50}},
-          loop_{drive, {.drive_timeout = drive_timeout}}, panel_{drive}, begin_{port.now()},
-          must_end_{to_chrono(drive_timeout) / 3}
+          loop_{drive}, panel_{drive}, begin_{port.now()},
+          must_end_{to_chrono(Device::silence.factory) / 3}
     {}
 
     // What it does, step by step. Each tells whether it went as it should.
@@ -96,8 +96,15 @@ public:
     {
         is_commanding_ = true;
         emergency.arm(port_, drive_);
-        return until(
-            "first exchange", [this] { return not loop_.link_lost(); }, milliseconds(5'000));
+        if (not until(
+                "first exchange", [this] { return not loop_.link_lost(); }, milliseconds(5'000))) {
+            auto const& found = loop_.supervision();
+            say("   %s (register %u holds %u)\n", words(name_of(found.finding)).c_str(),
+                unsigned{found.address}, unsigned{found.word});
+            return false;
+        }
+        must_end_ = reason_to_end{to_chrono(loop_.supervision().period.timeout) / 3};
+        return true;
     }
 
     bool start(rtuwire::altivar::heading way)

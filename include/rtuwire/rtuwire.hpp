@@ -18,9 +18,13 @@
 #include <rtuwire/altivar/channel.hpp>
 #include <rtuwire/altivar/compact_values.hpp>
 #include <rtuwire/altivar/configure_scanner.hpp>
+#include <rtuwire/altivar/cycle_frames.hpp>
+#include <rtuwire/altivar/cycle_preparation.hpp>
+#include <rtuwire/altivar/cycle_steps.hpp>
 #include <rtuwire/altivar/cycle_words.hpp>
 #include <rtuwire/altivar/cyclic.hpp>
 #include <rtuwire/altivar/cyclic_control.hpp>
+#include <rtuwire/altivar/cyclic_options.hpp>
 #include <rtuwire/altivar/direct_control.hpp>
 #include <rtuwire/altivar/drive_talk.hpp>
 #include <rtuwire/altivar/identify.hpp>

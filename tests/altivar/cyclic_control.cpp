@@ -188,7 +188,7 @@ constexpr bool forgets_a_reset()
     lost.reset_fault();
     cyclic_control misconfigured = lost;
     lost.note_loss(errc::timed_out);
-    misconfigured.note_misconfigured();
+    misconfigured.note_finding(ending::misconfigured);
     bool ok = true;
     for (unsigned i = 0; i < 4; ++i) {
         ok = ok and lost.next_command() == 0 and misconfigured.next_command() == 0;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "support/catch.hpp"
+#include "support/commissioned.hpp"
 #include "support/party_line.hpp"
 #include "support/proof.hpp"
 
@@ -29,6 +30,12 @@ using scanned = configure_scanner<scanner_inputs<atv320::eta>, scanner_outputs<a
 
 constexpr station<device> drive{unit_id{7}};
 constexpr response nothing{};
+
+/// A start of a drive that was checked before.
+start started(duration limit = milliseconds(3'000))
+{
+    return start{drive, 50_Hz, heading::forward, limit, test::commissioned()};
+}
 
 /// A conversation at its next question; the clock is run on by the pauses between.
 template <typename Talk> struct by_hand {
@@ -144,7 +151,7 @@ TEST_CASE("a drive that does not answer is silent, one that refuses refuses")
         CHECK(told.how == ending::silent);
         CHECK(told.error == errc::timed_out);
     }
-    for (reason const& told : {refused(start{drive, 50_Hz}),
+    for (reason const& told : {refused(started()),
                                to_the_end(stop{drive}, errc::illegal_data_address),
                                refused(reset_fault{drive}), refused(change_reference{drive, 50_Hz}),
                                refused(save_to_eeprom{drive}), refused(scanned{drive})}) {
@@ -207,7 +214,7 @@ TEST_CASE("at their limits all end, and none leaves a command behind")
     CHECK(resetting.talk.reason().how == ending::in_fault);
     CHECK(resetting.talk.reason().fault == 9);
 
-    by_hand<start> starting{start{drive, 50_Hz, heading::forward, milliseconds(200)}};
+    by_hand<start> starting{started(milliseconds(200))};
     stubborn waiting{.status = ready};
     while (waiting.answer(starting)) {}
     CHECK(starting.talk.reason().how == ending::stuck);
@@ -266,7 +273,7 @@ TEST_CASE("a state that nobody knows is looked at again")
     resetting.hear_word(gone);
     CHECK(resetting.talk.succeeded());
 
-    by_hand<start> starting{start{drive, 50_Hz}};
+    by_hand<start> starting{started()};
     starting.hear_word(unknown);
     CHECK_FALSE(starting.talk.settled());
     starting.hear_word(enabled);

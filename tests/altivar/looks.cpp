@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // What single words and failures make of the checks before an order, of a channel's set-up, and of an ATV28's link.
+#include "support/commissioned.hpp"
 #include "support/proof.hpp"
 
 #include <rtuwire/altivar/at_rest.hpp>
@@ -246,7 +247,7 @@ STATIC_CHECK(ends(told(factory, begins, read(reacting), read(9)), ending::in_fau
 STATIC_CHECK(ends(told(factory, begins, read(locked), fails(missing)), ending::refused, missing));
 
 using atv28::direct_start_script;
-constexpr direct_start_script go{{401, 200}};
+constexpr direct_start_script go{{401, 200}, supervision_script{old, test::commissioned()}};
 constexpr bool gives_up_at_its_limit()
 {
     direct_start_script it = go;

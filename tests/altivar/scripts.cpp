@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "support/commissioned.hpp"
 #include "support/proof.hpp"
 
 #include <rtuwire/altivar/atv320.hpp>
@@ -71,11 +72,17 @@ constexpr bool writes(wish const& what, std::uint16_t address, std::uint16_t val
     return what.what == wish::kind::write and what.address == address and what.word == value;
 }
 
-constexpr auto known = word_meaning::drive_profile;
+/// A start of a drive that was checked before.
+constexpr start_script started(std::int16_t rpm, heading way)
+{
+    auto const& profile = atv320::device::profile;
+    supervision_script const check{profile, test::commissioned()};
+    return start_script{profile, {lfrd, static_cast<std::uint16_t>(rpm)}, way, check};
+}
 
 constexpr bool gives_up_where_the_drive_falls_back()
 {
-    start_script it{atv320::device::profile, {lfrd, 1'500}, heading::forward, known};
+    start_script it = started(1'500, heading::forward);
     bool ok = reads(it.step({kind::begun}), eta);
     ok = ok and writes(it.step(word(0x0231)), cmd, 0x0007); // ready to switch on
     ok = ok and reads(it.step({kind::written}), eta);
@@ -88,7 +95,7 @@ PROOF("a start ends where the drive goes down after a command", gives_up_where_t
 
 constexpr bool starts_from_below()
 {
-    start_script it{atv320::device::profile, {lfrd, 1'500}, heading::reverse, known};
+    start_script it = started(1'500, heading::reverse);
     bool ok = reads(it.step({kind::begun}), eta);
     ok = ok and it.step(word(0x0200)).what == wish::kind::pause; // not ready to switch on
     ok = ok and reads(it.step({kind::pause_over}), eta);
@@ -104,7 +111,7 @@ PROOF("a start waits for a drive that is not ready, commands it up, and reads ba
 
 constexpr bool enables_no_drive_that_forgot()
 {
-    start_script it{atv320::device::profile, {lfrd, 1'500}, heading::forward, known};
+    start_script it = started(1'500, heading::forward);
     static_cast<void>(it.step({kind::begun}));
     static_cast<void>(it.step(word(0x0231)));
     static_cast<void>(it.step({kind::written}));

@@ -313,8 +313,11 @@ TEST_CASE("a recall brings back what was saved, and is refused where it could mo
     CHECK(it.writes.front() == std::pair<std::uint16_t, std::uint16_t>{cmi_at, 0x4014});
     CHECK(it.far().word("CMI") == 0x4010);
 
-    start go{it.drive, 20_Hz};
+    // CMI keeps its bit 14: nobody watches the link.
+    start go{it.drive, 20_Hz, heading::forward, milliseconds(3'000),
+             supervision_options{.risks = {.accept_unsupervised = true}}};
     REQUIRE(it.run(go));
+    REQUIRE(go.running());
     it.tell(acc_at, 99);
     CHECK(it.told(recall_from_eeprom{it.drive}).how == ending::refused_while_running);
     CHECK(it.far().word("ACC") == 99);

@@ -50,7 +50,7 @@ int main(int argc, char** argv)
     stop_motor_before_dying();
     demonstration<device> demo{
         port, line_timing::host(19'200, character_format::even_8_1, milliseconds(5)),
-        station_at<device>(*unit, "atv320"), device::silence.factory};
+        station_at<device>(*unit, "atv320")};
     bool const runs = demo.take_command() and demo.start(altivar::heading::forward) and
                       demo.watch(milliseconds(1'500));
     if (runs) {

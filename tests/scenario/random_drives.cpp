@@ -167,6 +167,7 @@ template <typename Device> bool is_explained(reason const& told, life<Device>& i
     case ending::overwritten:
     case ending::overruled:
     case ending::contradictory:
+    case ending::unchecked:
     case ending::unsupervised:
     case ending::runs_on_without_link:
     case ending::other_channel:

@@ -172,7 +172,7 @@ private:
     {
         address_ = wanted_[at_].address;
         word_ = 0;
-        return to_write(address_, wanted_[at_].word);
+        return to_rearrange(address_, wanted_[at_].word);
     }
 
     constexpr wish after_write() noexcept
@@ -219,7 +219,7 @@ private:
             address_ = profile().eta;
             // The line may not reach it any more, but whoever sends nothing cannot know.
             stage_ = stage::taking_back;
-            return to_write(profile().cmd, 0);
+            return to_stop(profile().cmd, 0);
         }
         return end(ending::succeeded);
     }

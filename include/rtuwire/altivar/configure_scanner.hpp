@@ -78,7 +78,7 @@ private:
         std::size_t const slot = is_input ? at_ : at_ - slots;
         addresses const chosen = is_input ? inputs_ : outputs_;
         std::uint16_t const first = is_input ? scanner_input_addresses : scanner_output_addresses;
-        return to_write(static_cast<std::uint16_t>(first + slot),
+        return to_rearrange(static_cast<std::uint16_t>(first + slot),
                         slot < chosen.size() ? chosen[slot] : std::uint16_t{0});
     }
 

@@ -46,6 +46,7 @@ public:
         is_ordered_ = false;
         has_switched_on_ = false;
         is_stopping_ = true;
+        reset_step_ = 0;
     }
 
     /// Orders one fault reset; nothing where the drive is in no fault.
@@ -98,11 +99,11 @@ public:
         state_ = cia402::state::unknown;
     }
 
-    /// The drive's words are not where they are expected: nothing may be written there.
-    constexpr void note_misconfigured() noexcept
+    /// The drive must not be ordered, or its words are not where they are expected.
+    constexpr void note_finding(ending found) noexcept
     {
-        drop(ending::misconfigured);
-        reason_.how = ending::misconfigured;
+        drop(found);
+        reason_.how = found;
         is_known_ = false;
         reset_step_ = 0;
     }
@@ -131,6 +132,14 @@ public:
             return reset_word();
         }
         return is_ordered_ ? climb() : go_down();
+    }
+
+    /// The word that stops the drive, whatever is ordered. One whose words may mean something else coasts.
+    [[nodiscard]] constexpr std::uint16_t word_to_stop(word_meaning known,
+                                                       drive_profile const& profile) const noexcept
+    {
+        bool const is_doubtful = profile.chcf != 0 and known == word_meaning::unknown;
+        return is_doubtful ? std::uint16_t{0} : go_down();
     }
 
     /// The reference of the last order.
@@ -204,7 +213,7 @@ private:
         case cia402::state::quick_stop_active: return word_of_stop();
         case cia402::state::unknown:
             // A state that nobody knows, or that cannot be read any more, may be operation.
-            return is_known_ or was_lost_running_ ? word_of_stop() : std::uint16_t{0};
+            return is_known_ or was_lost_running_ or is_stopping_ ? word_of_stop() : std::uint16_t{0};
         case cia402::state::not_ready_to_switch_on:
         case cia402::state::switch_on_disabled:
         case cia402::state::ready_to_switch_on:

@@ -13,6 +13,7 @@
 #include <rtuwire/altivar/reference.hpp>
 #include <rtuwire/altivar/release_link.hpp>
 #include <rtuwire/altivar/stop.hpp>
+#include <rtuwire/altivar/supervision.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 
@@ -60,15 +61,18 @@ public:
     /// To bring a drive to rest that was told to run and must not.
     static constexpr duration grace{milliseconds(30'000)};
 
-    explicit constexpr direct_start_script(reference_write reference) noexcept
-        : script{device::profile}, reference_{reference}, rest_{device::profile, stop_by::freewheel,
-                                                                word_meaning::drive_profile}
+    constexpr direct_start_script(reference_write reference, supervision_script const& check) noexcept
+        : script{device::profile}, reference_{reference}, check_{check},
+          rest_{device::profile, stop_by::freewheel, word_meaning::drive_profile}
     {}
 
     constexpr wish step(event const& what) noexcept
     {
         if (stage_ == stage::withdrawing) {
-            return come_to_rest(rest_.step(what));
+            return come_to_rest(what);
+        }
+        if (stage_ == stage::examining and what.what != event::kind::late) {
+            return examine(what);
         }
         switch (what.what) {
         case event::kind::begun: return read(stage::looking, profile().eta);
@@ -81,8 +85,18 @@ public:
         return withdraw(ending::stuck);
     }
 
+    [[nodiscard]] constexpr supervision_report const& report() const noexcept
+    {
+        return check_.report();
+    }
+    [[nodiscard]] constexpr duration drive_timeout() const noexcept
+    {
+        return check_.drive_timeout();
+    }
+
 private:
     enum class stage : std::uint8_t {
+        examining, ///< whether it may be ordered
         looking,
         clearing,          ///< the control word is written 0000
         referring,         ///< the reference is written
@@ -104,7 +118,20 @@ private:
     constexpr wish write(stage next, std::uint16_t address, std::uint16_t word) noexcept
     {
         stage_ = next;
-        return once(to_write(address, word));
+        return once(to_enable(address, word));
+    }
+
+    constexpr wish examine(event const& what) noexcept
+    {
+        wish const next = check_.step(what);
+        note_rest_of(check_);
+        if (next.what != wish::kind::end) {
+            return next;
+        }
+        altivar::reason const found = check_.reason();
+        note_state(found.state);
+        return found.how == ending::succeeded ? read(stage::looking, profile().eta)
+                                              : end(found.how, found.error);
     }
 
     constexpr wish after_write() noexcept
@@ -113,6 +140,7 @@ private:
         case stage::clearing: return write(stage::referring, reference_.address, reference_.word);
         case stage::referring: return read(stage::reading_reference, reference_.address);
         case stage::running:
+        case stage::examining:
         case stage::looking:
         case stage::reading_reference:
         case stage::reading_command:
@@ -134,6 +162,7 @@ private:
             // Another word: somebody else's, or that of a drive that was switched off and on.
             return word == 0 ? read(stage::looking_again, profile().eta) : withdraw(ending::stuck);
         case stage::reading_fault: return trip(word);
+        case stage::examining:
         case stage::looking:
         case stage::clearing:
         case stage::referring:
@@ -190,17 +219,19 @@ private:
         error_ = error;
         rest_ = stop_script{device::profile, may_run_ ? stop_by::ramp : stop_by::freewheel,
                             word_meaning::drive_profile};
-        bool const has_told =
-            stage_ != stage::looking and (stage_ != stage::reading_fault or may_run_);
+        bool const is_before_all = stage_ == stage::examining or stage_ == stage::looking;
+        bool const has_told = not is_before_all and (stage_ != stage::reading_fault or may_run_);
         if (not has_told) {
             return finish();
         }
         stage_ = stage::withdrawing;
-        return come_to_rest(rest_.step({event::kind::begun}));
+        return come_to_rest({event::kind::begun});
     }
 
-    constexpr wish come_to_rest(wish const& next) noexcept
+    constexpr wish come_to_rest(event const& what) noexcept
     {
+        wish const next = rest_.step(what);
+        note_rest_of(rest_);
         if (next.what != wish::kind::end) {
             return next;
         }
@@ -214,9 +245,10 @@ private:
     }
 
     reference_write reference_;
+    supervision_script check_;
     stop_script rest_;
     std::uint16_t fault_{0};
-    stage stage_{stage::looking};
+    stage stage_{stage::examining};
     ending how_{ending::pending};
     errc error_{errc::none};
     bool may_run_{false};
@@ -224,13 +256,30 @@ private:
 
 /// Starts a drive that stands by direct control, at 50_Hz or 1500_rpm; a negative reference is in reverse, so that one
 /// sign holds the direction (880A is never sent). Nothing is asked twice: a line that loses one frame ends it, and what
-/// was given is taken back. A drive that runs already is refused: `change_reference` is for that.
+/// was given is taken back. A drive that runs already is refused: `change_reference` is for that. Before all that it is
+/// checked as by a `start`.
 class direct_start : public drive_talk<direct_start_script> {
 public:
     constexpr direct_start(station<device> const& drive, reference<device> const& at,
-                           duration limit = milliseconds(3'000)) noexcept
-        : drive_talk{drive.unit(), direct_start_script{at.write()}, limit}
+                           duration limit = milliseconds(3'000),
+                           supervision_options const& options = {}) noexcept
+        : drive_talk{
+              drive.unit(),
+              direct_start_script{at.write(), supervision_script{device::profile, options}},
+              limit}
     {}
+    constexpr direct_start(station<device> const& drive, reference<device> const& at, duration limit,
+                           supervision_report const& found) noexcept
+        : drive_talk{drive.unit(),
+                     direct_start_script{at.write(), supervision_script{device::profile, found}},
+                     limit}
+    {}
+
+    /// What was found before the order.
+    [[nodiscard]] constexpr supervision_report const& supervision() const noexcept
+    {
+        return told().report();
+    }
 
     /// Whether the motor runs as asked, or at the limit nearest to it.
     [[nodiscard]] constexpr bool running() const noexcept

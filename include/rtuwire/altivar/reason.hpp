@@ -32,6 +32,7 @@ enum class ending : std::uint8_t {
     overwritten,           ///< the command or reference in the drive is not the one written last
     overruled,             ///< a stop was ordered later, or is under way
     contradictory,         ///< a negative reference and "reverse" at once: one sign for the direction
+    unchecked,             ///< nobody looked whether the drive may be ordered
     unsupervised,          ///< the drive does not watch its link: it would never stop by itself
     runs_on_without_link,  ///< a lost link leaves the motor at its speed, or at a fallback speed
     other_channel,         ///< command or reference come from elsewhere than Modbus
@@ -76,6 +77,7 @@ struct reason {
     case ending::overwritten: return "another master commands the drive, or it lost its power";
     case ending::overruled: return "a stop was ordered later";
     case ending::contradictory: return "a negative reference and reverse at once";
+    case ending::unchecked: return "the drive was not checked";
     case ending::unsupervised: return "the drive does not watch its link";
     case ending::runs_on_without_link: return "the drive runs on when its link is lost";
     case ending::other_channel: return "another channel commands the drive";

@@ -77,7 +77,7 @@ private:
         if (stage_ == stage::reading_control) {
             control_ = static_cast<std::uint16_t>(word & ~profile().cmi_orders);
             stage_ = stage::ordering;
-            return once(to_write(profile().cmi, static_cast<std::uint16_t>(control_ | recall_bit)));
+            return once(to_rearrange(profile().cmi, static_cast<std::uint16_t>(control_ | recall_bit)));
         }
         if ((word & recall_bit) == 0) {
             return end(ending::succeeded);

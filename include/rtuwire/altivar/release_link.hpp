@@ -75,7 +75,7 @@ private:
             return end(found.how, found.error);
         }
         stage_ = stage::telling;
-        return to_write(profile().cmd, is_release_ ? link_released : link_activated);
+        return to_rearrange(profile().cmd, is_release_ ? link_released : link_activated);
     }
 
     constexpr wish after_write() noexcept
@@ -90,7 +90,7 @@ private:
             if (cia402::has_power(note(word))) {
                 // The link may always be activated, and its word takes the power away.
                 stage_ = stage::taking_back;
-                return to_write(profile().cmd, link_activated);
+                return to_stop(profile().cmd, link_activated);
             }
             return ask(stage::asking_source, profile().eti);
         }

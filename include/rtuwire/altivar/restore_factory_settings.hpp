@@ -68,7 +68,7 @@ private:
         // Orders in what was read are not given again: factory settings, save, recall.
         constexpr std::uint16_t factory_bit = 0x0001;
         control_ = static_cast<std::uint16_t>(word & ~profile().cmi_orders);
-        return to_write(profile().cmi, static_cast<std::uint16_t>(control_ | factory_bit));
+        return to_rearrange(profile().cmi, static_cast<std::uint16_t>(control_ | factory_bit));
     }
 
     /// The order does not stand there for ever, if the drive still hears it.

@@ -59,6 +59,13 @@ struct wish {
     what.does = effect::enabling;
     return what;
 }
+/// A write after which something else may command the motor, or words mean something else.
+[[nodiscard]] constexpr wish to_rearrange(std::uint16_t address, std::uint16_t word) noexcept
+{
+    wish what = to_write(address, word);
+    what.does = effect::rearranging;
+    return what;
+}
 /// A control word that takes the motor's power or its speed away.
 [[nodiscard]] constexpr wish to_stop(std::uint16_t address, std::uint16_t word) noexcept
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Starts a drive: read ETA, write CMD, and again until operation is enabled. Between any two of its frames the drive
+// Starts a drive. It checks first that the drive would stop by itself (altivar/supervision.hpp). Then: read ETA, write CMD, and again until operation is enabled. Between any two of its frames the drive
 // may be alone for ever, so whatever came through, the motor turns neither in a direction nor faster than was asked
 // before or is asked now: the reference, which holds the direction as its sign, goes in one write before the command
 // that enables. That command goes only to a drive whose control word still is the one written last. A drive that
@@ -14,6 +14,7 @@
 #include <rtuwire/altivar/drive_talk.hpp>
 #include <rtuwire/altivar/reference.hpp>
 #include <rtuwire/altivar/stop.hpp>
+#include <rtuwire/altivar/supervision.hpp>
 #include <rtuwire/cia402/way.hpp>
 #include <rtuwire/core/version.hpp>
 
@@ -26,9 +27,9 @@ public:
     static constexpr duration grace{milliseconds(30'000)};
 
     constexpr start_script(drive_profile const& profile, reference_write reference, heading way,
-                           word_meaning known) noexcept
+                           supervision_script const& check) noexcept
         : script{profile}, reference_{way == heading::reverse ? reference.reversed() : reference},
-          rest_{profile, stop_by::freewheel, known}, known_{known},
+          check_{check}, rest_{profile, stop_by::freewheel, word_meaning::unknown},
           is_contradictory_{way == heading::reverse and reference.is_reverse()}
     {}
 
@@ -37,9 +38,14 @@ public:
         if (stage_ == stage::withdrawing) {
             return come_to_rest(what);
         }
+        if (is_contradictory_) {
+            return end(ending::contradictory);
+        }
+        if (stage_ == stage::examining and what.what != event::kind::late) {
+            return examine(what);
+        }
         switch (what.what) {
         case event::kind::begun:
-            return is_contradictory_ ? end(ending::contradictory) : to_read(profile().eta);
         case event::kind::pause_over: return look();
         case event::kind::word_read: return heard(what.word);
         case event::kind::written: return after_write();
@@ -49,8 +55,18 @@ public:
         return withdraw(ending::stuck);
     }
 
+    [[nodiscard]] constexpr supervision_report const& report() const noexcept
+    {
+        return check_.report();
+    }
+    [[nodiscard]] constexpr duration drive_timeout() const noexcept
+    {
+        return check_.drive_timeout();
+    }
+
 private:
     enum class stage : std::uint8_t {
+        examining, ///< whether it may be ordered
         climbing,
         reading_direction, ///< of a drive that runs already
         redirecting,       ///< its reference is written
@@ -63,6 +79,22 @@ private:
 
     constexpr wish look() noexcept { return once(to_read(profile().eta)); }
 
+    constexpr wish examine(event const& what) noexcept
+    {
+        wish const next = check_.step(what);
+        note_rest_of(check_);
+        if (next.what != wish::kind::end) {
+            return next;
+        }
+        altivar::reason const found = check_.reason();
+        note_state(found.state);
+        if (found.how != ending::succeeded) {
+            return end(found.how, found.error);
+        }
+        stage_ = stage::climbing;
+        return look();
+    }
+
     constexpr wish heard(std::uint16_t word) noexcept
     {
         misses_ = 0;
@@ -70,6 +102,7 @@ private:
         case stage::reading_fault: return trip(word);
         case stage::reading_direction: return redirect(word);
         case stage::checking: return enable(word);
+        case stage::examining:
         case stage::climbing:
         case stage::redirecting:
         case stage::referring:
@@ -198,7 +231,7 @@ private:
         bool const may_run = given_ == cia402::command::enable_operation or
                              stage_ == stage::enabled or
                              reason().state == cia402::state::operation_enabled;
-        rest_ = stop_script{profile(), may_run ? stop_by::ramp : stop_by::freewheel, known_};
+        rest_ = stop_script{profile(), may_run ? stop_by::ramp : stop_by::freewheel, check_.report().words};
         stage_ = stage::withdrawing;
         return rest_.step({event::kind::begun});
     }
@@ -218,12 +251,12 @@ private:
     }
 
     reference_write reference_;
+    supervision_script check_;
     stop_script rest_;
     std::uint16_t fault_{0};
     std::uint16_t direction_{0};
     int height_{0};
-    stage stage_{stage::climbing};
-    word_meaning known_;
+    stage stage_{stage::examining};
     cia402::command given_{cia402::command::none};
     ending how_{ending::pending};
     errc error_{errc::none};
@@ -235,14 +268,35 @@ private:
 /// Starts a drive at a reference. `station`, then 1500_rpm or 50_Hz, then the direction; a negative reference is in
 /// reverse, and one together with `heading::reverse` is refused. It settles once operation is enabled, without
 /// waiting for the ramp; a start that fails settles when what it gave is taken back, up to 30 s behind its limit.
+///
+/// A drive that would not stop by itself, or that something else commands, is refused before anything is written, with the
+/// endings of `check_supervision`; `supervision()` tells the register. The check takes about nine reads; who has made it
+/// already gives its report instead.
 class start : public drive_talk<start_script> {
 public:
     template <device_type Device>
     constexpr start(station<Device> const& drive, std::type_identity_t<reference<Device>> const& at,
                     heading way = heading::forward, duration limit = milliseconds(3'000),
-                    word_meaning known = word_meaning::unknown) noexcept
-        : drive_talk{drive.unit(), start_script{Device::profile, at.write(), way, known}, limit}
+                    supervision_options const& options = {}) noexcept
+        : drive_talk{drive.unit(),
+                     start_script{Device::profile, at.write(), way,
+                                  supervision_script{Device::profile, options}},
+                     limit}
     {}
+    template <device_type Device>
+    constexpr start(station<Device> const& drive, std::type_identity_t<reference<Device>> const& at,
+                    heading way, duration limit, supervision_report const& found) noexcept
+        : drive_talk{drive.unit(),
+                     start_script{Device::profile, at.write(), way,
+                                  supervision_script{Device::profile, found}},
+                     limit}
+    {}
+
+    /// What was found before the first order.
+    [[nodiscard]] constexpr supervision_report const& supervision() const noexcept
+    {
+        return told().report();
+    }
 
     /// Whether the motor runs as asked, or at the limit nearest to it.
     [[nodiscard]] constexpr bool running() const noexcept

@@ -25,10 +25,16 @@ public:
         report_.period.longest_gap = options.longest_gap;
     }
 
+    /// What another check has found.
+    constexpr supervision_script(drive_profile const& profile,
+                                 supervision_report const& found) noexcept
+        : script{profile}, report_{found}, is_known_{true}
+    {}
+
     constexpr wish step(event const& what) noexcept
     {
         switch (what.what) {
-        case event::kind::begun: return ask();
+        case event::kind::begun: return is_known_ ? end(report_.finding) : ask();
         case event::kind::word_read: return go_on(judge(what.word), what.word);
         case event::kind::failed: return go_without(what.error);
         case event::kind::written:
@@ -39,6 +45,13 @@ public:
     }
 
     [[nodiscard]] constexpr supervision_report const& report() const noexcept { return report_; }
+
+    /// How long the drive goes on without a request, as it was read; else the most that can be set.
+    [[nodiscard]] constexpr duration drive_timeout() const noexcept
+    {
+        bool const is_read = report_.period.timeout != duration{};
+        return is_read ? report_.period.timeout : profile().longest_silence;
+    }
 
 private:
     /// In this order: the channel decides what the others mean.
@@ -179,7 +192,7 @@ private:
             report_.address = address();
             report_.word = word;
             if (not accepts(found)) {
-                return end(found, error);
+                return conclude(found, error);
             }
         }
         if (at_ == look::status) {
@@ -187,6 +200,12 @@ private:
         }
         at_ = after(at_);
         return ask();
+    }
+
+    constexpr wish conclude(ending found, errc error = errc::none) noexcept
+    {
+        report_.finding = found;
+        return end(found, error);
     }
 
     /// Whether a finding is accepted, which is kept.
@@ -214,10 +233,10 @@ private:
             report_.word =
                 static_cast<std::uint16_t>(report_.period.timeout.microseconds / 100'000);
             if (not accepts(ending::timeout_too_short)) {
-                return end(ending::timeout_too_short);
+                return conclude(ending::timeout_too_short);
             }
         }
-        return end(ending::succeeded);
+        return conclude(ending::succeeded);
     }
 
     supervision_options options_;
@@ -227,6 +246,7 @@ private:
     bool is_watched_{true};
     bool stops_on_ramp_{false};
     bool is_three_wire_{false};
+    bool is_known_{false}; ///< by another check
 };
 
 /// Checks a drive before its first order: at most nine reads. It ends as `succeeded` (`ready`), or with what is

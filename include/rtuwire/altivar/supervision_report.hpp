@@ -55,8 +55,9 @@ struct supervision_options {
     std::uint16_t run_inputs{0x0003};
 };
 
-/// What was found.
+/// What was found. It holds as long as nobody changes the drive's settings, and no unsaved one is lost with its power.
 struct supervision_report {
+    ending finding{ending::unchecked}; ///< `succeeded` where the drive may be ordered, accepted risks included
     period_rule period{};     ///< the time-out that was read, 0 for none, and the line's gap
     std::uint16_t address{0}; ///< the register that was refused, or accepted last; 0: none
     std::uint16_t word{0};    ///< what it held; 0 where it is not there

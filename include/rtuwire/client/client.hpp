@@ -140,7 +140,7 @@ public:
     {
         errc told = errc::pending;
         if (turns_.was_dropped(talk, base::phase_now() == client_phase::idle)) {
-            told = errc::cancelled;
+            told = reason_of_drop(talk);
             talk.accept(told);
             wants_turn = wants_turn and not talk.settled();
         }
@@ -220,6 +220,16 @@ private:
         return false;
     }
 
+    /// Why a request was given up: a stop of its unit came before it, or somebody cancelled it.
+    template <typename Talk> constexpr errc reason_of_drop(Talk const& talk) const noexcept
+    {
+        if constexpr (commanding_conversation<Talk>) {
+            return orders_.is_overruled(talk, talk.unit().octet()) ? errc::overruled : errc::cancelled;
+        } else {
+            return errc::cancelled;
+        }
+    }
+
     /// What the next question of a conversation does to a motor.
     template <typename Talk> static constexpr effect effect_of(Talk const& talk) noexcept
     {
@@ -251,6 +261,8 @@ private:
         if constexpr (commanding_conversation<Talk>) {
             if (what == effect::enabling) {
                 orders_.note_enabling(talk.unit().octet(), talk.drive_timeout(), talk.tolerated_misses());
+            } else if (what == effect::rearranging) {
+                orders_.note_rearranging(talk.unit().octet());
             }
         }
     }

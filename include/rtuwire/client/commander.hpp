@@ -18,7 +18,8 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// What a request does to a motor.
 enum class effect : std::uint8_t {
     none,
-    enabling, ///< the motor may turn that did not, or turn otherwise
+    enabling,    ///< the motor may turn that did not, or turn otherwise
+    rearranging, ///< another place may command the motor, or words that were in use mean something else
     stopping, ///< the motor loses its power or slows down; a write of function 06, whose echo no other answer is
 };
 
@@ -42,10 +43,16 @@ protected:
     /// The motor was read to be without power.
     constexpr void note_rest() noexcept { has_read_rest_ = true; }
 
+    /// Whether its unit was rearranged over this client since `note_arrangement`.
+    [[nodiscard]] constexpr bool was_rearranged() const noexcept { return was_rearranged_; }
+    constexpr void note_arrangement() noexcept { was_rearranged_ = false; }
+
 private:
     template <std::size_t> friend class orders;
 
     std::uint32_t stamp_{0}; ///< when the last order or stop was given, in the client's count; 0: never
+    std::uint32_t seen_{0};  ///< the client's count when it came by last
+    bool was_rearranged_{false};
     bool has_ordered_{false};
     bool has_stopped_{false};
     bool is_over_{false};

@@ -48,6 +48,7 @@ public:
     /// A commander of one unit comes by: takes note of what its user wants, and of what it read.
     constexpr void visit(commander& who, std::uint8_t unit, instant now) noexcept
     {
+        note_arrangement(who, unit);
         if (who.has_read_rest_) {
             who.has_read_rest_ = false;
             if (entry* const own = find(unit)) {
@@ -89,7 +90,8 @@ public:
     }
 
     /// Whether a request of this effect may be asked, but for silence: `overruled` where a stop came later than the
-    /// order, or another stop is under way; `unit_lost` where a loss did; `too_many_ordered` where there is no place for one more unit.
+    /// order, or another stop is under way; `unit_lost` where a loss did; `too_many_ordered` where there is no place for
+    /// one more unit.
     [[nodiscard]] constexpr errc check(commander const& who, std::uint8_t unit,
                                        effect what) const noexcept
     {
@@ -109,7 +111,23 @@ public:
             bool const is_loss = own != nullptr and own->was_lost and holder == 0;
             return is_loss ? errc::unit_lost : errc::overruled;
         }
-        return own == nullptr and free_place() == Units ? errc::too_many_ordered : errc::none;
+        bool const is_full = own == nullptr and free_place() == Units;
+        return is_full and what == effect::enabling ? errc::too_many_ordered : errc::none;
+    }
+
+    /// A request that rearranges was taken: who relies on the unit's words reads anew what they mean.
+    constexpr void note_rearranging(std::uint8_t unit) noexcept
+    {
+        entry* const own = find(unit);
+        (own == nullptr ? forgotten_arrangement_ : own->rearranged) = ++count_;
+    }
+
+    /// Whether another stop, or one that came later, has the unit.
+    [[nodiscard]] constexpr bool is_overruled(commander const& who, std::uint8_t unit) const noexcept
+    {
+        entry const* const own = find(unit);
+        bool const holds = own != nullptr and own->holder != 0 and own->holder == who.stamp_;
+        return not holds and check(who, unit, effect::enabling) == errc::overruled;
     }
 
     /// A request that enables was taken.
@@ -225,6 +243,7 @@ private:
         duration silence;
         std::uint32_t last_stop; ///< the stamp of the last stop or loss
         std::uint32_t holder;    ///< the stamp of the stop under way; 0: none
+        std::uint32_t rearranged; ///< the stamp of the last request that did so
         std::uint8_t unit;       ///< 0: a free place
         std::uint8_t misses;     ///< in a row
         std::uint8_t tolerated;
@@ -238,6 +257,19 @@ private:
     static constexpr bool is_older(std::uint32_t stamp, std::uint32_t than) noexcept
     {
         return static_cast<std::int32_t>(stamp - than) < 0;
+    }
+
+    static constexpr std::uint32_t later(std::uint32_t one, std::uint32_t other) noexcept
+    {
+        return is_older(one, other) ? other : one;
+    }
+
+    constexpr void note_arrangement(commander& who, std::uint8_t unit) const noexcept
+    {
+        entry const* const own = find(unit);
+        std::uint32_t const last = own == nullptr ? forgotten_arrangement_ : own->rearranged;
+        who.was_rearranged_ = who.was_rearranged_ or is_older(who.seen_, last);
+        who.seen_ = count_;
     }
 
     constexpr void begin_stop(commander& who, std::uint8_t unit, instant now) noexcept
@@ -318,21 +350,23 @@ private:
         }
         entry& own = entries_[at];
         // Of a unit that loses its place only this is kept; it counts for all that have none.
-        forgotten_ = is_older(forgotten_, own.last_stop) ? own.last_stop : forgotten_;
-        std::uint32_t const last = forgotten_;
+        forgotten_ = later(forgotten_, own.last_stop);
+        forgotten_arrangement_ = later(forgotten_arrangement_, own.rearranged);
         own = nothing;
         own.unit = unit;
-        own.last_stop = last;
+        own.last_stop = forgotten_;
+        own.rearranged = forgotten_arrangement_;
         return &own;
     }
 
-    static constexpr entry nothing{instant{0}, instant{0}, milliseconds(31'000), 0, 0, 0, 0, 0, false, false, false, false, false};
+    static constexpr entry nothing{instant{0}, instant{0}, milliseconds(31'000), 0, 0, 0, 0, 0, 0, false, false, false, false, false};
 
     std::array<entry, Units> entries_{filled<Units>(nothing)};
     std::uint32_t count_{0};
     std::uint32_t stopped_all_{0};   ///< the stamp of the last stop of all units
     std::uint32_t holder_of_all_{0}; ///< the same while it is under way; 0: none
     std::uint32_t forgotten_{0};     ///< of units that have no place
+    std::uint32_t forgotten_arrangement_{0};
     bool is_all_over_{false};
 };
 

@@ -1,0 +1,397 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// The steps of a cycle: which question comes next, and what its answer changes; no clock. A drive that must not run is
+// told to stop by function 06 and only read besides. After a loss it is told to stop, as long as the client lets it, and
+// looked at before anything else is written.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/altivar/cycle_frames.hpp>
+#include <rtuwire/altivar/cycle_preparation.hpp>
+#include <rtuwire/altivar/cycle_words.hpp>
+#include <rtuwire/altivar/cyclic_control.hpp>
+#include <rtuwire/altivar/cyclic_options.hpp>
+#include <rtuwire/client/commander.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/table/device.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// What one drive is asked and told, question by question.
+template <device_type Device> class cycle_steps {
+    using words = cycle_words<Device>;
+
+public:
+    constexpr cycle_steps(unit_id unit, cyclic_options const& options) noexcept
+        : preparation_{options.supervision}, options_{options}, period_{options.period}, frames_{unit}
+    {}
+
+    /// The user's orders. One to run is taken only of a drive that was checked.
+    constexpr bool run(std::uint16_t reference) noexcept
+    {
+        return preparation_.succeeded() and control_.run(reference);
+    }
+    constexpr void stop(stop_by how) noexcept
+    {
+        bool const has_none = how == stop_by::halt and Device::profile.halt == 0;
+        control_.stop(has_none ? stop_by::ramp : how);
+        is_coming_down_ = true;
+        must_say_stop_ = not control_.is_halting();
+    }
+    constexpr void reset_fault() noexcept { control_.reset_fault(); }
+
+    /// The way up took too long.
+    constexpr void note_late() noexcept { control_.note_late(); }
+
+    [[nodiscard]] constexpr cycle_frames<Device>& frames() noexcept { return frames_; }
+    [[nodiscard]] constexpr cycle_frames<Device> const& frames() const noexcept { return frames_; }
+    [[nodiscard]] constexpr cyclic_control const& control() const noexcept { return control_; }
+    [[nodiscard]] constexpr supervision_report const& report() const noexcept
+    {
+        return preparation_.report();
+    }
+    [[nodiscard]] constexpr bool is_lost() const noexcept { return is_lost_; }
+
+    /// From one exchange to the next.
+    [[nodiscard]] constexpr duration period() const noexcept { return period_; }
+
+    /// What the next question does to the motor; whether somebody rearranged the drive since the last one.
+    [[nodiscard]] constexpr effect intent(bool was_rearranged) const noexcept
+    {
+        step const next = due_step(was_rearranged);
+        if (next == step::say_stop) {
+            return effect::stopping;
+        }
+        bool const writes = next == step::exchange or next == step::write;
+        return writes and control_.moves() ? effect::enabling : effect::none;
+    }
+
+    /// The next question.
+    constexpr byte_view ask(bool was_rearranged) noexcept
+    {
+        step_ = due_step(was_rearranged);
+        if (was_rearranged) {
+            preparation_.renew();
+        }
+        return make_frame();
+    }
+
+    /// Whether the drive was read to be without power, whether a stop that was ordered here is over, and whether the next
+    /// question waits for a period; each told once.
+    constexpr bool take_rest() noexcept
+    {
+        bool const is_at_rest = control_.take_rest();
+        is_coming_down_ = is_coming_down_ and not is_at_rest;
+        return is_at_rest;
+    }
+    constexpr bool take_end_of_stop() noexcept { return control_.take_end_of_stop(); }
+    constexpr bool take_pause() noexcept
+    {
+        bool const is_set = waits_;
+        waits_ = false;
+        return is_set;
+    }
+
+    /// What came of the question.
+    constexpr void take(response const& answer) noexcept
+    {
+        misses_ = 0;
+        if (step_ == step::write) {
+            return end_exchange();
+        }
+        if (step_ == step::say_stop) {
+            return end_stop_word();
+        }
+        constexpr std::size_t words_from = 2;
+        register_view const read{answer.pdu().subspan(words_from)};
+        switch (step_) {
+        case step::look: return take_look(read[0]);
+        case step::look_for_fault:
+            control_.note_fault(read[0]);
+            step_ = step_after_look();
+            return;
+        case step::prepare:
+            preparation_.take(read, frames_.outputs_in_use());
+            return go_on_preparing();
+        case step::check_control:
+        case step::compare_control: return compare(read[0], frames_.command());
+        case step::compare_reference: return compare(read[0], frames_.reference());
+        case step::exchange:
+        case step::read:
+        case step::observe:
+        case step::write:
+        case step::say_stop: break;
+        }
+        take_inputs(read);
+    }
+
+    constexpr void miss(errc error) noexcept
+    {
+        if (step_ == step::prepare and is_exception(error)) {
+            preparation_.take_exception(error);
+            return go_on_preparing();
+        }
+        wait_a_period();
+        if (error == errc::cancelled) {
+            return; // another conversation, or its owner, came before it
+        }
+        if (error == errc::overruled) {
+            return yield();
+        }
+        if (step_ == step::say_stop) {
+            return; // again, as long as the client lets it
+        }
+        bool const is_tolerated = misses_ < options_.tolerated_misses and error != errc::unit_lost and
+                                  not is_exception(error);
+        if (is_tolerated) {
+            ++misses_;
+            return start_over();
+        }
+        lose(error);
+    }
+
+private:
+    enum class step : std::uint8_t {
+        look,
+        look_for_fault,
+        prepare, ///< the drive's safeguards, and what its scanner stands for
+        exchange,
+        read,              ///< the first half of an exchange by functions 03 and 16
+        write,             ///< and the second
+        say_stop,          ///< the word that stops, by function 06
+        observe,           ///< reads as an exchange does, and writes nothing
+        check_control,     ///< the control word, before the command to run
+        compare_control,   ///< and from time to time while it runs
+        compare_reference, ///< the reference, in the same way
+    };
+
+    /// The step that is asked now: whatever was to follow, a drive that must not run is told to stop; one that is halted
+    /// is looked at first, because the halt's word could enable it in another state.
+    constexpr step due_step(bool was_rearranged) const noexcept
+    {
+        if (must_say_stop_) {
+            return step::say_stop;
+        }
+        bool const is_exchange = step_ == step::exchange or step_ == step::read;
+        bool const writes = is_exchange or step_ == step::write;
+        if (writes and (not preparation_.succeeded() or was_rearranged)) {
+            return step::look;
+        }
+        if (writes and control_.must_stop()) {
+            return control_.is_halting() ? step::observe : step::say_stop;
+        }
+        bool const is_enabling = step_ != step::read and writes and control_.is_about_to_enable();
+        if (is_enabling and not is_control_checked_) {
+            return step::check_control;
+        }
+        if (is_exchange and exchanges_ >= exchanges_between_looks and control_.is_ordered() and
+            control_.is_running()) {
+            return compares_reference_ ? step::compare_reference : step::compare_control;
+        }
+        return step_;
+    }
+
+    constexpr step step_after_look() const noexcept
+    {
+        return preparation_.succeeded() ? first_step() : step::prepare;
+    }
+
+    constexpr step first_step() const noexcept
+    {
+        return words_by_function_23() ? step::exchange : step::read;
+    }
+
+    constexpr bool words_by_function_23() const noexcept
+    {
+        return words::fits_function_23 and options_.by_function_23;
+    }
+
+    constexpr byte_view make_frame() noexcept
+    {
+        constexpr drive_profile const& profile = Device::profile;
+        switch (step_) {
+        case step::look: return frames_.read_one(profile.eta);
+        case step::look_for_fault: return frames_.read_one(profile.lft);
+        case step::prepare: return frames_.read(preparation_.question());
+        case step::read:
+        case step::observe: return frames_.read_inputs();
+        case step::say_stop:
+            return frames_.say(control_.word_to_stop(preparation_.meaning(), profile));
+        case step::check_control:
+        case step::compare_control: return frames_.read_one(profile.cmd);
+        case step::compare_reference: return frames_.read_one(words::reference.address);
+        case step::write:
+        case step::exchange: break;
+        }
+        std::uint16_t const command = control_.next_command();
+        return step_ == step::write ? frames_.write(command, control_.reference())
+                                    : frames_.exchange(command, control_.reference());
+    }
+
+    /// The link is lost, or what came over it cannot be trusted.
+    constexpr void lose(errc error) noexcept
+    {
+        is_coming_down_ = is_coming_down_ or control_.may_run();
+        must_say_stop_ = is_coming_down_;
+        control_.note_loss(error);
+        preparation_.renew();
+        is_lost_ = true;
+        has_written_ = false;
+        step_ = step::look;
+    }
+
+    /// An attempt of a drive that does not run yet was not answered: it may have lost its power meanwhile. All that was
+    /// known of it is read again.
+    constexpr void start_over() noexcept
+    {
+        if (control_.is_ordered() and not control_.is_running()) {
+            preparation_.renew();
+            is_control_checked_ = false;
+            step_ = step::look;
+        }
+    }
+
+    /// A stop by another conversation has the drive: it is looked at, and nothing is written.
+    constexpr void yield() noexcept
+    {
+        control_.note_overruled();
+        has_written_ = false;
+        must_say_stop_ = false;
+        is_coming_down_ = false;
+        step_ = step::look;
+    }
+
+    /// Until the next question; a word that stops does not wait, unless it is itself what has to be said again.
+    constexpr void wait_a_period() noexcept
+    {
+        waits_ = not must_say_stop_ or step_ == step::say_stop;
+    }
+
+    /// The drive took the word that stops; what it does is looked at next.
+    constexpr void end_stop_word() noexcept
+    {
+        must_say_stop_ = false;
+        step_ = preparation_.succeeded() ? step::observe : step::look;
+        if (not is_lost_) {
+            wait_a_period();
+        }
+    }
+
+    constexpr void take_look(std::uint16_t status) noexcept
+    {
+        is_lost_ = is_lost_ and not preparation_.succeeded();
+        control_.note_status(status, false);
+        step_ = step::look_for_fault;
+    }
+
+    constexpr void go_on_preparing() noexcept
+    {
+        ending const found = preparation_.finding();
+        if (found == ending::pending) {
+            return;
+        }
+        step_ = first_step();
+        if (found == ending::succeeded) {
+            is_lost_ = false;
+            duration const third = preparation_.report().period.longest_period();
+            period_ = third != duration{} and third < options_.period ? third : options_.period;
+            return;
+        }
+        is_coming_down_ = is_coming_down_ or control_.is_ordered();
+        control_.note_finding(found);
+        must_say_stop_ = is_coming_down_ and control_.must_stop();
+        preparation_.renew();
+        is_lost_ = true;
+        step_ = step::look;
+        wait_a_period();
+    }
+
+    constexpr void take_inputs(register_view read) noexcept
+    {
+        frames_.take(read);
+        std::uint16_t const status = frames_.status();
+        if (words::has_scanner and cia402::decode(status) == cia402::state::unknown) {
+            return lose_words();
+        }
+        if (words::has_scanner and status == 0) {
+            preparation_.renew(); // a drive that was switched on, or a scanner that moved: its status tells
+            step_ = step::look;
+            return;
+        }
+        note_inputs(status);
+    }
+
+    /// The first word is no status word: the scanner stands for something else.
+    constexpr void lose_words() noexcept
+    {
+        lose(errc::malformed);
+        wait_a_period();
+    }
+
+    constexpr void note_inputs(std::uint16_t status) noexcept
+    {
+        bool const was_in_fault = cia402::is_in_fault(control_.state());
+        control_.note_status(status, frames_.speed() == 0);
+        if (step_ == step::read) {
+            step_ = step::write;
+        } else if (step_ == step::exchange) {
+            end_exchange();
+        } else if (control_.must_stop()) {
+            step_ = step::say_stop; // right behind the look
+        } else {
+            step_ = first_step();
+            wait_a_period();
+        }
+        if (not was_in_fault and cia402::is_in_fault(control_.state())) {
+            step_ = step::look_for_fault;
+        }
+        is_control_checked_ = is_control_checked_ and control_.is_about_to_enable();
+    }
+
+    /// The drive has taken what was written.
+    constexpr void end_exchange() noexcept
+    {
+        has_written_ = true;
+        exchanges_ = static_cast<std::uint8_t>(exchanges_ + (exchanges_ < exchanges_between_looks ? 1 : 0));
+        step_ = first_step();
+        wait_a_period();
+    }
+
+    /// What stands in the drive is what was written last, or somebody else commands it, or it lost its power.
+    constexpr void compare(std::uint16_t found, std::uint16_t written) noexcept
+    {
+        bool const is_before_enabling = step_ == step::check_control;
+        compares_reference_ = step_ == step::compare_control;
+        exchanges_ = 0;
+        if (found != written or not has_written_) {
+            control_.note_overwritten();
+            wait_a_period();
+        }
+        is_control_checked_ = is_before_enabling;
+        step_ = is_before_enabling and not words_by_function_23() ? step::write : first_step();
+    }
+
+    static constexpr std::uint8_t exchanges_between_looks = 10;
+
+    cyclic_control control_{};
+    cycle_preparation<Device> preparation_;
+    cyclic_options options_;
+    duration period_;
+    cycle_frames<Device> frames_;
+    step step_{step::look};
+    std::uint8_t misses_{0};
+    std::uint8_t exchanges_{0}; ///< since the control word or the reference was read back
+    bool is_lost_{true};
+    bool must_say_stop_{false};      ///< before anything else
+    bool is_coming_down_{false};     ///< it was stopped here, or lost its order while it ran
+    bool is_control_checked_{false}; ///< the control word before the command to run is the one written last
+    bool has_written_{false};        ///< the outputs, as far as the drive said so
+    bool compares_reference_{false};
+    bool waits_{false}; ///< until the next question
+};
+
+} // namespace rtuwire::altivar
