@@ -154,6 +154,18 @@ public:
         lose(error);
     }
 
+    /// The link is lost, or what came over it cannot be trusted.
+    constexpr void lose(errc error) noexcept
+    {
+        is_coming_down_ = is_coming_down_ or control_.may_run();
+        must_say_stop_ = is_coming_down_;
+        control_.note_loss(error);
+        preparation_.renew();
+        is_lost_ = true;
+        has_written_ = false;
+        step_ = step::look;
+    }
+
 private:
     enum class step : std::uint8_t {
         look,
@@ -230,18 +242,6 @@ private:
         std::uint16_t const command = control_.next_command();
         return step_ == step::write ? frames_.write(command, control_.reference())
                                     : frames_.exchange(command, control_.reference());
-    }
-
-    /// The link is lost, or what came over it cannot be trusted.
-    constexpr void lose(errc error) noexcept
-    {
-        is_coming_down_ = is_coming_down_ or control_.may_run();
-        must_say_stop_ = is_coming_down_;
-        control_.note_loss(error);
-        preparation_.renew();
-        is_lost_ = true;
-        has_written_ = false;
-        step_ = step::look;
     }
 
     /// An attempt of a drive that does not run yet was not answered: it may have lost its power meanwhile. All that was

@@ -120,6 +120,12 @@ public:
         return tolerated_misses_;
     }
 
+    constexpr void note_loss() noexcept
+    {
+        has_lost_ = true;
+        heed_loss();
+    }
+
     constexpr void advance(instant now) noexcept
     {
         now_ = now;
@@ -141,11 +147,13 @@ public:
         }
         bool const was_rearranged = this->was_rearranged();
         this->note_arrangement();
+        is_asking_ = true;
         return request{steps_.ask(was_rearranged), repetition::never};
     }
 
     constexpr void accept(result<response> const& outcome) noexcept
     {
+        is_asking_ = false;
         if (outcome) {
             steps_.take(*outcome);
         } else {
@@ -161,6 +169,7 @@ public:
             is_due_ = false;
             due_ = now_ + steps_.period();
         }
+        heed_loss();
     }
 
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
@@ -172,6 +181,16 @@ public:
     [[nodiscard]] static constexpr bool settled() noexcept { return false; }
 
 private:
+    /// Somebody's question to the drive was not answered: it is told to stop as long as it may be told anything.
+    constexpr void heed_loss() noexcept
+    {
+        if (has_lost_ and not is_asking_) {
+            has_lost_ = false;
+            steps_.lose(errc::unit_lost);
+            is_due_ = has_begun_;
+        }
+    }
+
     cycle_steps<Device> steps_;
     duration climb_limit_;
     instant now_{0};
@@ -180,6 +199,8 @@ private:
     std::uint8_t tolerated_misses_;
     bool has_begun_{false};
     bool is_due_{false};
+    bool is_asking_{false};
+    bool has_lost_{false};
 };
 
 } // namespace rtuwire::altivar

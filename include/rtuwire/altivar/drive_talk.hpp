@@ -60,6 +60,12 @@ public:
     [[nodiscard]] constexpr duration drive_timeout() const noexcept { return script_.drive_timeout(); }
     [[nodiscard]] static constexpr std::uint8_t tolerated_misses() noexcept { return 1; }
 
+    constexpr void note_loss() noexcept
+    {
+        has_lost_ = has_begun_ and not settled();
+        heed_loss();
+    }
+
     constexpr std::optional<request> next() noexcept
     {
         if (not has_question()) {
@@ -82,6 +88,7 @@ public:
             return;
         }
         take(outcome.error() == errc::overruled ? script_.yield() : script_.step(heard(outcome)));
+        heed_loss();
     }
 
     /// When `advance` has something to do; nothing while a question is under way.
@@ -122,6 +129,19 @@ protected:
     [[nodiscard]] constexpr Script const& told() const noexcept { return script_; }
 
 private:
+    /// The unit was lost: what the script was about to ask, but for a word that stops, would wait until it has stopped by
+    /// itself.
+    constexpr void heed_loss() noexcept
+    {
+        if (not has_lost_ or is_asking_) {
+            return;
+        }
+        has_lost_ = false;
+        if (not settled() and wish_.does != effect::stopping) {
+            take(script_.step({event::kind::failed, 0, errc::unit_lost}));
+        }
+    }
+
     constexpr event heard(result<response> const& outcome) const noexcept
     {
         if (not outcome) {
@@ -172,6 +192,7 @@ private:
     unit_id unit_;
     bool has_begun_{false};
     bool is_asking_{false};
+    bool has_lost_{false};
     bool is_late_{false};
     bool was_warned_{false}; ///< the limit is over, what is left is the script's grace
     bool was_granted_{false};

@@ -122,10 +122,10 @@ public:
             if constexpr (stops_everyone<Talk>) {
                 orders_.visit_for_all(talk, now);
                 for (auto& each : talk.stops()) {
-                    orders_.visit(each, each.unit().octet(), now);
+                    static_cast<void>(orders_.visit(each, each.unit().octet(), now));
                 }
-            } else {
-                orders_.visit(talk, talk.unit().octet(), now);
+            } else if (orders_.visit(talk, talk.unit().octet(), now)) {
+                talk.note_loss();
             }
             if (talk.intent() == effect::stopping and not is_asked_by(talk)) {
                 make_way_for(talk, now);

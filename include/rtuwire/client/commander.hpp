@@ -60,12 +60,14 @@ private:
 };
 
 /// A conversation that commands the motor of one unit. `intent` tells what the question does that `next` would give.
+/// `note_loss` tells that the unit was lost, whoever asked it: nothing but words that stop it may be asked for now.
 /// `drive_timeout` is the time after which the unit stops its motor by itself when no request reaches it;
 /// `tolerated_misses` how many requests in a row that enable may go without an answer before the link counts as lost.
 template <typename T>
 concept commanding_conversation = prompt_conversation<T> and std::derived_from<T, commander> and
-                                  requires(T const& talk)
+                                  requires(T const& talk, T& same)
 {
+    same.note_loss();
     {
         talk.intent()
         } -> std::same_as<effect>;

@@ -45,29 +45,14 @@ template <std::size_t Units> class orders {
 public:
     static constexpr bool is_kept = true;
 
-    /// A commander of one unit comes by: takes note of what its user wants, and of what it read.
-    constexpr void visit(commander& who, std::uint8_t unit, instant now) noexcept
+    /// A commander of one unit comes by: takes note of what its user wants, and of what it read. Whether its unit was lost
+    /// since it came by last.
+    constexpr bool visit(commander& who, std::uint8_t unit, instant now) noexcept
     {
+        bool const is_lost = has_lost(who, unit);
         note_arrangement(who, unit);
-        if (who.has_read_rest_) {
-            who.has_read_rest_ = false;
-            if (entry* const own = find(unit)) {
-                own->is_ordered = false;
-                own->misses = 0;
-            }
-        }
-        if (who.has_ordered_) {
-            who.has_ordered_ = false;
-            who.stamp_ = ++count_;
-        }
-        if (who.has_stopped_) {
-            who.has_stopped_ = false;
-            begin_stop(who, unit, now);
-        }
-        if (who.is_over_) {
-            who.is_over_ = false;
-            end_stop(who, unit);
-        }
+        take_notes(who, unit, now);
+        return is_lost;
     }
 
     /// The same for a commander that stops every unit.
@@ -262,6 +247,35 @@ private:
     static constexpr std::uint32_t later(std::uint32_t one, std::uint32_t other) noexcept
     {
         return is_older(one, other) ? other : one;
+    }
+
+    constexpr void take_notes(commander& who, std::uint8_t unit, instant now) noexcept
+    {
+        if (who.has_read_rest_) {
+            who.has_read_rest_ = false;
+            if (entry* const own = find(unit)) {
+                own->is_ordered = false;
+                own->misses = 0;
+            }
+        }
+        if (who.has_ordered_) {
+            who.has_ordered_ = false;
+            who.stamp_ = ++count_;
+        }
+        if (who.has_stopped_) {
+            who.has_stopped_ = false;
+            begin_stop(who, unit, now);
+        }
+        if (who.is_over_) {
+            who.is_over_ = false;
+            end_stop(who, unit);
+        }
+    }
+
+    constexpr bool has_lost(commander const& who, std::uint8_t unit) const noexcept
+    {
+        entry const* const own = find(unit);
+        return own != nullptr and own->is_lost and is_older(who.seen_, own->last_stop);
     }
 
     constexpr void note_arrangement(commander& who, std::uint8_t unit) const noexcept
