@@ -56,15 +56,15 @@ public:
     // What the user does.
 
     /// An order to run, in mHz with its sign.
-    void note_order(std::size_t place, moment now, std::int32_t asked)
+    void note_order(std::size_t place, moment now, std::int32_t asked, bool is_by_cycle)
     {
-        if (not has_power_) {
+        if (not has_power_ and not has_order()) {
             most_forward_ = most_reverse_ = 0;
             is_foreign_ = false;
         }
         note_reference(asked);
-        orders_[place] = {true, now};
-        is_halting_ = false;
+        bool const has_begun = orders_[place].is_there and orders_[place].has_begun;
+        orders_[place] = {true, has_begun, is_by_cycle, now};
     }
     void note_reference(std::int32_t asked)
     {
@@ -94,7 +94,7 @@ public:
     void note_given_up(std::size_t place, bool was_stopping)
     {
         if (orders_[place].is_there) {
-            detached_ = {true, std::max(detached_.at, orders_[place].at)};
+            detached_ = {true, true, false, std::max(detached_.at, orders_[place].at)};
             orders_[place] = {};
         } else if (was_stopping) {
             is_orphan_ = true;
@@ -116,6 +116,9 @@ public:
     /// Something that takes every order away. Who was at rest and shows no trace of it cannot know.
     void note_disturbance(moment now, cia402::state before, bool is_shown)
     {
+        for (order& each : orders_) {
+            each.at = each.has_begun or is_shown ? each.at : now;
+        }
         if (before != cia402::state::switch_on_disabled or is_shown) {
             disturbed_at_ = now;
         }
@@ -132,15 +135,17 @@ public:
             last_missed_ = unanswered_ == 0 ? last_missed_ : now;
             ++unanswered_;
         }
+        auto const word = control_word_in(frame, drive_.profile());
+        bool const may = has_order() or is_foreign_;
+        bool const is_enabling = word and enables(*word, drive_.profile());
         if (is_heard) {
             last_heard_ = now;
             was_foreign_ = false;
+            note_begin(to_u8(frame[1]));
+            was_asked_ = has_order() and latest_order() >= disturbed_at_;
+            is_halting_ = is_halting_ and not is_enabling;
         }
-        auto const word = control_word_in(frame, drive_.profile());
-        bool const may = has_order() or is_foreign_;
-        return word and enables(*word, drive_.profile()) and not may
-                   ? std::optional{breach::enabled_without_order}
-                   : std::nullopt;
+        return is_enabling and not may ? std::optional{breach::enabled_without_order} : std::nullopt;
     }
     void note_answer()
     {
@@ -179,7 +184,7 @@ public:
         has_power_ = cia402::has_power(at);
         runs_ = at == cia402::state::operation_enabled;
         if (cia402::is_in_fault(at) and not was_in_fault_) {
-            disturbed_at_ = now;
+            note_disturbance(now, at, true);
         }
         was_in_fault_ = cia402::is_in_fault(at);
         if (had_power and not has_power_) {
@@ -211,6 +216,8 @@ public:
 private:
     struct order {
         bool is_there{false};
+        bool has_begun{false}; ///< a write for it arrived; before that nobody at the line can know what happened
+        bool is_by_cycle{false};
         moment at{0};
     };
 
@@ -226,6 +233,15 @@ private:
             latest = each.is_there ? std::max(latest, each.at) : latest;
         }
         return latest;
+    }
+
+    /// A cycle writes by functions 16 and 23, a start by 06.
+    void note_begin(std::uint8_t function)
+    {
+        for (order& each : orders_) {
+            bool const is_own = each.is_by_cycle ? function == 16 or function == 23 : function == 6;
+            each.has_begun = each.has_begun or is_own;
+        }
     }
 
     void lose_power(moment now)
@@ -248,8 +264,7 @@ private:
         if (last_heard_ + 200'000 < now) {
             return breach::moved_by_itself;
         }
-        bool const is_asked = has_order() and latest_order() >= disturbed_at_;
-        return is_asked or is_foreign_ ? std::nullopt : std::optional{breach::moved_without_order};
+        return was_asked_ or is_foreign_ ? std::nullopt : std::optional{breach::moved_without_order};
     }
 
     /// Twice as many frames as a loss needs at most: a question and its repetitions, one more where that is tolerated.
@@ -331,6 +346,7 @@ private:
     bool has_power_{false};
     bool runs_{false};
     bool was_counted_{false};
+    bool was_asked_{false}; ///< what the drive heard last came while an order was in force
 };
 
 } // namespace rtuwire::lives

@@ -117,7 +117,7 @@ protected:
             put(place, unit, make_start<Device>(set_of(unit), asked, limit));
         });
         said_.say("start in place %zu: drive %u at %.1f Hz", place, set_of(unit).address, asked / 2.0);
-        law_of(unit).note_order(place, now_, asked * 500);
+        law_of(unit).note_order(place, now_, asked * 500, false);
     }
 
     void begin_direct_start(std::size_t place, std::size_t unit)
@@ -132,7 +132,7 @@ protected:
                                    reference_of<a::atv28::device>(asked)});
         said_.say("direct start in place %zu: drive %u at %.1f Hz", place, set_of(unit).address,
                   asked / 2.0);
-        law_of(unit).note_order(place, now_, asked * 500);
+        law_of(unit).note_order(place, now_, asked * 500, false);
     }
 
     void count_stop(a::stop_by how)
@@ -179,6 +179,9 @@ protected:
         for (std::size_t i = 0; i < slots; ++i) {
             std::size_t const place = (first + i) % slots;
             bool is_used = false;
+            if (slots_[place].is_away) {
+                continue;
+            }
             std::visit([&](auto& what) { is_used = use(place, what); }, slots_[place].what);
             if (is_used) {
                 return;
@@ -208,7 +211,7 @@ protected:
         said_.say("run in place %zu: %.1f Hz, taken %d", place, asked / 2.0, int{is_taken});
         counts_.note(is_taken ? event::cycle_ran : event::cycle_refused_to_run);
         if (is_taken) {
-            law.note_order(place, now_, asked * 500);
+            law.note_order(place, now_, asked * 500, true);
         }
     }
 

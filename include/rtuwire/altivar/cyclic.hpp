@@ -216,7 +216,8 @@ private:
         if (writes and control_.must_stop()) {
             return control_.is_halting() ? step::observe : step::say_stop;
         }
-        bool const is_enabling = step_ != step::read and writes and control_.is_about_to_enable();
+        bool const is_enabling = step_ != step::read and writes and
+                                 (control_.is_about_to_enable() or repeats_itself());
         if (is_enabling and not is_control_checked_) {
             return step::check_control;
         }
@@ -225,6 +226,12 @@ private:
             return compares_reference_ ? step::compare_reference : step::compare_control;
         }
         return step_;
+    }
+
+    /// Whether a word goes once more that the drive took and did not follow: it may have lost its power in between.
+    constexpr bool repeats_itself() const noexcept
+    {
+        return was_taken_ and control_.would_repeat(outputs_[0]);
     }
 
     static constexpr duration safe_period(cyclic_options const& options) noexcept
@@ -266,6 +273,7 @@ private:
         case step::observe:
             return encoded(read_holding_registers{words::read_from, words::inputs});
         case step::say_stop:
+            was_taken_ = false;
             outputs_[0] = control_.next_command();
             return encoded(write_single_register{profile.cmd, outputs_[0]});
         case step::check_control:
@@ -287,6 +295,7 @@ private:
 
     constexpr register_view output() noexcept
     {
+        was_taken_ = false;
         outputs_[0] = control_.next_command();
         outputs_[1] = control_.reference();
         for (std::size_t i = 0; i < words::outputs; ++i) {
@@ -411,6 +420,7 @@ private:
     constexpr void end_exchange() noexcept
     {
         has_written_ = true;
+        was_taken_ = true;
         exchanges_ = static_cast<std::uint8_t>(exchanges_ + (exchanges_ < exchanges_between_looks ? 1 : 0));
         step_ = first_step();
         wait_a_period();
@@ -474,6 +484,7 @@ private:
     bool is_checked_{false};         ///< the scanner holds the words that it has to
     bool is_control_checked_{false}; ///< the control word before the command to run is the one written last
     bool has_written_{false};        ///< the words in `outputs_`, as far as the drive said so
+    bool was_taken_{false};          ///< the words in `outputs_`: the drive answered the write
     bool compares_reference_{false};
     bool has_begun_{false};
     bool is_due_{false};

@@ -154,6 +154,14 @@ public:
         return is_ordered_ and state_ == cia402::state::switched_on and has_switched_on_;
     }
 
+    /// Whether the next command, on the way up, is this one again.
+    [[nodiscard]] constexpr bool would_repeat(std::uint16_t word) const noexcept
+    {
+        bool const is_low = state_ == cia402::state::switch_on_disabled or
+                            state_ == cia402::state::ready_to_switch_on;
+        return is_ordered_ and is_low and word == cia402::word_of(cia402::toward_running(state_));
+    }
+
     /// Whether the drive has power, or may have, and no order to run.
     [[nodiscard]] constexpr bool must_stop() const noexcept
     {

@@ -104,7 +104,7 @@ private:
     constexpr wish write(stage next, std::uint16_t address, std::uint16_t word) noexcept
     {
         stage_ = next;
-        return once(to_write(address, word));
+        return once(to_enable(address, word));
     }
 
     constexpr wish after_write() noexcept
