@@ -64,7 +64,7 @@ public:
         }
         note_reference(asked);
         bool const has_begun = orders_[place].is_there and orders_[place].has_begun;
-        orders_[place] = {true, has_begun, is_by_cycle, now};
+        orders_[place] = {true, has_begun, is_by_cycle, is_by_cycle, now};
     }
     void note_reference(std::int32_t asked)
     {
@@ -94,7 +94,7 @@ public:
     void note_given_up(std::size_t place, bool was_stopping)
     {
         if (orders_[place].is_there) {
-            detached_ = {true, true, false, std::max(detached_.at, orders_[place].at)};
+            detached_ = {true, true, false, true, std::max(detached_.at, orders_[place].at)};
             orders_[place] = {};
         } else if (was_stopping) {
             is_orphan_ = true;
@@ -117,7 +117,7 @@ public:
     void note_disturbance(moment now, cia402::state before, bool is_shown)
     {
         for (order& each : orders_) {
-            each.at = each.has_begun or is_shown ? each.at : now;
+            each.at = each.has_begun or (is_shown and each.has_looked) ? each.at : now;
         }
         if (before != cia402::state::switch_on_disabled or is_shown) {
             disturbed_at_ = now;
@@ -135,6 +135,7 @@ public:
             last_missed_ = unanswered_ == 0 ? last_missed_ : now;
             ++unanswered_;
         }
+        is_look_ = to_u8(frame[1]) == 3 and u16_at(frame, 2) == drive_.profile().eta;
         auto const word = control_word_in(frame, drive_.profile());
         bool const may = has_order() or is_foreign_;
         bool const is_enabling = word and enables(*word, drive_.profile());
@@ -150,6 +151,9 @@ public:
     void note_answer()
     {
         unanswered_ = 0;
+        for (order& each : orders_) {
+            each.has_looked = each.has_looked or is_look_;
+        }
         is_heard_since_good_ = is_heard_since_good_ or is_good_;
     }
     void note_foreign(byte_view frame, moment now, cia402::state before)
@@ -218,6 +222,7 @@ private:
         bool is_there{false};
         bool has_begun{false}; ///< a write for it arrived; before that nobody at the line can know what happened
         bool is_by_cycle{false};
+        bool has_looked{false}; ///< its state was read for it
         moment at{0};
     };
 
@@ -295,7 +300,7 @@ private:
         if (died_at_ != 0 and is_watched and now > std::max(died_at_, last_heard_) + by_itself) {
             return breach::power_after_death;
         }
-        if (is_lost() and is_watched and died_at_ == 0) {
+        if (is_lost() and is_watched and died_at_ == 0 and not is_orphan_) {
             if (not was_counted_) {
                 was_counted_ = true;
                 counts_.note(event::unit_lost_while_it_ran);
@@ -346,6 +351,7 @@ private:
     bool has_power_{false};
     bool runs_{false};
     bool was_counted_{false};
+    bool is_look_{false};
     bool was_asked_{false}; ///< what the drive heard last came while an order was in force
 };
 

@@ -255,7 +255,7 @@ protected:
     {
         counts_.note(event::polled);
         altivar::drive_profile const& profile = nodes_[unit]->drive->profile();
-        std::uint16_t const what = chance_.below(2) == 0 ? profile.eta : profile.lft;
+        std::uint16_t const what = chance_.below(2) == 0 ? profile.rfr : profile.lft;
         put(place, unit,
             poll{*unit_id::checked(set_of(unit).address), read_holding_registers{what, 1}});
         slots_[place].asks_again = chance_.below(3) != 0;

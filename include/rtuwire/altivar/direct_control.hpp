@@ -158,10 +158,12 @@ private:
             return confirm(at, status);
         }
         if (stage_ == stage::looking) {
+            shows_key_ = (status & stop_key_bit) != 0;
             return cia402::has_power(at) ? end(ending::refused_while_running)
                                          : write(stage::clearing, profile().cmd, 0);
         }
-        if (at != cia402::state::switch_on_disabled) {
+        bool const is_key_pressed = (status & stop_key_bit) != 0 and not shows_key_;
+        if (at != cia402::state::switch_on_disabled or is_key_pressed) {
             return withdraw(ending::stuck);
         }
         may_run_ = true;
@@ -220,6 +222,7 @@ private:
     ending how_{ending::pending};
     errc error_{errc::none};
     bool may_run_{false};
+    bool shows_key_{false}; ///< the STOP key was pressed before the first look
 };
 
 /// Starts a drive that stands by direct control, at 50_Hz or 1500_rpm; a negative reference is in reverse, so that one

@@ -90,11 +90,21 @@ private:
             return withdraw(ending::local_control);
         }
         int const height = cia402::height_of(at);
-        if (has_commanded_ and height < height_) {
+        if ((has_commanded_ and height < height_) or is_key_pressed(status)) {
             return withdraw(ending::stuck);
         }
         height_ = height;
         return at == cia402::state::operation_enabled ? run(status) : climb(at);
+    }
+
+    /// Whether the STOP key was pressed since the first look. A drive that was stopped so before shows it until it runs.
+    constexpr bool is_key_pressed(std::uint16_t status) noexcept
+    {
+        bool const is_shown = (status & stop_key_bit) != 0;
+        bool const is_new = has_looked_ and is_shown and not shows_key_;
+        has_looked_ = true;
+        shows_key_ = is_shown;
+        return is_new;
     }
 
     constexpr wish climb(cia402::state at) noexcept
@@ -229,6 +239,8 @@ private:
     errc error_{errc::none};
     std::uint8_t misses_{0};
     bool has_commanded_{false};
+    bool has_looked_{false};
+    bool shows_key_{false}; ///< at the last look
     bool is_contradictory_;
 };
 
