@@ -145,6 +145,8 @@ public:
             note_begin(to_u8(frame[1]));
             was_asked_ = has_order() and latest_order() >= disturbed_at_;
             is_halting_ = is_halting_ and not is_enabling;
+            is_braking_ = word and drive_.profile().dc_injection != 0 and
+                          *word == drive_.profile().dc_injection;
         }
         return is_enabling and not may ? std::optional{breach::enabled_without_order} : std::nullopt;
     }
@@ -194,6 +196,7 @@ public:
         if (had_power and not has_power_) {
             lose_power(now);
         }
+        ran_at_ = runs_ ? now : ran_at_;
         if (runs_ and not was_running) {
             if (auto const wrong = begin_to_run(now)) {
                 return wrong;
@@ -260,8 +263,10 @@ private:
 
     std::optional<breach> begin_to_run(moment now)
     {
-        ran_at_ = now;
         counts_.note(event::motor_ran);
+        if (is_braking_) { // by a current, and its user asked for it
+            return std::nullopt;
+        }
         if (was_foreign_) {
             is_foreign_ = true;
             return std::nullopt;
@@ -311,7 +316,10 @@ private:
                 return breach::power_after_loss;
             }
         }
-        bool const is_excused = is_foreign_ or is_orphan_ or (is_halting_ and speed == 0) or died_at_ != 0;
+        // A quick stop that waits at standstill, and a halt, keep the power.
+        bool const stands =
+            speed == 0 and (is_halting_ or drive_.state() == cia402::state::quick_stop_active);
+        bool const is_excused = is_foreign_ or is_orphan_ or stands or died_at_ != 0;
         if (not has_order() and not is_excused) {
             bool const was_good = is_good_ and is_heard_since_good_ and last_missed_ < taken_at_;
             moment const at_once = taken_at_ + attempts() + 1'500'000 + ramp();
@@ -352,6 +360,7 @@ private:
     bool runs_{false};
     bool was_counted_{false};
     bool is_look_{false};
+    bool is_braking_{false};
     bool was_asked_{false}; ///< what the drive heard last came while an order was in force
 };
 

@@ -216,8 +216,10 @@ private:
         if (writes and control_.must_stop()) {
             return control_.is_halting() ? step::observe : step::say_stop;
         }
-        bool const is_enabling = step_ != step::read and writes and
-                                 (control_.is_about_to_enable() or repeats_itself());
+        if (writes and repeats_itself()) {
+            return step::observe;
+        }
+        bool const is_enabling = step_ != step::read and writes and control_.is_about_to_enable();
         if (is_enabling and not is_control_checked_) {
             return step::check_control;
         }
@@ -228,7 +230,8 @@ private:
         return step_;
     }
 
-    /// Whether a word goes once more that the drive took and did not follow: it may have lost its power in between.
+    /// Whether a word would go once more that the drive took and does not follow. One that fell back behind it, because its
+    /// STOP key was pressed or its power was gone for a moment, would: it is only looked at.
     constexpr bool repeats_itself() const noexcept
     {
         return was_taken_ and control_.would_repeat(outputs_[0]);

@@ -35,7 +35,7 @@ struct wish {
     kind what;
     std::uint16_t address{0};
     std::uint16_t word{0};
-    duration length{};
+    duration length{}; ///< of a pause; or after it a question fails that could not be asked, where it is not zero
     repetition again{repetition::allowed};
     effect does{effect::none}; ///< to a motor
 };

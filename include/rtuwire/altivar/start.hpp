@@ -131,6 +131,7 @@ private:
     constexpr wish give(cia402::command next, std::uint16_t direction) noexcept
     {
         given_ = next;
+        is_taken_ = false;
         has_commanded_ = true;
         return once(to_enable(profile().cmd, static_cast<std::uint16_t>(cia402::word_of(next) | direction)));
     }
@@ -166,6 +167,7 @@ private:
     constexpr wish after_write() noexcept
     {
         misses_ = 0;
+        is_taken_ = true;
         if (stage_ == stage::referring) {
             stage_ = stage::checking;
             return once(to_read(profile().cmd));
@@ -183,7 +185,8 @@ private:
         return has_commanded_ ? withdraw(ending::in_fault) : end_in_fault(code);
     }
 
-    /// What was not answered may have come through or not: the way begins anew, with a look.
+    /// What was not answered may have come through or not: the way begins anew, with a look. A word that was answered is
+    /// not given again: a drive that does not follow it fell back meanwhile.
     constexpr wish go_on(errc error) noexcept
     {
         // One that may run already has to be stopped soon.
@@ -193,7 +196,7 @@ private:
             return withdraw(ending_for(error), error);
         }
         stage_ = stage::climbing;
-        given_ = cia402::command::none;
+        given_ = is_taken_ ? given_ : cia402::command::none;
         return look();
     }
 
@@ -239,6 +242,7 @@ private:
     errc error_{errc::none};
     std::uint8_t misses_{0};
     bool has_commanded_{false};
+    bool is_taken_{false}; ///< the drive answered the command that was given
     bool has_looked_{false};
     bool shows_key_{false}; ///< at the last look
     bool is_contradictory_;
