@@ -143,6 +143,9 @@ public:
             last_heard_ = now;
             was_foreign_ = false;
             note_begin(to_u8(frame[1]));
+            if (word and (*word & 0x80U) != 0) {
+                note_reset(now);
+            }
             was_asked_ = has_order() and latest_order() >= disturbed_at_;
             is_halting_ = is_halting_ and not is_enabling;
             is_braking_ = word and drive_.profile().dc_injection != 0 and
@@ -206,9 +209,9 @@ public:
     }
 
     /// What a user was told.
-    std::optional<breach> told_to_stand() const
+    std::optional<breach> told_to_stand(bool by_halt) const
     {
-        bool const stands = is_halting_ ? drive_.frequency() == 0 : not has_power_;
+        bool const stands = by_halt ? drive_.frequency() == 0 : not has_power_;
         return stands or is_foreign_ ? std::nullopt : std::optional{breach::stood_not};
     }
     std::optional<breach> told_to_run(moment ordered) const
@@ -241,6 +244,14 @@ private:
             latest = each.is_there ? std::max(latest, each.at) : latest;
         }
         return latest;
+    }
+
+    /// The user resets a fault. An order for which nothing was done yet does not know that there was one.
+    void note_reset(moment now)
+    {
+        for (order& each : orders_) {
+            each.at = each.has_begun ? each.at : now;
+        }
     }
 
     /// A cycle writes by functions 16 and 23, a start by 06.

@@ -22,12 +22,10 @@ struct slot {
     talk what{};
     std::size_t unit{0};
     moment began{0};
-    std::int32_t asked{0};    ///< mHz
     bool has_told{false};     ///< its end was looked at
     bool is_away{false};
     bool asks_again{false};
-    bool is_stop{false};
-    unsigned orders_seen{0};  ///< of its unit, when it began
+    bool is_halt{false};
 };
 
 template <typename Link> class life {
@@ -182,7 +180,7 @@ private:
         is_everyone_told_ = true;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
             if (all.reason(i).how == a::ending::succeeded) {
-                accuse(nodes_[i]->law.told_to_stand(), i);
+                accuse(nodes_[i]->law.told_to_stand(false), i);
             }
         }
     }
@@ -233,7 +231,7 @@ private:
                            : law.note_end_of_order(place, now_);
         } else if constexpr (std::is_same_v<Talk, a::stop>) {
             if (is_done) {
-                accuse(law.told_to_stand(), own.unit);
+                accuse(law.told_to_stand(own.is_halt), own.unit);
             }
         }
     }

@@ -158,6 +158,7 @@ protected:
         with_device(set_of(unit).which, [&]<typename Device>(Device) {
             put(place, unit, a::stop{station_of<Device>(set_of(unit)), how, any_limit(), known});
         });
+        slots_[place].is_halt = how == a::stop_by::halt;
         said_.say("stop in place %zu: drive %u, way %d", place, set_of(unit).address,
                   static_cast<int>(how));
         law_of(unit).note_stop(now_, how == a::stop_by::halt);

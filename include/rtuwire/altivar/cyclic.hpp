@@ -82,6 +82,9 @@ public:
         control_.stop(has_none ? stop_by::ramp : how);
         this->note_stop();
         is_due_ = has_begun_;
+        if (control_.must_stop() and not control_.is_halting()) {
+            step_ = step::say_stop; // whatever was to be read first
+        }
     }
 
     /// Orders one fault reset.

@@ -63,6 +63,7 @@ public:
         state_ = cia402::decode(status);
         is_known_ = true;
         was_lost_running_ = false;
+        has_enabled_ = false;
         looks_at_rest_ = not stands           ? std::uint8_t{0}
                          : looks_at_rest_ < 2 ? static_cast<std::uint8_t>(looks_at_rest_ + 1)
                                               : looks_at_rest_;
@@ -133,8 +134,11 @@ public:
         return is_ordered_ ? climb() : go_down();
     }
 
-    /// The reference of the last order.
-    [[nodiscard]] constexpr std::uint16_t reference() const noexcept { return reference_; }
+    /// The reference of the order in force; without one 0, so that nobody else's order runs at an old one.
+    [[nodiscard]] constexpr std::uint16_t reference() const noexcept
+    {
+        return is_ordered_ ? reference_ : std::uint16_t{0};
+    }
 
     [[nodiscard]] constexpr bool is_able() const noexcept
     {
@@ -168,7 +172,7 @@ public:
         bool const may_turn = state_ == cia402::state::operation_enabled or
                               state_ == cia402::state::quick_stop_active or
                               (state_ == cia402::state::unknown and is_known_);
-        return not moves() and may_turn;
+        return not moves() and (may_turn or has_enabled_);
     }
 
     /// Whether the drive may be running as far as is known: ordered, or with power.
@@ -221,7 +225,7 @@ private:
         case cia402::state::fault: break;
         }
         // Without power, but perhaps one word away from it: to where no stray word can start the motor.
-        return 0;
+        return has_enabled_ ? word_of_stop() : std::uint16_t{0};
     }
 
     /// The word in operation or in a quick stop. No cycle ends a quick stop before the motor stands, whoever began it;
@@ -276,6 +280,7 @@ private:
         if (state_ == cia402::state::switched_on and not has_switched_on_) {
             next = cia402::command::switch_on;
         }
+        has_enabled_ = has_enabled_ or next == cia402::command::enable_operation;
         has_switched_on_ = next == cia402::command::switch_on or
                            (has_switched_on_ and next == cia402::command::enable_operation);
         return next == cia402::command::none ? std::uint16_t{0} : cia402::word_of(next);
@@ -292,6 +297,7 @@ private:
     bool is_known_{false};
     bool has_switched_on_{false}; ///< was told so, on the way up
     bool was_lost_running_{false}; ///< and not heard since
+    bool has_enabled_{false}; ///< the command to run was given since the state was read
     bool is_ordered_{false};
     bool has_read_rest_{false};
     bool has_ended_stop_{false};
