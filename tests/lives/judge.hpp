@@ -101,7 +101,11 @@ public:
         }
     }
     /// What was under way was cancelled: no loss is told by it.
-    void note_cancel() { unanswered_ = 0; }
+    void note_cancel()
+    {
+        unanswered_ = 0;
+        asked_function_ = 0;
+    }
     void note_restart_of_controller()
     {
         orders_.fill({});
@@ -116,8 +120,11 @@ public:
     /// Something that takes every order away. Who was at rest and shows no trace of it cannot know.
     void note_disturbance(moment now, cia402::state before, bool is_shown)
     {
+        // Of several orders at once nobody can tell whose frames are whose.
+        bool const is_alone = number_of_orders() < 2;
         for (order& each : orders_) {
-            each.at = each.has_begun or (is_shown and each.has_looked) ? each.at : now;
+            bool const knows = each.has_begun or (is_shown and each.has_looked);
+            each.at = is_alone and knows ? each.at : now;
         }
         if (before != cia402::state::switch_on_disabled or is_shown) {
             disturbed_at_ = now;
@@ -135,6 +142,7 @@ public:
             last_missed_ = unanswered_ == 0 ? last_missed_ : now;
             ++unanswered_;
         }
+        asked_function_ = to_u8(frame[1]);
         is_look_ = to_u8(frame[1]) == 3 and u16_at(frame, 2) == drive_.profile().eta;
         auto const word = control_word_in(frame, drive_.profile());
         bool const may = has_order() or is_foreign_;
@@ -142,7 +150,6 @@ public:
         if (is_heard) {
             last_heard_ = now;
             was_foreign_ = false;
-            note_begin(to_u8(frame[1]));
             if (word and (*word & 0x80U) != 0) {
                 note_reset(now);
             }
@@ -156,6 +163,7 @@ public:
     void note_answer()
     {
         unanswered_ = 0;
+        note_begin(asked_function_);
         for (order& each : orders_) {
             each.has_looked = each.has_looked or is_look_;
         }
@@ -226,7 +234,7 @@ public:
 private:
     struct order {
         bool is_there{false};
-        bool has_begun{false}; ///< a write for it arrived; before that nobody at the line can know what happened
+        bool has_begun{false}; ///< a write for it was answered; before that nobody can know what happened meanwhile
         bool is_by_cycle{false};
         bool has_looked{false}; ///< its state was read for it
         moment at{0};
@@ -236,6 +244,12 @@ private:
     {
         return detached_.is_there or
                std::any_of(orders_.begin(), orders_.end(), [](order const& each) { return each.is_there; });
+    }
+    std::ptrdiff_t number_of_orders() const
+    {
+        return std::count_if(orders_.begin(), orders_.end(),
+                             [](order const& each) { return each.is_there; }) +
+               (detached_.is_there ? 1 : 0);
     }
     moment latest_order() const
     {
@@ -358,6 +372,7 @@ private:
     moment died_at_{0};
     moment last_missed_{0};
     unsigned unanswered_{0};
+    std::uint8_t asked_function_{0};
     std::int32_t most_forward_{0};
     std::int32_t most_reverse_{0};
     bool is_good_{true};

@@ -216,6 +216,9 @@ private:
     {
         bool const is_exchange = step_ == step::exchange or step_ == step::read;
         bool const writes = is_exchange or step_ == step::write;
+        if (step_ == step::say_stop and control_.moves()) {
+            return step::look; // an order came behind a stop that was not answered
+        }
         if (writes and control_.must_stop()) {
             return control_.is_halting() ? step::observe : step::say_stop;
         }
