@@ -33,7 +33,9 @@ public:
     /// The user's orders. One to run is taken only of a drive that was checked.
     constexpr bool run(std::uint16_t reference) noexcept
     {
-        return preparation_.succeeded() and control_.run(reference);
+        bool const is_taken = preparation_.succeeded() and control_.run(reference);
+        must_say_stop_ = must_say_stop_ and not is_taken;
+        return is_taken;
     }
     constexpr void stop(stop_by how) noexcept
     {
@@ -66,8 +68,12 @@ public:
         if (next == step::say_stop) {
             return effect::stopping;
         }
-        bool const writes = next == step::exchange or next == step::write;
-        return writes and control_.moves() ? effect::enabling : effect::none;
+        if (next != step::exchange and next != step::write) {
+            return effect::none;
+        }
+        return control_.is_resetting() ? effect::resetting
+               : control_.is_ordered() ? effect::enabling
+                                       : effect::none;
     }
 
     /// The next question.
@@ -80,7 +86,7 @@ public:
         return make_frame();
     }
 
-    /// Whether the drive was read to be without power, whether a stop that was ordered here is over, and whether the next
+    /// Whether the drive was read to be without power, or newly in fault, whether a stop that was ordered here is over, and whether the next
     /// question waits for a period; each told once.
     constexpr bool take_rest() noexcept
     {
@@ -88,6 +94,7 @@ public:
         is_coming_down_ = is_coming_down_ and not is_at_rest;
         return is_at_rest;
     }
+    constexpr bool take_fault() noexcept { return control_.take_fault(); }
     constexpr bool take_end_of_stop() noexcept { return control_.take_end_of_stop(); }
     constexpr bool take_pause() noexcept
     {
@@ -196,6 +203,9 @@ private:
         if (writes and control_.must_stop()) {
             return control_.is_halting() ? step::observe : step::say_stop;
         }
+        if (writes and repeats_itself()) {
+            return step::observe;
+        }
         bool const is_enabling = step_ != step::read and writes and control_.is_about_to_enable();
         if (is_enabling and not is_control_checked_) {
             return step::check_control;
@@ -205,6 +215,13 @@ private:
             return compares_reference_ ? step::compare_reference : step::compare_control;
         }
         return step_;
+    }
+
+    /// Whether a word would go once more that the drive took and does not follow. One that fell back behind it, because its
+    /// STOP key was pressed or its power was gone for a moment, would: it is only looked at.
+    constexpr bool repeats_itself() const noexcept
+    {
+        return was_taken_ and control_.would_repeat(frames_.command());
     }
 
     constexpr step step_after_look() const noexcept
@@ -232,6 +249,7 @@ private:
         case step::read:
         case step::observe: return frames_.read_inputs();
         case step::say_stop:
+            was_taken_ = false;
             return frames_.say(control_.word_to_stop(preparation_.meaning(), profile));
         case step::check_control:
         case step::compare_control: return frames_.read_one(profile.cmd);
@@ -239,6 +257,7 @@ private:
         case step::write:
         case step::exchange: break;
         }
+        was_taken_ = false;
         std::uint16_t const command = control_.next_command();
         return step_ == step::write ? frames_.write(command, control_.reference())
                                     : frames_.exchange(command, control_.reference());
@@ -356,6 +375,7 @@ private:
     constexpr void end_exchange() noexcept
     {
         has_written_ = true;
+        was_taken_ = true;
         exchanges_ = static_cast<std::uint8_t>(exchanges_ + (exchanges_ < exchanges_between_looks ? 1 : 0));
         step_ = first_step();
         wait_a_period();
@@ -390,6 +410,7 @@ private:
     bool is_coming_down_{false};     ///< it was stopped here, or lost its order while it ran
     bool is_control_checked_{false}; ///< the control word before the command to run is the one written last
     bool has_written_{false};        ///< the outputs, as far as the drive said so
+    bool was_taken_{false};          ///< the same: it answered the last write
     bool compares_reference_{false};
     bool waits_{false}; ///< until the next question
 };

@@ -162,6 +162,9 @@ public:
         if (steps_.take_rest()) {
             this->note_rest();
         }
+        if (steps_.take_fault()) {
+            this->note_fault();
+        }
         if (steps_.take_end_of_stop()) {
             this->note_stop_over();
         }

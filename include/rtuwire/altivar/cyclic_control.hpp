@@ -61,9 +61,12 @@ public:
     constexpr void note_status(std::uint16_t status, bool stands) noexcept
     {
         status_ = status;
+        bool const was_in_fault = cia402::is_in_fault(state_);
         state_ = cia402::decode(status);
+        has_read_fault_ = has_read_fault_ or (cia402::is_in_fault(state_) and not was_in_fault);
         is_known_ = true;
         was_lost_running_ = false;
+        has_enabled_ = false;
         looks_at_rest_ = not stands           ? std::uint8_t{0}
                          : looks_at_rest_ < 2 ? static_cast<std::uint8_t>(looks_at_rest_ + 1)
                                               : looks_at_rest_;
@@ -142,8 +145,11 @@ public:
         return is_doubtful ? std::uint16_t{0} : go_down();
     }
 
-    /// The reference of the last order.
-    [[nodiscard]] constexpr std::uint16_t reference() const noexcept { return reference_; }
+    /// The reference of the order in force; without one 0, so that nobody else's order runs at an old one.
+    [[nodiscard]] constexpr std::uint16_t reference() const noexcept
+    {
+        return is_ordered_ ? reference_ : std::uint16_t{0};
+    }
 
     [[nodiscard]] constexpr bool is_able() const noexcept
     {
@@ -157,10 +163,21 @@ public:
     /// Whether the next command may move the motor: an order to run, or a fault reset.
     [[nodiscard]] constexpr bool moves() const noexcept { return is_ordered_ or reset_step_ != 0; }
 
+    /// Whether the next command is part of a fault reset.
+    [[nodiscard]] constexpr bool is_resetting() const noexcept { return reset_step_ != 0; }
+
     /// Whether the next command is the one that enables a drive that does not run.
     [[nodiscard]] constexpr bool is_about_to_enable() const noexcept
     {
         return is_ordered_ and state_ == cia402::state::switched_on and has_switched_on_;
+    }
+
+    /// Whether the next command, on the way up, is this one again.
+    [[nodiscard]] constexpr bool would_repeat(std::uint16_t word) const noexcept
+    {
+        bool const is_low = state_ == cia402::state::switch_on_disabled or
+                            state_ == cia402::state::ready_to_switch_on;
+        return is_ordered_ and is_low and word == cia402::word_of(cia402::toward_running(state_));
     }
 
     /// Whether the drive has power, or may have, and no order to run.
@@ -169,7 +186,7 @@ public:
         bool const may_turn = state_ == cia402::state::operation_enabled or
                               state_ == cia402::state::quick_stop_active or
                               (state_ == cia402::state::unknown and is_known_);
-        return not moves() and may_turn;
+        return not moves() and (may_turn or has_enabled_);
     }
 
     /// Whether the drive may be running as far as is known: ordered, or with power.
@@ -182,9 +199,10 @@ public:
                state_ == cia402::state::operation_enabled;
     }
 
-    /// Whether the drive was read to be without power, and whether a stop that was ordered here has come to its end; each
-    /// told once.
+    /// Whether the drive was read to be without power, or newly in fault, and whether a stop that was ordered here has come
+    /// to its end; each told once.
     constexpr bool take_rest() noexcept { return take(has_read_rest_); }
+    constexpr bool take_fault() noexcept { return take(has_read_fault_); }
     constexpr bool take_end_of_stop() noexcept { return take(has_ended_stop_); }
     [[nodiscard]] constexpr bool is_running() const noexcept
     {
@@ -222,7 +240,7 @@ private:
         case cia402::state::fault: break;
         }
         // Without power, but perhaps one word away from it: to where no stray word can start the motor.
-        return 0;
+        return has_enabled_ ? word_of_stop() : std::uint16_t{0};
     }
 
     /// The word in operation or in a quick stop. No cycle ends a quick stop before the motor stands, whoever began it;
@@ -277,6 +295,7 @@ private:
         if (state_ == cia402::state::switched_on and not has_switched_on_) {
             next = cia402::command::switch_on;
         }
+        has_enabled_ = has_enabled_ or next == cia402::command::enable_operation;
         has_switched_on_ = next == cia402::command::switch_on or
                            (has_switched_on_ and next == cia402::command::enable_operation);
         return next == cia402::command::none ? std::uint16_t{0} : cia402::word_of(next);
@@ -293,8 +312,10 @@ private:
     bool is_known_{false};
     bool has_switched_on_{false}; ///< was told so, on the way up
     bool was_lost_running_{false}; ///< and not heard since
+    bool has_enabled_{false}; ///< the command to run was given since the state was read
     bool is_ordered_{false};
     bool has_read_rest_{false};
+    bool has_read_fault_{false};
     bool has_ended_stop_{false};
     bool is_stopping_{false}; ///< a stop was ordered here, and has not come to its end
     bool had_stop_key_{false}; ///< pressed before the order, and shown until the motor runs

@@ -72,11 +72,11 @@ public:
             return come_to_rest(what);
         }
         if (stage_ == stage::examining and what.what != event::kind::late) {
-            return examine(what);
+            return examine(what, check_.step(what));
         }
         switch (what.what) {
-        case event::kind::begun: return read(stage::looking, profile().eta);
-        case event::kind::word_read: return heard(what.word);
+        case event::kind::begun: return read(stage::meeting, profile().eta);
+        case event::kind::word_read: return stage_ == stage::meeting ? meet(what) : heard(what.word);
         case event::kind::written: return after_write();
         case event::kind::pause_over: return read(stage::confirming, profile().eta);
         case event::kind::failed: return withdraw(ending_for(what.error), what.error);
@@ -96,6 +96,7 @@ public:
 
 private:
     enum class stage : std::uint8_t {
+        meeting,   ///< the first look
         examining, ///< whether it may be ordered
         looking,
         clearing,          ///< the control word is written 0000
@@ -121,17 +122,24 @@ private:
         return once(to_enable(address, word));
     }
 
-    constexpr wish examine(event const& what) noexcept
+    constexpr wish meet(event const& what) noexcept
     {
-        wish const next = check_.step(what);
-        note_rest_of(check_);
+        stage_ = stage::examining;
+        shows_key_ = (what.word & stop_key_bit) != 0;
+        return examine(what, check_.step({event::kind::begun}));
+    }
+
+    /// `what` is a status word where the check has come to its end.
+    constexpr wish examine(event const& what, wish const& next) noexcept
+    {
+        note_readings_of(check_);
         if (next.what != wish::kind::end) {
             return next;
         }
         altivar::reason const found = check_.reason();
         note_state(found.state);
-        return found.how == ending::succeeded ? read(stage::looking, profile().eta)
-                                              : end(found.how, found.error);
+        stage_ = stage::looking;
+        return found.how == ending::succeeded ? judge(what.word) : end(found.how, found.error);
     }
 
     constexpr wish after_write() noexcept
@@ -140,6 +148,7 @@ private:
         case stage::clearing: return write(stage::referring, reference_.address, reference_.word);
         case stage::referring: return read(stage::reading_reference, reference_.address);
         case stage::running:
+        case stage::meeting:
         case stage::examining:
         case stage::looking:
         case stage::reading_reference:
@@ -162,6 +171,7 @@ private:
             // Another word: somebody else's, or that of a drive that was switched off and on.
             return word == 0 ? read(stage::looking_again, profile().eta) : withdraw(ending::stuck);
         case stage::reading_fault: return trip(word);
+        case stage::meeting:
         case stage::examining:
         case stage::looking:
         case stage::clearing:
@@ -185,6 +195,10 @@ private:
         }
         if (stage_ == stage::confirming) {
             return confirm(at, status);
+        }
+        bool const is_key_pressed = (status & stop_key_bit) != 0 and not shows_key_;
+        if (is_key_pressed) {
+            return withdraw(ending::stuck);
         }
         if (stage_ == stage::looking) {
             return cia402::has_power(at) ? end(ending::refused_while_running)
@@ -219,7 +233,8 @@ private:
         error_ = error;
         rest_ = stop_script{device::profile, may_run_ ? stop_by::ramp : stop_by::freewheel,
                             word_meaning::drive_profile};
-        bool const is_before_all = stage_ == stage::examining or stage_ == stage::looking;
+        bool const is_before_all = stage_ == stage::meeting or stage_ == stage::examining or
+                                   stage_ == stage::looking;
         bool const has_told = not is_before_all and (stage_ != stage::reading_fault or may_run_);
         if (not has_told) {
             return finish();
@@ -231,7 +246,7 @@ private:
     constexpr wish come_to_rest(event const& what) noexcept
     {
         wish const next = rest_.step(what);
-        note_rest_of(rest_);
+        note_readings_of(rest_);
         if (next.what != wish::kind::end) {
             return next;
         }
@@ -248,10 +263,11 @@ private:
     supervision_script check_;
     stop_script rest_;
     std::uint16_t fault_{0};
-    stage stage_{stage::examining};
+    stage stage_{stage::meeting};
     ending how_{ending::pending};
     errc error_{errc::none};
     bool may_run_{false};
+    bool shows_key_{false}; ///< the STOP key was pressed before the first look
 };
 
 /// Starts a drive that stands by direct control, at 50_Hz or 1500_rpm; a negative reference is in reverse, so that one

@@ -48,8 +48,10 @@ public:
             was_warned_ = true;
             late_at_ = now + Script::grace;
             take(script_.step({event::kind::late}));
-        } else if (wish_.what == wish::kind::pause and reached(now, pause_end_)) {
-            take(script_.step({event::kind::pause_over}));
+        } else if (has_length() and reached(now, pause_end_)) {
+            bool const is_pause = wish_.what == wish::kind::pause;
+            take(script_.step(is_pause ? event{event::kind::pause_over}
+                                       : event{event::kind::failed, 0, errc::bus_jam}));
         }
     }
 
@@ -101,7 +103,7 @@ public:
         if (not is_late_) {
             next.add(late_at_);
         }
-        if (wish_.what == wish::kind::pause) {
+        if (has_length()) {
             next.add(pause_end_);
         }
         return next;
@@ -142,6 +144,12 @@ private:
         }
     }
 
+    /// Whether it is a pause, or a question that may not wait for ever.
+    constexpr bool has_length() const noexcept
+    {
+        return wish_.what == wish::kind::pause or wish_.length.microseconds != 0;
+    }
+
     constexpr event heard(result<response> const& outcome) const noexcept
     {
         if (not outcome) {
@@ -168,6 +176,9 @@ private:
         was_granted_ = was_granted_ or (is_late_ and is_question);
         if (script_.take_rest()) {
             this->note_rest();
+        }
+        if (script_.take_fault()) {
+            this->note_fault();
         }
         if (Script::is_stop and next.what == wish::kind::end) {
             this->note_stop_over();

@@ -30,7 +30,7 @@ enum class ending : std::uint8_t {
     misconfigured,         ///< the drive's scanner holds other words than are needed
     halted,                ///< the halt bit is set: only a start takes it away
     overwritten,           ///< the command or reference in the drive is not the one written last
-    overruled,             ///< a stop was ordered later, or is under way
+    overruled,             ///< a stop was ordered later, or is under way; or the drive was in fault since
     contradictory,         ///< a negative reference and "reverse" at once: one sign for the direction
     unchecked,             ///< nobody looked whether the drive may be ordered
     unsupervised,          ///< the drive does not watch its link: it would never stop by itself
@@ -75,7 +75,7 @@ struct reason {
     case ending::misconfigured: return "the drive's scanner holds other words";
     case ending::halted: return "the drive is halted";
     case ending::overwritten: return "another master commands the drive, or it lost its power";
-    case ending::overruled: return "a stop was ordered later";
+    case ending::overruled: return "a stop or a fault came later";
     case ending::contradictory: return "a negative reference and reverse at once";
     case ending::unchecked: return "the drive was not checked";
     case ending::unsupervised: return "the drive does not watch its link";

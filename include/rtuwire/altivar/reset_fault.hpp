@@ -54,7 +54,7 @@ private:
     constexpr wish give(stage next, std::uint16_t word) noexcept
     {
         stage_ = next;
-        return to_enable(profile().cmd, word);
+        return to_reset(profile().cmd, word);
     }
 
     constexpr wish after_write() noexcept

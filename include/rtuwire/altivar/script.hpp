@@ -35,7 +35,7 @@ struct wish {
     kind what;
     std::uint16_t address{0};
     std::uint16_t word{0};
-    duration length{};
+    duration length{}; ///< of a pause; or after it a question fails that could not be asked, where it is not zero
     repetition again{repetition::allowed};
     effect does{effect::none}; ///< to a motor
 };
@@ -57,6 +57,13 @@ struct wish {
 {
     wish what = to_write(address, word);
     what.does = effect::enabling;
+    return what;
+}
+/// The same in a fault.
+[[nodiscard]] constexpr wish to_reset(std::uint16_t address, std::uint16_t word) noexcept
+{
+    wish what = to_write(address, word);
+    what.does = effect::resetting;
     return what;
 }
 /// A write after which something else may command the motor, or words mean something else.
@@ -97,13 +104,9 @@ public:
     /// Ends a script because of a stop that somebody ordered later: the drive is that one's.
     constexpr wish yield() noexcept { return end(ending::overruled); }
 
-    /// Whether the drive was read to be without power; told once for each time.
-    constexpr bool take_rest() noexcept
-    {
-        bool const is_told = has_read_rest_;
-        has_read_rest_ = false;
-        return is_told;
-    }
+    /// Whether the drive was read to be without power, and whether in fault; told once for each time.
+    constexpr bool take_rest() noexcept { return take(has_read_rest_); }
+    constexpr bool take_fault() noexcept { return take(has_read_fault_); }
 
     /// How long the drive goes on without any request.
     [[nodiscard]] constexpr duration drive_timeout() const noexcept { return profile_->longest_silence; }
@@ -139,13 +142,18 @@ protected:
     {
         reason_.state = cia402::decode(status);
         has_read_rest_ = cia402::is_at_rest(reason_.state);
+        has_read_fault_ = cia402::is_in_fault(reason_.state);
         return reason_.state;
     }
 
     constexpr void note_state(cia402::state at) noexcept { reason_.state = at; }
 
     /// What a script inside this one has read counts for this one.
-    constexpr void note_rest_of(script& inner) noexcept { has_read_rest_ = inner.take_rest(); }
+    constexpr void note_readings_of(script& inner) noexcept
+    {
+        has_read_rest_ = inner.take_rest();
+        has_read_fault_ = inner.take_fault();
+    }
     constexpr void note_other_stop() noexcept { reason_.is_other_stop = true; }
 
     constexpr wish end_in_fault(std::uint16_t code) noexcept
@@ -155,9 +163,17 @@ protected:
     }
 
 private:
+    static constexpr bool take(bool& mark) noexcept
+    {
+        bool const is_set = mark;
+        mark = false;
+        return is_set;
+    }
+
     drive_profile const* profile_;
     altivar::reason reason_{};
     bool has_read_rest_{false};
+    bool has_read_fault_{false};
 };
 
 } // namespace rtuwire::altivar

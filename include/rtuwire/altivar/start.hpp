@@ -42,12 +42,12 @@ public:
             return end(ending::contradictory);
         }
         if (stage_ == stage::examining and what.what != event::kind::late) {
-            return examine(what);
+            return examine(what, check_.step(what));
         }
         switch (what.what) {
-        case event::kind::begun:
+        case event::kind::begun: return to_read(profile().eta);
         case event::kind::pause_over: return look();
-        case event::kind::word_read: return heard(what.word);
+        case event::kind::word_read: return stage_ == stage::meeting ? meet(what) : heard(what.word);
         case event::kind::written: return after_write();
         case event::kind::failed: return go_on(what.error);
         case event::kind::late: break;
@@ -66,6 +66,7 @@ public:
 
 private:
     enum class stage : std::uint8_t {
+        meeting,   ///< the first look
         examining, ///< whether it may be ordered
         climbing,
         reading_direction, ///< of a drive that runs already
@@ -79,10 +80,18 @@ private:
 
     constexpr wish look() noexcept { return once(to_read(profile().eta)); }
 
-    constexpr wish examine(event const& what) noexcept
+    /// Of a drive that was stopped by its key before, it is shown until it runs: what is pressed from here on counts.
+    constexpr wish meet(event const& what) noexcept
     {
-        wish const next = check_.step(what);
-        note_rest_of(check_);
+        stage_ = stage::examining;
+        static_cast<void>(is_key_pressed(what.word));
+        return examine(what, check_.step({event::kind::begun}));
+    }
+
+    /// `what` is a status word where the check has come to its end.
+    constexpr wish examine(event const& what, wish const& next) noexcept
+    {
+        note_readings_of(check_);
         if (next.what != wish::kind::end) {
             return next;
         }
@@ -92,7 +101,7 @@ private:
             return end(found.how, found.error);
         }
         stage_ = stage::climbing;
-        return look();
+        return judge(what.word);
     }
 
     constexpr wish heard(std::uint16_t word) noexcept
@@ -102,6 +111,7 @@ private:
         case stage::reading_fault: return trip(word);
         case stage::reading_direction: return redirect(word);
         case stage::checking: return enable(word);
+        case stage::meeting:
         case stage::examining:
         case stage::climbing:
         case stage::redirecting:
@@ -123,11 +133,21 @@ private:
             return withdraw(ending::local_control);
         }
         int const height = cia402::height_of(at);
-        if (has_commanded_ and height < height_) {
+        if ((has_commanded_ and height < height_) or is_key_pressed(status)) {
             return withdraw(ending::stuck);
         }
         height_ = height;
         return at == cia402::state::operation_enabled ? run(status) : climb(at);
+    }
+
+    /// Whether the STOP key was pressed since the first look. A drive that was stopped so before shows it until it runs.
+    constexpr bool is_key_pressed(std::uint16_t status) noexcept
+    {
+        bool const is_shown = (status & stop_key_bit) != 0;
+        bool const is_new = has_looked_ and is_shown and not shows_key_;
+        has_looked_ = true;
+        shows_key_ = is_shown;
+        return is_new;
     }
 
     constexpr wish climb(cia402::state at) noexcept
@@ -154,6 +174,7 @@ private:
     constexpr wish give(cia402::command next, std::uint16_t direction) noexcept
     {
         given_ = next;
+        is_taken_ = false;
         has_commanded_ = true;
         return once(to_enable(profile().cmd, static_cast<std::uint16_t>(cia402::word_of(next) | direction)));
     }
@@ -189,6 +210,7 @@ private:
     constexpr wish after_write() noexcept
     {
         misses_ = 0;
+        is_taken_ = true;
         if (stage_ == stage::referring) {
             stage_ = stage::checking;
             return once(to_read(profile().cmd));
@@ -206,7 +228,8 @@ private:
         return has_commanded_ ? withdraw(ending::in_fault) : end_in_fault(code);
     }
 
-    /// What was not answered may have come through or not: the way begins anew, with a look.
+    /// What was not answered may have come through or not: the way begins anew, with a look. A word that was answered is
+    /// not given again: a drive that does not follow it fell back meanwhile.
     constexpr wish go_on(errc error) noexcept
     {
         // One that may run already has to be stopped soon.
@@ -216,7 +239,7 @@ private:
             return withdraw(ending_for(error), error);
         }
         stage_ = stage::climbing;
-        given_ = cia402::command::none;
+        given_ = is_taken_ ? given_ : cia402::command::none;
         return look();
     }
 
@@ -239,7 +262,7 @@ private:
     constexpr wish come_to_rest(event const& what) noexcept
     {
         wish const next = rest_.step(what);
-        note_rest_of(rest_);
+        note_readings_of(rest_);
         if (next.what != wish::kind::end) {
             return next;
         }
@@ -256,12 +279,15 @@ private:
     std::uint16_t fault_{0};
     std::uint16_t direction_{0};
     int height_{0};
-    stage stage_{stage::examining};
+    stage stage_{stage::meeting};
     cia402::command given_{cia402::command::none};
     ending how_{ending::pending};
     errc error_{errc::none};
     std::uint8_t misses_{0};
     bool has_commanded_{false};
+    bool is_taken_{false}; ///< the drive answered the command that was given
+    bool has_looked_{false};
+    bool shows_key_{false}; ///< at the last look
     bool is_contradictory_;
 };
 

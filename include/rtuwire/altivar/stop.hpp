@@ -55,6 +55,9 @@ public:
 private:
     enum class asked : std::uint8_t { status, fault, control, frequency };
 
+    /// How long a look may wait for its turn where nothing was said to the drive yet.
+    static constexpr duration longest_wait{milliseconds(1'000)};
+
     constexpr bool is_in_place() const noexcept
     {
         return mode_ == stop_by::halt or mode_ == stop_by::dc_injection;
@@ -79,7 +82,9 @@ private:
     constexpr wish ask(asked what, std::uint16_t address) noexcept
     {
         asked_ = what;
-        return to_read(address);
+        wish look = to_read(address);
+        look.length = looks_first() ? longest_wait : duration{};
+        return look;
     }
 
     constexpr wish stop_again() noexcept
@@ -167,6 +172,9 @@ private:
         last_ = frequency;
         has_frequency_ = true;
         bool const is_operating = reason().state == cia402::state::operation_enabled;
+        if (looks_first() and mode_ == stop_by::dc_injection and is_zero) {
+            return become_ramp_and_go_on(); // it may lose its power now, and the injection would give it back
+        }
         if (looks_first() and is_operating) {
             return mode_ == stop_by::halt ? ask(asked::control, profile().cmd)
                                           : give(profile().dc_injection);

@@ -259,7 +259,7 @@ private:
     template <typename Talk> constexpr void note_asked(Talk const& talk, effect what) noexcept
     {
         if constexpr (commanding_conversation<Talk>) {
-            if (what == effect::enabling) {
+            if (what == effect::enabling or what == effect::resetting) {
                 orders_.note_enabling(talk.unit().octet(), talk.drive_timeout(), talk.tolerated_misses());
             } else if (what == effect::rearranging) {
                 orders_.note_rearranging(talk.unit().octet());
@@ -298,7 +298,10 @@ private:
         if (base::phase_now() == client_phase::idle and base::is_quiet()) {
             return; // it leaves in this pass
         }
-        turns_.reserve(talk);
+        // Of several such words the first one to come by is next, also to drop what nobody comes for any more.
+        if (not(turns_.is_reserved() and base::awaits_asker())) {
+            turns_.reserve(talk);
+        }
         bool may_cut = false;
         if constexpr (stops_everyone<Talk>) {
             may_cut = talk.may_cut(base::asked_unit());

@@ -19,6 +19,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 enum class effect : std::uint8_t {
     none,
     enabling,    ///< the motor may turn that did not, or turn otherwise
+    resetting,   ///< the same, of a drive in fault
     rearranging, ///< another place may command the motor, or words that were in use mean something else
     stopping, ///< the motor loses its power or slows down; a write of function 06, whose echo no other answer is
 };
@@ -43,6 +44,9 @@ protected:
     /// The motor was read to be without power.
     constexpr void note_rest() noexcept { has_read_rest_ = true; }
 
+    /// The drive was read to be in fault: orders that were given before count no more.
+    constexpr void note_fault() noexcept { has_read_fault_ = true; }
+
     /// Whether its unit was rearranged over this client since `note_arrangement`.
     [[nodiscard]] constexpr bool was_rearranged() const noexcept { return was_rearranged_; }
     constexpr void note_arrangement() noexcept { was_rearranged_ = false; }
@@ -57,6 +61,7 @@ private:
     bool has_stopped_{false};
     bool is_over_{false};
     bool has_read_rest_{false};
+    bool has_read_fault_{false};
 };
 
 /// A conversation that commands the motor of one unit. `intent` tells what the question does that `next` would give.

@@ -91,13 +91,15 @@ public:
             return is_others and not stops_all ? errc::overruled : errc::none;
         }
         std::uint32_t const last = own == nullptr ? forgotten_ : own->last_stop;
-        bool const is_late = is_older(who.stamp_, last) or is_older(who.stamp_, stopped_all_);
+        std::uint32_t const fault = own == nullptr ? forgotten_fault_ : own->last_fault;
+        bool const is_late = is_older(who.stamp_, last) or is_older(who.stamp_, stopped_all_) or
+                             (what == effect::enabling and is_older(who.stamp_, fault));
         if (holder != 0 or holder_of_all_ != 0 or is_late) {
             bool const is_loss = own != nullptr and own->was_lost and holder == 0;
             return is_loss ? errc::unit_lost : errc::overruled;
         }
         bool const is_full = own == nullptr and free_place() == Units;
-        return is_full and what == effect::enabling ? errc::too_many_ordered : errc::none;
+        return is_full and what != effect::rearranging ? errc::too_many_ordered : errc::none;
     }
 
     /// A request that rearranges was taken: who relies on the unit's words reads anew what they mean.
@@ -228,6 +230,7 @@ private:
         duration silence;
         std::uint32_t last_stop; ///< the stamp of the last stop or loss
         std::uint32_t holder;    ///< the stamp of the stop under way; 0: none
+        std::uint32_t last_fault; ///< the stamp of the last time that it was read to be in fault
         std::uint32_t rearranged; ///< the stamp of the last request that did so
         std::uint8_t unit;       ///< 0: a free place
         std::uint8_t misses;     ///< in a row
@@ -257,6 +260,11 @@ private:
                 own->is_ordered = false;
                 own->misses = 0;
             }
+        }
+        if (who.has_read_fault_) {
+            who.has_read_fault_ = false;
+            entry* const own = place_of(unit);
+            (own == nullptr ? forgotten_fault_ : own->last_fault) = ++count_;
         }
         if (who.has_ordered_) {
             who.has_ordered_ = false;
@@ -365,21 +373,24 @@ private:
         entry& own = entries_[at];
         // Of a unit that loses its place only this is kept; it counts for all that have none.
         forgotten_ = later(forgotten_, own.last_stop);
+        forgotten_fault_ = later(forgotten_fault_, own.last_fault);
         forgotten_arrangement_ = later(forgotten_arrangement_, own.rearranged);
         own = nothing;
         own.unit = unit;
         own.last_stop = forgotten_;
+        own.last_fault = forgotten_fault_;
         own.rearranged = forgotten_arrangement_;
         return &own;
     }
 
-    static constexpr entry nothing{instant{0}, instant{0}, milliseconds(31'000), 0, 0, 0, 0, 0, 0, false, false, false, false, false};
+    static constexpr entry nothing{instant{0}, instant{0}, milliseconds(31'000), 0, 0, 0, 0, 0, 0, 0, false, false, false, false, false};
 
     std::array<entry, Units> entries_{filled<Units>(nothing)};
     std::uint32_t count_{0};
     std::uint32_t stopped_all_{0};   ///< the stamp of the last stop of all units
     std::uint32_t holder_of_all_{0}; ///< the same while it is under way; 0: none
     std::uint32_t forgotten_{0};     ///< of units that have no place
+    std::uint32_t forgotten_fault_{0};
     std::uint32_t forgotten_arrangement_{0};
     bool is_all_over_{false};
 };

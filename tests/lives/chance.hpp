@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What happens to the line and at the drives of a life, by chance, and the life's way from its begin to its end.
+#pragma once
+
+#include "lives/user.hpp"
+
+#include <rtuwire/wire/adu.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/pdu/write_single_register.hpp>
+
+namespace rtuwire::lives {
+
+template <typename Link> class whole_life : public user<Link> {
+    using base = user<Link>;
+    using base::at;
+    using base::chance_;
+    using base::counts_;
+    using base::everyone_;
+    using base::how_;
+    using base::is_dead_;
+    using base::link_;
+    using base::nodes_;
+    using base::now_;
+    using base::said_;
+    using base::slots_;
+    using base::wrong_;
+
+public:
+    using base::base;
+
+    /// Whether the law held.
+    bool live()
+    {
+        base::begin_cycle(0, 0);
+        base::pass(200'000);
+        for (unsigned i = 0; i < how_.moments and not wrong_; ++i) {
+            chance_.below(3) == 0 ? happen() : base::act();
+            base::pass(any_time());
+        }
+        end();
+        bool const has_wrapped = std::uint64_t{how_.start_count} + now_ > 0xFFFF'FFFFU;
+        if (has_wrapped) {
+            counts_.note(event::clock_wrap);
+        }
+        if (wrong_) {
+            counts_.note(*wrong_);
+        }
+        return not wrong_;
+    }
+
+private:
+    node& any() { return *nodes_[chance_.below(static_cast<std::uint32_t>(nodes_.size()))]; }
+
+    /// Short times hit what is under way, long ones what comes of it.
+    moment any_time()
+    {
+        switch (chance_.below(5)) {
+        case 0: return chance_.below(30'000);
+        case 1:
+        case 2: return chance_.below(300'000);
+        case 3: return chance_.below(1'500'000);
+        default: return chance_.below(5'000'000);
+        }
+    }
+
+    void happen()
+    {
+        node& own = any();
+        std::size_t const unit = nodes_[0].get() == &own ? 0U : 1U;
+        said_.now = now_;
+        switch (chance_.below(20)) {
+        case 0:
+        case 1:
+        case 2:
+        case 3:
+        case 4:
+        case 5: return lose(own, unit);
+        case 6:
+        case 7:
+        case 8: return restore(own, unit);
+        case 9: return trip(own);
+        case 10:
+            counts_.note(event::cause_gone);
+            own.drive->clear_cause();
+            return;
+        case 11:
+        case 12: return press_stop(own);
+        case 13:
+        case 14: return change_control(own);
+        case 15:
+        case 16: return switch_drive(own);
+        case 17: return switch_controller();
+        default: return let_another_speak(own, unit);
+        }
+    }
+
+    void lose(node& own, std::size_t unit)
+    {
+        own.lost = {};
+        switch (chance_.below(6)) {
+        case 0:
+            own.lost.requests = true;
+            counts_.note(event::requests_lost);
+            break;
+        case 1:
+            own.lost.answers = true;
+            counts_.note(event::answers_lost);
+            break;
+        case 2:
+            own.lost.requests = own.lost.answers = true;
+            counts_.note(event::both_directions_lost);
+            break;
+        case 3:
+            own.lost.in_a_million = 20'000 + chance_.below(500'000);
+            counts_.note(event::frames_lost_by_chance);
+            break;
+        case 4:
+            own.lost.each_nth = 2 + chance_.below(6);
+            counts_.note(event::each_nth_frame_lost);
+            break;
+        default:
+            own.lost.only_nth = 1 + chance_.below(8);
+            counts_.note(event::one_frame_lost);
+            break;
+        }
+        said_.say("line of drive %u: requests lost %d, answers lost %d, %u in a million, each %u., the %u.",
+                  how_.drive[unit].address, int{own.lost.requests}, int{own.lost.answers},
+                  own.lost.in_a_million, own.lost.each_nth, own.lost.only_nth);
+        base::note_line(unit);
+    }
+
+    void restore(node& own, std::size_t unit)
+    {
+        counts_.note(event::line_restored);
+        said_.say("line of drive %u is good", how_.drive[unit].address);
+        own.lost = {};
+        base::note_line(unit);
+    }
+
+    void trip(node& own)
+    {
+        counts_.note(event::fault);
+        said_.say("fault");
+        own.law.note_disturbance(now_, own.drive->state(), true);
+        own.drive->trip(9);
+        if (chance_.below(2) == 0) {
+            own.drive->clear_cause();
+        }
+    }
+
+    void press_stop(node& own)
+    {
+        counts_.note(event::stop_key);
+        said_.say("STOP key");
+        std::uint16_t const before = own.drive->status();
+        cia402::state const state = own.drive->state();
+        own.drive->press_stop();
+        bool const is_new = ((own.drive->status() & ~before) & altivar::stop_key_bit) != 0;
+        own.law.note_disturbance(now_, state, is_new);
+    }
+
+    void change_control(node& own)
+    {
+        cia402::state const state = own.drive->state();
+        own.is_local = not own.is_local and chance_.below(2) == 0;
+        counts_.note(own.is_local ? event::local_control : event::remote_control);
+        said_.say("local control %d", int{own.is_local});
+        own.drive->set_local(own.is_local);
+        if (own.is_local) {
+            own.law.note_disturbance(now_, state, false);
+        }
+    }
+
+    void switch_drive(node& own)
+    {
+        counts_.note(event::drive_power_cycle);
+        said_.say("the drive is switched off and on");
+        own.law.note_disturbance(now_, own.drive->state(), false);
+        own.drive->power_cycle(at());
+        own.is_local = false;
+        own.answer_size = 0;
+        own.drive->sent(at());
+    }
+
+    void switch_controller()
+    {
+        counts_.note(event::controller_power_cycle);
+        said_.say("the controller is switched off and on");
+        for (slot& each : slots_) {
+            each.what.template emplace<std::monostate>();
+        }
+        everyone_.template emplace<std::monostate>();
+        link_ = base::make_link();
+        for (auto const& each : nodes_) {
+            each->law.note_restart_of_controller();
+        }
+    }
+
+    void let_another_speak(node& own, std::size_t unit)
+    {
+        if (not base::is_line_free()) {
+            return;
+        }
+        constexpr std::array<std::uint16_t, 9> words{0x0000, 0x0002, 0x0006, 0x0007, 0x000F,
+                                                     0x080F, 0x010F, 0x0080, 0x0007};
+        std::array<std::byte, 8> frame{};
+        unit_id const to = *unit_id::checked(how_.drive[unit].address);
+        altivar::drive_profile const& profile = own.drive->profile();
+        if (chance_.below(3) == 0) {
+            counts_.note(event::read_of_another_master);
+            static_cast<void>(encode_into(frame, to, read_holding_registers{profile.eta, 1}));
+        } else {
+            counts_.note(event::word_of_another_master);
+            bool const is_reference = chance_.below(4) == 0;
+            std::uint16_t const address = is_reference ? own.drive->frequency_reference() : profile.cmd;
+            std::uint16_t const word = is_reference ? static_cast<std::uint16_t>(chance_.below(400))
+                                                    : words[chance_.below(9)];
+            static_cast<void>(encode_into(frame, to, write_single_register{address, word}));
+        }
+        base::say_as_another(frame);
+    }
+
+    // The last part.
+
+    void end()
+    {
+        said_.now = now_;
+        said_.say("the last part: %u", static_cast<unsigned>(how_.end));
+        moment longest = 0;
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            longest = std::max<moment>(longest, how_.drive[i].time_out_us());
+        }
+        switch (how_.end) {
+        case last_part::controller_dies: die(); break;
+        case last_part::each_is_stopped: stop_each(); break;
+        case last_part::everyone_is_stopped:
+            restore_all();
+            base::stop_all();
+            break;
+        case last_part::answers_get_lost: lose_all(false); break;
+        case last_part::requests_get_lost: lose_all(true); break;
+        case last_part::goes_on:
+        case last_part::count: longest = 0; break;
+        }
+        base::pass(longest + 9'000'000);
+    }
+
+    void die()
+    {
+        is_dead_ = true;
+        for (auto const& each : nodes_) {
+            each->law.note_death(now_);
+            if (each->law.has_power()) {
+                counts_.note(event::controller_died_while_it_ran);
+            }
+        }
+    }
+
+    void restore_all()
+    {
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            restore(*nodes_[i], i);
+        }
+    }
+
+    void stop_each()
+    {
+        restore_all();
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            base::begin_stop(i, i, base::any_way());
+        }
+    }
+
+    void lose_all(bool are_requests)
+    {
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            nodes_[i]->lost = {};
+            nodes_[i]->lost.requests = are_requests;
+            nodes_[i]->lost.answers = not are_requests;
+            base::note_line(i);
+            counts_.note(are_requests ? event::requests_lost : event::answers_lost);
+        }
+    }
+};
+
+} // namespace rtuwire::lives

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What happens in the lives, and what may be wrong with one: both are counted, by name.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace rtuwire::lives {
+
+/// What the user does, what becomes of the line, and what happens at the drives.
+enum class event : unsigned {
+    started,
+    started_directly,
+    stopped_by_ramp,
+    stopped_by_freewheel,
+    stopped_by_quick_stop,
+    stopped_by_halt,
+    stopped_by_dc_injection,
+    stopped_everyone,
+    cycle_begun,
+    cycle_ran,
+    cycle_refused_to_run,
+    cycle_stopped,
+    cycle_reset_a_fault,
+    reference_changed,
+    fault_reset,
+    polled,
+    saved,
+    scanner_configured,
+    cancelled,
+    destroyed,
+    made_anew_in_its_place,
+    two_for_one_unit,
+    stayed_away,
+    released,
+    requests_lost,
+    answers_lost,
+    both_directions_lost,
+    frames_lost_by_chance,
+    each_nth_frame_lost,
+    one_frame_lost,
+    line_restored,
+    late_answers,
+    fault,
+    cause_gone,
+    stop_key,
+    local_control,
+    remote_control,
+    drive_power_cycle,
+    controller_power_cycle,
+    word_of_another_master,
+    read_of_another_master,
+    clock_wrap,
+    motor_ran,
+    motor_stopped_by_order,
+    motor_stopped_by_its_timeout,
+    unit_lost_while_it_ran,
+    controller_died_while_it_ran,
+    count,
+};
+
+inline constexpr std::size_t event_count = static_cast<std::size_t>(event::count);
+
+inline constexpr std::array<char const*, event_count> event_names{
+    "starts",
+    "direct starts",
+    "stops by ramp",
+    "stops by freewheel",
+    "stops by quick stop",
+    "stops by halt",
+    "stops by DC injection",
+    "stops of everyone",
+    "cycles",
+    "orders to a cycle",
+    "orders that a cycle refused",
+    "stops of a cycle",
+    "fault resets of a cycle",
+    "changes of a reference",
+    "fault resets",
+    "polls",
+    "saves",
+    "configurations of the scanner",
+    "cancels",
+    "conversations destroyed",
+    "conversations made anew in the same place",
+    "second conversations for one unit",
+    "conversations that stayed away",
+    "units released from a stop that was given up",
+    "losses of the requests",
+    "losses of the answers",
+    "losses of both directions",
+    "lines that lose frames by chance",
+    "lines that lose each n-th frame",
+    "lines that lose the n-th frame",
+    "lines restored",
+    "late answers",
+    "faults",
+    "causes of faults gone",
+    "STOP keys",
+    "changes to local control",
+    "changes to remote control",
+    "power cycles of a drive",
+    "power cycles of the controller",
+    "words of another master",
+    "reads of another master",
+    "wraps of the clock",
+    "motors that began to run",
+    "motors that lost power by a frame",
+    "motors that lost power by themselves",
+    "units lost while their motor ran",
+    "controllers that died while a motor ran",
+};
+
+/// What breaks the law.
+enum class breach : unsigned {
+    moved_without_order,
+    enabled_without_order,
+    moved_by_itself,
+    too_fast,
+    power_after_stop,
+    power_after_loss,
+    power_after_death,
+    stood_not,
+    ran_not,
+    reached_not,
+    never_settled,
+    count,
+};
+
+inline constexpr std::size_t breach_count = static_cast<std::size_t>(breach::count);
+
+inline constexpr std::array<char const*, breach_count> breach_names{
+    "a motor got power without an order since the last stop, fault, STOP key, local control or power cycle",
+    "a word that enables left without an order in force",
+    "a motor got power by no frame",
+    "a motor turned faster or in another direction than was asked",
+    "power too long after the order was taken away",
+    "power too long after a loss",
+    "power too long after the controller died",
+    "a stop that was done, and the motor had power",
+    "a start that was done, and the motor never ran",
+    "a reference that was reached, and was not",
+    "a conversation that never ended",
+};
+
+/// All that was counted.
+struct tally {
+    std::array<unsigned long, event_count> events{};
+    std::array<unsigned long, breach_count> breaches{};
+    unsigned long lives{0};
+    unsigned long unsupervised{0}; ///< of these
+    unsigned long frames{0};
+
+    void note(event what) { ++events[static_cast<std::size_t>(what)]; }
+    void note(breach what) { ++breaches[static_cast<std::size_t>(what)]; }
+    unsigned long of(event what) const { return events[static_cast<std::size_t>(what)]; }
+    unsigned long broken() const
+    {
+        unsigned long sum = 0;
+        for (unsigned long const each : breaches) {
+            sum += each;
+        }
+        return sum;
+    }
+};
+
+} // namespace rtuwire::lives

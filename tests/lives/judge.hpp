@@ -1,0 +1,393 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The law of motion for one drive of a life. It looks at the drive's motor, at the frames on the line and at what the
+// user ordered and was told; of how the library works it knows nothing.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "lives/events.hpp"
+#include "lives/setting.hpp"
+
+#include <rtuwire/core/bytes.hpp>
+
+namespace rtuwire::lives {
+
+/// Microseconds since a life began.
+using moment = std::uint64_t;
+
+inline constexpr std::size_t places = 5; ///< for conversations; the last one is for a stop of everyone
+
+/// What a control word asks for. Halt keeps the power.
+inline bool enables(std::uint16_t word, altivar::drive_profile const& profile)
+{
+    bool const is_halt = profile.halt != 0 and (word & profile.halt) != 0;
+    bool const is_direct = profile.direct_control != 0 and (word & profile.direct_control) != 0;
+    return is_direct ? (word & 0x700AU) == 0x000A : (word & 0x0FU) == 0x0F and not is_halt;
+}
+
+/// The control word that a request writes, where it writes one.
+inline std::optional<std::uint16_t> control_word_in(byte_view frame,
+                                                    altivar::drive_profile const& profile)
+{
+    if (frame.size() < 8) {
+        return std::nullopt;
+    }
+    std::uint16_t const first = u16_at(frame, 2);
+    switch (to_u8(frame[1])) {
+    case 6: return first == profile.cmd ? std::optional{u16_at(frame, 4)} : std::nullopt;
+    case 16: // the first word of the scanner, or of CMD and LFR
+        return first == profile.cmd or first == 12'761 ? std::optional{u16_at(frame, 7)}
+                                                       : std::nullopt;
+    case 23: return u16_at(frame, 6) == 12'761 ? std::optional{u16_at(frame, 11)} : std::nullopt;
+    default: return std::nullopt;
+    }
+}
+
+class judge {
+public:
+    judge(life_setting const& how, drive_setting const& set, far_drive& drive, tally& counts)
+        : how_{how}, set_{set}, drive_{drive}, counts_{counts}
+    {}
+
+    // What the user does.
+
+    /// An order to run, in mHz with its sign.
+    void note_order(std::size_t place, moment now, std::int32_t asked, bool is_by_cycle)
+    {
+        if (not has_power_ and not has_order()) {
+            most_forward_ = most_reverse_ = 0;
+            is_foreign_ = false;
+        }
+        note_reference(asked);
+        bool const has_begun = orders_[place].is_there and orders_[place].has_begun;
+        orders_[place] = {true, has_begun, is_by_cycle, is_by_cycle, now};
+    }
+    void note_reference(std::int32_t asked)
+    {
+        most_forward_ = std::max(most_forward_, asked);
+        most_reverse_ = std::min(most_reverse_, asked);
+    }
+    void note_stop(moment now, bool is_halt)
+    {
+        orders_.fill({});
+        detached_ = {};
+        taken_at_ = now;
+        is_orphan_ = false;
+        is_halting_ = is_halt;
+        stopped_at_ = now;
+    }
+    /// The user was told that an order is over.
+    void note_end_of_order(std::size_t place, moment now)
+    {
+        if (orders_[place].is_there) {
+            orders_[place] = {};
+            taken_at_ = has_order() ? taken_at_ : now;
+        }
+    }
+    bool has_order_of(std::size_t place) const { return orders_[place].is_there; }
+
+    /// The user gave a conversation up before its end: what it ordered stays ordered, what it was to stop nobody stops.
+    void note_given_up(std::size_t place, bool was_stopping)
+    {
+        if (orders_[place].is_there) {
+            detached_ = {true, true, false, true, std::max(detached_.at, orders_[place].at)};
+            orders_[place] = {};
+        } else if (was_stopping) {
+            is_orphan_ = true;
+        }
+    }
+    /// What was under way was cancelled: no loss is told by it.
+    void note_cancel()
+    {
+        unanswered_ = 0;
+        asked_function_ = 0;
+    }
+    void note_restart_of_controller()
+    {
+        orders_.fill({});
+        detached_ = {};
+        is_orphan_ = true;
+        unanswered_ = 0;
+    }
+    void note_death(moment now) { died_at_ = now; }
+
+    // What happens at the drive.
+
+    /// Something that takes every order away. Who was at rest and shows no trace of it cannot know.
+    void note_disturbance(moment now, cia402::state before, bool is_shown)
+    {
+        // Of several orders at once nobody can tell whose frames are whose.
+        bool const is_alone = number_of_orders() < 2;
+        for (order& each : orders_) {
+            bool const knows = each.has_begun or (is_shown and each.has_looked);
+            each.at = is_alone and knows ? each.at : now;
+        }
+        if (before != cia402::state::switch_on_disabled or is_shown) {
+            disturbed_at_ = now;
+        }
+    }
+
+    // What is on the line.
+
+    /// A request of this controller to this drive, or to all.
+    std::optional<breach> note_request(byte_view frame, moment now, bool is_heard)
+    {
+        bool const is_broadcast = frame[0] == std::byte{0};
+        if (not is_broadcast) {
+            first_unanswered_ = unanswered_ == 0 ? now : first_unanswered_;
+            last_missed_ = unanswered_ == 0 ? last_missed_ : now;
+            ++unanswered_;
+        }
+        asked_function_ = to_u8(frame[1]);
+        is_look_ = to_u8(frame[1]) == 3 and u16_at(frame, 2) == drive_.profile().eta;
+        auto const word = control_word_in(frame, drive_.profile());
+        bool const may = has_order() or is_foreign_;
+        bool const is_enabling = word and enables(*word, drive_.profile());
+        if (is_heard) {
+            last_heard_ = now;
+            was_foreign_ = false;
+            if (word and (*word & 0x80U) != 0) {
+                note_reset(now);
+            }
+            was_asked_ = has_order() and latest_order() >= disturbed_at_;
+            is_halting_ = is_halting_ and not is_enabling;
+            is_braking_ = word and drive_.profile().dc_injection != 0 and
+                          *word == drive_.profile().dc_injection;
+        }
+        return is_enabling and not may ? std::optional{breach::enabled_without_order} : std::nullopt;
+    }
+    void note_answer()
+    {
+        unanswered_ = 0;
+        note_begin(asked_function_);
+        for (order& each : orders_) {
+            each.has_looked = each.has_looked or is_look_;
+        }
+        is_heard_since_good_ = is_heard_since_good_ or is_good_;
+    }
+    void note_foreign(byte_view frame, moment now, cia402::state before)
+    {
+        last_heard_ = now;
+        last_foreign_ = now;
+        was_foreign_ = true;
+        if (to_u8(frame[1]) != 3) {
+            is_foreign_ = true;
+            auto const word = control_word_in(frame, drive_.profile());
+            bool const stops = word and (*word == 0 or *word == 2);
+            if (stops) {
+                note_disturbance(now, before, false);
+            }
+        }
+    }
+    void note_line(bool is_good, moment now)
+    {
+        is_heard_since_good_ = is_heard_since_good_ and is_good;
+        is_good_ = is_good;
+        last_missed_ = is_good ? last_missed_ : now;
+    }
+
+    // What is seen of the motor.
+
+    /// To be called after each step of the drive.
+    std::optional<breach> look(moment now)
+    {
+        cia402::state const at = drive_.state();
+        bool const had_power = has_power_;
+        bool const was_running = runs_;
+        has_power_ = cia402::has_power(at);
+        runs_ = at == cia402::state::operation_enabled;
+        if (cia402::is_in_fault(at) and not was_in_fault_) {
+            note_disturbance(now, at, true);
+        }
+        was_in_fault_ = cia402::is_in_fault(at);
+        if (had_power and not has_power_) {
+            lose_power(now);
+        }
+        ran_at_ = runs_ ? now : ran_at_;
+        if (runs_ and not was_running) {
+            if (auto const wrong = begin_to_run(now)) {
+                return wrong;
+            }
+        }
+        return has_power_ ? judge_power(now) : std::nullopt;
+    }
+
+    /// What a user was told.
+    std::optional<breach> told_to_stand(bool by_halt) const
+    {
+        bool const stands = by_halt ? drive_.frequency() == 0 : not has_power_;
+        return stands or is_foreign_ ? std::nullopt : std::optional{breach::stood_not};
+    }
+    std::optional<breach> told_to_run(moment ordered) const
+    {
+        bool const ran = ran_at_ >= ordered or runs_;
+        return ran or is_foreign_ ? std::nullopt : std::optional{breach::ran_not};
+    }
+    bool is_foreign() const { return is_foreign_; }
+    bool has_power() const { return has_power_; }
+    bool is_lost() const { return unanswered_ >= surely_lost(); }
+
+private:
+    struct order {
+        bool is_there{false};
+        bool has_begun{false}; ///< a write for it was answered; before that nobody can know what happened meanwhile
+        bool is_by_cycle{false};
+        bool has_looked{false}; ///< its state was read for it
+        moment at{0};
+    };
+
+    bool has_order() const
+    {
+        return detached_.is_there or
+               std::any_of(orders_.begin(), orders_.end(), [](order const& each) { return each.is_there; });
+    }
+    std::ptrdiff_t number_of_orders() const
+    {
+        return std::count_if(orders_.begin(), orders_.end(),
+                             [](order const& each) { return each.is_there; }) +
+               (detached_.is_there ? 1 : 0);
+    }
+    moment latest_order() const
+    {
+        moment latest = detached_.is_there ? detached_.at : 0;
+        for (order const& each : orders_) {
+            latest = each.is_there ? std::max(latest, each.at) : latest;
+        }
+        return latest;
+    }
+
+    /// The user resets a fault. An order for which nothing was done yet does not know that there was one.
+    void note_reset(moment now)
+    {
+        for (order& each : orders_) {
+            each.at = each.has_begun ? each.at : now;
+        }
+    }
+
+    /// A cycle writes by functions 16 and 23, a start by 06.
+    void note_begin(std::uint8_t function)
+    {
+        for (order& each : orders_) {
+            bool const is_own = each.is_by_cycle ? function == 16 or function == 23 : function == 6;
+            each.has_begun = each.has_begun or is_own;
+        }
+    }
+
+    void lose_power(moment now)
+    {
+        bool const is_by_frame = last_heard_ + 400'000 > now;
+        counts_.note(is_by_frame ? event::motor_stopped_by_order
+                                 : event::motor_stopped_by_its_timeout);
+        is_orphan_ = false;
+        was_counted_ = false;
+    }
+
+    std::optional<breach> begin_to_run(moment now)
+    {
+        counts_.note(event::motor_ran);
+        if (is_braking_) { // by a current, and its user asked for it
+            return std::nullopt;
+        }
+        if (was_foreign_) {
+            is_foreign_ = true;
+            return std::nullopt;
+        }
+        if (last_heard_ + 200'000 < now) {
+            return breach::moved_by_itself;
+        }
+        return was_asked_ or is_foreign_ ? std::nullopt : std::optional{breach::moved_without_order};
+    }
+
+    /// Twice as many frames as a loss needs at most: a question and its repetitions, one more where that is tolerated.
+    unsigned surely_lost() const { return 2U * (how_.options.retries + 1U); }
+
+    /// One question with its repetitions, the time that late answers are waited for, and a period.
+    moment attempts() const
+    {
+        moment const once = how_.options.response_timeout.microseconds +
+                            how_.options.late_answer.microseconds +
+                            11'000'000ULL * 80 / how_.bits_per_second;
+        return once * (how_.options.retries + 1U) + 300'000;
+    }
+    moment ramp() const { return std::uint64_t{set_.ramp} * 130'000 + 700'000; }
+
+    std::optional<breach> judge_power(moment now)
+    {
+        constexpr moment words = 2'000'000; // how long words that stop may go
+        std::int32_t const speed = drive_.frequency();
+        constexpr std::int32_t tolerance = 100;
+        bool const is_too_fast =
+            speed > most_forward_ + tolerance or speed < most_reverse_ - tolerance;
+        if (is_too_fast and not is_foreign_ and not is_orphan_) {
+            return breach::too_fast;
+        }
+        moment const by_itself = set_.time_out_us() + ramp();
+        bool const is_watched = set_.is_supervised();
+        if (died_at_ != 0 and is_watched and now > std::max(died_at_, last_heard_) + by_itself) {
+            return breach::power_after_death;
+        }
+        if (is_lost() and is_watched and died_at_ == 0 and not is_orphan_) {
+            if (not was_counted_) {
+                was_counted_ = true;
+                counts_.note(event::unit_lost_while_it_ran);
+            }
+            moment const loss = first_unanswered_ + 2 * attempts() + words + attempts();
+            moment const stop = stopped_at_ + words + attempts();
+            if (now > std::max({loss, stop, last_foreign_}) + by_itself) {
+                return breach::power_after_loss;
+            }
+        }
+        // A quick stop that waits at standstill, and a halt, keep the power.
+        bool const stands =
+            speed == 0 and (is_halting_ or drive_.state() == cia402::state::quick_stop_active);
+        bool const is_excused = is_foreign_ or is_orphan_ or stands or died_at_ != 0;
+        if (not has_order() and not is_excused) {
+            bool const was_good = is_good_ and is_heard_since_good_ and last_missed_ < taken_at_;
+            moment const at_once = taken_at_ + attempts() + 1'500'000 + ramp();
+            moment const at_last = taken_at_ + words + 3 * attempts() + by_itself;
+            if ((was_good and now > at_once) or (is_watched and now > at_last)) {
+                return breach::power_after_stop;
+            }
+        }
+        return std::nullopt;
+    }
+
+    life_setting const& how_;
+    drive_setting const& set_;
+    far_drive& drive_;
+    tally& counts_;
+    std::array<order, places> orders_{};
+    order detached_{}; ///< of conversations that were given up
+    moment taken_at_{0};
+    moment stopped_at_{0};
+    moment disturbed_at_{0};
+    moment first_unanswered_{0};
+    moment last_heard_{0};
+    moment last_foreign_{0};
+    moment ran_at_{0};
+    moment died_at_{0};
+    moment last_missed_{0};
+    unsigned unanswered_{0};
+    std::uint8_t asked_function_{0};
+    std::int32_t most_forward_{0};
+    std::int32_t most_reverse_{0};
+    bool is_good_{true};
+    bool is_heard_since_good_{false};
+    bool is_halting_{false};
+    bool is_orphan_{false};  ///< nobody is left who ordered it, or who was to stop it
+    bool is_foreign_{false}; ///< another master wrote to it since it stood, or since the last order
+    bool was_foreign_{false};
+    bool was_in_fault_{false};
+    bool has_power_{false};
+    bool runs_{false};
+    bool was_counted_{false};
+    bool is_look_{false};
+    bool is_braking_{false};
+    bool was_asked_{false}; ///< what the drive heard last came while an order was in force
+};
+
+} // namespace rtuwire::lives

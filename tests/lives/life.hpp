@@ -1,0 +1,367 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// One life: a controller, its line and its drives, and time, which jumps from one thing that happens to the next.
+#pragma once
+
+#include <optional>
+
+#include "lives/talks.hpp"
+#include "lives/wire.hpp"
+
+#include <rtuwire/client/bus.hpp>
+
+namespace rtuwire::lives {
+
+inline constexpr std::size_t slots = places - 1;
+
+using life_bus = bus<slots>;
+using life_client = drive_client<slots>;
+
+/// A conversation in its place.
+struct slot {
+    talk what{};
+    std::size_t unit{0};
+    moment began{0};
+    bool has_told{false};     ///< its end was looked at
+    bool is_away{false};
+    bool asks_again{false};
+    bool is_halt{false};
+};
+
+template <typename Link> class life {
+public:
+    static constexpr bool has_slots = std::is_same_v<Link, life_bus>;
+
+    life(life_setting const& how, tally& counts, bool prints)
+        : how_{how}, counts_{counts}, chance_{how.seed * 40'503U + 1U}, link_{make_link()},
+          said_{prints}
+    {
+        for (std::size_t i = 0; i < how.drives; ++i) {
+            nodes_.push_back(std::make_unique<node>(how_, how_.drive[i], at(), counts));
+            nodes_.back()->law.note_line(how_.late_in_a_million == 0, 0);
+        }
+        pass(5'000);
+    }
+
+    /// Lets time pass.
+    void pass(moment length)
+    {
+        moment const end = now_ + length;
+        while (now_ < end and not wrong_) {
+            step(end);
+        }
+    }
+
+protected:
+    instant at() const { return instant{how_.start_count + static_cast<std::uint32_t>(now_)}; }
+    node& of(slot const& own) { return *nodes_[own.unit]; }
+
+    void accuse(std::optional<breach> wrong, std::size_t unit)
+    {
+        if (wrong and not wrong_) {
+            wrong_ = wrong;
+            said_.now = now_;
+            said_.say("BREACH at drive %u: %s", unsigned(how_.drive[unit].address),
+                      breach_names[static_cast<std::size_t>(*wrong)]);
+        }
+    }
+
+    Link make_link() const { return Link{how_.timing(), how_.options}; }
+
+    /// The line is good, or not, as far as the judge knows.
+    void note_line(std::size_t unit)
+    {
+        node& own = *nodes_[unit];
+        own.law.note_line(own.lost.is_good() and how_.late_in_a_million == 0, now_);
+    }
+
+    /// A frame of another master.
+    void say_as_another(byte_view frame)
+    {
+        now_ += time_of(frame.size());
+        said_.now = now_;
+        said_.frame("=>", frame, "  another master", nullptr);
+        link_.receive(frame, at());
+        for (auto const& each : nodes_) {
+            if (not each->lost.requests) {
+                bool const is_meant = frame[0] == std::byte{how_.drive[index_of(*each)].address};
+                if (is_meant) {
+                    each->law.note_foreign(frame, now_, each->drive->state());
+                }
+                each->drive->receive(frame, at());
+            }
+        }
+    }
+
+    /// Whether nobody owes an answer, so that another master would speak.
+    bool is_line_free() const
+    {
+        for (auto const& each : nodes_) {
+            if (each->answer_size != 0) {
+                return false;
+            }
+        }
+        return now_ > last_asked_ + how_.options.response_timeout.microseconds +
+                          how_.options.late_answer.microseconds + 50'000 or
+               is_answered_;
+    }
+
+    life_setting how_;
+    tally& counts_;
+    sim::dice chance_;
+    Link link_;
+    chronicle said_;
+    std::vector<std::unique_ptr<node>> nodes_{};
+    std::array<slot, slots> slots_{};
+    everyone everyone_{};
+    std::optional<breach> wrong_{};
+    moment now_{0};
+    bool is_dead_{false}; ///< the controller
+
+private:
+    std::size_t index_of(node const& which) const
+    {
+        return nodes_[0].get() == &which ? 0U : 1U;
+    }
+    moment time_of(std::size_t octets) const { return octets * 11'000'000ULL / how_.bits_per_second; }
+
+    void step(moment end)
+    {
+        instant const now = at();
+        said_.now = now_;
+        if (not is_dead_) {
+            link_.advance(now);
+            converse(now);
+        }
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            nodes_[i]->drive->advance(now);
+            accuse(nodes_[i]->law.look(now_), i);
+        }
+        bool is_moved = not is_dead_ and ask();
+        for (auto const& each : nodes_) {
+            is_moved = answer(*each) or is_moved;
+        }
+        stalls_ = is_moved ? 0 : stalls_;
+        if (not is_moved) {
+            jump(end);
+        }
+    }
+
+    void converse(instant now)
+    {
+        std::visit(
+            [&](auto& all) {
+                if constexpr (not std::is_same_v<std::decay_t<decltype(all)>, std::monostate>) {
+                    if constexpr (has_slots) {
+                        link_.converse_first(all, now);
+                    } else {
+                        link_.converse(all, now);
+                    }
+                    if (all.settled()) {
+                        everyone_is_told(all);
+                    }
+                }
+            },
+            everyone_);
+        if (std::holds_alternative<a::stop_everyone<1>>(everyone_) or
+            std::holds_alternative<a::stop_everyone<2>>(everyone_)) {
+            if (is_everyone_told_) {
+                everyone_.template emplace<std::monostate>();
+                is_everyone_told_ = false;
+            }
+        }
+        for (std::size_t i = 0; i < slots; ++i) {
+            std::visit([&](auto& what) { converse(i, what, now); }, slots_[i].what);
+        }
+    }
+
+    template <typename All> void everyone_is_told(All& all)
+    {
+        is_everyone_told_ = true;
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            if (all.reason(i).how == a::ending::succeeded) {
+                accuse(nodes_[i]->law.told_to_stand(false), i);
+            }
+        }
+    }
+
+    void converse(std::size_t, std::monostate, instant) {}
+    template <typename Talk> void converse(std::size_t place, Talk& what, instant now)
+    {
+        slot& own = slots_[place];
+        if (own.is_away) {
+            return;
+        }
+        if constexpr (has_slots) {
+            link_.converse(place, what, now);
+        } else {
+            link_.converse(what, now);
+        }
+        hear(place, own, what);
+    }
+
+    /// What the user of a conversation is told.
+    template <typename Talk> void hear(std::size_t place, slot& own, Talk& what)
+    {
+        judge& law = of(own).law;
+        if constexpr (is_cyclic<Talk>) {
+            if (law.has_order_of(place) and not what.control().is_ordered()) {
+                said_.say("the cycle in place %zu dropped its order: %d", place,
+                          static_cast<int>(what.control().reason().how));
+                law.note_end_of_order(place, now_);
+            }
+        } else if constexpr (std::is_same_v<Talk, poll>) {
+            if (what.settled() and own.asks_again) {
+                what.begin();
+            }
+        } else if (what.settled() and not own.has_told) {
+            own.has_told = true;
+            said_.say("place %zu is told: %d, error %d", place,
+                      static_cast<int>(what.reason().how), static_cast<int>(what.reason().error));
+            hear_end(place, own, what);
+        }
+    }
+
+    template <typename Talk> void hear_end(std::size_t place, slot& own, Talk& what)
+    {
+        judge& law = of(own).law;
+        bool const is_done = what.reason().how == a::ending::succeeded;
+        if constexpr (is_start<Talk>) {
+            what.running() ? accuse(law.told_to_run(own.began), own.unit)
+                           : law.note_end_of_order(place, now_);
+        } else if constexpr (std::is_same_v<Talk, a::stop>) {
+            if (is_done) {
+                accuse(law.told_to_stand(own.is_halt), own.unit);
+            }
+        }
+    }
+
+    /// The controller's frame, where it has one.
+    bool ask()
+    {
+        byte_view const made = link_.poll_transmit();
+        if (made.empty()) {
+            return false;
+        }
+        std::array<std::byte, max_adu_size> copy{};
+        byte_writer{copy}.bytes(made);
+        byte_view const frame = byte_view{copy}.first(made.size());
+        ++counts_.frames;
+        now_ += time_of(frame.size());
+        said_.now = now_;
+        link_.sent(at());
+        last_asked_ = now_;
+        is_answered_ = frame[0] == std::byte{0};
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            node& each = *nodes_[i];
+            bool const is_meant = frame[0] == std::byte{0} or
+                                  frame[0] == std::byte{how_.drive[i].address};
+            bool const is_lost = is_meant ? each.loses(true, chance_) : each.lost.requests;
+            if (is_meant) {
+                said_.frame("->", frame, is_lost ? "  lost" : "", &each);
+                accuse(each.law.note_request(frame, now_, not is_lost), i);
+            }
+            if (not is_lost) {
+                each.drive->receive(frame, at());
+            }
+        }
+        return true;
+    }
+
+    /// A drive's answer, where it has one and it is time.
+    bool answer(node& own)
+    {
+        if (own.answer_size == 0) {
+            byte_view const made = own.drive->poll_transmit();
+            if (made.empty()) {
+                return false;
+            }
+            byte_writer{own.answer}.bytes(made);
+            own.answer_size = made.size();
+            bool const is_late = chance_.happens(how_.late_in_a_million);
+            std::uint32_t const most = how_.options.response_timeout.microseconds +
+                                       how_.options.late_answer.microseconds - 20'000;
+            own.leaves_at = now_ + (is_late ? chance_.below(most) : 0);
+            if (is_late) {
+                counts_.note(event::late_answers);
+            }
+        }
+        if (now_ < own.leaves_at) {
+            return false;
+        }
+        byte_view const frame = byte_view{own.answer}.first(own.answer_size);
+        now_ += time_of(frame.size());
+        said_.now = now_;
+        own.drive->sent(at());
+        bool const is_lost = own.loses(false, chance_);
+        said_.frame("  <-", frame, is_lost ? "  lost" : "", &own);
+        if (not is_lost) {
+            link_.receive(frame, at());
+            own.law.note_answer();
+            is_answered_ = true;
+        }
+        for (auto const& each : nodes_) {
+            if (each.get() != &own and not is_lost) {
+                each->drive->receive(frame, at());
+            }
+        }
+        own.answer_size = 0;
+        return true;
+    }
+
+    void jump(moment end)
+    {
+        bool has_power = false;
+        earliest next;
+        if (not is_dead_) {
+            next.add(link_.poll_deadline());
+            for (slot& each : slots_) {
+                std::visit([&](auto& what) { add_to(next, each, what); }, each.what);
+            }
+            std::visit([&](auto& all) { add_all_to(next, all); }, everyone_);
+        }
+        moment soon = end;
+        for (auto const& each : nodes_) {
+            next.add(each->drive->poll_deadline());
+            has_power = has_power or each->law.has_power();
+            if (each->answer_size != 0) {
+                soon = std::min(soon, each->leaves_at);
+            }
+        }
+        soon = std::min(soon, now_ + (has_power ? 50'000U : 500'000U));
+        if (deadline const at_next = next; at_next) {
+            bool const is_ahead = not reached(at(), *at_next);
+            std::uint32_t const away = is_ahead ? (*at_next - at()).microseconds : 0;
+            soon = std::min(soon, now_ + away);
+        }
+        if (soon <= now_) {
+            ++stalls_;
+            now_ += std::min<moment>(10ULL << std::min(stalls_, 7U), 1'000);
+        } else {
+            stalls_ = 0;
+            now_ = soon;
+        }
+    }
+
+    static void add_to(earliest&, slot&, std::monostate) {}
+    template <typename Talk> static void add_to(earliest& next, slot& own, Talk& what)
+    {
+        if constexpr (timed_conversation<Talk>) {
+            if (not own.is_away) {
+                next.add(what.poll_deadline());
+            }
+        }
+    }
+    static void add_all_to(earliest&, std::monostate) {}
+    template <typename All> static void add_all_to(earliest& next, All& all)
+    {
+        next.add(all.poll_deadline());
+    }
+
+    moment last_asked_{0};
+    unsigned stalls_{0};
+    bool is_answered_{true};
+    bool is_everyone_told_{false};
+};
+
+} // namespace rtuwire::lives

@@ -1,0 +1,365 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What the user of a life does, by chance.
+#pragma once
+
+#include "lives/life.hpp"
+
+namespace rtuwire::lives {
+
+template <typename Link> class user : public life<Link> {
+    using base = life<Link>;
+
+protected:
+    using base::at;
+    using base::chance_;
+    using base::counts_;
+    using base::everyone_;
+    using base::how_;
+    using base::link_;
+    using base::nodes_;
+    using base::now_;
+    using base::said_;
+    using base::slots_;
+
+public:
+    using base::base;
+
+    void act()
+    {
+        std::size_t const place = chance_.below(slots);
+        std::size_t const unit = chance_.below(static_cast<std::uint32_t>(how_.drives));
+        switch (chance_.below(24)) {
+        case 0:
+        case 1:
+        case 2:
+        case 3: return begin_start(place, unit);
+        case 4: return begin_direct_start(place, unit);
+        case 5:
+        case 6:
+        case 7: return begin_stop(place, unit, any_way());
+        case 8:
+        case 9: return begin_cycle(place, unit);
+        case 10:
+        case 11:
+        case 12:
+        case 13: return use_a_cycle();
+        case 14: return change(place, unit);
+        case 15:
+        case 16: return reset(place, unit);
+        case 17:
+        case 18: return begin_poll(place, unit);
+        case 19: return save_or_configure(place, unit);
+        case 20: return stop_all();
+        case 21: return cancel(place);
+        case 22: return destroy(place);
+        default: return stay_away_or_release(place, unit);
+        }
+    }
+
+protected:
+    drive_setting const& set_of(std::size_t unit) const { return how_.drive[unit]; }
+    judge& law_of(std::size_t unit) { return nodes_[unit]->law; }
+
+    int any_reference() { return static_cast<int>(chance_.below(201)) - 100; }
+    a::stop_by any_way() { return static_cast<a::stop_by>(chance_.below(5)); }
+    duration any_limit() { return milliseconds(chance_.below(3) == 0 ? 300U + chance_.below(2'000) : 30'000U); }
+
+    /// What was in a place before is gone. What nobody ends any more, nobody has to.
+    void give_up(std::size_t place)
+    {
+        slot& own = slots_[place];
+        bool const was_there = own.what.index() != 0;
+        bool is_over = own.has_told;
+        bool is_commanding = true;
+        std::visit(
+            [&](auto& what) {
+                using type = std::decay_t<decltype(what)>;
+                is_commanding = is_start<type> or is_cyclic<type> or std::is_same_v<type, a::stop>;
+            },
+            own.what);
+        law_of(own.unit).note_given_up(place, is_commanding and not is_over);
+        if (was_there) {
+            counts_.note(event::destroyed);
+        }
+    }
+
+    /// Makes a conversation where another one was.
+    template <typename Talk> Talk& put(std::size_t place, std::size_t unit, Talk const& made)
+    {
+        give_up(place);
+        slot& own = slots_[place];
+        if (own.what.index() != 0) {
+            counts_.note(event::made_anew_in_its_place);
+        }
+        for (std::size_t i = 0; i < slots; ++i) {
+            if (i != place and slots_[i].what.index() != 0 and slots_[i].unit == unit) {
+                counts_.note(event::two_for_one_unit);
+                break;
+            }
+        }
+        auto& what = own.what.template emplace<Talk>(made);
+        own.unit = unit;
+        own.began = now_;
+        own.has_told = false;
+        own.is_away = false;
+        own.asks_again = false;
+        said_.now = now_;
+        return what;
+    }
+
+    void begin_start(std::size_t place, std::size_t unit)
+    {
+        int const asked = any_reference();
+        counts_.note(event::started);
+        duration const limit = milliseconds(500 + chance_.below(3'000));
+        with_device(set_of(unit).which, [&]<typename Device>(Device) {
+            put(place, unit, make_start<Device>(set_of(unit), asked, limit));
+        });
+        said_.say("start in place %zu: drive %u at %.1f Hz", place, set_of(unit).address, asked / 2.0);
+        law_of(unit).note_order(place, now_, asked * 500, false);
+    }
+
+    void begin_direct_start(std::size_t place, std::size_t unit)
+    {
+        if (set_of(unit).which != model::atv28) {
+            return begin_start(place, unit);
+        }
+        int const asked = any_reference();
+        counts_.note(event::started_directly);
+        put(place, unit,
+            a::atv28::direct_start{station_of<a::atv28::device>(set_of(unit)),
+                                   reference_of<a::atv28::device>(asked), milliseconds(3'000),
+                                   risks_of(set_of(unit))});
+        said_.say("direct start in place %zu: drive %u at %.1f Hz", place, set_of(unit).address,
+                  asked / 2.0);
+        law_of(unit).note_order(place, now_, asked * 500, false);
+    }
+
+    void count_stop(a::stop_by how)
+    {
+        switch (how) {
+        case a::stop_by::ramp: return counts_.note(event::stopped_by_ramp);
+        case a::stop_by::freewheel: return counts_.note(event::stopped_by_freewheel);
+        case a::stop_by::quick_stop: return counts_.note(event::stopped_by_quick_stop);
+        case a::stop_by::halt: return counts_.note(event::stopped_by_halt);
+        case a::stop_by::dc_injection: return counts_.note(event::stopped_by_dc_injection);
+        }
+    }
+
+    void begin_stop(std::size_t place, std::size_t unit, a::stop_by how)
+    {
+        altivar::drive_profile const& profile = nodes_[unit]->drive->profile();
+        bool const has_none = (how == a::stop_by::dc_injection and profile.dc_injection == 0) or
+                              (how == a::stop_by::halt and profile.halt == 0);
+        how = has_none ? a::stop_by::ramp : how;
+        count_stop(how);
+        auto const known = chance_.below(2) == 0 ? a::word_meaning::unknown
+                                                 : a::word_meaning::drive_profile;
+        with_device(set_of(unit).which, [&]<typename Device>(Device) {
+            put(place, unit, a::stop{station_of<Device>(set_of(unit)), how, any_limit(), known});
+        });
+        slots_[place].is_halt = how == a::stop_by::halt;
+        said_.say("stop in place %zu: drive %u, way %d", place, set_of(unit).address,
+                  static_cast<int>(how));
+        law_of(unit).note_stop(now_, how == a::stop_by::halt);
+    }
+
+    void begin_cycle(std::size_t place, std::size_t unit)
+    {
+        counts_.note(event::cycle_begun);
+        with_device(set_of(unit).which, [&]<typename Device>(Device) {
+            put(place, unit, make_cycle<Device>(set_of(unit), chance_));
+        });
+        said_.say("cycle in place %zu: drive %u", place, set_of(unit).address);
+    }
+
+    /// Something for a cycle that there is; else there is one.
+    void use_a_cycle()
+    {
+        std::size_t const first = chance_.below(slots);
+        for (std::size_t i = 0; i < slots; ++i) {
+            std::size_t const place = (first + i) % slots;
+            bool is_used = false;
+            if (slots_[place].is_away) {
+                continue;
+            }
+            std::visit([&](auto& what) { is_used = use(place, what); }, slots_[place].what);
+            if (is_used) {
+                return;
+            }
+        }
+        begin_cycle(first, chance_.below(static_cast<std::uint32_t>(how_.drives)));
+    }
+
+    template <typename Talk> bool use(std::size_t, Talk&) { return false; }
+    template <typename Device> bool use(std::size_t place, a::cyclic<Device>& loop)
+    {
+        judge& law = law_of(slots_[place].unit);
+        said_.now = now_;
+        switch (chance_.below(8)) {
+        case 0: counts_.note(event::cycle_reset_a_fault); loop.reset_fault(); break;
+        case 1:
+        case 2: stop_cycle(place, loop, any_way()); break;
+        default: run(place, loop, law); break;
+        }
+        return true;
+    }
+
+    template <typename Device> void run(std::size_t place, a::cyclic<Device>& loop, judge& law)
+    {
+        int const asked = any_reference();
+        bool const is_taken = run_cycle<Device>(loop, asked);
+        said_.say("run in place %zu: %.1f Hz, taken %d", place, asked / 2.0, int{is_taken});
+        counts_.note(is_taken ? event::cycle_ran : event::cycle_refused_to_run);
+        if (is_taken) {
+            law.note_order(place, now_, asked * 500, true);
+        }
+    }
+
+    template <typename Device>
+    void stop_cycle(std::size_t place, a::cyclic<Device>& loop, a::stop_by how)
+    {
+        counts_.note(event::cycle_stopped);
+        bool const is_halt = how == a::stop_by::halt and Device::profile.halt != 0;
+        said_.say("stop of the cycle in place %zu, way %d", place, static_cast<int>(how));
+        loop.stop(how);
+        law_of(slots_[place].unit).note_stop(now_, is_halt);
+    }
+
+    void change(std::size_t place, std::size_t unit)
+    {
+        int const asked = any_reference();
+        counts_.note(event::reference_changed);
+        with_device(set_of(unit).which, [&]<typename Device>(Device) {
+            put(place, unit,
+                a::change_reference{station_of<Device>(set_of(unit)), reference_of<Device>(asked),
+                                    any_limit()});
+        });
+        said_.say("change in place %zu: drive %u to %.1f Hz", place, set_of(unit).address, asked / 2.0);
+        law_of(unit).note_reference(asked * 500);
+    }
+
+    void reset(std::size_t place, std::size_t unit)
+    {
+        counts_.note(event::fault_reset);
+        if (chance_.below(2) == 0) {
+            nodes_[unit]->drive->clear_cause();
+            counts_.note(event::cause_gone);
+        }
+        with_device(set_of(unit).which, [&]<typename Device>(Device) {
+            put(place, unit, a::reset_fault{station_of<Device>(set_of(unit))});
+        });
+        said_.say("fault reset in place %zu: drive %u", place, set_of(unit).address);
+    }
+
+    void begin_poll(std::size_t place, std::size_t unit)
+    {
+        counts_.note(event::polled);
+        altivar::drive_profile const& profile = nodes_[unit]->drive->profile();
+        std::uint16_t const what = chance_.below(2) == 0 ? profile.rfr : profile.lft;
+        put(place, unit,
+            poll{*unit_id::checked(set_of(unit).address), read_holding_registers{what, 1}});
+        slots_[place].asks_again = chance_.below(3) != 0;
+        said_.say("poll in place %zu: drive %u", place, set_of(unit).address);
+    }
+
+    void save_or_configure(std::size_t place, std::size_t unit)
+    {
+        said_.now = now_;
+        said_.say("save or scanner in place %zu: drive %u", place, set_of(unit).address);
+        if (set_of(unit).which == model::atv320 and chance_.below(2) == 0) {
+            counts_.note(event::scanner_configured);
+            put(place, unit, scanner_of_atv320{station_of<a::atv320::device>(set_of(unit))});
+        } else if (set_of(unit).which == model::atv12 and chance_.below(2) == 0) {
+            counts_.note(event::scanner_configured);
+            put(place, unit, scanner_of_atv12{station_of<a::atv12::device>(set_of(unit))});
+        } else {
+            counts_.note(event::saved);
+            with_device(set_of(unit).which, [&]<typename Device>(Device) {
+                put(place, unit, a::save_to_eeprom{station_of<Device>(set_of(unit))});
+            });
+        }
+    }
+
+    void stop_all()
+    {
+        counts_.note(event::stopped_everyone);
+        a::everyone_options const options{.freewheel = chance_.below(2) == 0,
+                                          .cuts_short = chance_.below(4) == 0,
+                                          .last_after = milliseconds(400)};
+        with_device(set_of(0).which, [&]<typename First>(First) {
+            auto const first = station_of<First>(set_of(0));
+            if (how_.drives == 1) {
+                everyone_.template emplace<a::stop_everyone<1>>(options, first);
+            } else {
+                with_device(set_of(1).which, [&]<typename Second>(Second) {
+                    everyone_.template emplace<a::stop_everyone<2>>(options, first,
+                                                                    station_of<Second>(set_of(1)));
+                });
+            }
+        });
+        said_.now = now_;
+        said_.say("stop of everyone");
+        for (auto const& each : nodes_) {
+            each->law.note_stop(now_, false);
+        }
+    }
+
+    void cancel(std::size_t place)
+    {
+        counts_.note(event::cancelled);
+        said_.now = now_;
+        bool const is_all = chance_.below(2) == 0;
+        said_.say(is_all ? "cancel" : "cancel of place %zu", place);
+        if (is_all) {
+            link_.cancel(at());
+        } else {
+            std::visit(
+                [&](auto& what) {
+                    if constexpr (not std::is_same_v<std::decay_t<decltype(what)>, std::monostate>) {
+                        this->link_.cancel(what, this->at());
+                    }
+                },
+                slots_[place].what);
+        }
+        for (auto const& each : nodes_) {
+            each->law.note_cancel();
+        }
+    }
+
+    void destroy(std::size_t place)
+    {
+        give_up(place);
+        said_.now = now_;
+        said_.say("place %zu is empty", place);
+        slots_[place].what.template emplace<std::monostate>();
+    }
+
+    void stay_away_or_release(std::size_t place, std::size_t unit)
+    {
+        said_.now = now_;
+        if (chance_.below(2) == 0) {
+            counts_.note(event::stayed_away);
+            said_.say("place %zu stays away", place);
+            give_up_for_good(place);
+            return;
+        }
+        counts_.note(event::released);
+        said_.say("drive %u is released", set_of(unit).address);
+        if constexpr (base::has_slots) {
+            link_.release(*unit_id::checked(set_of(unit).address));
+        } else {
+            link_.motor_orders().release(set_of(unit).address);
+        }
+    }
+
+    /// Nobody calls for it any more.
+    void give_up_for_good(std::size_t place)
+    {
+        give_up(place);
+        slots_[place].is_away = true;
+    }
+};
+
+} // namespace rtuwire::lives
