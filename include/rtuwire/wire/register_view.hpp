@@ -29,7 +29,8 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 }
 
 /// Of `count` registers there is one at this index; looked at where `is_misuse_caught()`.
-[[gnu::always_inline]] constexpr void require_register(std::size_t index, std::size_t count) noexcept
+[[gnu::always_inline]] constexpr void require_register(std::size_t index,
+                                                       std::size_t count) noexcept
 {
     if (is_misuse_caught() and index >= count) {
         there_is_no_such_register();
