@@ -9,9 +9,15 @@ using namespace rtuwire;
 
 void ask(byte_view frame);
 
+template <std::uint16_t Address> void read_one(unit_id unit)
+{
+    single_question const talk{unit, read_holding_registers{Address, 1}};
+    ask(talk.next()->frame());
+}
+
 template <std::uint16_t... Addresses> void read_each(unit_id unit)
 {
-    (ask(single_question{unit, read_holding_registers{Addresses, 1}}.next()->frame()), ...);
+    (read_one<Addresses>(unit), ...);
 }
 
 void read_all(unit_id unit)

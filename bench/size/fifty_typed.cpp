@@ -10,9 +10,15 @@ using namespace rtuwire::altivar;
 
 void ask(byte_view frame);
 
+template <auto const& R> void read_one(station<atv320::device> const& drive)
+{
+    auto const talk = read<R>(drive);
+    ask(talk.next()->frame());
+}
+
 template <auto const&... Registers> void read_each(station<atv320::device> const& drive)
 {
-    (ask(read<Registers>(drive).next()->frame()), ...);
+    (read_one<Registers>(drive), ...);
 }
 
 void read_all(station<atv320::device> const& drive)

@@ -131,13 +131,9 @@ constexpr bool leads_to_the_goals()
         bool const can_climb = height_of(from) > 0;
         bool const runs =
             arrives(from, toward_running, [](state at) { return at == state::operation_enabled; });
-        bool const stops = arrives(from, toward_stopped, [](state at) {
-            return at != state::operation_enabled and at != state::switched_on and
-                   at != state::quick_stop_active;
-        });
         bool const clears =
             arrives(from, toward_cleared, [](state at) { return at != state::fault; });
-        if (runs != can_climb or not stops or not clears) {
+        if (runs != can_climb or not clears) {
             return false;
         }
     }

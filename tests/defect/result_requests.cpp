@@ -115,8 +115,9 @@ constexpr bool may_be_kept_by_value()
     auto const copied = *encoded();
     auto const& named = *encoded(); // lives as long as its name
     byte_view const same = named;
-    return copied == same and same_bytes(*encoded(), same) and encoded()->size() == 8;
+    return copied == same and *encoded() == same and encoded()->size() == 8;
 }
-PROOF("defect: the value of a temporary result may be copied, named and handed on", may_be_kept_by_value)
+PROOF("defect: the value of a temporary result may be copied, named and compared",
+      may_be_kept_by_value)
 
 } // namespace

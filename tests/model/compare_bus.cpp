@@ -4,9 +4,7 @@
 #include <rtuwire/client/bus.hpp>
 #include <rtuwire/client/statistics.hpp>
 
-#include "compare_line.hpp"
-#include "compare_questions.hpp"
-#include "compare_talk.hpp"
+#include "compare_schedule.hpp"
 #include "model_bus.hpp"
 
 using compare::dice;
@@ -135,28 +133,22 @@ struct both {
     }
 };
 
-struct world {
-    dice& roll;
-    report& told;
-    compare::clock clock;
-    model::line_times times;
-    model::options how;
+rtuwire::bus_options library(model::share const& of)
+{
+    return {static_cast<std::uint8_t>(of.silent_share), static_cast<std::uint8_t>(of.silent_after)};
+}
+
+struct world : compare::schedule {
     rtuwire::bus<slots, rtuwire::unit_statistics<rows>> engine;
     model::bus second;
-    compare::far_end line;
-    time now{0};
-    std::vector<outcome> engines_outcomes{};
-    std::vector<outcome> models_outcomes{};
     std::vector<both> talks{slots + 1};
 
     world(dice& with, report& to, compare::setting const& as, model::options const& options,
           model::share const& share)
-        : roll{with}, told{to}, clock{as.start}, times{as.bits, as.bits_by_character, as.end},
-          how{options}, engine{compare::timing(as), compare::library(options),
-                               rtuwire::bus_options{static_cast<std::uint8_t>(share.silent_share),
-                                                    static_cast<std::uint8_t>(share.silent_after)}},
-          second{times, options, share, slots}, line{with, times, options.response_timeout,
-                                                     options.has_echo or with.chance(5)}
+        : compare::schedule{with, to, as, options, 5}, engine{compare::timing(as),
+                                                              compare::library(options),
+                                                              library(share)},
+          second{times, options, share, slots}
     {
         for (both& each : talks) {
             clear(each);
@@ -172,32 +164,18 @@ struct world {
         one.engine.pace.seen = one.second.pace.seen = now;
     }
 
-    void step(char const* what, bytes const& of = {})
-    {
-        told.step("%lld %s %s", static_cast<long long>(now), what, compare::hex(of).c_str());
-    }
-    void number_step(char const* what, long long number)
-    {
-        told.step("%lld %s %lld", static_cast<long long>(now), what, number);
-    }
-
     void check()
     {
         if (told.is_told and not told.failed()) {
-            auto const next = second.poll_deadline();
-            told.steps.back() += "  [next " + (next ? std::to_string(*next) : "never") +
-                                 second.inner.state() + second.state() + ", request " +
-                                 compare::hex(second.inner.request()).substr(0, 24) + "]";
+            tell_state(second.poll_deadline(), second.inner.state() + second.state(),
+                       second.inner.request());
         }
         compare::same_outcomes(told, engines_outcomes, models_outcomes);
         for (std::size_t i = 0; i < slots; ++i) {
             told.same(("silent " + std::to_string(i)).c_str(), engine.is_silent(i),
                       second.is_silent(i));
         }
-        for (std::uint8_t unit = 1; unit <= compare::far_end::units + 1; ++unit) {
-            told.same("held", engine.is_held(*rtuwire::unit_id::checked(unit)),
-                      second.inner.is_held(unit));
-        }
+        same_holds(engine, second.inner);
         for (both const& each : talks) {
             told.same(
                 ("how often next was called by " + std::to_string(each.second.says.id)).c_str(),
@@ -208,44 +186,20 @@ struct world {
                                second.inner.is_woken(), second.inner.ended_at(), now, clock);
     }
 
-    void happen(line_event const& what, time at)
-    {
-        switch (what.what) {
-        case line_event::kind::octets:
-            step("receive", what.of);
-            engine.receive(compare::view(what.of), clock.at(now));
-            second.inner.receive(what.of, now);
-            break;
-        case line_event::kind::damage:
-            step("receive_error");
-            engine.receive_error(clock.at(now));
-            second.inner.receive_error(now);
-            break;
-        case line_event::kind::sent:
-            number_step("sent at", at);
-            engine.sent(clock.at(at));
-            second.inner.sent(at);
-        }
-        check();
-    }
     void events()
     {
-        while (not line.to_come.empty() and line.to_come.begin()->first <= now and
-               not told.failed()) {
+        while (has_event()) {
             auto const next = line.to_come.begin();
             time const at = next->first;
             line_event const what = next->second;
             line.to_come.erase(next);
-            happen(what, at);
+            happen(engine, second.inner, what, at);
+            check();
         }
     }
     void pass_time()
     {
-        std::optional<time> until = second.poll_deadline();
-        if (not line.to_come.empty()) {
-            time const event = line.to_come.begin()->first;
-            until = until ? std::min(*until, event) : event;
-        }
+        std::optional<time> const until = next_of(second.poll_deadline());
         bool const may_sleep = not second.inner.is_woken();
         switch (roll.below(14)) {
         case 0: break;
@@ -432,13 +386,8 @@ struct world {
 
     void run(model::share const& share)
     {
-        told.step(
-            "times: character %lld, t3.5 %lld, frame end %lld; R %lld, L %lld, turnaround "
-            "%lld, retries %u, echo %d, skip %u; share %u, silent after %u",
-            static_cast<long long>(times.character), static_cast<long long>(times.t3_5),
-            static_cast<long long>(times.frame_end), static_cast<long long>(how.response_timeout),
-            static_cast<long long>(how.late_answer), static_cast<long long>(how.turnaround),
-            how.retries, how.has_echo, how.skip_noise, share.silent_share, share.silent_after);
+        tell_times();
+        told.step("share %u, silent after %u", share.silent_share, share.silent_after);
         for (std::size_t i = 0; i < slots; ++i) {
             if (roll.chance(40)) {
                 set(i);

@@ -4,9 +4,7 @@
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/client/statistics.hpp>
 
-#include "compare_line.hpp"
-#include "compare_questions.hpp"
-#include "compare_talk.hpp"
+#include "compare_schedule.hpp"
 #include "model_client.hpp"
 
 using compare::both;
@@ -28,28 +26,17 @@ using engine_of =
                           rtuwire::held<rtuwire::client_options>, rtuwire::quarantine<Places>,
                           Front>;
 
-template <typename Engine> struct world {
-    dice& roll;
-    report& told;
-    compare::clock clock;
-    model::line_times times;
-    model::options how;
+template <typename Engine> struct world : compare::schedule {
     Engine engine;
     model::client second;
     Engine other_engine; ///< of another line, where nothing ever leaves
     model::client other_second;
-    compare::far_end line;
-    time now{0};
-    std::vector<outcome> engines_outcomes{};
-    std::vector<outcome> models_outcomes{};
     std::vector<both> talks{slots};
 
     world(dice& with, report& to, compare::setting const& as, model::options const& options)
-        : roll{with}, told{to}, clock{as.start}, times{as.bits, as.bits_by_character, as.end},
-          how{options}, engine{compare::timing(as), compare::library(options)},
-          second{times, options}, other_engine{compare::timing(as), compare::library(options)},
-          other_second{times, options}, line{with, times, options.response_timeout,
-                                             options.has_echo or with.chance(10)}
+        : compare::schedule{with, to, as, options, 10},
+          engine{compare::timing(as), compare::library(options)}, second{times, options},
+          other_engine{compare::timing(as), compare::library(options)}, other_second{times, options}
     {
         for (both& each : talks) {
             each.engine.says.told = &engines_outcomes;
@@ -57,30 +44,15 @@ template <typename Engine> struct world {
         }
     }
 
-    void step(char const* what, bytes const& of = {})
-    {
-        told.step("%lld %s %s", static_cast<long long>(now), what, compare::hex(of).c_str());
-    }
-    void number_step(char const* what, long long number)
-    {
-        told.step("%lld %s %lld", static_cast<long long>(now), what, number);
-    }
-
     void check()
     {
         if (told.is_told and not told.failed()) {
-            auto const next = second.poll_deadline();
-            told.steps.back() += "  [next " + (next ? std::to_string(*next) : "never") +
-                                 second.state() + ", request " +
-                                 compare::hex(second.request()).substr(0, 24) + "]";
+            tell_state(second.poll_deadline(), second.state(), second.request());
         }
         compare::same_outcomes(told, engines_outcomes, models_outcomes);
         told.same("busy", engine.is_busy(), second.is_busy());
         told.same("quiet", engine.is_quiet(), second.line().is_quiet);
-        for (std::uint8_t unit = 1; unit <= compare::far_end::units + 1; ++unit) {
-            told.same("held", engine.is_held(*rtuwire::unit_id::checked(unit)),
-                      second.is_held(unit));
-        }
+        same_holds(engine, second);
         for (both const& each : talks) {
             told.same(("asked by " + std::to_string(each.engine.says.id)).c_str(),
                       engine.is_asked_by(each.engine), second.is_asked_by(each.second.whose));
@@ -91,37 +63,17 @@ template <typename Engine> struct world {
                                second.is_woken(), second.ended_at(), now, clock);
     }
 
-    void happen(line_event const& what, time at)
-    {
-        switch (what.what) {
-        case line_event::kind::octets:
-            step("receive", what.of);
-            engine.receive(compare::view(what.of), clock.at(now));
-            second.receive(what.of, now);
-            break;
-        case line_event::kind::damage:
-            step("receive_error");
-            engine.receive_error(clock.at(now));
-            second.receive_error(now);
-            break;
-        case line_event::kind::sent:
-            number_step("sent at", at);
-            engine.sent(clock.at(at));
-            second.sent(at);
-        }
-        check();
-    }
     void events()
     {
-        while (not line.to_come.empty() and line.to_come.begin()->first <= now and
-               not told.failed()) {
+        while (has_event()) {
             auto const first = line.to_come.begin();
             time const at = roll.chance(70)   ? first->first
                             : roll.chance(80) ? now
                                               : now + roll.below(3'000);
             line_event const what = first->second;
             line.to_come.erase(first);
-            happen(what, at);
+            happen(engine, second, what, at);
+            check();
         }
     }
     static std::optional<time> earlier(std::optional<time> one, std::optional<time> other)
@@ -131,11 +83,7 @@ template <typename Engine> struct world {
     void pass_time()
     {
         auto const next = second.poll_deadline();
-        std::optional<time> until = earlier(next, other_second.poll_deadline());
-        if (not line.to_come.empty()) {
-            time const event = line.to_come.begin()->first;
-            until = until ? std::min(*until, event) : event;
-        }
+        std::optional<time> const until = next_of(earlier(next, other_second.poll_deadline()));
         switch (roll.below(14)) {
         case 0: break;
         case 1: now += roll.below(3'000); break;
@@ -301,13 +249,8 @@ template <typename Engine> struct world {
 
     void run()
     {
-        told.step("times: character %lld, t3.5 %lld, frame end %lld; R %lld, L %lld, turnaround "
-                  "%lld, retries %u, echo %d, skip %u, front %zu, places %zu",
-                  static_cast<long long>(times.character), static_cast<long long>(times.t3_5),
-                  static_cast<long long>(times.frame_end),
-                  static_cast<long long>(how.response_timeout),
-                  static_cast<long long>(how.late_answer), static_cast<long long>(how.turnaround),
-                  how.retries, how.has_echo, how.skip_noise, how.front, how.places);
+        tell_times();
+        told.step("front %zu, places %zu", how.front, how.places);
         unsigned const passes = roll.chance(4) ? 250 : 20 + roll.below(41);
         for (unsigned i = 0; i < passes and not told.failed(); ++i) {
             pass();

@@ -48,6 +48,11 @@ struct two_units {
         ours.receive(octets, now);
         pass({});
     }
+    template <pdu Question> constexpr void hear(unit_id unit, Question const& question)
+    {
+        auto const frame = *encode(unit, question);
+        hear(frame);
+    }
 
     /// A question to unit 2, and its answer.
     template <pdu Question> constexpr void between_others(Question const& question)
@@ -64,7 +69,7 @@ struct two_units {
     /// Whether a write to us is obeyed.
     constexpr bool obeys(std::uint16_t word)
     {
-        hear(*encode(unit_id{1}, write_single_register{1, word}));
+        hear(unit_id{1}, write_single_register{1, word});
         pass(line.t3_5());
         now = now + line.characters(ours.poll_transmit().size());
         ours.sent(now);
@@ -131,10 +136,9 @@ constexpr bool never_answered()
         it.pass(pause);
         it.hear(question); // the client's second try
         it.pass(pause);
-        it.hear(
-            *encode(unit_id{2}, read_holding_registers{3201, 6})); // another, of the same function
+        it.hear(unit_id{2}, read_holding_registers{3201, 6}); // another, of the same function
         it.pass(pause);
-        it.hear(*encode(unit_id{2}, write_single_register{0, 7}));
+        it.hear(unit_id{2}, write_single_register{0, 7});
         it.pass(pause);
         ok = it.obeys(i) and ok;
         it.pass(pause);
@@ -146,12 +150,12 @@ PROOF("a unit that never answers keeps nobody from hearing", never_answered)
 constexpr bool repeated_then_answered()
 {
     two_units it;
-    it.hear(*encode(unit_id{2}, read_holding_registers{0, 4}));
+    it.hear(unit_id{2}, read_holding_registers{0, 4});
     it.pass(pause);
     it.between_others(read_holding_registers{0, 4});
     it.pass(pause);
     bool const ok = it.obeys(1);
-    it.hear(*encode(unit_id{2}, read_holding_registers{99, 4}));
+    it.hear(unit_id{2}, read_holding_registers{99, 4});
     it.pass(pause);
     it.between_others(read_holding_registers{99, 4}); // an exception
     it.pass(pause);
@@ -229,7 +233,7 @@ PROOF("a repeated request ends at once where the response would be far longer", 
 constexpr bool damaged_answer()
 {
     two_units it;
-    it.hear(*encode(unit_id{2}, read_holding_registers{0, 4}));
+    it.hear(unit_id{2}, read_holding_registers{0, 4});
     it.hear("02 03 08 01 06 00 01 00 03 98 0B DA 99"_hex);
     bool const is_deaf = not it.obeys(3);
     it.pass(line.frame_end());

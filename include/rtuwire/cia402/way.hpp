@@ -29,23 +29,6 @@ namespace rtuwire::inline RTUWIRE_BUILD::cia402 {
     return command::none;
 }
 
-/// The next command toward a motor without power that stops on its ramp: "ready to switch on" or below.
-[[nodiscard]] constexpr command toward_stopped(state from) noexcept
-{
-    switch (from) {
-    case state::operation_enabled: return command::switch_on; // that is "disable operation"
-    case state::switched_on: return command::shutdown;
-    case state::quick_stop_active: return command::disable_voltage;
-    case state::unknown:
-    case state::not_ready_to_switch_on:
-    case state::switch_on_disabled:
-    case state::ready_to_switch_on:
-    case state::fault_reaction_active:
-    case state::fault: break;
-    }
-    return command::none;
-}
-
 /// The next command toward a cleared fault; only a fault has one. Its control word is an edge: a word
 /// with bit 7 low goes before it.
 [[nodiscard]] constexpr command toward_cleared(state from) noexcept

@@ -39,13 +39,14 @@ public:
         error_ = errc::pending;
     }
 
-    constexpr std::optional<request> next() const noexcept
+    constexpr std::optional<request> next() const& noexcept
     {
         if (settled()) {
             return std::nullopt;
         }
         return request{frame_};
     }
+    std::optional<request> next() const&& = delete;
 
     constexpr void accept(result<response> const& outcome) noexcept
     {

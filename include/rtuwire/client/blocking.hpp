@@ -59,10 +59,11 @@ public:
         : port_{port}, client_{line, options}, write_limit_{options.response_timeout}
     {}
 
-    /// Asks one question and waits for its outcome. The answer is valid until the next `ask`. Errors:
-    /// those of encoding, an exception of the unit, those of the client, those of the port.
+    /// Asks one question and waits for its outcome. The answer is a view of this client's memory, valid until
+    /// the next `ask`. Errors: those of encoding, an exception of the unit, those of the client, those of the
+    /// port.
     template <typename To, pdu Request>
-    result<typename Request::response> ask(To to, Request const& question)
+    result<typename Request::response> ask(To to, Request const& question) &
     {
         single_question talk{to, question};
         auto const outcome = outcome_of(talk);
@@ -73,6 +74,8 @@ public:
         byte_writer{answer_}.bytes(pdu);
         return response{byte_view{answer_}.first(pdu.size())}.template to<Request>();
     }
+    template <typename To, pdu Request>
+    result<typename Request::response> ask(To to, Request const& question) && = delete;
 
     /// Tells everyone on the line and waits out the turnaround delay. Errors: those of encoding, of
     /// the client, of the port.

@@ -97,7 +97,8 @@ private:
 /// An asker with questions. `next` gives the next question, or nothing when there is none now; it may be
 /// called again before an outcome came, where the question could not be sent. `accept` takes the outcome of
 /// the question that this conversation asked last, and of no other; it comes before `next` is called again, or
-/// never where the conversation was given up. `settled` tells that no question follows.
+/// never where the conversation was given up. `settled` tells that no question follows. A question is a view of its
+/// conversation's memory.
 template <typename T>
 concept conversation = std::derived_from<T, asker> and requires(T& talk, result<response> outcome)
 {

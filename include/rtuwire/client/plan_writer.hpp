@@ -30,13 +30,14 @@ public:
         prepare();
     }
 
-    constexpr std::optional<request> next() const noexcept
+    constexpr std::optional<request> next() const& noexcept
     {
         if (settled()) {
             return std::nullopt;
         }
         return request{byte_view{frame_}.first(frame_size_)};
     }
+    std::optional<request> next() const&& = delete;
 
     constexpr void accept(result<response> const& outcome) noexcept
     {

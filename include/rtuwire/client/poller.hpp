@@ -35,13 +35,14 @@ public:
         outcome_ = errc::pending;
     }
 
-    constexpr std::optional<request> next() const noexcept
+    constexpr std::optional<request> next() const& noexcept
     {
         if (settled()) {
             return std::nullopt;
         }
         return request{frames_[at_]};
     }
+    std::optional<request> next() const&& = delete;
 
     constexpr void accept(result<response> const& outcome) noexcept
     {
@@ -73,7 +74,8 @@ public:
     [[nodiscard]] constexpr result<void> outcome() const noexcept { return outcome_; }
 
     /// The values of the last whole round; zeros before it.
-    [[nodiscard]] constexpr snapshot const& latest() const noexcept { return current_; }
+    [[nodiscard]] constexpr snapshot const& latest() const& noexcept { return current_; }
+    snapshot const& latest() const&& = delete;
 
 private:
     constexpr void end(errc error) noexcept { outcome_ = error; }

@@ -48,13 +48,14 @@ public:
         }
     }
 
-    constexpr std::optional<request> next() const noexcept
+    constexpr std::optional<request> next() const& noexcept
     {
         if (settled()) {
             return std::nullopt;
         }
         return request{byte_view{frame_}.first(size_)};
     }
+    std::optional<request> next() const&& = delete;
 
     constexpr void accept(result<response> const& outcome) noexcept
     {

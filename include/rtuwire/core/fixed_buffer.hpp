@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -23,7 +24,8 @@ public:
     constexpr fixed_buffer() noexcept = default;
 
     /// All of the storage, to be filled from its start and then kept with `resize`.
-    [[nodiscard]] constexpr byte_span storage() noexcept { return storage_; }
+    [[nodiscard]] constexpr byte_span storage() & noexcept { return storage_; }
+    [[nodiscard]] byte_span storage() && = delete;
 
     /// Keeps the first `size` octets; a size above the capacity keeps the capacity.
     constexpr void resize(std::size_t size) noexcept
@@ -32,13 +34,25 @@ public:
     }
 
     /// The octets held, valid while the buffer lives and is not resized.
-    [[nodiscard]] constexpr byte_view view() const noexcept
+    [[nodiscard]] constexpr byte_view view() const& noexcept
     {
         return byte_view{storage_}.first(size_);
     }
 
     /// The octets held, for everything that takes a view.
-    constexpr operator byte_view() const noexcept { return view(); }
+    constexpr operator byte_view() const& noexcept { return view(); }
+
+    /// A buffer that ends with its expression gives no view, not even to a function that would look at it only once:
+    /// nobody sees in `byte_view octets = *encode(...)` that there is nothing left to look at.
+    template <std::same_as<byte_view> View = byte_view>
+    [[nodiscard]] constexpr View view() const&& noexcept
+    {
+        return view_of_none<View>();
+    }
+    template <std::same_as<byte_view> View> constexpr operator View() const&& noexcept
+    {
+        return view_of_none<View>();
+    }
 
     [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
     [[nodiscard]] constexpr bool empty() const noexcept { return size_ == 0; }
@@ -51,6 +65,13 @@ public:
     }
 
 private:
+    template <typename View> static constexpr View view_of_none() noexcept
+    {
+        static_assert(not std::same_as<View, byte_view>,
+                      "a frame that ends with its expression gives no view: give it a name first");
+        return {};
+    }
+
     std::array<std::byte, Capacity> storage_{};
     std::uint16_t size_{0};
 };

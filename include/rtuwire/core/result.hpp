@@ -16,7 +16,8 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 enum class errc : std::uint8_t;
 
 /// The program's hook, for a program to define: called once before the program traps because it read the value
-/// of a result that failed with `why`. A program that runs a motor defines it, and stops the motor in it:
+/// of a result that failed with `why`, or a register that a view does not have (`invalid_address_range`). A
+/// program that runs a motor defines it, and stops the motor in it:
 ///
 ///     void rtuwire::on_missing_value(rtuwire::errc) noexcept { board::motor_off(); }
 ///

@@ -9,8 +9,9 @@
 /// The version, as major * 10000 + minor * 100 + patch.
 #define RTUWIRE_VERSION 100
 
-/// Whether reading the value of a result that has none is caught when the program runs: 1 or 0. On where
-/// there is an operating system, off on bare metal unless asked for; NDEBUG does not matter.
+/// Whether reading the value of a result that has none, or a register that a view does not have, is caught
+/// when the program runs: 1 or 0. On where there is an operating system, off on bare metal unless asked for;
+/// NDEBUG does not matter.
 #ifndef RTUWIRE_CHECKED
 #if defined(__unix__) || defined(__APPLE__) || defined(_WIN32)
 #define RTUWIRE_CHECKED 1

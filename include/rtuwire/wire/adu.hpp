@@ -130,8 +130,8 @@ template <broadcastable P>
     return encode_adu(out, to.octet(), value);
 }
 
-/// The frame of a request or response, as a value. A question cannot be sent to everyone: that does
-/// not compile.
+/// The frame of a request or response, as a value. It needs a name before it gives a view of its octets. A
+/// question cannot be sent to everyone: that does not compile.
 template <typename To, pdu P>
 [[nodiscard]] constexpr result<frame_of<P>> encode(To to, P const& value) noexcept
 {

@@ -33,7 +33,7 @@ enum class errc : std::uint8_t {
     buffer_too_small = 0x80, ///< the caller's span cannot hold the result
     invalid_unit,            ///< a unit address outside 1..247
     invalid_quantity,        ///< a quantity of 0 or above the function's limit
-    invalid_address_range,   ///< start + quantity runs past register 65535
+    invalid_address_range,   ///< start + quantity runs past register 65535; or an index past a view's end
     invalid_function,        ///< a function code outside 1..127
     not_for_broadcast,       ///< a question that nobody may answer
     busy,                    ///< a transaction is under way

@@ -30,7 +30,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     case errc::buffer_too_small: return "buffer too small";
     case errc::invalid_unit: return "unit address outside 1..247";
     case errc::invalid_quantity: return "quantity outside the function's limits";
-    case errc::invalid_address_range: return "registers past address 65535";
+    case errc::invalid_address_range: return "registers behind the last one";
     case errc::invalid_function: return "function code outside 1..127";
     case errc::not_for_broadcast: return "not possible as a broadcast";
     case errc::busy: return "a transaction is under way";

@@ -21,6 +21,22 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+/// The end of a program that reads or sets a register behind the last one; see `on_missing_value`. Not constexpr, so
+/// that the compiler refuses a constant expression with this name.
+[[noreturn]] inline void there_is_no_such_register() noexcept
+{
+    a_failed_result_has_no_value(errc::invalid_address_range);
+}
+
+/// Of `count` registers there is one at this index; looked at where `is_misuse_caught()`.
+[[gnu::always_inline]] constexpr void require_register(std::size_t index,
+                                                       std::size_t count) noexcept
+{
+    if (is_misuse_caught() and index >= count) {
+        there_is_no_such_register();
+    }
+}
+
 /// A view of big-endian 16-bit registers; valid as long as the octets beneath it.
 class register_view {
 public:
@@ -34,9 +50,10 @@ public:
     [[nodiscard]] constexpr std::size_t size() const noexcept { return bytes_.size() / 2; }
     [[nodiscard]] constexpr bool empty() const noexcept { return bytes_.empty(); }
 
-    /// The register at an index below `size()`.
+    /// The register at an index below `size()`; any other is misuse, like the value of a failed result.
     [[nodiscard]] constexpr std::uint16_t operator[](std::size_t index) const noexcept
     {
+        require_register(index, size());
         return u16_at(bytes_, index * 2);
     }
 
@@ -104,15 +121,17 @@ public:
 
     [[nodiscard]] static constexpr std::size_t size() noexcept { return Count; }
 
-    /// The register at an index below `Count`.
+    /// The register at an index below `Count`; any other is misuse, as in a view.
     [[nodiscard]] constexpr std::uint16_t operator[](std::size_t index) const noexcept
     {
+        require_register(index, Count);
         return u16_at(bytes_, index * 2);
     }
 
-    /// Replaces the register at an index below `Count`.
+    /// Replaces the register at an index below `Count`; any other is misuse, too.
     constexpr void set(std::size_t index, std::uint16_t value) noexcept
     {
+        require_register(index, Count);
         byte_writer{byte_span{bytes_}.subspan(index * 2, 2)}.u16(value);
     }
 

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The same, asked for by name.
+// EXPECT: a frame that ends with its expression gives no view: give it a name first
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+
+using namespace rtuwire;
+
+std::size_t kept_size()
+{
+#ifdef REFUSED
+    byte_view const kept = (*encode(unit_id{1}, read_holding_registers{3201, 1})).view();
+#else
+    auto const frame = *encode(unit_id{1}, read_holding_registers{3201, 1});
+    byte_view const kept = frame.view();
+#endif
+    return kept.size();
+}

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Octets to be written, of a buffer that is gone before anybody writes them.
+// EXPECT: deleted
+// EXPECT: storage
+#include <rtuwire/core/fixed_buffer.hpp>
+
+using namespace rtuwire;
+
+std::size_t place()
+{
+#ifdef REFUSED
+    byte_span const kept = fixed_buffer<8>{}.storage();
+#else
+    fixed_buffer<8> buffer;
+    byte_span const kept = buffer.storage();
+#endif
+    return kept.size();
+}
