@@ -82,8 +82,8 @@ public:
         control_.stop(has_none ? stop_by::ramp : how);
         this->note_stop();
         is_due_ = has_begun_;
-        if (control_.must_stop() and not control_.is_halting()) {
-            step_ = step::say_stop; // whatever was to be read first
+        if (control_.must_stop()) { // whatever was to be read first; a halt alone looks at the drive
+            step_ = control_.is_halting() ? step::observe : step::say_stop;
         }
     }
 
@@ -322,8 +322,9 @@ private:
         if (error == errc::overruled) {
             return yield();
         }
-        if (step_ == step::say_stop) {
-            return; // again, as long as the client lets it
+        if (step_ == step::say_stop) { // again, as long as the client lets it
+            step_ = control_.is_halting() ? step::observe : step_;
+            return;
         }
         bool const is_tolerated = misses_ < options_.tolerated_misses and error != errc::unit_lost and
                                   not is_exception(error);
