@@ -29,6 +29,14 @@ inline bool enables(std::uint16_t word, altivar::drive_profile const& profile)
     return is_direct ? (word & 0x700AU) == 0x000A : (word & 0x0FU) == 0x0F and not is_halt;
 }
 
+/// Whether a control word stops a motor and leaves it its power: halt and DC injection. Behind a look that was out of date
+/// it may give the power back to a motor that stands.
+inline bool keeps_power(std::uint16_t word, altivar::drive_profile const& profile)
+{
+    bool const is_halt = profile.halt != 0 and (word & profile.halt) != 0 and (word & 0x0FU) == 0x0F;
+    return is_halt or (profile.dc_injection != 0 and word == profile.dc_injection);
+}
+
 /// The control word that a request writes, where it writes one.
 inline std::optional<std::uint16_t> control_word_in(byte_view frame,
                                                     altivar::drive_profile const& profile)
@@ -143,6 +151,7 @@ public:
             ++unanswered_;
         }
         asked_function_ = to_u8(frame[1]);
+        asked_at_ = now;
         is_look_ = to_u8(frame[1]) == 3 and u16_at(frame, 2) == drive_.profile().eta;
         auto const word = control_word_in(frame, drive_.profile());
         bool const may = has_order() or is_foreign_;
@@ -155,15 +164,15 @@ public:
             }
             was_asked_ = has_order() and latest_order() >= disturbed_at_;
             is_halting_ = is_halting_ and not is_enabling;
-            is_braking_ = word and drive_.profile().dc_injection != 0 and
-                          *word == drive_.profile().dc_injection;
+            is_braking_ = word and keeps_power(*word, drive_.profile());
         }
         return is_enabling and not may ? std::optional{breach::enabled_without_order} : std::nullopt;
     }
-    void note_answer()
+    void note_answer(moment now)
     {
         unanswered_ = 0;
-        note_begin(asked_function_);
+        bool const is_in_time = now < asked_at_ + how_.options.response_timeout.microseconds;
+        note_begin(is_in_time ? asked_function_ : std::uint8_t{0});
         for (order& each : orders_) {
             each.has_looked = each.has_looked or is_look_;
         }
@@ -260,11 +269,12 @@ private:
         return latest;
     }
 
-    /// The user resets a fault. An order for which nothing was done yet does not know that there was one.
+    /// The user resets a fault by a conversation of its own. What was ordered before and was not told of the fault counts
+    /// as ordered again.
     void note_reset(moment now)
     {
         for (order& each : orders_) {
-            each.at = each.has_begun ? each.at : now;
+            each.at = now;
         }
     }
 
@@ -289,7 +299,7 @@ private:
     std::optional<breach> begin_to_run(moment now)
     {
         counts_.note(event::motor_ran);
-        if (is_braking_) { // by a current, and its user asked for it
+        if (is_braking_) { // its user asked for that
             return std::nullopt;
         }
         if (was_foreign_) {
@@ -366,6 +376,7 @@ private:
     moment stopped_at_{0};
     moment disturbed_at_{0};
     moment first_unanswered_{0};
+    moment asked_at_{0};
     moment last_heard_{0};
     moment last_foreign_{0};
     moment ran_at_{0};

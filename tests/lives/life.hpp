@@ -26,6 +26,7 @@ struct slot {
     bool is_away{false};
     bool asks_again{false};
     bool is_halt{false};
+    std::int32_t asked{0};    ///< mHz, by a change of the reference
 };
 
 template <typename Link> class life {
@@ -297,7 +298,7 @@ private:
         said_.frame("  <-", frame, is_lost ? "  lost" : "", &own);
         if (not is_lost) {
             link_.receive(frame, at());
-            own.law.note_answer();
+            own.law.note_answer(now_);
             is_answered_ = true;
         }
         for (auto const& each : nodes_) {

@@ -108,6 +108,18 @@ protected:
         return what;
     }
 
+    /// An order to run. Changes of the reference that are under way may come behind it.
+    void note_order(std::size_t place, std::int32_t asked, bool is_by_cycle)
+    {
+        std::size_t const unit = slots_[place].unit;
+        law_of(unit).note_order(place, now_, asked, is_by_cycle);
+        for (slot const& each : slots_) {
+            if (each.unit == unit and std::holds_alternative<a::change_reference>(each.what)) {
+                law_of(unit).note_reference(each.asked);
+            }
+        }
+    }
+
     void begin_start(std::size_t place, std::size_t unit)
     {
         int const asked = any_reference();
@@ -117,7 +129,7 @@ protected:
             put(place, unit, make_start<Device>(set_of(unit), asked, limit));
         });
         said_.say("start in place %zu: drive %u at %.1f Hz", place, set_of(unit).address, asked / 2.0);
-        law_of(unit).note_order(place, now_, asked * 500, false);
+        note_order(place, asked * 500, false);
     }
 
     void begin_direct_start(std::size_t place, std::size_t unit)
@@ -133,7 +145,7 @@ protected:
                                    risks_of(set_of(unit))});
         said_.say("direct start in place %zu: drive %u at %.1f Hz", place, set_of(unit).address,
                   asked / 2.0);
-        law_of(unit).note_order(place, now_, asked * 500, false);
+        note_order(place, asked * 500, false);
     }
 
     void count_stop(a::stop_by how)
@@ -195,25 +207,24 @@ protected:
     template <typename Talk> bool use(std::size_t, Talk&) { return false; }
     template <typename Device> bool use(std::size_t place, a::cyclic<Device>& loop)
     {
-        judge& law = law_of(slots_[place].unit);
         said_.now = now_;
         switch (chance_.below(8)) {
         case 0: counts_.note(event::cycle_reset_a_fault); loop.reset_fault(); break;
         case 1:
         case 2: stop_cycle(place, loop, any_way()); break;
-        default: run(place, loop, law); break;
+        default: run(place, loop); break;
         }
         return true;
     }
 
-    template <typename Device> void run(std::size_t place, a::cyclic<Device>& loop, judge& law)
+    template <typename Device> void run(std::size_t place, a::cyclic<Device>& loop)
     {
         int const asked = any_reference();
         bool const is_taken = run_cycle<Device>(loop, asked);
         said_.say("run in place %zu: %.1f Hz, taken %d", place, asked / 2.0, int{is_taken});
         counts_.note(is_taken ? event::cycle_ran : event::cycle_refused_to_run);
         if (is_taken) {
-            law.note_order(place, now_, asked * 500, true);
+            note_order(place, asked * 500, true);
         }
     }
 
@@ -237,6 +248,7 @@ protected:
                                     any_limit()});
         });
         said_.say("change in place %zu: drive %u to %.1f Hz", place, set_of(unit).address, asked / 2.0);
+        slots_[place].asked = asked * 500;
         law_of(unit).note_reference(asked * 500);
     }
 

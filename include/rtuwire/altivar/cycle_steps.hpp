@@ -149,8 +149,9 @@ public:
         if (error == errc::overruled) {
             return yield();
         }
-        if (step_ == step::say_stop) {
-            return; // again, as long as the client lets it
+        if (step_ == step::say_stop) { // again, as long as the client lets it
+            step_ = control_.is_halting() ? step::observe : step_;
+            return;
         }
         bool const is_tolerated = misses_ < options_.tolerated_misses and error != errc::unit_lost and
                                   not is_exception(error);

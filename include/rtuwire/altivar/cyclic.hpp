@@ -67,11 +67,13 @@ public:
         is_due_ = has_begun_;
     }
 
-    /// Orders one fault reset.
+    /// Orders one fault reset; nothing, and no order is renewed by it, where the drive is in no fault.
     constexpr void reset_fault() noexcept
     {
-        steps_.reset_fault();
-        this->note_order();
+        if (control().state() == cia402::state::fault) {
+            steps_.reset_fault();
+            this->note_order();
+        }
     }
 
     /// Sets an output word beyond the first two, where the device has it. It is written in each cycle
