@@ -87,11 +87,13 @@ public:
         }
     }
 
-    /// Orders one fault reset.
+    /// Orders one fault reset; nothing, and no order is renewed by it, where the drive is in no fault.
     constexpr void reset_fault() noexcept
     {
-        control_.reset_fault();
-        this->note_order();
+        if (control_.state() == cia402::state::fault) {
+            control_.reset_fault();
+            this->note_order();
+        }
     }
 
     /// Sets an output word beyond the first two, where the device has it. It is written in each cycle
