@@ -64,7 +64,8 @@ public:
     // What the user does.
 
     /// An order to run, in mHz with its sign.
-    void note_order(std::size_t place, moment now, std::int32_t asked, bool is_by_cycle)
+    void note_order(std::size_t place, moment now, std::int32_t asked, bool is_by_cycle,
+                    bool is_alone)
     {
         if (not has_power_ and not has_order()) {
             most_forward_ = most_reverse_ = 0;
@@ -72,7 +73,7 @@ public:
         }
         note_reference(asked);
         bool const has_begun = orders_[place].is_there and orders_[place].has_begun;
-        orders_[place] = {true, has_begun, is_by_cycle, is_by_cycle, now};
+        orders_[place] = {true, has_begun, is_by_cycle, is_by_cycle, is_alone, now};
     }
     void note_reference(std::int32_t asked)
     {
@@ -84,6 +85,9 @@ public:
         orders_.fill({});
         detached_ = {};
         taken_at_ = now;
+        if (is_orphan_) { // whatever it runs at
+            note_reference(drive_.frequency());
+        }
         is_orphan_ = false;
         is_halting_ = is_halt;
         stopped_at_ = now;
@@ -102,7 +106,7 @@ public:
     void note_given_up(std::size_t place, bool was_stopping)
     {
         if (orders_[place].is_there) {
-            detached_ = {true, true, false, true, std::max(detached_.at, orders_[place].at)};
+            detached_ = {true, true, false, true, true, std::max(detached_.at, orders_[place].at)};
             orders_[place] = {};
         } else if (was_stopping) {
             is_orphan_ = true;
@@ -162,7 +166,11 @@ public:
             if (word and (*word & 0x80U) != 0) {
                 note_reset(now);
             }
-            was_asked_ = has_order() and latest_order() >= disturbed_at_;
+            looked_at_ = is_look_ ? now : looked_at_;
+            // Direct control has no step between the last look and a motor that turns.
+            bool const is_too_late =
+                word and (*word & drive_.profile().direct_control) != 0 and disturbed_at_ >= looked_at_;
+            was_asked_ = has_order() and (latest_order() >= disturbed_at_ or is_too_late);
             is_halting_ = is_halting_ and not is_enabling;
             is_braking_ = word and keeps_power(*word, drive_.profile());
         }
@@ -174,7 +182,7 @@ public:
         bool const is_in_time = now < asked_at_ + how_.options.response_timeout.microseconds;
         note_begin(is_in_time ? asked_function_ : std::uint8_t{0});
         for (order& each : orders_) {
-            each.has_looked = each.has_looked or is_look_;
+            each.has_looked = each.has_looked or (is_look_ and each.is_alone);
         }
         is_heard_since_good_ = is_heard_since_good_ or is_good_;
     }
@@ -246,6 +254,7 @@ private:
         bool has_begun{false}; ///< a write for it was answered; before that nobody can know what happened meanwhile
         bool is_by_cycle{false};
         bool has_looked{false}; ///< its state was read for it
+        bool is_alone{false};   ///< else a look may have been somebody else's
         moment at{0};
     };
 
@@ -335,12 +344,15 @@ private:
         if (is_too_fast and not is_foreign_ and not is_orphan_) {
             return breach::too_fast;
         }
+        // A quick stop that waits at standstill, and a halt, keep the power.
+        bool const stands =
+            speed == 0 and (is_halting_ or drive_.state() == cia402::state::quick_stop_active);
         moment const by_itself = set_.time_out_us() + ramp();
         bool const is_watched = set_.is_supervised();
         if (died_at_ != 0 and is_watched and now > std::max(died_at_, last_heard_) + by_itself) {
             return breach::power_after_death;
         }
-        if (is_lost() and is_watched and died_at_ == 0 and not is_orphan_) {
+        if (is_lost() and is_watched and died_at_ == 0 and not is_orphan_ and not stands) {
             if (not was_counted_) {
                 was_counted_ = true;
                 counts_.note(event::unit_lost_while_it_ran);
@@ -351,9 +363,6 @@ private:
                 return breach::power_after_loss;
             }
         }
-        // A quick stop that waits at standstill, and a halt, keep the power.
-        bool const stands =
-            speed == 0 and (is_halting_ or drive_.state() == cia402::state::quick_stop_active);
         bool const is_excused = is_foreign_ or is_orphan_ or stands or died_at_ != 0;
         if (not has_order() and not is_excused) {
             bool const was_good = is_good_ and is_heard_since_good_ and last_missed_ < taken_at_;
@@ -377,6 +386,7 @@ private:
     moment disturbed_at_{0};
     moment first_unanswered_{0};
     moment asked_at_{0};
+    moment looked_at_{0};
     moment last_heard_{0};
     moment last_foreign_{0};
     moment ran_at_{0};

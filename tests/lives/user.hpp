@@ -108,11 +108,27 @@ protected:
         return what;
     }
 
+    static bool looks_at_state(talk const& what)
+    {
+        return std::visit(
+            [](auto const& it) {
+                using type = std::decay_t<decltype(it)>;
+                return not std::is_same_v<type, poll> and not is_cyclic<type>;
+            },
+            what);
+    }
+
     /// An order to run. Changes of the reference that are under way may come behind it.
     void note_order(std::size_t place, std::int32_t asked, bool is_by_cycle)
     {
         std::size_t const unit = slots_[place].unit;
-        law_of(unit).note_order(place, now_, asked, is_by_cycle);
+        bool is_alone = everyone_.index() == 0;
+        for (std::size_t i = 0; i < slots; ++i) {
+            slot const& each = slots_[i];
+            bool const is_other = i != place and each.unit == unit and each.what.index() != 0;
+            is_alone = is_alone and not(is_other and looks_at_state(each.what));
+        }
+        law_of(unit).note_order(place, now_, asked, is_by_cycle, is_alone);
         for (slot const& each : slots_) {
             if (each.unit == unit and std::holds_alternative<a::change_reference>(each.what)) {
                 law_of(unit).note_reference(each.asked);
