@@ -20,6 +20,7 @@
 #include <rtuwire/altivar/configure_scanner.hpp>
 #include <rtuwire/altivar/cycle_frames.hpp>
 #include <rtuwire/altivar/cycle_preparation.hpp>
+#include <rtuwire/altivar/cycle_step.hpp>
 #include <rtuwire/altivar/cycle_steps.hpp>
 #include <rtuwire/altivar/cycle_words.hpp>
 #include <rtuwire/altivar/cyclic.hpp>

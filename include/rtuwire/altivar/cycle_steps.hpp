@@ -11,6 +11,7 @@
 
 #include <rtuwire/altivar/cycle_frames.hpp>
 #include <rtuwire/altivar/cycle_preparation.hpp>
+#include <rtuwire/altivar/cycle_step.hpp>
 #include <rtuwire/altivar/cycle_words.hpp>
 #include <rtuwire/altivar/cyclic_control.hpp>
 #include <rtuwire/altivar/cyclic_options.hpp>
@@ -24,6 +25,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// What one drive is asked and told, question by question.
 template <device_type Device> class cycle_steps {
     using words = cycle_words<Device>;
+    using step = cycle_step;
 
 public:
     constexpr cycle_steps(unit_id unit, cyclic_options const& options) noexcept
@@ -175,20 +177,6 @@ public:
     }
 
 private:
-    enum class step : std::uint8_t {
-        look,
-        look_for_fault,
-        prepare, ///< the drive's safeguards, and what its scanner stands for
-        exchange,
-        read,              ///< the first half of an exchange by functions 03 and 16
-        write,             ///< and the second
-        say_stop,          ///< the word that stops, by function 06
-        observe,           ///< reads as an exchange does, and writes nothing
-        check_control,     ///< the control word, before the command to run
-        compare_control,   ///< and from time to time while it runs
-        compare_reference, ///< the reference, in the same way
-    };
-
     /// The step that is asked now: whatever was to follow, a drive that must not run is told to stop; one that is halted
     /// is looked at first, because the halt's word could enable it in another state.
     constexpr step due_step(bool was_rearranged) const noexcept
@@ -208,12 +196,12 @@ private:
             return step::observe;
         }
         bool const is_enabling = step_ != step::read and writes and control_.is_about_to_enable();
-        if (is_enabling and not is_control_checked_) {
+        if (is_enabling and not comparison_.is_checked()) {
             return step::check_control;
         }
-        if (is_exchange and exchanges_ >= exchanges_between_looks and control_.is_ordered() and
-            control_.is_running()) {
-            return compares_reference_ ? step::compare_reference : step::compare_control;
+        bool const is_running = control_.is_ordered() and control_.is_running();
+        if (is_exchange and is_running and comparison_.is_due()) {
+            return comparison_.next();
         }
         return step_;
     }
@@ -270,7 +258,7 @@ private:
     {
         if (control_.is_ordered() and not control_.is_running()) {
             preparation_.renew();
-            is_control_checked_ = false;
+            comparison_.keep_if(false);
             step_ = step::look;
         }
     }
@@ -369,7 +357,7 @@ private:
         if (not was_in_fault and cia402::is_in_fault(control_.state())) {
             step_ = step::look_for_fault;
         }
-        is_control_checked_ = is_control_checked_ and control_.is_about_to_enable();
+        comparison_.keep_if(control_.is_about_to_enable());
     }
 
     /// The drive has taken what was written.
@@ -377,7 +365,7 @@ private:
     {
         has_written_ = true;
         was_taken_ = true;
-        exchanges_ = static_cast<std::uint8_t>(exchanges_ + (exchanges_ < exchanges_between_looks ? 1 : 0));
+        comparison_.note_exchange();
         step_ = first_step();
         wait_a_period();
     }
@@ -386,33 +374,27 @@ private:
     constexpr void compare(std::uint16_t found, std::uint16_t written) noexcept
     {
         bool const is_before_enabling = step_ == step::check_control;
-        compares_reference_ = step_ == step::compare_control;
-        exchanges_ = 0;
+        comparison_.note_comparison(step_);
         if (found != written or not has_written_) {
             control_.note_overwritten();
             wait_a_period();
         }
-        is_control_checked_ = is_before_enabling;
         step_ = is_before_enabling and not words_by_function_23() ? step::write : first_step();
     }
-
-    static constexpr std::uint8_t exchanges_between_looks = 10;
 
     cyclic_control control_{};
     cycle_preparation<Device> preparation_;
     cyclic_options options_;
     duration period_;
     cycle_frames<Device> frames_;
+    cycle_comparison comparison_{};
     step step_{step::look};
     std::uint8_t misses_{0};
-    std::uint8_t exchanges_{0}; ///< since the control word or the reference was read back
     bool is_lost_{true};
     bool must_say_stop_{false};      ///< before anything else
     bool is_coming_down_{false};     ///< it was stopped here, or lost its order while it ran
-    bool is_control_checked_{false}; ///< the control word before the command to run is the one written last
     bool has_written_{false};        ///< the outputs, as far as the drive said so
     bool was_taken_{false};          ///< the same: it answered the last write
-    bool compares_reference_{false};
     bool waits_{false}; ///< until the next question
 };
 
