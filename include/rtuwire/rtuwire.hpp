@@ -68,6 +68,7 @@
 #include <rtuwire/client/plan_writer.hpp>
 #include <rtuwire/client/poller.hpp>
 #include <rtuwire/client/quarantine.hpp>
+#include <rtuwire/client/request_steps.hpp>
 #include <rtuwire/client/single_question.hpp>
 #include <rtuwire/client/statistics.hpp>
 #include <rtuwire/client/transaction.hpp>
@@ -85,6 +86,7 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/units.hpp>
 #include <rtuwire/rtu/exchange_of_others.hpp>
+#include <rtuwire/rtu/frame_place.hpp>
 #include <rtuwire/rtu/framer.hpp>
 #include <rtuwire/rtu/interrupt_queue.hpp>
 #include <rtuwire/rtu/line.hpp>

@@ -220,12 +220,7 @@ private:
 
     constexpr step first_step() const noexcept
     {
-        return words_by_function_23() ? step::exchange : step::read;
-    }
-
-    constexpr bool words_by_function_23() const noexcept
-    {
-        return words::fits_function_23 and options_.by_function_23;
+        return words::fits_function_23 and options_.by_function_23 ? step::exchange : step::read;
     }
 
     constexpr byte_view make_frame() noexcept
@@ -379,7 +374,7 @@ private:
             control_.note_overwritten();
             wait_a_period();
         }
-        step_ = is_before_enabling and not words_by_function_23() ? step::write : first_step();
+        step_ = is_before_enabling and first_step() == step::read ? step::write : first_step();
     }
 
     cyclic_control control_{};

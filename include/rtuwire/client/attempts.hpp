@@ -44,7 +44,7 @@ public:
     }
 
     /// Whether the unit asks for time, and may have it.
-    [[nodiscard]] constexpr bool may_pause(errc answer) const noexcept
+    [[nodiscard, gnu::always_inline]] constexpr bool may_pause(errc answer) const noexcept
     {
         bool const asks = answer == errc::acknowledge or answer == errc::server_device_busy;
         return asks and pauses_ < busy_retries_;
@@ -64,13 +64,10 @@ public:
 
     /// The question has left once more. Its unit answers it at most `each` after it could begin: from here on, or
     /// when it has answered what is under way.
-    constexpr void note_sent(instant at, duration each) noexcept
+    [[gnu::always_inline]] constexpr void note_sent(instant at, duration each) noexcept
     {
-        if (is_first()) {
-            first_sent_ = at;
-        } else if ((at - first_sent_) > longest_duration) {
-            first_sent_ = at - longest_duration; // or the clock's wrap would make it short
-        }
+        duration const age = is_first() ? duration{} : at - first_sent_;
+        first_sent_ = at - (age + duration{}); // the longest at most, or the clock's wrap would make it short
         duration const before = unanswered_ == 0 or reached(at, owed_until_) ? duration{} : owed_until_ - at;
         owed_until_ = at + (before + each);
         ++unanswered_;
@@ -90,9 +87,10 @@ public:
     /// may have taken, and `late` more.
     [[nodiscard]] constexpr duration all_that_follow(instant now, duration late) const noexcept
     {
+        duration const each = (now - first_sent_) + late;
         duration length{};
         for (unsigned i = 0; i < unanswered_; ++i) {
-            length = length + (now - first_sent_) + late;
+            length = length + each;
         }
         return length;
     }

@@ -99,7 +99,10 @@ public:
     template <conversation Talk> constexpr void converse(Talk& talk, instant now) noexcept
     {
         client_options const& all = base::options();
-        converse(talk, now, {.response_timeout = all.response_timeout, .retries = all.retries});
+        // The time is made anew: GCC would read a constant's copy from memory.
+        converse(talk, now,
+                 {.response_timeout = duration{all.response_timeout.microseconds},
+                  .retries = all.retries});
     }
 
     /// The same, with patience for this conversation's unit.
@@ -183,7 +186,7 @@ public:
         if (is_barred(unit, what)) {
             return hold_back(talk);
         }
-        errc const wrong = base::start(*question, now, patience_for(unit, with));
+        errc const wrong = start(*question, now, unit, with);
         if (wrong != errc::none) {
             return refuse(talk, wrong, now);
         }
@@ -267,12 +270,17 @@ private:
         }
     }
 
-    /// A unit that is lost hears each word that stops it once.
-    constexpr patience patience_for(std::uint8_t unit, patience const& with) const noexcept
+    /// Starts a question to a unit. One that is lost hears each word that stops it once.
+    constexpr errc start(request const& asked, instant now, std::uint8_t unit,
+                         patience const& with) noexcept
     {
-        patience own = with;
-        own.retries = orders_.is_lost(unit) ? std::uint8_t{0} : with.retries;
-        return own;
+        if constexpr (Orders::is_kept) {
+            patience own = with;
+            own.retries = orders_.is_lost(unit) ? std::uint8_t{0} : with.retries;
+            return base::start(asked, now, own);
+        } else {
+            return base::start(asked, now, with);
+        }
     }
 
     /// A question cannot be asked.
@@ -325,12 +333,13 @@ private:
     }
 
     /// Only the asker is missing, and another conversation comes by: whether it takes that one's place.
-    constexpr void replace_asker(standing place, instant now) noexcept
+    /// Inlined at its one place, as others here are: that is smaller.
+    [[gnu::always_inline]] constexpr void replace_asker(standing place, instant now) noexcept
     {
         base::wake(now);
         bool const takes_over = place == standing::is_next and turns_.misses_asker();
         if (takes_over or place == standing::is_last) {
-            base::cancel(now);
+            base::drop(now);
             static_cast<void>(take_outcome(now));
         }
     }
@@ -339,7 +348,9 @@ private:
     /// over.
     constexpr errc hold_back(asker const& who) noexcept
     {
-        is_held_back_ = is_held_back_ or not turns_.is_last(who);
+        if (not turns_.is_last(who)) {
+            is_held_back_ = true;
+        }
         return errc::pending;
     }
 

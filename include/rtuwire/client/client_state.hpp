@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // What a client knows of its request and of its conversations. Apart, so that all of it stands in front of the
-// frame: small processors reach near members with short instructions, 300 bytes less on a Cortex-M0+.
+// frame: small processors reach near members with short instructions, 300 bytes less on a Cortex-M0+. For the same
+// reason the octets come first: those beyond the first 32 of a client cost more.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,8 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// The first base of a client; all zero at the start.
+/// The base of a client behind what cuts its frames; all zero at the start. Members that are classes have no `{}`:
+/// GCC would call memset for it, 170 bytes.
 class client_state {
 protected:
     client_phase phase_{client_phase::idle};
@@ -26,13 +28,14 @@ protected:
     std::uint8_t skip_left_{0};
     bool may_be_stale_{false}; ///< the question must leave at once or not at all
     bool is_woken_{false};     ///< the next pass has something to do at once
+    std::uint8_t unit_{0};     ///< that was asked last; 0 for everyone
     bool is_held_back_{false}; ///< somebody has a question to a unit that is asked nothing now
-    std::uint16_t size_{0};    ///< of the request
+    attempts attempts_;
+    std::uint16_t size_{0}; ///< of the request
     echo_check echo_{};
     length_so_far longest_{}; ///< of its answers
     instant deadline_{0};
-    turns turns_{};
-    attempts attempts_{};
+    turns turns_;
 };
 
 } // namespace rtuwire

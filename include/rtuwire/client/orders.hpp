@@ -383,7 +383,9 @@ private:
         return &own;
     }
 
-    static constexpr entry nothing{instant{0}, instant{0}, milliseconds(31'000), 0, 0, 0, 0, 0, 0, 0, false, false, false, false, false};
+    /// All zero, so that a `constinit` client needs no flash; `silence` is written before it is read.
+    static constexpr entry nothing{instant{0}, instant{0}, duration{}, 0, 0, 0, 0, 0,
+                                   0,          0,          false,      false, false, false, false};
 
     std::array<entry, Units> entries_{filled<Units>(nothing)};
     std::uint32_t count_{0};

@@ -41,13 +41,10 @@ public:
     constexpr void begin(std::uint8_t unit, instant end) noexcept
     {
         quarantine_entry& own = place_of(unit);
-        if (own.unit == nobody) {
-            own.unit = unit;
+        if (own.unit == nobody or reached(end, own.end)) {
             own.end = end;
-            return;
         }
-        own.unit = own.unit == unit ? unit : everybody;
-        own.end = reached(end, own.end) ? end : own.end;
+        own.unit = own.unit == nobody or own.unit == unit ? unit : everybody;
     }
 
     /// Lets time pass. Whether a time was over.
@@ -63,16 +60,14 @@ public:
         return is_over;
     }
 
-    /// Whether a unit may not be asked yet; never for 0, which is everyone and answers nothing. Not inlined: it is
-    /// asked in several places, and more for each kind of conversation.
-    [[nodiscard, gnu::noinline]] constexpr bool covers(std::uint8_t unit) const noexcept
+    /// Whether a unit may not be asked yet; never for 0, which is everyone and answers nothing.
+    [[nodiscard, gnu::always_inline]] constexpr bool covers(std::uint8_t unit) const noexcept
     {
-        for (quarantine_entry const& each : entries_) {
-            if (unit != nobody and (each.unit == unit or each.unit == everybody)) {
-                return true;
-            }
+        if constexpr (Units == 1) {
+            return unit != nobody and stands_for(entries_[0], unit);
+        } else {
+            return is_among(unit);
         }
-        return false;
     }
 
     /// When the next time is over.
@@ -90,9 +85,28 @@ private:
     /// Stands for all units; no unit has it.
     static constexpr std::uint8_t everybody = 0xFF;
 
+    static constexpr bool stands_for(quarantine_entry const& each, std::uint8_t unit) noexcept
+    {
+        return each.unit == unit or each.unit == everybody;
+    }
+
+    /// `covers` of several. Not inlined: it is asked in several places, and more for each kind of conversation.
+    [[gnu::noinline]] constexpr bool is_among(std::uint8_t unit) const noexcept
+    {
+        for (quarantine_entry const& each : entries_) {
+            if (unit != nobody and stands_for(each, unit)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /// The unit's own place, or a free one, or the last.
     constexpr quarantine_entry& place_of(std::uint8_t unit) noexcept
     {
+        if constexpr (Units == 1) {
+            return entries_[0];
+        }
         std::size_t found = Units - 1;
         for (std::size_t i = Units; i-- > 0;) {
             if (entries_[i].unit == unit) {

@@ -14,6 +14,7 @@
 #include <rtuwire/client/line_end.hpp>
 #include <rtuwire/client/options.hpp>
 #include <rtuwire/client/quarantine.hpp>
+#include <rtuwire/client/request_steps.hpp>
 #include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
@@ -23,21 +24,30 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// What a client does for its request under way; the base of `basic_client`, which says who asks.
 template <typename Statistics, typename Line, typename Options, typename Debts, std::size_t Front>
-class transaction : public line_end<Statistics, Line, Options, Debts, Front> {
+class transaction : public request_steps<Statistics, Line, Options, Debts, Front> {
     using end_of_line = line_end<Statistics, Line, Options, Debts, Front>;
+    using steps = request_steps<Statistics, Line, Options, Debts, Front>;
     using client_state::attempts_;
     using client_state::deadline_;
     using client_state::echo_;
     using client_state::is_woken_;
     using client_state::phase_;
     using client_state::trouble_;
-    using end_of_line::framer_;
+    using end_of_line::framer;
     using end_of_line::quarantine_;
     using end_of_line::question;
     using end_of_line::statistics_;
+    using phase = client_phase;
+    using steps::attempt_failed;
+    using steps::limit_sending;
+    using steps::note_sent;
+    using steps::settle;
+    using steps::turn_around;
+    using steps::unit;
+    using steps::wait_for_silence;
 
 public:
-    using end_of_line::end_of_line;
+    using steps::steps;
 
     /// Takes octets that had arrived by `now`, in any chunking. Outside of waiting for an answer they
     /// are noise: dropped, but the line was not silent. An answer that is handed over before `advance` has
@@ -47,7 +57,7 @@ public:
         if (octets.empty()) {
             return;
         }
-        bool const is_start = framer_.is_quiet();
+        bool const is_start = framer().is_quiet();
         hear(octets.size(), now);
         std::size_t taken = 0;
         while (taken < octets.size() and take(octets[taken], now)) {
@@ -68,7 +78,7 @@ public:
         } else if (this->may_skip()) {
             this->skip_noise();
         } else {
-            framer_.spoil();
+            framer().spoil();
         }
     }
 
@@ -76,10 +86,10 @@ public:
     constexpr void sent(instant at) noexcept
     {
         if (not is_leaving(phase_)) {
-            framer_.note_activity(at);
+            framer().note_activity(at);
             return;
         }
-        framer_.restart(at);
+        framer().restart(at);
         statistics_.note_asked(at);
         this->skip_left_ = options().skip_noise;
         if (unit() == 0) {
@@ -93,10 +103,10 @@ public:
     }
 
     /// Lets time pass. Whether a unit may be asked again from here on.
-    constexpr bool advance(instant now) noexcept
+    [[gnu::always_inline]] constexpr bool advance(instant now) noexcept
     {
         is_woken_ = false;
-        framer_.advance(now);
+        framer().advance(now);
         if (phase_ == phase::awaiting) {
             take_frame(now);
         }
@@ -137,7 +147,7 @@ public:
     /// When the next pass has something to do.
     constexpr void add_to(earliest& next) const noexcept
     {
-        framer_.add_to(next);
+        framer().add_to(next);
         quarantine_.add_to(next);
         if (is_woken_ or is_under_way(phase_)) {
             // Where it is woken, a time that has come already.
@@ -156,7 +166,15 @@ protected:
     constexpr bool awaits_asker() const noexcept
     {
         return phase_ == phase::settled or
-               (phase_ == phase::waiting and framer_.is_quiet() and not quarantine_.covers(unit()));
+               (phase_ == phase::waiting and framer().is_quiet() and not quarantine_.covers(unit()));
+    }
+
+    /// Gives up a request that waits for its asker.
+    constexpr void drop(instant now) noexcept
+    {
+        if (phase_ == phase::waiting) {
+            settle(errc::cancelled, now);
+        }
     }
 
     constexpr client_phase phase_now() const noexcept { return phase_; }
@@ -171,9 +189,8 @@ protected:
         this->may_be_stale_ = not asked.may_be_repeated();
         is_woken_ = false;
         attempts_.begin(with, asked.may_be_repeated() and unit() != 0);
-        trouble_ = errc::none;
         wait_for_silence(now);
-        if (framer_.is_quiet()) {
+        if (framer().is_quiet()) {
             get_ready(now);
         }
         return errc::none;
@@ -191,7 +208,7 @@ protected:
     constexpr void make_way(bool may_cut, instant now) noexcept
     {
         attempts_.end_retries();
-        bool const is_arriving = phase_ == phase::awaiting and not framer_.is_quiet();
+        bool const is_arriving = phase_ == phase::awaiting and not framer().is_quiet();
         if (may_cut and not is_arriving) {
             cancel(now);
         }
@@ -207,15 +224,15 @@ protected:
     constexpr bool was_repeated() const noexcept { return not attempts_.is_first(); }
 
     /// Ends what is settled.
-    constexpr result<response> take_outcome() noexcept
+    [[gnu::always_inline]] constexpr result<response> take_outcome() noexcept
     {
         phase_ = phase::idle;
         return trouble_ != errc::none ? result<response>{trouble_}
-                                      : response{unit() == 0 ? byte_view{} : framer_.frame().pdu()};
+                                      : response{unit() == 0 ? byte_view{} : framer().frame().pdu()};
     }
 
     /// The next pass has something to do at once.
-    constexpr void wake(instant now) noexcept
+    [[gnu::always_inline]] constexpr void wake(instant now) noexcept
     {
         is_woken_ = true;
         if (not is_under_way(phase_)) {
@@ -224,19 +241,18 @@ protected:
     }
 
 private:
-    using phase = client_phase;
-
     /// Octets arrived by `now`: what the silence before them ended is taken first. Once for both ways of arriving,
     /// 32 bytes less on a Cortex-M0+.
     [[gnu::noinline]] constexpr void hear(std::size_t octets, instant now) noexcept
     {
-        if (framer_.hear(octets, now) and phase_ == phase::awaiting) {
+        if (framer().hear(octets, now) and phase_ == phase::awaiting) {
             take_frame(now);
         }
     }
 
-    /// Takes an octet of an echo, of an answer or before it; false where none is expected.
-    constexpr bool take(std::byte octet, instant now) noexcept
+    /// Takes an octet of an echo, of an answer or before it; false where none is expected. Inlined, because it is done
+    /// for each octet.
+    [[gnu::always_inline]] constexpr bool take(std::byte octet, instant now) noexcept
     {
         bool const is_echo_due =
             echo_.is_open() and
@@ -250,7 +266,7 @@ private:
         // What comes before a unit's first octet is left out, as far as that is wanted.
         if (this->may_skip() and to_u8(octet) != unit()) {
             this->skip_noise();
-        } else if (framer_.take(octet)) {
+        } else if (framer().take(octet)) {
             take_frame(now);
         }
         return true;
@@ -258,7 +274,7 @@ private:
 
     /// Holds an octet against the one that was sent. Whether it is accounted for: on a line that echoes it
     /// always is, elsewhere where it is the same.
-    constexpr bool take_echo(std::byte octet, instant now) noexcept
+    [[gnu::always_inline]] constexpr bool take_echo(std::byte octet, instant now) noexcept
     {
         bool const is_same = echo_.take(octet, question());
         if (options().has_echo) {
@@ -293,21 +309,21 @@ private:
 
     constexpr void take_frame(instant now) noexcept
     {
-        if (not framer_.poll_end() or trouble_ == errc::collision) {
+        if (not framer().poll_end() or trouble_ == errc::collision) {
             return;
         }
-        errc wrong = framer_.verdict();
+        errc wrong = framer().verdict();
         if (wrong == errc::none) {
-            wrong = check_answer(question(), framer_.frame());
+            wrong = check_answer(question(), framer().frame());
         }
-        if (wrong == errc::none and not framer_.has_told_size()) {
+        if (wrong == errc::none and not framer().has_told_size()) {
             wrong = errc::wrong_length;
         }
         line_event const event = event_of(wrong);
         note_frame(statistics_, event, wrong, unit(), now);
         bool const is_answer = event == line_event::reply or event == line_event::exception;
-        bool const is_damaged = event == line_event::crc and framer_.claims(question()) and
-                                framer_.has_told_size();
+        bool const is_damaged = event == line_event::crc and framer().claims(question()) and
+                                framer().has_told_size();
         if (is_answer or is_damaged) {
             attempts_.note_answered();
         }
@@ -331,8 +347,8 @@ private:
     {
         if (phase_ == phase::awaiting) {
             if (trouble_ == errc::none) {
-                trouble_ = framer_.is_quiet() ? errc::timed_out : errc::bus_jam;
-                statistics_.note(framer_.is_quiet() ? line_event::timeout : line_event::jam,
+                trouble_ = framer().is_quiet() ? errc::timed_out : errc::bus_jam;
+                statistics_.note(framer().is_quiet() ? line_event::timeout : line_event::jam,
                                  unit());
             }
             attempt_failed(now);
@@ -349,65 +365,6 @@ private:
             }
         }
     }
-
-    /// Inlined at both its places: 8 bytes less, and its callers' stack.
-    [[gnu::always_inline]] constexpr void attempt_failed(instant now) noexcept
-    {
-        if (not attempts_.take_retry()) {
-            settle(trouble_, now);
-            return;
-        }
-        trouble_ = errc::none;
-        wait_for_silence(now);
-    }
-
-    constexpr void turn_around(instant at) noexcept
-    {
-        phase_ = phase::turnaround;
-        deadline_ = at + options().turnaround;
-    }
-
-    constexpr void wait_for_silence(instant now) noexcept
-    {
-        phase_ = phase::waiting;
-        echo_.end();
-        deadline_ = now + attempts_.response_timeout();
-    }
-
-    /// The request left once more. How long its answer may take, up to its last octet.
-    constexpr duration note_sent(instant at) noexcept
-    {
-        duration const limit = attempts_.response_timeout() + this->time_to_answer();
-        attempts_.note_sent(at, limit + options().late_answer);
-        return limit;
-    }
-
-    /// The transmitter has as long as the request takes, and the response time-out.
-    [[gnu::noinline]] constexpr void limit_sending(instant now) noexcept
-    {
-        deadline_ = now + attempts_.response_timeout() + this->time_to_send();
-    }
-
-    /// Ends the transaction. Where answers may still be on their way, its unit is asked nothing new until none
-    /// can be: the rule and its reasons stand in client/quarantine.hpp.
-    constexpr void settle(errc error, instant now) noexcept
-    {
-        if (is_leaving(phase_)) {
-            static_cast<void>(note_sent(now));
-        }
-        if (attempts_.unanswered() != 0) {
-            bool const is_answered = error == errc::none or is_exception(error);
-            duration const late = options().late_answer;
-            quarantine_.begin(unit(), is_answered ? now + attempts_.all_that_follow(now, late)
-                                                  : attempts_.owed_until(now));
-        }
-        trouble_ = error;
-        phase_ = phase::settled;
-        deadline_ = now;
-        echo_.end();
-    }
-
-    constexpr std::uint8_t unit() const noexcept { return this->asked_unit(); }
 };
 
 } // namespace rtuwire

@@ -34,13 +34,13 @@ public:
         mark_ = 0;
         others_wait_ = false;
         is_missed_ = false;
-        is_reserved_ = false;
+        reserved_ = reservation::none;
         return *this;
     }
 
     /// A conversation asks, and has this line's next number; or who asked last gets another one: whoever was marked
     /// so far counts as not marked.
-    constexpr void renew(asker& who) noexcept
+    [[gnu::noinline]] constexpr void renew(asker& who) noexcept
     {
         is_missed_ = false;
         number_ += asker::step;
@@ -90,12 +90,13 @@ public:
             return standing::is_last;
         }
         others_wait_ = true;
-        bool const is_second = who.ticket_ == mark() and who.turns_ == this;
-        if (is_second) {
+        standing place = standing::waits;
+        if (who.ticket_ == mark() and who.turns_ == this) {
             void_marks();
+            place = standing::is_next;
         }
         give(who, mark());
-        return is_second ? standing::is_next : standing::waits;
+        return place;
     }
 
     /// The next in turn finds the one that asked missing. Whether it is for the second time: then the other one had
@@ -110,25 +111,28 @@ public:
     /// Somebody comes by who comes before all others, and may not ask yet: nobody else does before.
     constexpr void reserve(asker& who) noexcept
     {
-        is_reserved_ = true;
-        is_reserver_missed_ = false;
+        reserved_ = reservation::held;
         void_marks();
         if (not is_last(who)) {
             give(who, mark()); // its own stays good
         }
     }
-    constexpr void end_reservation() noexcept { is_reserved_ = false; }
-    [[nodiscard]] constexpr bool is_reserved() const noexcept { return is_reserved_; }
+    constexpr void end_reservation() noexcept { reserved_ = reservation::none; }
+    [[nodiscard]] constexpr bool is_reserved() const noexcept { return reserved_ != reservation::none; }
 
     /// Another comes by while the line is reserved. Whether it does for the second time since the other one did: that
     /// one is gone, and the reservation with it.
     constexpr bool misses_reserver(asker& who) noexcept
     {
         standing const at = visit(who);
-        bool const is_second = at == standing::is_last and is_reserver_missed_;
-        is_reserver_missed_ = is_reserver_missed_ or at == standing::is_last;
-        is_reserved_ = at != standing::is_next and not is_second;
-        return not is_reserved_;
+        if (at == standing::is_next or (at == standing::is_last and reserved_ == reservation::missed)) {
+            reserved_ = reservation::none;
+            return true;
+        }
+        if (at == standing::is_last) {
+            reserved_ = reservation::missed;
+        }
+        return false;
     }
 
     /// Whether one of this standing may ask now, where the line is free and others wait. The one that was served last
@@ -151,12 +155,14 @@ private:
 
     static constexpr std::uint8_t marks_step = 4;
 
+    /// Of the line, for one that comes before all others; `missed` where another came by since that one did.
+    enum class reservation : std::uint8_t { none, held, missed };
+
     std::uint32_t number_{0}; ///< of a question, in steps; one behind it marks who came by since
     std::uint8_t mark_{0};
     bool others_wait_{false};
     bool is_missed_{false};
-    bool is_reserved_{false};
-    bool is_reserver_missed_{false};
+    reservation reserved_{reservation::none};
 };
 
 } // namespace rtuwire

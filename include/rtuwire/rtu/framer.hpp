@@ -28,6 +28,7 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/exchange_of_others.hpp>
+#include <rtuwire/rtu/frame_place.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/errc.hpp>
@@ -35,39 +36,15 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Where in its memory a framer's frame begins: at the start.
-template <std::size_t Front> class frame_place {
-public:
-    static constexpr std::size_t memory = max_adu_size;
-    [[nodiscard]] static constexpr std::uint16_t begin() noexcept { return 0; }
-};
-
-/// Behind something that stands at the front and may be up to 256 octets long: behind `Front` octets, or where
-/// `Front` is less, behind what is there. A frame has 256 octets less what exceeds `Front`.
-template <std::size_t Front>
-    requires(Front > 0)
-class frame_place<Front> {
-public:
-    static constexpr std::size_t memory = max_adu_size + Front;
-    [[nodiscard]] constexpr std::uint16_t begin() const noexcept { return begin_; }
-    constexpr void leave_room_for(std::size_t size) noexcept
-    {
-        begin_ = static_cast<std::uint16_t>(size < Front ? Front : size);
-    }
-
-private:
-    std::uint16_t begin_{0};
-};
-
 /// Cuts a stream of octets into frames. Call `receive` with what arrived until all of it is taken, and
 /// `poll_frame` after each; call `advance` when time has passed, at least when `poll_deadline` says.
 /// Starts by ignoring everything until the line has been silent once.
-template <direction Way, typename Line = held<line_timing>, std::size_t Front = 0> class framer {
+///
+/// `Holder` derives from it and holds the line's times, `line_`, and the memory, `octets_`, behind what else it has:
+/// small processors reach near members with short instructions.
+template <typename Holder, direction Way, std::size_t Front> class frame_cutter {
 public:
-    explicit constexpr framer(line_timing const& line) noexcept : line_{line} {}
-
-    /// With the times of a line that is fixed: all zero, so that a `constinit` one needs no flash.
-    constexpr framer() noexcept requires is_fixed<Line> : octets_{} {}
+    constexpr frame_cutter() noexcept = default;
 
     /// Takes octets that had arrived by `now`, in any chunking, up to the end of one frame; returns how
     /// many were taken. Octets after a frame that were not taken belong to the next call.
@@ -119,7 +96,7 @@ public:
             trouble_ = trouble_ == errc::none ? errc::frame_too_long : trouble_;
             return false;
         }
-        octets_[end_++] = octet;
+        storage()[end_++] = octet;
         crc_.add(octet);
         return end_ == look_at_ and look();
     }
@@ -206,7 +183,7 @@ public:
     }
 
     /// The same in three parts, for who asks at each octet: whether something ended, once.
-    [[nodiscard]] constexpr bool poll_end() noexcept
+    [[nodiscard, gnu::always_inline]] constexpr bool poll_end() noexcept
     {
         bool const is_end = state_ == state::done;
         if (is_end) {
@@ -237,7 +214,7 @@ public:
     /// The frame that ended last, where the verdict is none.
     [[nodiscard]] constexpr adu frame() const noexcept
     {
-        return adu{{octets_.data() + place_.begin(), size()}};
+        return adu{{storage().data() + place_.begin(), size()}};
     }
 
     /// Drops what is being received and takes the next octet for the first of a frame: for a line whose
@@ -297,14 +274,17 @@ public:
     /// unit and its function.
     [[nodiscard]] constexpr bool claims(byte_view question) const noexcept
     {
-        std::byte const* const start = octets_.data() + place_.begin();
+        std::byte const* const start = storage().data() + place_.begin();
         return size() >= min_adu_size and start[0] == question[0] and
                (start[1] & std::byte{0x7F}) == question[1];
     }
 
     /// The memory of the frame, for an answer written in its place.
-    [[nodiscard]] constexpr byte_span storage() noexcept { return octets_; }
-    [[nodiscard]] constexpr byte_view storage() const noexcept { return octets_; }
+    [[nodiscard]] constexpr byte_span storage() noexcept { return static_cast<Holder&>(*this).octets_; }
+    [[nodiscard]] constexpr byte_view storage() const noexcept
+    {
+        return static_cast<Holder const&>(*this).octets_;
+    }
 
     /// Keeps the first `size` octets of the memory, at most 256, free of what is received from here on.
     constexpr void receive_behind(std::size_t size) noexcept requires(Front > 0)
@@ -319,9 +299,15 @@ public:
         return place_.memory - place_.begin();
     }
 
-    [[nodiscard]] constexpr line_timing const& line() const noexcept { return line_.get(); }
+    [[nodiscard]] constexpr line_timing const& line() const noexcept
+    {
+        return static_cast<Holder const&>(*this).line_.get();
+    }
 
 private:
+    /// A constant, so that no constructor reckons it.
+    static constexpr running_crc16<> no_octets{0};
+
     enum class state : std::uint8_t { synchronising, receiving, open_end, idle, done };
 
     /// What the line did last; nothing is known of it before the clock was seen.
@@ -355,7 +341,7 @@ private:
     /// smaller there than apart.
     [[gnu::always_inline]] constexpr bool look() noexcept
     {
-        told_end const told = others_.apply({octets_.data() + place_.begin(), size()});
+        told_end const told = others_.apply({storage().data() + place_.begin(), size()});
         // Zero, which no octet's place is here, where nothing but silence tells the end. Past an end whose CRC
         // is wrong only silence tells where the next frame starts.
         look_at_ = told.next == 0 ? std::uint16_t{0}
@@ -380,19 +366,33 @@ private:
         }
     }
 
-    // Small first and the frame last: small processors reach near members with short instructions.
     state state_{state::synchronising};
     activity activity_{activity::unknown};
+    [[no_unique_address]] running_crc16<> crc_{no_octets};
     errc trouble_{errc::none};
     [[no_unique_address]] exchange_of_others<Way> others_{};
-    running_crc16<> crc_{0};
     std::uint16_t end_{0}; ///< behind the last octet
     std::uint16_t look_at_{
         0}; ///< where the length rule is to be applied; 0 where it has nothing to say
     [[no_unique_address]] frame_place<Front> place_{};
     instant last_{0};
+};
+
+/// A frame cutter with its memory.
+template <direction Way, typename Line = held<line_timing>, std::size_t Front = 0>
+class framer : public frame_cutter<framer<Way, Line, Front>, Way, Front> {
+    using cutter = frame_cutter<framer, Way, Front>;
+    friend cutter;
+
+public:
+    explicit constexpr framer(line_timing const& line) noexcept : line_{line} {}
+
+    /// With the times of a line that is fixed: all zero, so that a `constinit` one needs no flash.
+    constexpr framer() noexcept requires is_fixed<Line> : octets_{} {}
+
+private:
     [[no_unique_address]] Line line_{};
-    std::array<std::byte, frame_place<Front>::memory> octets_; ///< written up to `end_`
+    std::array<std::byte, frame_place<Front>::memory> octets_; ///< written up to the frame's end
 };
 
 } // namespace rtuwire

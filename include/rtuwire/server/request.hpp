@@ -66,7 +66,8 @@ struct register_access {
         std::size_t const octets = half.size() - head;
         write_start = u16_at(half, 0);
         values = register_view{half.subspan(head)};
-        return octets == to_u8(half[4]) and octets == 2U * u16_at(half, 2) and
+        // An octet tells how many follow, so the first one of the quantity is 0.
+        return octets == to_u8(half[4]) and half[2] == std::byte{0} and octets == 2U * to_u8(half[3]) and
                is_quantity(octets / 2, limit);
     }
 };

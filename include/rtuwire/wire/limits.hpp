@@ -37,7 +37,7 @@ struct device_limits {
 /// Whether a quantity lies in 1..limit.
 [[nodiscard]] constexpr bool is_quantity(std::size_t quantity, std::size_t limit) noexcept
 {
-    return quantity >= 1 and quantity <= limit;
+    return quantity - 1U < limit; // 0 wraps: one comparison
 }
 
 /// Whether `quantity` registers from `start` end at 65535 or before; computed in 32 bits, so that

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Where in its memory a framer's frame begins.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/limits.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// At the start.
+template <std::size_t Front> class frame_place {
+public:
+    static constexpr std::size_t memory = max_adu_size;
+    [[nodiscard]] static constexpr std::uint16_t begin() noexcept { return 0; }
+};
+
+/// Behind something that stands at the front and may be up to 256 octets long: behind `Front` octets, or where
+/// `Front` is less, behind what is there. A frame has 256 octets less what exceeds `Front`.
+template <std::size_t Front>
+    requires(Front > 0)
+class frame_place<Front> {
+public:
+    static constexpr std::size_t memory = max_adu_size + Front;
+    [[nodiscard]] constexpr std::uint16_t begin() const noexcept { return begin_; }
+    constexpr void leave_room_for(std::size_t size) noexcept
+    {
+        begin_ = static_cast<std::uint16_t>(size < Front ? Front : size);
+    }
+
+private:
+    std::uint16_t begin_{0};
+};
+
+} // namespace rtuwire
