@@ -41,7 +41,7 @@ class line_end : private frame_cutter<line_end<Statistics, Line, Options, Debts,
 public:
     explicit constexpr line_end(line_timing const& timing,
                                 client_options const& options = {}) noexcept
-        : options_{options}, line_{timing}
+        : options_{options}, line_{timing}, octets_{}
     {}
 
     /// With a line and options that are fixed: all zero, so that a `constinit` one needs no flash.
