@@ -82,9 +82,7 @@ public:
         control_.stop(has_none ? stop_by::ramp : how);
         this->note_stop();
         is_due_ = has_begun_;
-        if (control_.must_stop()) { // whatever was to be read first; a halt alone looks at the drive
-            step_ = control_.is_halting() ? step::observe : step::say_stop;
-        }
+        stops_first_ = true;
     }
 
     /// Orders one fault reset; nothing, and no order is renewed by it, where the drive is in no fault.
@@ -170,6 +168,7 @@ public:
             return std::nullopt;
         }
         step_ = due_step();
+        stops_first_ = false;
         return request{byte_view{frame_}.first(make_frame()), repetition::never};
     }
 
@@ -218,6 +217,9 @@ private:
     {
         bool const is_exchange = step_ == step::exchange or step_ == step::read;
         bool const writes = is_exchange or step_ == step::write;
+        if (stops_first_ and control_.must_stop()) { // whatever was to be read; a halt alone looks at the drive
+            return control_.is_halting() ? step::observe : step::say_stop;
+        }
         if (step_ == step::say_stop and control_.moves()) {
             return step::look; // an order came behind a stop that was not answered
         }
@@ -363,7 +365,7 @@ private:
 
     constexpr void wait_a_period() noexcept
     {
-        is_due_ = false;
+        is_due_ = stops_first_;
         due_ = now_ + period_;
     }
 
@@ -497,6 +499,7 @@ private:
     bool is_control_checked_{false}; ///< the control word before the command to run is the one written last
     bool has_written_{false};        ///< the words in `outputs_`, as far as the drive said so
     bool was_taken_{false};          ///< the words in `outputs_`: the drive answered the write
+    bool stops_first_{false};        ///< a stop was ordered, and nothing asked since
     bool compares_reference_{false};
     bool has_begun_{false};
     bool is_due_{false};
