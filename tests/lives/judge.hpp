@@ -150,9 +150,9 @@ public:
     {
         bool const is_broadcast = frame[0] == std::byte{0};
         if (not is_broadcast) {
-            first_unanswered_ = unanswered_ == 0 ? now : first_unanswered_;
             last_missed_ = unanswered_ == 0 ? last_missed_ : now;
             ++unanswered_;
+            lost_at_ = unanswered_ == surely_lost() ? now : lost_at_;
         }
         asked_function_ = to_u8(frame[1]);
         asked_at_ = now;
@@ -357,7 +357,7 @@ private:
                 was_counted_ = true;
                 counts_.note(event::unit_lost_while_it_ran);
             }
-            moment const loss = first_unanswered_ + 2 * attempts() + words + attempts();
+            moment const loss = lost_at_ + attempts() + words + attempts();
             moment const stop = stopped_at_ + words + attempts();
             if (now > std::max({loss, stop, last_foreign_}) + by_itself) {
                 return breach::power_after_loss;
@@ -384,7 +384,7 @@ private:
     moment taken_at_{0};
     moment stopped_at_{0};
     moment disturbed_at_{0};
-    moment first_unanswered_{0};
+    moment lost_at_{0}; ///< when it was sent what makes the loss sure, where nothing is answered
     moment asked_at_{0};
     moment looked_at_{0};
     moment last_heard_{0};
