@@ -73,7 +73,7 @@ constexpr bool ends_in_time()
            limit_of(atv28::activate_link{other}) == milliseconds(3'000) and
            limit_of(atv28::direct_start{other, 50_Hz}) == milliseconds(3'000) and
            limit_of(atv28::direct_stop{other, atv28::direct_stop_by::ramp}) ==
-               milliseconds(30'000) and
+               milliseconds(1'000) and // that of its first look: then it becomes the ramp
            limit_of(recall_from_eeprom{other}) == milliseconds(8'000) and
            limit_of(restore_factory_settings{drive, losing_control_and_address{}}) ==
                milliseconds(5'000) and

@@ -156,6 +156,7 @@ public:
         }
         asked_function_ = to_u8(frame[1]);
         asked_at_ = now;
+        asked_since_ = now - frame.size() * 11'000'000ULL / how_.bits_per_second;
         is_look_ = to_u8(frame[1]) == 3 and u16_at(frame, 2) == drive_.profile().eta;
         auto const word = control_word_in(frame, drive_.profile());
         bool const may = has_order() or is_foreign_;
@@ -292,7 +293,7 @@ private:
     {
         for (order& each : orders_) {
             bool const is_own = each.is_by_cycle ? function == 16 or function == 23 : function == 6;
-            each.has_begun = each.has_begun or is_own;
+            each.has_begun = each.has_begun or (is_own and asked_since_ >= each.at);
         }
     }
 
@@ -386,6 +387,7 @@ private:
     moment disturbed_at_{0};
     moment lost_at_{0}; ///< when it was sent what makes the loss sure, where nothing is answered
     moment asked_at_{0};
+    moment asked_since_{0};
     moment looked_at_{0};
     moment last_heard_{0};
     moment last_foreign_{0};

@@ -201,15 +201,21 @@ TEST_CASE("motion law: S22 the same of a start whose next look is lost")
 TEST_CASE("motion law: a halt that may not look becomes the ramp within a second")
 {
     using device = atv320::device;
-    // The slot's last unit is silent, so that the slot's next question would wait for its turn to be probed.
+    // The drive is silent in this slot, so that the slot's next question waits for its turn to be probed.
     hall<device, bus<2>> it;
     start go{it.motor, 40_Hz};
     REQUIRE(it.run([&](instant at) { it.link().converse(0, go, at); }, [&] { return go.settled(); },
                    milliseconds(1'000)));
-    it.cut(1, true);
-    single_question poll{it.other.unit(), read_holding_registers{3'201, 1}};
+    bool loses = true;
+    it.disturb([&](auto& frame, bool) {
+        if (loses) {
+            frame.clear();
+        }
+    });
+    single_question poll{it.motor.unit(), read_holding_registers{3'201, 1}};
     REQUIRE(it.run([&](instant at) { it.link().converse(1, poll, at); }, [&] { return poll.settled(); },
                    milliseconds(1'000)));
+    loses = false;
     REQUIRE(it.has_power());
     stop rest{it.motor, stop_by::halt, milliseconds(30'000), word_meaning::drive_profile};
     auto const work = [&](instant at) { it.link().converse(1, rest, at); };
@@ -218,6 +224,21 @@ TEST_CASE("motion law: a halt that may not look becomes the ramp within a second
     CHECK(rest.succeeded());
     CHECK(rest.reason().is_other_stop);
     CHECK_FALSE(it.has_power());
+}
+
+TEST_CASE("motion law: who commands a drive does not wait for the health of another one in its slot")
+{
+    using device = atv320::device;
+    hall<device, bus<2>> it;
+    it.cut(1, true);
+    single_question poll{it.other.unit(), read_holding_registers{3'201, 1}};
+    REQUIRE(it.run([&](instant at) { it.link().converse(1, poll, at); }, [&] { return poll.settled(); },
+                   milliseconds(1'000)));
+    REQUIRE(it.link().is_silent(1));
+    stop rest{it.motor, stop_by::halt};
+    std::size_t const before = it.questions();
+    CHECK(it.run([&](instant at) { it.link().converse(1, rest, at); },
+                 [&] { return it.questions() != before; }, milliseconds(50)));
 }
 
 TEST_CASE("motion law: a DC injection gives no power to a drive whose motor stands")
