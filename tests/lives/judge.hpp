@@ -74,6 +74,7 @@ public:
         note_reference(asked);
         bool const has_begun = orders_[place].is_there and orders_[place].has_begun;
         orders_[place] = {true, has_begun, is_by_cycle, is_by_cycle, is_alone, now};
+        ordered_at_ = now;
     }
     void note_reference(std::int32_t asked)
     {
@@ -84,6 +85,7 @@ public:
     {
         orders_.fill({});
         detached_ = {};
+        ordered_at_ = 0;
         taken_at_ = now;
         if (is_orphan_) { // whatever it runs at
             note_reference(drive_.frequency());
@@ -154,7 +156,10 @@ public:
             ++unanswered_;
             lost_at_ = unanswered_ == surely_lost() ? now : lost_at_;
         }
-        asked_function_ = to_u8(frame[1]);
+        bool const is_other_write = to_u8(frame[1]) == 6 and u16_at(frame, 2) != drive_.profile().cmd and
+                                    u16_at(frame, 2) != drive_.frequency_reference() and
+                                    u16_at(frame, 2) != drive_.speed_reference();
+        asked_function_ = is_other_write ? std::uint8_t{0} : to_u8(frame[1]);
         asked_at_ = now;
         asked_since_ = now - frame.size() * 11'000'000ULL / how_.bits_per_second;
         is_look_ = to_u8(frame[1]) == 3 and u16_at(frame, 2) == drive_.profile().eta;
@@ -171,7 +176,8 @@ public:
             // Direct control has no step between the last look and a motor that turns.
             bool const is_too_late =
                 word and (*word & drive_.profile().direct_control) != 0 and disturbed_at_ >= looked_at_;
-            was_asked_ = has_order() and (latest_order() >= disturbed_at_ or is_too_late);
+            moment const asked = std::max(latest_order(), ordered_at_);
+            was_asked_ = has_order() and (asked >= disturbed_at_ or is_too_late);
             is_halting_ = is_halting_ and not is_enabling;
             is_braking_ = word and keeps_power(*word, drive_.profile());
         }
@@ -384,6 +390,7 @@ private:
     order detached_{}; ///< of conversations that were given up
     moment taken_at_{0};
     moment stopped_at_{0};
+    moment ordered_at_{0}; ///< whatever became of it, since the last stop
     moment disturbed_at_{0};
     moment lost_at_{0}; ///< when it was sent what makes the loss sure, where nothing is answered
     moment asked_at_{0};
