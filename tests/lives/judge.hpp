@@ -150,11 +150,13 @@ public:
         }
         return is_enabling and not may ? std::optional{breach::enabled_without_order} : std::nullopt;
     }
-    void note_answer(moment now)
+    void note_answer(byte_view frame, moment now)
     {
         unanswered_ = 0;
         bool const is_in_time = now < asked_at_ + how_.options.response_timeout.microseconds;
         note_begin(is_in_time ? asked_function_ : std::uint8_t{0});
+        constexpr std::size_t size_of_one_word = 7; // an older question may have had another one
+        is_look_ = is_look_ and frame.size() == size_of_one_word;
         for (order& each : orders_) {
             each.has_looked = each.has_looked or (is_look_ and each.is_alone);
         }
