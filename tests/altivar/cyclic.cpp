@@ -266,7 +266,7 @@ TEST_CASE("a drive whose control word is not the one written last is not told to
     it.say("03 03 02 00 00 C1 84"_hex); // it lost its power, or somebody else wrote
     CHECK(it.loop.control().reason().how == ending::overwritten);
     CHECK_FALSE(it.loop.control().is_ordered());
-    CHECK(it.asks("03 17 31 C5 00 04 31 D9 00 04 08 00 00 05 DC 00 00 00 00 6C C8"_hex));
+    CHECK(it.asks("03 17 31 C5 00 04 31 D9 00 04 08 00 00 00 00 00 00 00 00 BD 4E"_hex));
 }
 
 TEST_CASE("an exchange on the way up that is not answered is followed by a look, not by the next word")

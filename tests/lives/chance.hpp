@@ -227,10 +227,6 @@ private:
     {
         said_.now = now_;
         said_.say("the last part: %u", static_cast<unsigned>(how_.end));
-        moment longest = 0;
-        for (std::size_t i = 0; i < nodes_.size(); ++i) {
-            longest = std::max<moment>(longest, how_.drive[i].time_out_us());
-        }
         switch (how_.end) {
         case last_part::controller_dies: die(); break;
         case last_part::each_is_stopped: stop_each(); break;
@@ -241,9 +237,21 @@ private:
         case last_part::answers_get_lost: lose_all(false); break;
         case last_part::requests_get_lost: lose_all(true); break;
         case last_part::goes_on:
-        case last_part::count: longest = 0; break;
+        case last_part::count: break;
         }
-        base::pass(longest + 9'000'000);
+        base::pass(how_.end == last_part::goes_on ? 1'000'000 : longest_end());
+    }
+
+    /// Until every motor has to be without power: where the line is good its ramp is enough.
+    moment longest_end() const
+    {
+        bool const is_good = how_.end == last_part::each_is_stopped or
+                             how_.end == last_part::everyone_is_stopped;
+        moment longest = 0;
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            longest = std::max<moment>(longest, is_good ? 0 : how_.drive[i].time_out_us());
+        }
+        return longest + (is_good ? 6'000'000 : 9'000'000);
     }
 
     void die()

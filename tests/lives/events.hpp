@@ -123,8 +123,6 @@ enum class breach : unsigned {
     power_after_death,
     stood_not,
     ran_not,
-    reached_not,
-    never_settled,
     count,
 };
 
@@ -140,8 +138,6 @@ inline constexpr std::array<char const*, breach_count> breach_names{
     "power too long after the controller died",
     "a stop that was done, and the motor had power",
     "a start that was done, and the motor never ran",
-    "a reference that was reached, and was not",
-    "a conversation that never ended",
 };
 
 /// All that was counted.

@@ -11,6 +11,7 @@
 
 #include "lives/events.hpp"
 #include "lives/setting.hpp"
+#include "lives/words.hpp"
 
 #include <rtuwire/core/bytes.hpp>
 
@@ -20,40 +21,6 @@ namespace rtuwire::lives {
 using moment = std::uint64_t;
 
 inline constexpr std::size_t places = 5; ///< for conversations; the last one is for a stop of everyone
-
-/// What a control word asks for. Halt keeps the power.
-inline bool enables(std::uint16_t word, altivar::drive_profile const& profile)
-{
-    bool const is_halt = profile.halt != 0 and (word & profile.halt) != 0;
-    bool const is_direct = profile.direct_control != 0 and (word & profile.direct_control) != 0;
-    return is_direct ? (word & 0x700AU) == 0x000A : (word & 0x0FU) == 0x0F and not is_halt;
-}
-
-/// Whether a control word stops a motor and leaves it its power: halt and DC injection. Behind a look that was out of date
-/// it may give the power back to a motor that stands.
-inline bool keeps_power(std::uint16_t word, altivar::drive_profile const& profile)
-{
-    bool const is_halt = profile.halt != 0 and (word & profile.halt) != 0 and (word & 0x0FU) == 0x0F;
-    return is_halt or (profile.dc_injection != 0 and word == profile.dc_injection);
-}
-
-/// The control word that a request writes, where it writes one.
-inline std::optional<std::uint16_t> control_word_in(byte_view frame,
-                                                    altivar::drive_profile const& profile)
-{
-    if (frame.size() < 8) {
-        return std::nullopt;
-    }
-    std::uint16_t const first = u16_at(frame, 2);
-    switch (to_u8(frame[1])) {
-    case 6: return first == profile.cmd ? std::optional{u16_at(frame, 4)} : std::nullopt;
-    case 16: // the first word of the scanner, or of CMD and LFR
-        return first == profile.cmd or first == 12'761 ? std::optional{u16_at(frame, 7)}
-                                                       : std::nullopt;
-    case 23: return u16_at(frame, 6) == 12'761 ? std::optional{u16_at(frame, 11)} : std::nullopt;
-    default: return std::nullopt;
-    }
-}
 
 class judge {
 public:
@@ -74,6 +41,7 @@ public:
         note_reference(asked);
         bool const has_begun = orders_[place].is_there and orders_[place].has_begun;
         orders_[place] = {true, has_begun, is_by_cycle, is_by_cycle, is_alone, now};
+        ordered_at_ = now;
     }
     void note_reference(std::int32_t asked)
     {
@@ -84,6 +52,7 @@ public:
     {
         orders_.fill({});
         detached_ = {};
+        ordered_at_ = 0;
         taken_at_ = now;
         if (is_orphan_) { // whatever it runs at
             note_reference(drive_.frequency());
@@ -150,12 +119,16 @@ public:
     {
         bool const is_broadcast = frame[0] == std::byte{0};
         if (not is_broadcast) {
-            first_unanswered_ = unanswered_ == 0 ? now : first_unanswered_;
             last_missed_ = unanswered_ == 0 ? last_missed_ : now;
             ++unanswered_;
+            lost_at_ = unanswered_ == surely_lost() ? now : lost_at_;
         }
-        asked_function_ = to_u8(frame[1]);
+        bool const is_other_write = to_u8(frame[1]) == 6 and u16_at(frame, 2) != drive_.profile().cmd and
+                                    u16_at(frame, 2) != drive_.frequency_reference() and
+                                    u16_at(frame, 2) != drive_.speed_reference();
+        asked_function_ = is_other_write ? std::uint8_t{0} : to_u8(frame[1]);
         asked_at_ = now;
+        asked_since_ = now - frame.size() * 11'000'000ULL / how_.bits_per_second;
         is_look_ = to_u8(frame[1]) == 3 and u16_at(frame, 2) == drive_.profile().eta;
         auto const word = control_word_in(frame, drive_.profile());
         bool const may = has_order() or is_foreign_;
@@ -170,17 +143,20 @@ public:
             // Direct control has no step between the last look and a motor that turns.
             bool const is_too_late =
                 word and (*word & drive_.profile().direct_control) != 0 and disturbed_at_ >= looked_at_;
-            was_asked_ = has_order() and (latest_order() >= disturbed_at_ or is_too_late);
+            moment const asked = std::max(latest_order(), ordered_at_);
+            was_asked_ = has_order() and (asked >= disturbed_at_ or is_too_late);
             is_halting_ = is_halting_ and not is_enabling;
             is_braking_ = word and keeps_power(*word, drive_.profile());
         }
         return is_enabling and not may ? std::optional{breach::enabled_without_order} : std::nullopt;
     }
-    void note_answer(moment now)
+    void note_answer(byte_view frame, moment now)
     {
         unanswered_ = 0;
         bool const is_in_time = now < asked_at_ + how_.options.response_timeout.microseconds;
         note_begin(is_in_time ? asked_function_ : std::uint8_t{0});
+        constexpr std::size_t size_of_one_word = 7; // an older question may have had another one
+        is_look_ = is_look_ and frame.size() == size_of_one_word;
         for (order& each : orders_) {
             each.has_looked = each.has_looked or (is_look_ and each.is_alone);
         }
@@ -292,7 +268,7 @@ private:
     {
         for (order& each : orders_) {
             bool const is_own = each.is_by_cycle ? function == 16 or function == 23 : function == 6;
-            each.has_begun = each.has_begun or is_own;
+            each.has_begun = each.has_begun or (is_own and asked_since_ >= each.at);
         }
     }
 
@@ -357,7 +333,7 @@ private:
                 was_counted_ = true;
                 counts_.note(event::unit_lost_while_it_ran);
             }
-            moment const loss = first_unanswered_ + 2 * attempts() + words + attempts();
+            moment const loss = lost_at_ + attempts() + words + attempts();
             moment const stop = stopped_at_ + words + attempts();
             if (now > std::max({loss, stop, last_foreign_}) + by_itself) {
                 return breach::power_after_loss;
@@ -383,9 +359,11 @@ private:
     order detached_{}; ///< of conversations that were given up
     moment taken_at_{0};
     moment stopped_at_{0};
+    moment ordered_at_{0}; ///< whatever became of it, since the last stop
     moment disturbed_at_{0};
-    moment first_unanswered_{0};
+    moment lost_at_{0}; ///< when it was sent what makes the loss sure, where nothing is answered
     moment asked_at_{0};
+    moment asked_since_{0};
     moment looked_at_{0};
     moment last_heard_{0};
     moment last_foreign_{0};

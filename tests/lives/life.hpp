@@ -298,7 +298,7 @@ private:
         said_.frame("  <-", frame, is_lost ? "  lost" : "", &own);
         if (not is_lost) {
             link_.receive(frame, at());
-            own.law.note_answer(now_);
+            own.law.note_answer(frame, now_);
             is_answered_ = true;
         }
         for (auto const& each : nodes_) {

@@ -78,7 +78,11 @@ struct chronicle {
     {
         if (prints) {
             std::printf("%12.3f ms  ", double(now) / 1e3);
-            std::printf(format, args...);
+            if constexpr (sizeof...(args) == 0) {
+                std::fputs(format, stdout);
+            } else {
+                std::printf(format, args...);
+            }
             std::printf("\n");
         }
     }

@@ -14,7 +14,7 @@ ROOMS = ["core", "wire", "rtu", "table", "client", "server", "cia402", "altivar"
          "motion_law"]
 LISTENER = TESTS / "mutation" / "listener.cpp"
 # The port is not portable, threads come in any order, and real time goes on under a debugger as well.
-LEFT_OUT = re.compile(r"/port_|/interrupt_threads|/random_drives|/an_hour_of_noise")
+LEFT_OUT = re.compile(r"/port_|/interrupt_threads|/an_hour_of_noise")
 CARRYLESS = ("-mpclmul", "-DRTUWIRE_TEST_CARRYLESS")
 # A place too far ends the program, as far as that is seen cheaply.
 COMPILE = ["g++", "-std=c++20", "-w", "-O0", "-D_GLIBCXX_ASSERTIONS", "-fsanitize=bounds",

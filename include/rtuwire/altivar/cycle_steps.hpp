@@ -45,6 +45,7 @@ public:
         control_.stop(has_none ? stop_by::ramp : how);
         is_coming_down_ = true;
         must_say_stop_ = not control_.is_halting();
+        must_observe_ = control_.is_halting(); // its word goes behind a look alone
     }
     constexpr void reset_fault() noexcept { control_.reset_fault(); }
 
@@ -186,6 +187,9 @@ private:
         }
         bool const is_exchange = step_ == step::exchange or step_ == step::read;
         bool const writes = is_exchange or step_ == step::write;
+        if (must_observe_ and preparation_.succeeded()) {
+            return step::observe;
+        }
         if (writes and (not preparation_.succeeded() or was_rearranged)) {
             return step::look;
         }
@@ -271,7 +275,7 @@ private:
     /// Until the next question; a word that stops does not wait, unless it is itself what has to be said again.
     constexpr void wait_a_period() noexcept
     {
-        waits_ = not must_say_stop_ or step_ == step::say_stop;
+        waits_ = not(must_say_stop_ or must_observe_) or step_ == step::say_stop;
     }
 
     /// The drive took the word that stops; what it does is looked at next.
@@ -338,6 +342,7 @@ private:
     constexpr void note_inputs(std::uint16_t status) noexcept
     {
         bool const was_in_fault = cia402::is_in_fault(control_.state());
+        must_observe_ = must_observe_ and step_ != step::observe;
         control_.note_status(status, frames_.speed() == 0);
         if (step_ == step::read) {
             step_ = step::write;
@@ -387,6 +392,7 @@ private:
     std::uint8_t misses_{0};
     bool is_lost_{true};
     bool must_say_stop_{false};      ///< before anything else
+    bool must_observe_{false};       ///< the same, where a halt was ordered
     bool is_coming_down_{false};     ///< it was stopped here, or lost its order while it ran
     bool has_written_{false};        ///< the outputs, as far as the drive said so
     bool was_taken_{false};          ///< the same: it answered the last write

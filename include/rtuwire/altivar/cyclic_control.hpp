@@ -250,7 +250,8 @@ private:
         if (is_halting()) {
             return cia402::word_of(cia402::command::enable_operation) | cia402::halt_bit;
         }
-        if (looks_at_rest_ >= 2 or (is_stopping_ and how_ == stop_by::freewheel)) {
+        bool const stands = looks_at_rest_ >= 2 and not has_enabled_;
+        if (stands or (is_stopping_ and how_ == stop_by::freewheel)) {
             return cia402::word_of(cia402::command::disable_voltage);
         }
         bool const is_quick = state_ == cia402::state::quick_stop_active or

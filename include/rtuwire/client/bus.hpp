@@ -98,14 +98,14 @@ public:
         own.is_here = true;
         own.is_present = not talk.settled();
         bool const wants_turn = not talk.settled() and not is_urgent_ and
-                                (stops_now(talk) or not is_held_back(index, now));
+                                not is_held_back(talk, index, now);
         if (errc const came = client_.deliver(talk, wants_turn, now); came != errc::pending) {
             note_health(own, came, now);
         }
         advance_talk(talk, now);
         client_.command(talk, now);
         wake_at(own.wake, wake_of(talk), now);
-        if (is_urgent_ or (not stops_now(talk) and is_held_back(index, now))) {
+        if (is_urgent_ or is_held_back(talk, index, now)) {
             return;
         }
         if (errc const asked = client_.ask(talk, now, own_patience(own)); asked != errc::none) {
@@ -277,6 +277,21 @@ private:
         patience with = own.options.with;
         with.retries = is_silent(own) ? std::uint8_t{0} : with.retries;
         return with;
+    }
+
+    /// Whether a conversation must wait in its slot. A word that stops does not, and who commands a motor does not for
+    /// the health of another unit, which was asked in this slot before.
+    template <typename Talk>
+    constexpr bool is_held_back(Talk const& talk, std::size_t index, instant now) noexcept
+    {
+        if constexpr (commanding_conversation<Talk>) {
+            slot const& own = slots_[index];
+            bool const is_new_here = talk.unit().octet() != own.unit and not own.is_resting;
+            if (stops_now(talk) or is_new_here) {
+                return false;
+            }
+        }
+        return is_held_back(index, now);
     }
 
     /// Whether a slot must wait; its wake-up, or a time that `poll_deadline` knows, then says until when.

@@ -1,0 +1,376 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What random lives found, each reduced to the few frames that it takes.
+#include "support/catch.hpp"
+#include "support/party_line.hpp"
+
+#include <optional>
+
+#include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/cyclic.hpp>
+#include <rtuwire/altivar/direct_control.hpp>
+#include <rtuwire/altivar/start.hpp>
+#include <rtuwire/altivar/stop.hpp>
+#include <rtuwire/altivar/stop_everyone.hpp>
+#include <rtuwire/client/single_question.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+using state = cia402::state;
+
+namespace {
+
+constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
+
+template <typename Device, typename Link = drive_client<2>>
+struct hall : test::party_line<Link, Device> {
+    station<Device> motor{*station<Device>::checked(3)};
+    station<Device> other{*station<Device>::checked(4)};
+
+    hall() : test::party_line<Link, Device>{Link{test::party_timing, patient}}
+    {
+        this->add(motor.unit());
+        this->add(other.unit());
+        this->idle(milliseconds(20));
+    }
+
+    template <typename Work> void pass(Work work, duration length)
+    {
+        instant const end = this->now() + length;
+        while (not reached(this->now(), end)) {
+            this->step(work, end - this->now());
+        }
+    }
+
+    /// Passes until a question of this function and word at the control word has left; whether it has.
+    template <typename Work> bool pass_until_told(Work work, std::uint16_t word, duration most)
+    {
+        instant const end = this->now() + most;
+        std::size_t const before = this->questions();
+        while (not reached(this->now(), end)) {
+            this->step(work, milliseconds(5));
+            if (this->questions() != before and is_told(word)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// Whether the last question wrote this control word, in whatever way.
+    bool is_told(std::uint16_t word)
+    {
+        byte_view const frame = this->question();
+        switch (to_u8(frame[1])) {
+        case 6: return u16_at(frame, 2) == Device::profile.cmd and u16_at(frame, 4) == word;
+        case 16: return u16_at(frame, 7) == word;
+        case 23: return u16_at(frame, 11) == word;
+        default: return false;
+        }
+    }
+    state drive_state() { return this->drive(0).chart().state(); }
+    bool has_power() { return cia402::has_power(drive_state()); }
+};
+
+} // namespace
+
+TEST_CASE("motion law: two stops at once are not blocked by an answer that nobody comes for")
+{
+    using device = atv320::device;
+    hall<device> it;
+    start go{it.motor, 40_Hz};
+    REQUIRE(it.run(go));
+    std::optional<single_question<read_holding_registers>> poll;
+    poll.emplace(it.motor.unit(), read_holding_registers{3'201, 1});
+    it.pass([&](instant at) { it.link().converse(*poll, at); }, milliseconds(5));
+    poll.reset(); // its answer comes, and it does not
+    it.pass([](instant) {}, milliseconds(50));
+    stop first{it.motor};
+    stop second{it.other};
+    auto const work = [&](instant at) {
+        it.link().converse(first, at);
+        it.link().converse(second, at);
+    };
+    CHECK(it.pass_until_told(work, 0x0000, milliseconds(500)));
+    it.pass(work, milliseconds(2'000));
+    CHECK(first.succeeded());
+    CHECK(second.succeeded());
+    CHECK_FALSE(it.has_power());
+}
+
+TEST_CASE("motion law: a stop of everyone, or of the drive, takes a direct start's order away")
+{
+    using device = atv28::device;
+    for (std::uint32_t after_ms = 0; after_ms < 120; after_ms += 3) {
+        for (bool const is_everyone : {false, true}) {
+            INFO(after_ms << " ms, everyone " << is_everyone);
+            hall<device> it;
+            atv28::direct_start go{it.motor, 40_Hz};
+            it.pass([&](instant at) { it.link().converse(go, at); }, milliseconds(after_ms));
+            stop_everyone all{it.motor};
+            stop rest{it.motor};
+            bool has_stopped = false;
+            bool has_run_again = false;
+            auto const work = [&](instant at) {
+                if (is_everyone) {
+                    it.link().converse(all, at);
+                } else {
+                    it.link().converse(rest, at);
+                }
+                it.link().converse(go, at);
+                has_stopped = has_stopped or it.is_told(0x0000) or it.is_told(0x0007);
+            };
+            instant const end = it.now() + milliseconds(6'000);
+            std::size_t const before = it.questions();
+            while (not reached(it.now(), end)) {
+                it.step(work, milliseconds(20));
+                has_run_again = has_run_again or (it.questions() != before and it.is_told(0x800A));
+            }
+            CHECK_FALSE(has_run_again);
+            CHECK_FALSE(it.has_power());
+        }
+    }
+}
+
+TEST_CASE("motion law: the STOP key pressed behind a start's first look ends it")
+{
+    for (bool const is_direct : {false, true}) {
+        hall<atv28::device> it;
+        start go{it.motor, 40_Hz};
+        atv28::direct_start run{it.motor, 40_Hz};
+        auto const work = [&](instant at) {
+            if (is_direct) {
+                it.link().converse(run, at);
+            } else {
+                it.link().converse(go, at);
+            }
+        };
+        // The first look was answered, the first word is not there yet: the drive falls from rest to rest.
+        REQUIRE(it.run(work, [&] { return it.answers(0) == 1; }, milliseconds(100)));
+        it.drive(0).press_stop();
+        it.pass(work, milliseconds(3'500));
+        CHECK_FALSE(it.has_power());
+        CHECK((is_direct ? run.reason().how : go.reason().how) == ending::stuck);
+    }
+}
+
+TEST_CASE("motion law: the STOP key that is shown from before does not keep a start from running")
+{
+    hall<atv28::device> it;
+    it.drive(0).press_stop();
+    start go{it.motor, 40_Hz};
+    REQUIRE(it.run(go));
+    CHECK(go.succeeded());
+}
+
+TEST_CASE("motion law: S22 a drive that lost its power behind a word that it answered is not pushed up again")
+{
+    using device = atv28::device; // functions 03 and 16: the answer to the write tells no state
+    hall<device> it;
+    cyclic<device> loop{it.motor, {.period = milliseconds(100)}};
+    auto const cycle = [&](instant at) { it.link().converse(loop, at); };
+    it.pass(cycle, milliseconds(500));
+    REQUIRE(loop.run(30_Hz));
+    REQUIRE(it.run(cycle, [&] { return it.drive_state() == state::ready_to_switch_on; },
+                   milliseconds(500)));
+    std::size_t const answers = it.answers(0);
+    REQUIRE(it.run(cycle, [&] { return it.answers(0) == answers + 1; }, milliseconds(50)));
+    it.drive(0).power_cycle(it.now());
+    it.pass(cycle, milliseconds(5'000));
+    CHECK_FALSE(it.has_power());
+    CHECK_FALSE(loop.control().is_ordered());
+}
+
+TEST_CASE("motion law: S22 the same of a start whose next look is lost")
+{
+    using device = atv320::device;
+    hall<device> it;
+    start go{it.motor, 40_Hz};
+    auto const work = [&](instant at) { it.link().converse(go, at); };
+    REQUIRE(it.run(work, [&] { return it.answers(0) == 2; }, milliseconds(200)));
+    REQUIRE(it.drive_state() == state::ready_to_switch_on);
+    it.cut(0, true);
+    it.pass(work, milliseconds(30));
+    it.drive(0).power_cycle(it.now());
+    it.cut(0, false);
+    it.pass(work, milliseconds(4'000));
+    CHECK_FALSE(it.has_power());
+    CHECK(go.reason().how == ending::stuck);
+}
+
+TEST_CASE("motion law: a halt that may not look becomes the ramp within a second")
+{
+    using device = atv320::device;
+    // The drive is silent in this slot, so that the slot's next question waits for its turn to be probed.
+    hall<device, bus<2>> it;
+    start go{it.motor, 40_Hz};
+    REQUIRE(it.run([&](instant at) { it.link().converse(0, go, at); }, [&] { return go.settled(); },
+                   milliseconds(1'000)));
+    bool loses = true;
+    it.disturb([&](auto& frame, bool) {
+        if (loses) {
+            frame.clear();
+        }
+    });
+    single_question poll{it.motor.unit(), read_holding_registers{3'201, 1}};
+    REQUIRE(it.run([&](instant at) { it.link().converse(1, poll, at); }, [&] { return poll.settled(); },
+                   milliseconds(1'000)));
+    loses = false;
+    REQUIRE(it.has_power());
+    stop rest{it.motor, stop_by::halt, milliseconds(30'000), word_meaning::drive_profile};
+    auto const work = [&](instant at) { it.link().converse(1, rest, at); };
+    CHECK(it.pass_until_told(work, 0x0007, milliseconds(1'100)));
+    it.pass(work, milliseconds(4'000));
+    CHECK(rest.succeeded());
+    CHECK(rest.reason().is_other_stop);
+    CHECK_FALSE(it.has_power());
+}
+
+TEST_CASE("motion law: who commands a drive does not wait for the health of another one in its slot")
+{
+    using device = atv320::device;
+    hall<device, bus<2>> it;
+    it.cut(1, true);
+    single_question poll{it.other.unit(), read_holding_registers{3'201, 1}};
+    REQUIRE(it.run([&](instant at) { it.link().converse(1, poll, at); }, [&] { return poll.settled(); },
+                   milliseconds(1'000)));
+    REQUIRE(it.link().is_silent(1));
+    stop rest{it.motor, stop_by::halt};
+    std::size_t const before = it.questions();
+    CHECK(it.run([&](instant at) { it.link().converse(1, rest, at); },
+                 [&] { return it.questions() != before; }, milliseconds(50)));
+}
+
+TEST_CASE("motion law: a DC injection gives no power to a drive whose motor stands")
+{
+    using device = atv28::device;
+    unsigned given_back = 0;
+    for (std::uint32_t after_ms = 0; after_ms < 60; after_ms += 2) {
+        INFO(after_ms << " ms");
+        hall<device> it;
+        start go{it.motor, 1_Hz};
+        REQUIRE(it.run(go));
+        it.pass([](instant) {}, milliseconds(1'000));
+        auto const ramp = single_question{
+            it.motor.unit(), write_single_register{device::profile.cmd, 0x0007}};
+        auto told = ramp; // by whoever it is: not a stop that this one would take the drive from
+        REQUIRE(it.run(told));
+        it.pass([](instant) {}, milliseconds(after_ms));
+        stop brake{it.motor, stop_by::dc_injection};
+        bool is_given_back = false;
+        auto const work = [&](instant at) { it.link().converse(brake, at); };
+        bool had_power = true;
+        instant const end = it.now() + milliseconds(1'000);
+        while (not reached(it.now(), end)) {
+            it.step(work, milliseconds(1));
+            is_given_back = is_given_back or (it.has_power() and not had_power and it.is_told(0xA00A));
+            had_power = it.has_power();
+        }
+        given_back += is_given_back ? 1U : 0U;
+        CHECK(brake.succeeded());
+    }
+    CHECK(given_back <= 1); // where it came to rest between the read of its frequency and the word
+}
+
+TEST_CASE("motion law: a cycle without an order writes no reference of an old one")
+{
+    using device = atv28::device;
+    hall<device> it;
+    cyclic<device> loop{it.motor, {.period = milliseconds(50)}};
+    auto const cycle = [&](instant at) { it.link().converse(loop, at); };
+    it.pass(cycle, milliseconds(500));
+    REQUIRE(loop.run(40_Hz));
+    it.pass(cycle, milliseconds(4'000));
+    loop.stop();
+    it.pass(cycle, milliseconds(6'000));
+    REQUIRE_FALSE(it.has_power());
+    CHECK(it.drive(0).word("LFR") == 0);
+}
+
+TEST_CASE("motion law: L3 a cycle's stop leaves before a look where the command to run was not answered")
+{
+    using device = atv320::device;
+    hall<device> it;
+    bool loses_answers = false;
+    it.disturb([&](auto& frame, bool is_request) {
+        loses_answers = loses_answers or (is_request and it.is_told(0x000F));
+        if (not is_request and loses_answers) {
+            frame.clear();
+        }
+    });
+    cyclic<device> loop{it.motor, {.period = milliseconds(100)}};
+    auto const cycle = [&](instant at) { it.link().converse(loop, at); };
+    it.pass(cycle, milliseconds(500));
+    REQUIRE(loop.run(1'200_rpm));
+    REQUIRE(it.run(cycle, [&] { return it.has_power(); }, milliseconds(1'000)));
+    it.pass(cycle, milliseconds(180)); // the answer is missed, the next step is a look
+    loop.stop();
+    std::size_t const before = it.questions();
+    REQUIRE(it.run(cycle, [&] { return it.questions() != before; }, milliseconds(500)));
+    CHECK(it.is_told(0x0007));
+}
+
+TEST_CASE("motion law: L3 a cycle that is told to run while it stops somebody else's motor does not enable by a stop word")
+{
+    using device = atv28::device;
+    hall<device> it;
+    cyclic<device> loop{it.motor, {.period = milliseconds(50)}};
+    start go{it.motor, 30_Hz};
+    auto const cycle = [&](instant at) { it.link().converse(loop, at); };
+    it.pass(cycle, milliseconds(500));
+    REQUIRE(it.run(go));
+    // The cycle finds it running without an order of its own; its stop words get lost.
+    it.disturb([&](auto& frame, bool is_request) {
+        if (is_request and it.is_told(0x0007)) {
+            frame.clear();
+        }
+    });
+    REQUIRE(it.pass_until_told(cycle, 0x0007, milliseconds(500)));
+    REQUIRE(loop.run(40_Hz));
+    std::size_t const before = it.questions();
+    REQUIRE(it.run(cycle, [&] { return it.questions() != before; }, milliseconds(500)));
+    CHECK(to_u8(it.question()[1]) == 3); // a look
+}
+
+TEST_CASE("motion law: L3 a halt of a cycle looks first, also behind a stop word that was not answered")
+{
+    using device = atv320::device;
+    hall<device> it;
+    cyclic<device> loop{it.motor, {.period = milliseconds(50)}};
+    auto const cycle = [&](instant at) { it.link().converse(loop, at); };
+    it.pass(cycle, milliseconds(500));
+    REQUIRE(loop.run(1'200_rpm));
+    it.pass(cycle, milliseconds(4'000));
+    REQUIRE(it.has_power());
+    loop.stop();
+    REQUIRE(it.pass_until_told(cycle, 0x0007, milliseconds(500)));
+    it.cut(0, true); // the motor comes to rest; the cycle's words get lost meanwhile
+    it.pass(cycle, milliseconds(1'000));
+    loop.stop(stop_by::halt);
+    std::size_t const before = it.questions();
+    it.run(cycle, [&] { return it.questions() != before; }, milliseconds(500));
+    CHECK_FALSE(it.is_told(0x010F));
+}
+
+TEST_CASE("motion law: a fault reset asked of a cycle without a fault renews no order that a stop took away")
+{
+    using device = atv320::device;
+    hall<device> it;
+    cyclic<device> loop{it.motor, {.period = milliseconds(150)}};
+    auto const cycle = [&](instant at) { it.link().converse(loop, at); };
+    it.pass(cycle, milliseconds(500));
+    REQUIRE(loop.run(1'200_rpm));
+    it.pass(cycle, milliseconds(1));
+    stop rest{it.motor};
+    it.run(
+        [&](instant at) {
+            it.link().converse(rest, at);
+            cycle(at);
+        },
+        [&] { return rest.settled(); }, milliseconds(1'000));
+    REQUIRE(rest.succeeded());
+    loop.reset_fault();
+    it.pass(cycle, milliseconds(3'000));
+    CHECK_FALSE(it.has_power());
+    CHECK_FALSE(loop.control().is_ordered());
+}
