@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic.hpp>
@@ -187,8 +188,10 @@ TEST_CASE("motion law: S22 the same of a start whose next look is lost")
     hall<device> it;
     start go{it.motor, 40_Hz};
     auto const work = [&](instant at) { it.link().converse(go, at); };
-    REQUIRE(it.run(work, [&] { return it.answers(0) == 2; }, milliseconds(200)));
-    REQUIRE(it.drive_state() == state::ready_to_switch_on);
+    REQUIRE(it.run(work, [&] { return it.drive_state() == state::ready_to_switch_on; },
+                   milliseconds(500)));
+    std::size_t const answers = it.answers(0);
+    REQUIRE(it.run(work, [&] { return it.answers(0) != answers; }, milliseconds(100)));
     it.cut(0, true);
     it.pass(work, milliseconds(30));
     it.drive(0).power_cycle(it.now());
@@ -289,7 +292,7 @@ TEST_CASE("motion law: a cycle without an order writes no reference of an old on
 
 TEST_CASE("motion law: L3 a cycle's stop leaves before a look where the command to run was not answered")
 {
-    using device = atv320::device;
+    using device = atv12::device;
     hall<device> it;
     bool loses_answers = false;
     it.disturb([&](auto& frame, bool is_request) {
@@ -318,6 +321,8 @@ TEST_CASE("motion law: L3 a cycle that is told to run while it stops somebody el
     start go{it.motor, 30_Hz};
     auto const cycle = [&](instant at) { it.link().converse(loop, at); };
     it.pass(cycle, milliseconds(500));
+    REQUIRE(it.run(cycle, [&] { return to_u8(it.question()[1]) == 16; }, milliseconds(500)));
+    it.pass(cycle, milliseconds(30)); // its next step is a read
     REQUIRE(it.run(go));
     // The cycle finds it running without an order of its own; its stop words get lost.
     it.disturb([&](auto& frame, bool is_request) {

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include <rtuwire/altivar/cycle_frames.hpp>
 #include <rtuwire/altivar/cycle_preparation.hpp>
@@ -45,7 +46,7 @@ public:
         control_.stop(has_none ? stop_by::ramp : how);
         is_coming_down_ = true;
         must_say_stop_ = not control_.is_halting();
-        must_observe_ = control_.is_halting(); // its word goes behind a look alone
+        must_observe_ = control_.is_halting();
     }
     constexpr void reset_fault() noexcept { control_.reset_fault(); }
 
@@ -99,12 +100,7 @@ public:
     }
     constexpr bool take_fault() noexcept { return control_.take_fault(); }
     constexpr bool take_end_of_stop() noexcept { return control_.take_end_of_stop(); }
-    constexpr bool take_pause() noexcept
-    {
-        bool const is_set = waits_;
-        waits_ = false;
-        return is_set;
-    }
+    constexpr bool take_pause() noexcept { return std::exchange(waits_, false); }
 
     /// What came of the question.
     constexpr void take(response const& answer) noexcept
@@ -187,6 +183,9 @@ private:
         }
         bool const is_exchange = step_ == step::exchange or step_ == step::read;
         bool const writes = is_exchange or step_ == step::write;
+        if (step_ == step::say_stop and control_.moves()) {
+            return step::look; // an order came behind a stop that was not answered
+        }
         if (must_observe_ and preparation_.succeeded()) {
             return step::observe;
         }
