@@ -31,8 +31,8 @@ struct slot_options {
     /// From the end of a transaction with this unit to the next question to it.
     duration least_idle{};
     /// From one question to this unit to the next, at most; zero where it does not matter. A silent unit is asked
-    /// only where its whole time-out ends before any such time of a unit that is not. It does not speed up the
-    /// conversation.
+    /// only where its whole time-out ends before any such time of a unit that is not, and before two thirds of the time
+    /// after which an ordered unit stops by itself. It does not speed up the conversation.
     duration longest_gap{};
 };
 
@@ -104,6 +104,7 @@ public:
         }
         advance_talk(talk, now);
         client_.command(talk, now);
+        own.order_gap = order_gap_of(talk);
         wake_at(own.wake, wake_of(talk), now);
         if (is_urgent_ or is_held_back(talk, index, now)) {
             return;
@@ -192,6 +193,7 @@ private:
         instant not_before{0}; ///< the end of the rest
         instant last_asked{0};
         deadline wake{};
+        duration order_gap{}; ///< from one question to the next while its unit is ordered; 0: none
         std::uint8_t unit{0}; ///< the one asked last; health is its
         std::uint8_t failures{0};
         bool is_resting{false};
@@ -341,12 +343,30 @@ private:
         for (std::size_t i = 0; i < Slots; ++i) {
             slot const& other = slots_[i];
             bool const matters = i != index and other.is_present and other.unit != 0 and
-                                 not is_silent(other) and other.options.longest_gap.microseconds != 0;
-            if (matters and not reached(other.last_asked + other.options.longest_gap, end)) {
+                                 not is_silent(other);
+            if (matters and (is_before(other, other.options.longest_gap, end) or
+                             is_before(other, other.order_gap, end))) {
                 return false;
             }
         }
         return true;
+    }
+
+    /// Whether a unit has to be asked before `end`, where it may not wait for longer than this.
+    static constexpr bool is_before(slot const& other, duration gap, instant end) noexcept
+    {
+        return gap != duration{} and not reached(other.last_asked + gap, end);
+    }
+
+    /// A third is left for the turns of others behind a probe.
+    template <typename Talk> constexpr duration order_gap_of(Talk const& talk) const noexcept
+    {
+        if constexpr (commanding_conversation<Talk>) {
+            bool const is_ordered = client_.motor_orders().is_ordered(talk.unit().octet());
+            return is_ordered ? duration{talk.drive_timeout().microseconds / 3 * 2} : duration{};
+        } else {
+            return {};
+        }
     }
 
     basic_client<Statistics, held<line_timing>, held<client_options>, quarantine<Slots>, shared_memory,
