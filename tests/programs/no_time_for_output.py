@@ -14,12 +14,12 @@ import sys
 import threading
 import time
 
-from controller import LIMIT, UNIT, Checks, Drive, demo, own_group, soon
+from controller import LIMIT, TTO, UNIT, Checks, Drive, demo, own_group, soon
 from frames import Line, with_crc
 
 PAGE = 4096  # octets: the smallest pipe
 PAUSE = 0.5  # s
-LONG_PAUSE = 4  # s, more than a third of the 10 s that the demo takes for the time-out of a later Altivar
+LONG_PAUSE = TTO / 10 / 3 + 0.5  # s, more than a third of the drive's time-out
 ETA = {"atv28": 458, "atv320": 3201}
 XOFF, XON = b"\x13", b"\x11"
 DROPPED = re.compile(rb"demo: (\d+) lines were dropped: the output is blocked")

@@ -30,7 +30,7 @@ struct hall : test::party_line<bus<drives>, atv320::device> {
                                cyclic_options{.period = milliseconds(1)});
         }
         idle(milliseconds(20));
-        run_for(milliseconds(3'000));
+        run_for(milliseconds(15'000)); // each is looked at and checked before its first exchange
     }
 
     void run_for(duration length)

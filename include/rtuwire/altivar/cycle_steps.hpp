@@ -52,7 +52,6 @@ public:
 
     /// The way up took too long.
     constexpr void note_late() noexcept { control_.note_late(); }
-
     [[nodiscard]] constexpr cycle_frames<Device>& frames() noexcept { return frames_; }
     [[nodiscard]] constexpr cycle_frames<Device> const& frames() const noexcept { return frames_; }
     [[nodiscard]] constexpr cyclic_control const& control() const noexcept { return control_; }
@@ -94,9 +93,9 @@ public:
     /// question waits for a period; each told once.
     constexpr bool take_rest() noexcept
     {
-        bool const is_at_rest = control_.take_rest();
-        is_coming_down_ = is_coming_down_ and not is_at_rest;
-        return is_at_rest;
+        bool const is_read = control_.take_rest();
+        is_coming_down_ = is_coming_down_ and not is_read;
+        return is_read;
     }
     constexpr bool take_fault() noexcept { return control_.take_fault(); }
     constexpr bool take_end_of_stop() noexcept { return control_.take_end_of_stop(); }
