@@ -63,6 +63,7 @@
 #include <rtuwire/client/fixed_client.hpp>
 #include <rtuwire/client/line_end.hpp>
 #include <rtuwire/client/options.hpp>
+#include <rtuwire/client/order_places.hpp>
 #include <rtuwire/client/orders.hpp>
 #include <rtuwire/client/phase.hpp>
 #include <rtuwire/client/plan_writer.hpp>

@@ -11,6 +11,7 @@
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic.hpp>
 #include <rtuwire/altivar/direct_control.hpp>
+#include <rtuwire/altivar/reset_fault.hpp>
 #include <rtuwire/altivar/start.hpp>
 #include <rtuwire/altivar/stop.hpp>
 #include <rtuwire/altivar/stop_everyone.hpp>
@@ -378,4 +379,44 @@ TEST_CASE("motion law: a fault reset asked of a cycle without a fault renews no 
     it.pass(cycle, milliseconds(3'000));
     CHECK_FALSE(it.has_power());
     CHECK_FALSE(loop.control().is_ordered());
+}
+
+TEST_CASE("motion law: L2 a fault that another conversation reset takes an older start's order away")
+{
+    using device = atv320::device;
+    hall<device> it;
+    start go{it.motor, 40_Hz};
+    REQUIRE(it.run([&](instant at) { it.link().converse(go, at); }, [&] { return it.answers(0) == 2; },
+                   milliseconds(200)));
+    it.drive(0).inject_fault(9);
+    it.drive(0).clear_cause();
+    reset_fault reset{it.motor}; // the start never sees the fault
+    REQUIRE(it.run(reset));
+    REQUIRE(reset.succeeded());
+    REQUIRE(it.run(go));
+    CHECK(go.reason().how == ending::overruled);
+    CHECK_FALSE(it.has_power());
+    start again{it.motor, 40_Hz};
+    REQUIRE(it.run(again));
+    CHECK(again.running());
+}
+
+TEST_CASE("motion law: L2 of two orders to run a drive the later one counts")
+{
+    using device = atv12::device;
+    hall<device> it;
+    start first{it.motor, 40_Hz};
+    it.pass([&](instant at) { it.link().converse(first, at); }, milliseconds(60));
+    REQUIRE_FALSE(first.settled());
+    start second{it.motor, 10_Hz};
+    REQUIRE(it.run(
+        [&](instant at) {
+            it.link().converse(first, at);
+            it.link().converse(second, at);
+        },
+        [&] { return first.settled() and second.settled(); }, milliseconds(3'000)));
+    CHECK(first.reason().how == ending::overruled);
+    CHECK(second.running());
+    it.pass([](instant) {}, milliseconds(3'000));
+    CHECK(it.drive(0).motor().frequency() == 10'000);
 }

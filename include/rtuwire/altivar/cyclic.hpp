@@ -52,7 +52,7 @@ public:
         bool const is_taken = steps_.run(is_reverse ? asked.reversed().word : asked.word);
         if (is_taken and not was_ordered) {
             climb_end_ = now_ + climb_limit_;
-            this->note_order();
+            this->note_order_to_run();
         }
         return is_taken;
     }

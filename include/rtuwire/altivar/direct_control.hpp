@@ -58,6 +58,8 @@ public:
 /// Decides a direct start, word by word.
 class direct_start_script : public script {
 public:
+    static constexpr bool is_order = true;
+
     /// To bring a drive to rest that was told to run and must not.
     static constexpr duration grace{milliseconds(30'000)};
 

@@ -35,6 +35,8 @@ public:
             late_at_ = now + limit_;
             if constexpr (Script::is_stop) {
                 this->note_stop();
+            } else if constexpr (Script::is_order) {
+                this->note_order_to_run();
             } else {
                 this->note_order();
             }

@@ -98,6 +98,9 @@ public:
 
     [[nodiscard]] constexpr altivar::reason const& reason() const noexcept { return reason_; }
 
+    /// Whether it orders its drive to run, in the place of any order before.
+    static constexpr bool is_order = false;
+
     /// Whether it stops its drive because the user said so, and holds it until it ends.
     static constexpr bool is_stop = false;
 

@@ -23,6 +23,8 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// Decides a start, word by word.
 class start_script : public script {
 public:
+    static constexpr bool is_order = true;
+
     /// To bring a drive to rest that was enabled and must not run.
     static constexpr duration grace{milliseconds(30'000)};
 

@@ -31,6 +31,13 @@ protected:
     /// The user orders something that may move the motor. A stop that begins later takes the order away.
     constexpr void note_order() noexcept { has_ordered_ = true; }
 
+    /// The same, to run: of two such orders for a unit the later one counts.
+    constexpr void note_order_to_run() noexcept
+    {
+        has_ordered_ = true;
+        takes_over_ = true;
+    }
+
     /// The user stops: older orders of this unit, whoever gave them, are taken away, and none is taken until the stop is over.
     constexpr void note_stop() noexcept
     {
@@ -58,6 +65,7 @@ private:
     std::uint32_t seen_{0};  ///< the client's count when it came by last
     bool was_rearranged_{false};
     bool has_ordered_{false};
+    bool takes_over_{false};
     bool has_stopped_{false};
     bool is_over_{false};
     bool has_read_rest_{false};

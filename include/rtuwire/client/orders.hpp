@@ -6,7 +6,8 @@
 //
 // A unit is *ordered* from the first request that enables it until a conversation that commands it has read that its
 // motor has no power. Orders and stops have stamps, counted up: an order that is older than the last stop of its
-// unit, or than its last loss, enables nothing. While a stop is under way nothing else commands its unit; one that was
+// unit, or than its last loss, enables nothing; nor does one that is older than a fault that somebody read, or than
+// another order to run. While a stop is under way nothing else commands its unit; one that was
 // destroyed before its end goes on holding it until another stop of the unit has ended, or `release`.
 //
 // A *loss* is an answer that did not come from an ordered unit, beyond those that its commander tolerates. Then, for
@@ -15,12 +16,11 @@
 // 2 s for its words. An answer to one of them ends the loss; the order stays gone.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include <rtuwire/client/commander.hpp>
-#include <rtuwire/core/filled.hpp>
+#include <rtuwire/client/order_places.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
@@ -63,7 +63,7 @@ public:
             who.stamp_ = ++count_;
             stopped_all_ = count_;
             holder_of_all_ = count_;
-            for (entry& each : entries_) {
+            for (unit_order& each : places_) {
                 each.words_end = now + stop_words_after_loss;
                 each.may_be_told = each.is_lost;
             }
@@ -83,37 +83,33 @@ public:
         if (what == effect::none) {
             return errc::none;
         }
-        entry const* const own = find(unit);
-        std::uint32_t const holder = own == nullptr ? 0 : own->holder;
-        bool const is_others = holder != 0 and who.stamp_ != holder;
+        unit_order const& own = places_.of(unit);
+        bool const is_others = own.holder != 0 and who.stamp_ != own.holder;
         if (what == effect::stopping) {
             bool const stops_all = holder_of_all_ != 0 and who.stamp_ == holder_of_all_;
             return is_others and not stops_all ? errc::overruled : errc::none;
         }
-        std::uint32_t const last = own == nullptr ? forgotten_ : own->last_stop;
-        std::uint32_t const fault = own == nullptr ? forgotten_fault_ : own->last_fault;
-        bool const is_late = is_older(who.stamp_, last) or is_older(who.stamp_, stopped_all_) or
-                             (what == effect::enabling and is_older(who.stamp_, fault));
-        if (holder != 0 or holder_of_all_ != 0 or is_late) {
-            bool const is_loss = own != nullptr and own->was_lost and holder == 0;
-            return is_loss ? errc::unit_lost : errc::overruled;
+        bool const is_late = is_older(who.stamp_, own.last_stop) or is_older(who.stamp_, stopped_all_) or
+                             (what == effect::enabling and has_newer(own, who));
+        if (own.holder != 0 or holder_of_all_ != 0 or is_late) {
+            return own.was_lost and own.holder == 0 ? errc::unit_lost : errc::overruled;
         }
-        bool const is_full = own == nullptr and free_place() == Units;
-        return is_full and what != effect::rearranging ? errc::too_many_ordered : errc::none;
+        bool const needs_place = what != effect::rearranging;
+        return needs_place and places_.is_full_for(unit) ? errc::too_many_ordered : errc::none;
     }
 
     /// A request that rearranges was taken: who relies on the unit's words reads anew what they mean.
     constexpr void note_rearranging(std::uint8_t unit) noexcept
     {
-        entry* const own = find(unit);
-        (own == nullptr ? forgotten_arrangement_ : own->rearranged) = ++count_;
+        unit_order* const own = places_.find(unit);
+        (own == nullptr ? places_.others() : *own).rearranged = ++count_;
     }
 
     /// Whether another stop, or one that came later, has the unit.
     [[nodiscard]] constexpr bool is_overruled(commander const& who, std::uint8_t unit) const noexcept
     {
-        entry const* const own = find(unit);
-        bool const holds = own != nullptr and own->holder != 0 and own->holder == who.stamp_;
+        std::uint32_t const holder = places_.of(unit).holder;
+        bool const holds = holder != 0 and holder == who.stamp_;
         return not holds and check(who, unit, effect::enabling) == errc::overruled;
     }
 
@@ -121,7 +117,7 @@ public:
     constexpr void note_enabling(std::uint8_t unit, duration drive_timeout,
                                  std::uint8_t tolerated) noexcept
     {
-        if (entry* const own = place_of(unit)) {
+        if (unit_order* const own = places_.make(unit)) {
             own->is_ordered = true;
             own->silence = drive_timeout + milliseconds(1'000);
             own->tolerated = tolerated;
@@ -132,7 +128,7 @@ public:
     constexpr void note_outcome(std::uint8_t unit, errc error, bool was_repeated,
                                 instant now) noexcept
     {
-        entry* const own = find(unit);
+        unit_order* const own = places_.find(unit);
         if (own == nullptr or error == errc::cancelled) {
             return;
         }
@@ -154,7 +150,7 @@ public:
     /// Whether nothing of this effect is said to a unit now; to everyone (0), where one of them is lost.
     [[nodiscard]] constexpr bool is_silent(std::uint8_t unit, effect what) const noexcept
     {
-        for (entry const& each : entries_) {
+        for (unit_order const& each : places_) {
             bool const is_meant = each.is_lost and (each.unit == unit or unit == 0);
             bool const may_be_told =
                 what == effect::stopping and (unit == 0 or each.may_be_told);
@@ -168,21 +164,19 @@ public:
     /// Whether a unit is lost.
     [[nodiscard]] constexpr bool is_lost(std::uint8_t unit) const noexcept
     {
-        entry const* const own = find(unit);
-        return own != nullptr and own->is_lost;
+        return places_.of(unit).is_lost;
     }
 
     /// Whether this client ordered a unit to run, and nobody has read since that it does not.
     [[nodiscard]] constexpr bool is_ordered(std::uint8_t unit) const noexcept
     {
-        entry const* const own = find(unit);
-        return own != nullptr and own->is_ordered;
+        return places_.of(unit).is_ordered;
     }
 
     /// Lets a unit be commanded again that a stop holds which was given up.
     constexpr void release(std::uint8_t unit) noexcept
     {
-        if (entry* const own = find(unit)) {
+        if (unit_order* const own = places_.find(unit)) {
             own->holder = 0;
             own->is_stop_over = false;
             own->last_stop = ++count_;
@@ -200,7 +194,7 @@ public:
             stopped_all_ = ++count_;
         }
         bool is_over = false;
-        for (entry& each : entries_) {
+        for (unit_order& each : places_) {
             if (each.is_stop_over) {
                 release(each.unit);
             }
@@ -216,7 +210,7 @@ public:
     /// When `advance` has something to do.
     constexpr void add_to(earliest& next) const noexcept
     {
-        for (entry const& each : entries_) {
+        for (unit_order const& each : places_) {
             if (each.is_lost) {
                 next.add(each.may_be_told ? each.words_end : each.silence_end);
             }
@@ -224,51 +218,24 @@ public:
     }
 
 private:
-    struct entry {
-        instant words_end;
-        instant silence_end;
-        duration silence;
-        std::uint32_t last_stop; ///< the stamp of the last stop or loss
-        std::uint32_t holder;    ///< the stamp of the stop under way; 0: none
-        std::uint32_t last_fault; ///< the stamp of the last time that it was read to be in fault
-        std::uint32_t rearranged; ///< the stamp of the last request that did so
-        std::uint8_t unit;       ///< 0: a free place
-        std::uint8_t misses;     ///< in a row
-        std::uint8_t tolerated;
-        bool is_ordered;
-        bool is_lost;
-        bool is_stop_over; ///< the stop under way has ended
-        bool was_lost;    ///< the last stop was a loss
-        bool may_be_told; ///< while it is lost: words that stop it may go
-    };
-
-    static constexpr bool is_older(std::uint32_t stamp, std::uint32_t than) noexcept
-    {
-        return static_cast<std::int32_t>(stamp - than) < 0;
-    }
-
-    static constexpr std::uint32_t later(std::uint32_t one, std::uint32_t other) noexcept
-    {
-        return is_older(one, other) ? other : one;
-    }
-
     constexpr void take_notes(commander& who, std::uint8_t unit, instant now) noexcept
     {
         if (who.has_read_rest_) {
             who.has_read_rest_ = false;
-            if (entry* const own = find(unit)) {
+            if (unit_order* const own = places_.find(unit)) {
                 own->is_ordered = false;
                 own->misses = 0;
             }
         }
         if (who.has_read_fault_) {
             who.has_read_fault_ = false;
-            entry* const own = place_of(unit);
-            (own == nullptr ? forgotten_fault_ : own->last_fault) = ++count_;
+            unit_order* const own = places_.make(unit);
+            (own == nullptr ? places_.others() : *own).last_fault = ++count_;
         }
         if (who.has_ordered_) {
             who.has_ordered_ = false;
             who.stamp_ = ++count_;
+            take_over(who, unit);
         }
         if (who.has_stopped_) {
             who.has_stopped_ = false;
@@ -282,22 +249,36 @@ private:
 
     constexpr bool has_lost(commander const& who, std::uint8_t unit) const noexcept
     {
-        entry const* const own = find(unit);
-        return own != nullptr and own->is_lost and is_older(who.seen_, own->last_stop);
+        unit_order const& own = places_.of(unit);
+        return own.is_lost and is_older(who.seen_, own.last_stop);
     }
 
     constexpr void note_arrangement(commander& who, std::uint8_t unit) const noexcept
     {
-        entry const* const own = find(unit);
-        std::uint32_t const last = own == nullptr ? forgotten_arrangement_ : own->rearranged;
-        who.was_rearranged_ = who.was_rearranged_ or is_older(who.seen_, last);
+        bool const is_new = is_older(who.seen_, places_.of(unit).rearranged);
+        who.was_rearranged_ = who.was_rearranged_ or is_new;
         who.seen_ = count_;
+    }
+
+    constexpr void take_over(commander& who, std::uint8_t unit) noexcept
+    {
+        unit_order* const own = who.takes_over_ ? places_.make(unit) : nullptr;
+        who.takes_over_ = false;
+        if (own != nullptr) {
+            own->last_order = who.stamp_;
+        }
+    }
+    /// Whether a fault, or another order to run, came behind this one.
+    static constexpr bool has_newer(unit_order const& own, commander const& who) noexcept
+    {
+        bool const is_replaced = own.last_order != 0 and is_older(who.stamp_, own.last_order);
+        return is_replaced or is_older(who.stamp_, own.last_fault);
     }
 
     constexpr void begin_stop(commander& who, std::uint8_t unit, instant now) noexcept
     {
         who.stamp_ = ++count_;
-        if (entry* const own = place_of(unit)) {
+        if (unit_order* const own = places_.make(unit)) {
             own->last_stop = count_;
             own->was_lost = false;
             own->holder = count_;
@@ -309,13 +290,13 @@ private:
 
     constexpr void end_stop(commander const& who, std::uint8_t unit) noexcept
     {
-        entry* const own = find(unit);
+        unit_order* const own = places_.find(unit);
         if (own != nullptr and own->holder == who.stamp_) {
             own->is_stop_over = true;
         }
     }
 
-    constexpr void lose(entry& own, instant now) noexcept
+    constexpr void lose(unit_order& own, instant now) noexcept
     {
         if (not own.is_lost) {
             own.is_lost = true;
@@ -327,73 +308,10 @@ private:
         own.silence_end = now + own.silence;
     }
 
-    constexpr entry const* find(std::uint8_t unit) const noexcept
-    {
-        for (entry const& each : entries_) {
-            if (each.unit == unit and unit != 0) {
-                return &each;
-            }
-        }
-        return nullptr;
-    }
-    constexpr entry* find(std::uint8_t unit) noexcept
-    {
-        for (entry& each : entries_) {
-            if (each.unit == unit and unit != 0) {
-                return &each;
-            }
-        }
-        return nullptr;
-    }
-
-    /// A place that is free, or whose unit is neither ordered nor held; `Units` where there is none.
-    constexpr std::size_t free_place() const noexcept
-    {
-        std::size_t found = Units;
-        for (std::size_t i = Units; i-- > 0;) {
-            entry const& each = entries_[i];
-            if (each.unit == 0) {
-                return i;
-            }
-            found = each.is_ordered or each.holder != 0 ? found : i;
-        }
-        return found;
-    }
-
-    /// The unit's own place, or one for it; null where there is none.
-    constexpr entry* place_of(std::uint8_t unit) noexcept
-    {
-        if (entry* const own = find(unit)) {
-            return own;
-        }
-        std::size_t const at = free_place();
-        if (at == Units) {
-            return nullptr;
-        }
-        entry& own = entries_[at];
-        // Of a unit that loses its place only this is kept; it counts for all that have none.
-        forgotten_ = later(forgotten_, own.last_stop);
-        forgotten_fault_ = later(forgotten_fault_, own.last_fault);
-        forgotten_arrangement_ = later(forgotten_arrangement_, own.rearranged);
-        own = nothing;
-        own.unit = unit;
-        own.last_stop = forgotten_;
-        own.last_fault = forgotten_fault_;
-        own.rearranged = forgotten_arrangement_;
-        return &own;
-    }
-
-    /// All zero, so that a `constinit` client needs no flash; `silence` is written before it is read.
-    static constexpr entry nothing{instant{0}, instant{0}, duration{}, 0, 0, 0, 0, 0,
-                                   0,          0,          false,      false, false, false, false};
-
-    std::array<entry, Units> entries_{filled<Units>(nothing)};
+    order_places<Units> places_{};
     std::uint32_t count_{0};
     std::uint32_t stopped_all_{0};   ///< the stamp of the last stop of all units
     std::uint32_t holder_of_all_{0}; ///< the same while it is under way; 0: none
-    std::uint32_t forgotten_{0};     ///< of units that have no place
-    std::uint32_t forgotten_fault_{0};
-    std::uint32_t forgotten_arrangement_{0};
     bool is_all_over_{false};
 };
 
