@@ -469,3 +469,22 @@ TEST_CASE("an order that a drive does not follow is dropped in time")
     CHECK_FALSE(it.loop.control().is_ordered());
     CHECK(it.loop.control().reason().how == ending::stuck);
 }
+
+TEST_CASE("a fault reset that is asked for in each pass resets the fault")
+{
+    running<atv320::device> it;
+    it.pass(milliseconds(1'000));
+    CHECK_FALSE(it.loop.reset_fault()); // there is none
+    it.far().inject_fault(9);
+    it.pass(milliseconds(500));
+    REQUIRE(it.now_in() == state::fault);
+    it.far().clear_cause();
+    it.run(
+        [&](instant now) {
+            it.link().converse(it.loop, now);
+            it.loop.reset_fault();
+        },
+        [] { return false; }, milliseconds(2'000));
+    CHECK(it.now_in() == state::switch_on_disabled);
+    CHECK_FALSE(it.loop.reset_fault());
+}

@@ -48,7 +48,7 @@ public:
         must_say_stop_ = not control_.is_halting();
         must_observe_ = control_.is_halting();
     }
-    constexpr void reset_fault() noexcept { control_.reset_fault(); }
+    constexpr bool reset_fault() noexcept { return control_.reset_fault(); }
 
     /// The way up took too long.
     constexpr void note_late() noexcept { control_.note_late(); }

@@ -67,13 +67,15 @@ public:
         is_due_ = has_begun_;
     }
 
-    /// Orders one fault reset; nothing, and no order is renewed by it, where the drive is in no fault.
-    constexpr void reset_fault() noexcept
+    /// Orders one fault reset. False, with nothing changed, where the drive is not known to be in fault, and while a
+    /// reset is under way: so it may be called in each pass.
+    constexpr bool reset_fault() noexcept
     {
-        if (control().state() == cia402::state::fault) {
-            steps_.reset_fault();
+        bool const is_taken = steps_.reset_fault();
+        if (is_taken) {
             this->note_order();
         }
+        return is_taken;
     }
 
     /// Sets an output word beyond the first two, where the device has it. It is written in each cycle

@@ -49,12 +49,12 @@ public:
         reset_step_ = 0;
     }
 
-    /// Orders one fault reset; nothing where the drive is in no fault.
-    constexpr void reset_fault() noexcept
+    /// Orders one fault reset; whether that was taken: not where the drive is in no fault, or one is under way.
+    constexpr bool reset_fault() noexcept
     {
-        if (state_ == cia402::state::fault) {
-            reset_step_ = 1;
-        }
+        bool const is_taken = state_ == cia402::state::fault and reset_step_ == 0;
+        reset_step_ = is_taken ? std::uint8_t{1} : reset_step_;
+        return is_taken;
     }
 
     /// A status word has come, and whether the motor stands.
