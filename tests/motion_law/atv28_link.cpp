@@ -185,7 +185,8 @@ TEST_CASE("a direct start runs at its reference, either way, and a direct stop l
         for (direct_stop_by const how :
              {direct_stop_by::ramp, direct_stop_by::dc_injection, direct_stop_by::fast_stop}) {
             bench it;
-            auto const at = is_reverse ? reference<device>{-20_Hz} : reference<device>{20_Hz};
+            constexpr reference<device> forward = 20_Hz, backward = -20_Hz;
+            auto const at = is_reverse ? backward : forward;
             REQUIRE(it.told(direct_start{it.drive, at}).how == ending::succeeded);
             CHECK(it.writes.back() == std::pair<std::uint16_t, std::uint16_t>{cmd_at, 0x800A});
             it.idle(milliseconds(5'000));
@@ -314,8 +315,10 @@ TEST_CASE("a recall brings back what was saved, and is refused where it could mo
     CHECK(it.far().word("CMI") == 0x4010);
 
     // CMI keeps its bit 14: nobody watches the link.
-    start go{it.drive, 20_Hz, heading::forward, milliseconds(3'000),
-             supervision_options{.risks = {.accept_unsupervised = true}}};
+    supervision_options unwatched;
+    unwatched.risks.accept_unsupervised = true;
+    reference<device> const slow = 20_Hz;
+    start go{it.drive, slow, heading::forward, milliseconds(3'000), unwatched};
     REQUIRE(it.run(go));
     REQUIRE(go.running());
     it.tell(acc_at, 99);
