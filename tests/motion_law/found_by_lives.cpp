@@ -63,6 +63,9 @@ struct hall : test::party_line<Link, Device> {
     bool is_told(std::uint16_t word)
     {
         byte_view const frame = this->question();
+        if (frame.empty()) {
+            return false;
+        }
         switch (to_u8(frame[1])) {
         case 6: return u16_at(frame, 2) == Device::profile.cmd and u16_at(frame, 4) == word;
         case 16: return u16_at(frame, 7) == word;

@@ -151,8 +151,8 @@ public:
             step_ = control_.is_halting() ? step::observe : step_;
             return;
         }
-        bool const is_tolerated = misses_ < options_.tolerated_misses and error != errc::unit_lost and
-                                  not is_exception(error);
+        bool const is_final = error == errc::unit_lost or error == errc::too_many_ordered or is_exception(error);
+        bool const is_tolerated = misses_ < options_.tolerated_misses and not is_final;
         if (is_tolerated) {
             ++misses_;
             return start_over();

@@ -45,7 +45,9 @@ public:
         if (settled() or is_asking_) {
             return;
         }
-        if (not is_late_ and reached(now, late_at_)) {
+        // No limit ends a stop whose word was not asked once.
+        bool const has_to_say = Script::is_stop and wish_.does == effect::stopping and not has_asked_;
+        if (not is_late_ and reached(now, late_at_) and not has_to_say) {
             is_late_ = was_warned_ or Script::grace.microseconds == 0;
             was_warned_ = true;
             late_at_ = now + Script::grace;
@@ -76,6 +78,7 @@ public:
             return std::nullopt;
         }
         is_asking_ = true;
+        has_asked_ = true;
         return request{frame_, wish_.again};
     }
 
@@ -205,6 +208,7 @@ private:
     unit_id unit_;
     bool has_begun_{false};
     bool is_asking_{false};
+    bool has_asked_{false};
     bool has_lost_{false};
     bool is_late_{false};
     bool was_warned_{false}; ///< the limit is over, what is left is the script's grace

@@ -18,7 +18,7 @@ enum class ending : std::uint8_t {
     pending, ///< it has not
     succeeded,
     executed_unconfirmed,  ///< the drive took the order; what it did to the line cannot be asked
-    refused,               ///< by an exception, which `error` tells
+    refused,               ///< by an exception, or because the client has no place for its order: `error` tells
     silent,                ///< no answer was accepted; `error` tells why
     stuck,                 ///< the state did not change in time, or fell back; a stop: taken, and not obeyed
     unconfirmed,           ///< a stop: its word was taken, or the motor slows down; it was not seen to stand

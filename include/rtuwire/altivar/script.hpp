@@ -137,7 +137,8 @@ protected:
 
     static constexpr ending ending_for(errc error) noexcept
     {
-        return is_exception(error) ? ending::refused : ending::silent;
+        bool const is_refusal = is_exception(error) or error == errc::too_many_ordered;
+        return is_refusal ? ending::refused : ending::silent;
     }
 
     /// Keeps the state that a status word tells.

@@ -237,12 +237,17 @@ private:
         // One that may run already has to be stopped soon.
         std::uint8_t const most_misses = given_ == cia402::command::enable_operation ? 1 : 3;
         ++misses_;
-        if (is_exception(error) or error == errc::unit_lost or not has_commanded_ or misses_ > most_misses) {
+        if (is_exception(error) or is_final(error) or not has_commanded_ or misses_ > most_misses) {
             return withdraw(ending_for(error), error);
         }
         stage_ = stage::climbing;
         given_ = is_taken_ ? given_ : cia402::command::none;
         return look();
+    }
+
+    static constexpr bool is_final(errc error) noexcept
+    {
+        return error == errc::unit_lost or error == errc::too_many_ordered;
     }
 
     /// Ends, but takes back what the drive was told: a motor that may run comes to rest on its ramp.

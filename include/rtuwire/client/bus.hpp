@@ -154,6 +154,8 @@ public:
 
     /// Lets a unit be commanded again that a stop holds which was given up before its end.
     constexpr void release(unit_id unit) noexcept { client_.motor_orders().release(unit.octet()); }
+    /// The same for all units, where a stop of everyone was given up.
+    constexpr void release_all() noexcept { client_.motor_orders().release_all(); }
 
     /// When the next pass has something to do.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept

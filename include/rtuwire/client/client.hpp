@@ -113,6 +113,9 @@ public:
         advance_talk(talk, now);
         command(talk, now);
         static_cast<void>(ask(talk, now, with));
+        if constexpr (Orders::is_kept and timed_conversation<Talk>) {
+            orders_.wake_for(talk.poll_deadline(), now);
+        }
     }
 
     /// The second part of `converse`, behind its `advance`: takes note of what a commander's user wants. A stop makes
@@ -317,7 +320,7 @@ private:
             may_cut = talk.unit().octet() == base::asked_unit();
         }
         base::make_way(may_cut, now);
-        if (may_cut and base::was_cut()) {
+        if (base::was_cut()) {
             static_cast<void>(take_outcome(now)); // its asker is told that it was cancelled
         }
     }

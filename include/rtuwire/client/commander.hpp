@@ -62,10 +62,11 @@ private:
     template <std::size_t> friend class orders;
 
     std::uint32_t stamp_{0}; ///< when the last order or stop was given, in the client's count; 0: never
-    std::uint32_t seen_{0};  ///< the client's count when it came by last
+    std::uint32_t seen_{0};  ///< the client's count when it had come by last
     bool was_rearranged_{false};
     bool has_ordered_{false};
     bool takes_over_{false};
+    bool has_come_by_{false};
     bool has_stopped_{false};
     bool is_over_{false};
     bool has_read_rest_{false};

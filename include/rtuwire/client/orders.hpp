@@ -50,8 +50,12 @@ public:
     constexpr bool visit(commander& who, std::uint8_t unit, instant now) noexcept
     {
         bool const is_lost = has_lost(who, unit);
+        // What was ordered since it came by last may be older than what happened meanwhile.
+        bool const is_doubtful = who.has_come_by_ and has_happened(who, unit);
         note_arrangement(who, unit);
-        take_notes(who, unit, now);
+        take_notes(who, unit, is_doubtful, now);
+        who.has_come_by_ = true;
+        who.seen_ = count_;
         return is_lost;
     }
 
@@ -94,8 +98,10 @@ public:
         if (own.holder != 0 or holder_of_all_ != 0 or is_late) {
             return own.was_lost and own.holder == 0 ? errc::unit_lost : errc::overruled;
         }
-        bool const needs_place = what != effect::rearranging;
-        return needs_place and places_.is_full_for(unit) ? errc::too_many_ordered : errc::none;
+        if (what == effect::rearranging) {
+            return own.is_ordered ? errc::overruled : errc::none; // only of a drive that stands
+        }
+        return places_.is_full_for(unit) ? errc::too_many_ordered : errc::none;
     }
 
     /// A request that rearranges was taken: who relies on the unit's words reads anew what they mean.
@@ -161,6 +167,15 @@ public:
         return false;
     }
 
+    /// A conversation that came by wants to come by again then; for clients, which know no other times of theirs.
+    constexpr void wake_for(deadline const& when, instant now) noexcept
+    {
+        bool const is_ahead = when and not reached(now, *when);
+        if (is_ahead and not(wake_ and reached(*when, *wake_))) {
+            wake_ = when;
+        }
+    }
+
     /// Whether a unit is lost.
     [[nodiscard]] constexpr bool is_lost(std::uint8_t unit) const noexcept
     {
@@ -176,12 +191,15 @@ public:
     /// Lets a unit be commanded again that a stop holds which was given up.
     constexpr void release(std::uint8_t unit) noexcept
     {
-        if (unit_order* const own = places_.find(unit)) {
-            own->holder = 0;
-            own->is_stop_over = false;
-            own->last_stop = ++count_;
-            own->was_lost = false;
-        }
+        unit_order* const own = places_.find(unit);
+        let_go(own == nullptr ? places_.others() : *own);
+    }
+
+    /// The same where a stop of everyone was given up.
+    constexpr void release_all() noexcept
+    {
+        holder_of_all_ = 0;
+        stopped_all_ = ++count_;
     }
 
     /// Lets time pass. Whether a silence is over. Stops that ended release their units here, so that no order counts that
@@ -190,13 +208,16 @@ public:
     {
         if (is_all_over_) {
             is_all_over_ = false;
-            holder_of_all_ = 0;
-            stopped_all_ = ++count_;
+            release_all();
         }
+        if (places_.others().is_stop_over) {
+            let_go(places_.others());
+        }
+        wake_ = {};
         bool is_over = false;
         for (unit_order& each : places_) {
             if (each.is_stop_over) {
-                release(each.unit);
+                let_go(each);
             }
             each.may_be_told = each.is_lost and each.may_be_told and not reached(now, each.words_end);
             if (each.is_lost and reached(now, each.silence_end)) {
@@ -210,6 +231,7 @@ public:
     /// When `advance` has something to do.
     constexpr void add_to(earliest& next) const noexcept
     {
+        next.add(wake_);
         for (unit_order const& each : places_) {
             if (each.is_lost) {
                 next.add(each.may_be_told ? each.words_end : each.silence_end);
@@ -218,7 +240,7 @@ public:
     }
 
 private:
-    constexpr void take_notes(commander& who, std::uint8_t unit, instant now) noexcept
+    constexpr void take_notes(commander& who, std::uint8_t unit, bool is_doubtful, instant now) noexcept
     {
         if (who.has_read_rest_) {
             who.has_read_rest_ = false;
@@ -234,8 +256,12 @@ private:
         }
         if (who.has_ordered_) {
             who.has_ordered_ = false;
-            who.stamp_ = ++count_;
-            take_over(who, unit);
+            if (is_doubtful) {
+                who.takes_over_ = false;
+            } else {
+                who.stamp_ = ++count_;
+                take_over(who, unit);
+            }
         }
         if (who.has_stopped_) {
             who.has_stopped_ = false;
@@ -245,6 +271,14 @@ private:
             who.is_over_ = false;
             end_stop(who, unit);
         }
+    }
+
+    /// Whether there was a stop, a loss or a fault since somebody came by last.
+    constexpr bool has_happened(commander const& who, std::uint8_t unit) const noexcept
+    {
+        unit_order const& own = places_.of(unit);
+        return is_older(who.seen_, own.last_stop) or is_older(who.seen_, own.last_fault) or
+               is_older(who.seen_, stopped_all_);
     }
 
     constexpr bool has_lost(commander const& who, std::uint8_t unit) const noexcept
@@ -257,7 +291,6 @@ private:
     {
         bool const is_new = is_older(who.seen_, places_.of(unit).rearranged);
         who.was_rearranged_ = who.was_rearranged_ or is_new;
-        who.seen_ = count_;
     }
 
     constexpr void take_over(commander& who, std::uint8_t unit) noexcept
@@ -278,14 +311,23 @@ private:
     constexpr void begin_stop(commander& who, std::uint8_t unit, instant now) noexcept
     {
         who.stamp_ = ++count_;
-        if (unit_order* const own = places_.make(unit)) {
-            own->last_stop = count_;
-            own->was_lost = false;
-            own->holder = count_;
-            own->is_stop_over = false;
-            own->words_end = now + stop_words_after_loss;
-            own->may_be_told = own->is_lost;
-        }
+        // Where there is no place for its unit it holds all that have none.
+        unit_order* const place = places_.make(unit);
+        unit_order& own = place == nullptr ? places_.others() : *place;
+        own.last_stop = count_;
+        own.was_lost = false;
+        own.holder = count_;
+        own.is_stop_over = false;
+        own.words_end = now + stop_words_after_loss;
+        own.may_be_told = own.is_lost;
+    }
+
+    constexpr void let_go(unit_order& own) noexcept
+    {
+        own.holder = 0;
+        own.is_stop_over = false;
+        own.last_stop = ++count_;
+        own.was_lost = false;
     }
 
     constexpr void end_stop(commander const& who, std::uint8_t unit) noexcept
@@ -293,6 +335,9 @@ private:
         unit_order* const own = places_.find(unit);
         if (own != nullptr and own->holder == who.stamp_) {
             own->is_stop_over = true;
+        }
+        if (places_.others().holder == who.stamp_) {
+            places_.others().is_stop_over = true;
         }
     }
 
@@ -312,6 +357,7 @@ private:
     std::uint32_t count_{0};
     std::uint32_t stopped_all_{0};   ///< the stamp of the last stop of all units
     std::uint32_t holder_of_all_{0}; ///< the same while it is under way; 0: none
+    deadline wake_{};
     bool is_all_over_{false};
 };
 

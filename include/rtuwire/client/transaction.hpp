@@ -208,8 +208,10 @@ protected:
     constexpr void make_way(bool may_cut, instant now) noexcept
     {
         attempts_.end_retries();
+        bool const has_not_left =
+            phase_ == phase::waiting or phase_ == phase::ready or phase_ == phase::pausing;
         bool const is_arriving = phase_ == phase::awaiting and not framer().is_quiet();
-        if (may_cut and not is_arriving) {
+        if (has_not_left or (may_cut and not is_arriving)) {
             cancel(now);
         }
     }
