@@ -63,12 +63,15 @@ template <typename Talk> constexpr duration limit_of(Talk talk)
     talk.advance(instant{0xFFFF'FF00U});
     return *talk.poll_deadline() - instant{0xFFFF'FF00U};
 }
-/// The same of one that asks less and less of its line, which never takes a question.
-template <typename Talk> constexpr duration ends_unasked_after(Talk talk)
+/// The same of one that is never answered.
+template <typename Talk> constexpr duration ends_unanswered_after(Talk talk)
 {
     instant const begin{0xFFFF'FF00U};
     instant now = begin;
     for (talk.advance(now); not talk.settled() and now - begin < milliseconds(60'000); talk.advance(now)) {
+        if (talk.next()) {
+            talk.accept(errc::timed_out);
+        }
         now = now + milliseconds(500);
     }
     return now - begin;
@@ -83,7 +86,7 @@ constexpr bool ends_in_time()
            limit_of(atv28::release_link{other}) == milliseconds(3'000) and
            limit_of(atv28::activate_link{other}) == milliseconds(3'000) and
            limit_of(atv28::direct_start{other, 50_Hz}) == milliseconds(3'000) and
-           ends_unasked_after(atv28::direct_stop{other, atv28::direct_stop_by::ramp}) ==
+           ends_unanswered_after(atv28::direct_stop{other, atv28::direct_stop_by::ramp}) ==
                milliseconds(30'000) and
            limit_of(recall_from_eeprom{other}) == milliseconds(8'000) and
            limit_of(restore_factory_settings{drive, losing_control_and_address{}}) ==
