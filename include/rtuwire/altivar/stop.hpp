@@ -49,8 +49,12 @@ public:
         case event::kind::failed: return go_on(what.error);
         case event::kind::late: break;
         }
-        return end_unconfirmed();
+        // One that only looked until now says the word that needs no look.
+        return has_said_ ? end_unconfirmed() : become_ramp_and_go_on();
     }
+
+    /// Ends a stop that wishes on after its limit.
+    constexpr wish give_up() noexcept { return end_unconfirmed(); }
 
 private:
     enum class asked : std::uint8_t { status, fault, control, frequency };
@@ -89,6 +93,7 @@ private:
 
     constexpr wish stop_again() noexcept
     {
+        has_said_ = true;
         return to_stop(profile().cmd, word());
     }
 
@@ -238,6 +243,7 @@ private:
     asked asked_{asked::status};
     errc error_{errc::none}; ///< the last one
     bool has_word_{false};
+    bool has_said_{false}; ///< any word
     bool has_frequency_{false};
     bool was_taken_{false}; ///< the drive confirmed a word
     bool is_seen_{false};   ///< and its state was read after that
