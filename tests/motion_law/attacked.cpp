@@ -243,3 +243,23 @@ TEST_CASE("motion law: a loop that sleeps by a client's deadline alone wakes for
     CHECK(now - begin < milliseconds(8'000));
     CHECK(words > 2);
 }
+
+TEST_CASE("motion law: L3 a halt that could not look by its limit says the ramp's word all the same")
+{
+    hall<2> it;
+    start go{it.press, 40_Hz};
+    REQUIRE(it.run(go));
+    it.cut(0, true);
+    stop rest{it.press, stop_by::halt, milliseconds(300)};
+    bool is_said = false;
+    it.pass(
+        [&](instant at) {
+            it.link().converse(rest, at);
+            is_said = is_said or it.is_stop_word();
+        },
+        milliseconds(8'000));
+    CHECK(is_said);
+    CHECK(rest.settled());
+    CHECK(rest.reason().how == ending::silent);
+    CHECK(rest.reason().is_other_stop);
+}

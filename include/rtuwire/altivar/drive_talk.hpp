@@ -45,8 +45,8 @@ public:
         if (settled() or is_asking_) {
             return;
         }
-        // No limit ends a stop whose word was not asked once.
-        bool const has_to_say = Script::is_stop and wish_.does == effect::stopping and not has_asked_;
+        // No limit ends a stop whose word has not left once.
+        bool const has_to_say = Script::is_stop and wish_.does == effect::stopping and not has_said_stop_;
         if (not is_late_ and reached(now, late_at_) and not has_to_say) {
             is_late_ = was_warned_ or Script::grace.microseconds == 0;
             was_warned_ = true;
@@ -78,7 +78,7 @@ public:
             return std::nullopt;
         }
         is_asking_ = true;
-        has_asked_ = true;
+        has_said_stop_ = has_said_stop_ or wish_.does == effect::stopping;
         return request{frame_, wish_.again};
     }
 
@@ -208,7 +208,7 @@ private:
     unit_id unit_;
     bool has_begun_{false};
     bool is_asking_{false};
-    bool has_asked_{false};
+    bool has_said_stop_{false};
     bool has_lost_{false};
     bool is_late_{false};
     bool was_warned_{false}; ///< the limit is over, what is left is the script's grace
