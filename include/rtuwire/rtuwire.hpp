@@ -29,6 +29,7 @@
 #include <rtuwire/altivar/direct_control.hpp>
 #include <rtuwire/altivar/drive_talk.hpp>
 #include <rtuwire/altivar/identify.hpp>
+#include <rtuwire/altivar/order_script.hpp>
 #include <rtuwire/altivar/period_rule.hpp>
 #include <rtuwire/altivar/profile.hpp>
 #include <rtuwire/altivar/reason.hpp>

@@ -263,3 +263,17 @@ TEST_CASE("motion law: L3 a halt that could not look by its limit says the ramp'
     CHECK(rest.reason().how == ending::silent);
     CHECK(rest.reason().is_other_stop);
 }
+
+TEST_CASE("motion law: settings are restored of a drive that tripped while it was ordered, without a word about the order")
+{
+    hall<2> it;
+    start go{it.press, 40_Hz};
+    REQUIRE(it.run(go));
+    it.drive(0).inject_fault(9); // nobody has read it when the settings are asked for
+    it.pass([](instant) {}, milliseconds(2'000));
+    REQUIRE(it.drive(0).chart().state() == state::fault);
+    restore_factory_settings restore{it.press, losing_control_and_address{}};
+    REQUIRE(it.run(restore));
+    CHECK(restore.reason().how == ending::executed_unconfirmed);
+    CHECK_FALSE(it.link().motor_orders().is_ordered(it.press.unit().octet()));
+}

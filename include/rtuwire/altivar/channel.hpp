@@ -151,21 +151,17 @@ private:
 
     constexpr wish look(event const& what) noexcept
     {
-        wish const next = look_.step(what);
-        if (next.what != wish::kind::end) {
-            return next;
-        }
-        altivar::reason const found = look_.reason();
-        note_state(found.state);
-        if (found.how == ending::succeeded) {
+        wish const next = run_inside(look_, what);
+        if (look_.reason().how == ending::succeeded) {
             // A control word that stands there from before would count once Modbus commands.
             stage_ = is_cleared_ ? stage::setting : stage::clearing;
             return is_cleared_ ? write_setting() : to_write(profile().cmd, 0);
         }
-        address_ = look_.address();
-        word_ = look_.word();
-        return found.how == ending::in_fault ? end_in_fault(found.fault)
-                                             : end(found.how, found.error);
+        if (next.what == wish::kind::end) {
+            address_ = look_.address();
+            word_ = look_.word();
+        }
+        return next;
     }
 
     constexpr wish write_setting() noexcept

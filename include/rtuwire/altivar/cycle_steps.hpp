@@ -89,8 +89,8 @@ public:
         return make_frame();
     }
 
-    /// Whether the drive was read to be without power, or newly in fault, whether a stop that was ordered here is over, and whether the next
-    /// question waits for a period; each told once.
+    /// Whether the drive was read to be without power, or newly in fault, whether a stop that was ordered here is over,
+    /// and whether the next question waits for a period; each told once.
     constexpr bool take_rest() noexcept
     {
         bool const is_read = control_.take_rest();
@@ -390,11 +390,11 @@ private:
     std::uint8_t misses_{0};
     bool is_lost_{true};
     bool must_say_stop_{false};      ///< before anything else
-    bool must_observe_{false};       ///< the same, where a halt was ordered
+    bool must_observe_{false};       ///< before anything else, where a halt was ordered
     bool is_coming_down_{false};     ///< it was stopped here, or lost its order while it ran
     bool has_written_{false};        ///< the outputs, as far as the drive said so
-    bool was_taken_{false};          ///< the same: it answered the last write
-    bool waits_{false}; ///< until the next question
+    bool was_taken_{false};          ///< the drive answered the last write
+    bool waits_{false};              ///< a period, until the next question
 };
 
 } // namespace rtuwire::altivar

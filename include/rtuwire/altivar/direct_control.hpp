@@ -10,10 +10,9 @@
 
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/drive_talk.hpp>
+#include <rtuwire/altivar/order_script.hpp>
 #include <rtuwire/altivar/reference.hpp>
 #include <rtuwire/altivar/release_link.hpp>
-#include <rtuwire/altivar/stop.hpp>
-#include <rtuwire/altivar/supervision.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 
@@ -56,16 +55,10 @@ public:
 };
 
 /// Decides a direct start, word by word.
-class direct_start_script : public script {
+class direct_start_script : public order_script {
 public:
-    static constexpr bool is_order = true;
-
-    /// To bring a drive to rest that was told to run and must not.
-    static constexpr duration grace{milliseconds(30'000)};
-
     constexpr direct_start_script(reference_write reference, supervision_script const& check) noexcept
-        : script{device::profile}, reference_{reference}, check_{check},
-          rest_{device::profile, stop_by::freewheel, word_meaning::drive_profile}
+        : order_script{device::profile, check}, reference_{reference}
     {}
 
     constexpr wish step(event const& what) noexcept
@@ -74,7 +67,7 @@ public:
             return come_to_rest(what);
         }
         if (stage_ == stage::examining and what.what != event::kind::late) {
-            return examine(what, check_.step(what));
+            return clear_behind(examine(what), what.word);
         }
         switch (what.what) {
         case event::kind::begun: return read(stage::meeting, profile().eta);
@@ -85,15 +78,6 @@ public:
         case event::kind::late: break;
         }
         return withdraw(ending::stuck);
-    }
-
-    [[nodiscard]] constexpr supervision_report const& report() const noexcept
-    {
-        return check_.report();
-    }
-    [[nodiscard]] constexpr duration drive_timeout() const noexcept
-    {
-        return check_.drive_timeout();
     }
 
 private:
@@ -127,21 +111,18 @@ private:
     constexpr wish meet(event const& what) noexcept
     {
         stage_ = stage::examining;
-        shows_key_ = (what.word & stop_key_bit) != 0;
-        return examine(what, check_.step({event::kind::begun}));
+        static_cast<void>(is_key_pressed(what.word));
+        return clear_behind(examine({event::kind::begun}), what.word);
     }
 
-    /// `what` is a status word where the check has come to its end.
-    constexpr wish examine(event const& what, wish const& next) noexcept
+    /// `status` is a status word where the check has come to its end.
+    constexpr wish clear_behind(wish const& next, std::uint16_t status) noexcept
     {
-        note_readings_of(check_);
-        if (next.what != wish::kind::end) {
+        if (not is_ready()) {
             return next;
         }
-        altivar::reason const found = check_.reason();
-        note_state(found.state);
         stage_ = stage::looking;
-        return found.how == ending::succeeded ? judge(what.word) : end(found.how, found.error);
+        return judge(status);
     }
 
     constexpr wish after_write() noexcept
@@ -198,8 +179,7 @@ private:
         if (stage_ == stage::confirming) {
             return confirm(at, status);
         }
-        bool const is_key_pressed = (status & stop_key_bit) != 0 and not shows_key_;
-        if (is_key_pressed) {
+        if (is_key_pressed(status)) {
             return withdraw(ending::stuck);
         }
         if (stage_ == stage::looking) {
@@ -224,52 +204,27 @@ private:
 
     constexpr wish trip(std::uint16_t code) noexcept
     {
-        fault_ = code;
+        note_code(code);
         return withdraw(ending::in_fault);
     }
 
     /// Ends, but takes back what the drive was told.
     constexpr wish withdraw(ending how, errc error = errc::none) noexcept
     {
-        how_ = how;
-        error_ = error;
-        rest_ = stop_script{device::profile, may_run_ ? stop_by::ramp : stop_by::freewheel,
-                            word_meaning::drive_profile};
         bool const is_before_all = stage_ == stage::meeting or stage_ == stage::examining or
                                    stage_ == stage::looking;
         bool const has_told = not is_before_all and (stage_ != stage::reading_fault or may_run_);
         if (not has_told) {
-            return finish();
+            return finish(how, error);
         }
         stage_ = stage::withdrawing;
-        return come_to_rest({event::kind::begun});
-    }
-
-    constexpr wish come_to_rest(event const& what) noexcept
-    {
-        wish const next = rest_.step(what);
-        note_readings_of(rest_);
-        if (next.what != wish::kind::end) {
-            return next;
-        }
-        note_state(rest_.reason().state);
-        return finish();
-    }
-
-    constexpr wish finish() noexcept
-    {
-        return how_ == ending::in_fault ? end_in_fault(fault_) : end(how_, error_);
+        return take_back(how, error, may_run_ ? stop_by::ramp : stop_by::freewheel,
+                         word_meaning::drive_profile);
     }
 
     reference_write reference_;
-    supervision_script check_;
-    stop_script rest_;
-    std::uint16_t fault_{0};
     stage stage_{stage::meeting};
-    ending how_{ending::pending};
-    errc error_{errc::none};
     bool may_run_{false};
-    bool shows_key_{false}; ///< the STOP key was pressed before the first look
 };
 
 /// Starts a drive that stands by direct control, at 50_Hz or 1500_rpm; a negative reference is in reverse, so that one

@@ -59,17 +59,8 @@ private:
 
     constexpr wish look(event const& what) noexcept
     {
-        wish const next = look_.step(what);
-        if (next.what != wish::kind::end) {
-            return next;
-        }
-        altivar::reason const found = look_.reason();
-        note_state(found.state);
-        if (found.how == ending::in_fault) {
-            return end_in_fault(found.fault);
-        }
-        return found.how == ending::succeeded ? ask(stage::reading_control, profile().cmi)
-                                              : end(found.how, found.error);
+        wish const next = run_inside(look_, what);
+        return look_.reason().how == ending::succeeded ? ask(stage::reading_control, profile().cmi) : next;
     }
 
     constexpr wish heard(std::uint16_t word) noexcept

@@ -62,17 +62,9 @@ private:
 
     constexpr wish look(event const& what) noexcept
     {
-        wish const next = look_.step(what);
-        if (next.what != wish::kind::end) {
+        wish const next = run_inside(look_, what);
+        if (look_.reason().how != ending::succeeded) {
             return next;
-        }
-        altivar::reason const found = look_.reason();
-        note_state(found.state);
-        if (found.how == ending::in_fault) {
-            return end_in_fault(found.fault);
-        }
-        if (found.how != ending::succeeded) {
-            return end(found.how, found.error);
         }
         stage_ = stage::telling;
         return to_rearrange(profile().cmd, is_release_ ? link_released : link_activated);

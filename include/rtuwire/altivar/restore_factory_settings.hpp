@@ -50,17 +50,9 @@ public:
 private:
     constexpr wish look(event const& what) noexcept
     {
-        wish const next = look_.step(what);
-        if (next.what != wish::kind::end) {
-            return next;
-        }
-        altivar::reason const found = look_.reason();
-        note_state(found.state);
-        has_looked_ = found.how == ending::succeeded;
-        if (found.how == ending::in_fault) {
-            return end_in_fault(found.fault);
-        }
-        return has_looked_ ? to_read(profile().cmi) : end(found.how, found.error);
+        wish const next = run_inside(look_, what);
+        has_looked_ = look_.reason().how == ending::succeeded;
+        return has_looked_ ? to_read(profile().cmi) : next;
     }
 
     constexpr wish heard(std::uint16_t word) noexcept

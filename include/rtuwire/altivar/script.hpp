@@ -160,6 +160,23 @@ protected:
     }
     constexpr void note_other_stop() noexcept { reason_.is_other_stop = true; }
 
+    /// Goes on with a script inside this one; what it reads counts for this one. Where it ends without success this one
+    /// ends so, too: the caller goes on only behind one that succeeded.
+    template <typename Inner> constexpr wish run_inside(Inner& inner, event const& what) noexcept
+    {
+        wish const next = inner.step(what);
+        note_readings_of(inner);
+        if (next.what != wish::kind::end) {
+            return next;
+        }
+        altivar::reason const found = inner.reason();
+        note_state(found.state);
+        if (found.how == ending::succeeded) {
+            return next;
+        }
+        return found.how == ending::in_fault ? end_in_fault(found.fault) : end(found.how, found.error);
+    }
+
     constexpr wish end_in_fault(std::uint16_t code) noexcept
     {
         reason_.fault = code;

@@ -1,37 +1,32 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Starts a drive. It checks first that the drive would stop by itself (altivar/supervision.hpp). Then: read ETA, write CMD, and again until operation is enabled. Between any two of its frames the drive
-// may be alone for ever, so whatever came through, the motor turns neither in a direction nor faster than was asked
-// before or is asked now: the reference, which holds the direction as its sign, goes in one write before the command
-// that enables. That command goes only to a drive whose control word still is the one written last. A drive that
-// falls back on the way, say because somebody pressed STOP, is not pushed up again; what was given is taken back.
+// Starts a drive. It checks first that the drive would stop by itself (altivar/supervision.hpp). Then: read ETA, write
+// CMD, and again until operation is enabled. Between any two of its frames the drive may be alone for ever, so whatever
+// came through, the motor turns neither in a direction nor faster than was asked before or is asked now: the reference,
+// which holds the direction as its sign, goes in one write before the command that enables. That command goes only to a
+// drive whose control word still is the one written last. A drive that falls back on the way, say because somebody
+// pressed STOP, is not pushed up again; what was given is taken back.
 #pragma once
 
 #include <cstdint>
 #include <type_traits>
 
 #include <rtuwire/altivar/drive_talk.hpp>
+#include <rtuwire/altivar/order_script.hpp>
 #include <rtuwire/altivar/reference.hpp>
-#include <rtuwire/altivar/stop.hpp>
-#include <rtuwire/altivar/supervision.hpp>
 #include <rtuwire/cia402/way.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Decides a start, word by word.
-class start_script : public script {
+class start_script : public order_script {
 public:
-    static constexpr bool is_order = true;
-
-    /// To bring a drive to rest that was enabled and must not run.
-    static constexpr duration grace{milliseconds(30'000)};
-
     constexpr start_script(drive_profile const& profile, reference_write reference, heading way,
                            supervision_script const& check) noexcept
-        : script{profile}, reference_{way == heading::reverse ? reference.reversed() : reference},
-          check_{check}, rest_{profile, stop_by::freewheel, word_meaning::unknown},
+        : order_script{profile, check},
+          reference_{way == heading::reverse ? reference.reversed() : reference},
           is_contradictory_{way == heading::reverse and reference.is_reverse()}
     {}
 
@@ -44,7 +39,7 @@ public:
             return end(ending::contradictory);
         }
         if (stage_ == stage::examining and what.what != event::kind::late) {
-            return examine(what, check_.step(what));
+            return climb_behind(examine(what), what.word);
         }
         switch (what.what) {
         case event::kind::begun: return to_read(profile().eta);
@@ -55,15 +50,6 @@ public:
         case event::kind::late: break;
         }
         return withdraw(ending::stuck);
-    }
-
-    [[nodiscard]] constexpr supervision_report const& report() const noexcept
-    {
-        return check_.report();
-    }
-    [[nodiscard]] constexpr duration drive_timeout() const noexcept
-    {
-        return check_.drive_timeout();
     }
 
 private:
@@ -87,23 +73,17 @@ private:
     {
         stage_ = stage::examining;
         static_cast<void>(is_key_pressed(what.word));
-        return examine(what, check_.step({event::kind::begun}));
+        return climb_behind(examine({event::kind::begun}), what.word);
     }
 
-    /// `what` is a status word where the check has come to its end.
-    constexpr wish examine(event const& what, wish const& next) noexcept
+    /// `status` is a status word where the check has come to its end.
+    constexpr wish climb_behind(wish const& next, std::uint16_t status) noexcept
     {
-        note_readings_of(check_);
-        if (next.what != wish::kind::end) {
+        if (not is_ready()) {
             return next;
         }
-        altivar::reason const found = check_.reason();
-        note_state(found.state);
-        if (found.how != ending::succeeded) {
-            return end(found.how, found.error);
-        }
         stage_ = stage::climbing;
-        return judge(what.word);
+        return judge(status);
     }
 
     constexpr wish heard(std::uint16_t word) noexcept
@@ -140,16 +120,6 @@ private:
         }
         height_ = height;
         return at == cia402::state::operation_enabled ? run(status) : climb(at);
-    }
-
-    /// Whether the STOP key was pressed since the first look. A drive that was stopped so before shows it until it runs.
-    constexpr bool is_key_pressed(std::uint16_t status) noexcept
-    {
-        bool const is_shown = (status & stop_key_bit) != 0;
-        bool const is_new = has_looked_ and is_shown and not shows_key_;
-        has_looked_ = true;
-        shows_key_ = is_shown;
-        return is_new;
     }
 
     constexpr wish climb(cia402::state at) noexcept
@@ -226,8 +196,8 @@ private:
 
     constexpr wish trip(std::uint16_t code) noexcept
     {
-        fault_ = code;
-        return has_commanded_ ? withdraw(ending::in_fault) : end_in_fault(code);
+        note_code(code);
+        return withdraw(ending::in_fault);
     }
 
     /// What was not answered may have come through or not: the way begins anew, with a look. A word that was answered is
@@ -254,47 +224,23 @@ private:
     constexpr wish withdraw(ending how, errc error = errc::none) noexcept
     {
         if (not has_commanded_) {
-            return end(how, error);
+            return finish(how, error);
         }
-        how_ = how;
-        error_ = error;
         bool const may_run = given_ == cia402::command::enable_operation or
                              stage_ == stage::enabled or
                              reason().state == cia402::state::operation_enabled;
-        rest_ = stop_script{profile(), may_run ? stop_by::ramp : stop_by::freewheel, check_.report().words};
         stage_ = stage::withdrawing;
-        return rest_.step({event::kind::begun});
-    }
-
-    constexpr wish come_to_rest(event const& what) noexcept
-    {
-        wish const next = rest_.step(what);
-        note_readings_of(rest_);
-        if (next.what != wish::kind::end) {
-            return next;
-        }
-        note_state(rest_.reason().state);
-        if (how_ == ending::in_fault) {
-            return end_in_fault(fault_);
-        }
-        return end(how_, error_);
+        return take_back(how, error, may_run ? stop_by::ramp : stop_by::freewheel, report().words);
     }
 
     reference_write reference_;
-    supervision_script check_;
-    stop_script rest_;
-    std::uint16_t fault_{0};
     std::uint16_t direction_{0};
     int height_{0};
     stage stage_{stage::meeting};
     cia402::command given_{cia402::command::none};
-    ending how_{ending::pending};
-    errc error_{errc::none};
     std::uint8_t misses_{0};
     bool has_commanded_{false};
     bool is_taken_{false}; ///< the drive answered the command that was given
-    bool has_looked_{false};
-    bool shows_key_{false}; ///< at the last look
     bool is_contradictory_;
 };
 

@@ -19,9 +19,9 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 enum class effect : std::uint8_t {
     none,
     enabling,    ///< the motor may turn that did not, or turn otherwise
-    resetting,   ///< the same, of a drive in fault
+    resetting,   ///< a fault is reset, behind which the motor may turn
     rearranging, ///< another place may command the motor, or words that were in use mean something else
-    stopping, ///< the motor loses its power or slows down; a write of function 06, whose echo no other answer is
+    stopping,    ///< the motor loses its power or slows down; a write of function 06, whose echo no other answer is
 };
 
 /// What every conversation derives from that can command the motor of a unit. It notes what its user wants and what it

@@ -7,8 +7,8 @@
 // A unit is *ordered* from the first request that enables it until a conversation that commands it has read that its
 // motor has no power. Orders and stops have stamps, counted up: an order that is older than the last stop of its
 // unit, or than its last loss, enables nothing; nor does one that is older than a fault that somebody read, or than
-// another order to run. While a stop is under way nothing else commands its unit; one that was
-// destroyed before its end goes on holding it until another stop of the unit has ended, or `release`.
+// another order to run. While a stop is under way nothing else commands its unit; one that was destroyed before its
+// end goes on holding it until another stop of the unit has ended, or `release`.
 //
 // A *loss* is an answer that did not come from an ordered unit, beyond those that its commander tolerates. Then, for
 // 2 s at most, only words that stop it go to that unit. Then nothing does, from anybody, until the drive's own time-out
@@ -52,7 +52,7 @@ public:
         bool const is_lost = has_lost(who, unit);
         // What was ordered since it came by last may be older than what happened meanwhile.
         bool const is_doubtful = who.has_come_by_ and has_happened(who, unit);
-        note_arrangement(who, unit);
+        tell_arrangement(who, unit);
         take_notes(who, unit, is_doubtful, now);
         who.has_come_by_ = true;
         who.seen_ = count_;
@@ -287,7 +287,7 @@ private:
         return own.is_lost and is_older(who.seen_, own.last_stop);
     }
 
-    constexpr void note_arrangement(commander& who, std::uint8_t unit) const noexcept
+    constexpr void tell_arrangement(commander& who, std::uint8_t unit) const noexcept
     {
         bool const is_new = is_older(who.seen_, places_.of(unit).rearranged);
         who.was_rearranged_ = who.was_rearranged_ or is_new;
@@ -301,6 +301,7 @@ private:
             own->last_order = who.stamp_;
         }
     }
+
     /// Whether a fault, or another order to run, came behind this one.
     static constexpr bool has_newer(unit_order const& own, commander const& who) noexcept
     {
