@@ -153,11 +153,10 @@ private:
     {
         counts_.note(event::stop_key);
         said_.say("STOP key");
-        std::uint16_t const before = own.drive->status();
         cia402::state const state = own.drive->state();
         own.drive->press_stop();
-        bool const is_new = ((own.drive->status() & ~before) & altivar::stop_key_bit) != 0;
-        own.law.note_disturbance(now_, state, is_new);
+        bool const is_shown = (own.drive->status() & altivar::stop_key_bit) != 0;
+        own.law.note_disturbance(now_, state, is_shown and not own.law.is_key_known());
     }
 
     void change_control(node& own)
@@ -192,8 +191,12 @@ private:
         }
         everyone_.template emplace<std::monostate>();
         link_ = base::make_link();
-        for (auto const& each : nodes_) {
-            each->law.note_restart_of_controller();
+        // A drive may still answer what was asked before.
+        duration const longest = microseconds(how_.options.response_timeout.microseconds +
+                                              how_.options.late_answer.microseconds);
+        for (std::size_t i = 0; i < how_.drives; ++i) {
+            link_.hold(*unit_id::checked(how_.drive[i].address), at() + longest);
+            nodes_[i]->law.note_restart_of_controller();
         }
     }
 

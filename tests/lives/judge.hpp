@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 
 #include "lives/events.hpp"
@@ -67,6 +68,13 @@ public:
         if (orders_[place].is_there) {
             orders_[place] = {};
             taken_at_ = has_order() ? taken_at_ : now;
+        }
+    }
+    /// Another conversation for this drive was made: from here on a look, or a word by function 06, may be its own.
+    void note_company(std::size_t place)
+    {
+        for (std::size_t i = 0; i < places; ++i) {
+            orders_[i].is_alone = orders_[i].is_alone and i == place;
         }
     }
     bool has_order_of(std::size_t place) const { return orders_[place].is_there; }
@@ -133,6 +141,7 @@ public:
         auto const word = control_word_in(frame, drive_.profile());
         bool const may = has_order() or is_foreign_;
         bool const is_enabling = word and enables(*word, drive_.profile());
+        is_enabling_ = is_enabling;
         if (is_heard) {
             last_heard_ = now;
             was_foreign_ = false;
@@ -146,17 +155,22 @@ public:
             moment const asked = std::max(latest_order(), ordered_at_);
             was_asked_ = has_order() and (asked >= disturbed_at_ or is_too_late);
             is_halting_ = is_halting_ and not is_enabling;
+            runs_for_another_ = runs_for_another_ and not is_enabling;
             is_braking_ = word and keeps_power(*word, drive_.profile());
         }
         return is_enabling and not may ? std::optional{breach::enabled_without_order} : std::nullopt;
     }
-    void note_answer(byte_view frame, moment now)
+    /// `status` stood in the drive when it made the answer.
+    void note_answer(byte_view frame, moment now, std::uint16_t status)
     {
         unanswered_ = 0;
         bool const is_in_time = now < asked_at_ + how_.options.response_timeout.microseconds;
         note_begin(is_in_time ? asked_function_ : std::uint8_t{0});
         constexpr std::size_t size_of_one_word = 7; // an older question may have had another one
         is_look_ = is_look_ and frame.size() == size_of_one_word;
+        // The words of a cycle hold the state, too.
+        bool const shows_state = is_look_ or (to_u8(frame[1]) != 16 and frame.size() > size_of_one_word + 1);
+        is_key_known_ = shows_state ? (status & altivar::stop_key_bit) != 0 : is_key_known_;
         for (order& each : orders_) {
             each.has_looked = each.has_looked or (is_look_ and each.is_alone);
         }
@@ -212,7 +226,8 @@ public:
     /// What a user was told.
     std::optional<breach> told_to_stand(bool by_halt) const
     {
-        bool const stands = by_halt ? drive_.frequency() == 0 : not has_power_;
+        constexpr std::int32_t resolution = 100; // of what a drive tells
+        bool const stands = by_halt ? std::abs(drive_.frequency()) < resolution : not has_power_;
         return stands or is_foreign_ ? std::nullopt : std::optional{breach::stood_not};
     }
     std::optional<breach> told_to_run(moment ordered) const
@@ -223,6 +238,8 @@ public:
     bool is_foreign() const { return is_foreign_; }
     bool has_power() const { return has_power_; }
     bool is_lost() const { return unanswered_ >= surely_lost(); }
+    /// Whether the last answer came while the STOP key was shown: one more press looks the same.
+    bool is_key_known() const { return is_key_known_; }
 
 private:
     struct order {
@@ -267,7 +284,8 @@ private:
     void note_begin(std::uint8_t function)
     {
         for (order& each : orders_) {
-            bool const is_own = each.is_by_cycle ? function == 16 or function == 23 : function == 6;
+            bool const is_by_start = function == 6 and (each.is_alone or is_enabling_);
+            bool const is_own = each.is_by_cycle ? function == 16 or function == 23 : is_by_start;
             each.has_begun = each.has_begun or (is_own and asked_since_ >= each.at);
         }
     }
@@ -278,6 +296,7 @@ private:
         counts_.note(is_by_frame ? event::motor_stopped_by_order
                                  : event::motor_stopped_by_its_timeout);
         is_orphan_ = false;
+        runs_for_another_ = false;
         was_counted_ = false;
     }
 
@@ -288,7 +307,7 @@ private:
             return std::nullopt;
         }
         if (was_foreign_) {
-            is_foreign_ = true;
+            is_foreign_ = runs_for_another_ = true;
             return std::nullopt;
         }
         if (last_heard_ + 200'000 < now) {
@@ -328,7 +347,9 @@ private:
         if (died_at_ != 0 and is_watched and now > std::max(died_at_, last_heard_) + by_itself) {
             return breach::power_after_death;
         }
-        if (is_lost() and is_watched and died_at_ == 0 and not is_orphan_ and not stands) {
+        // What another master alone has started may be read for ever.
+        bool const is_ours = not is_orphan_ and not runs_for_another_;
+        if (is_lost() and is_watched and died_at_ == 0 and is_ours and not stands) {
             if (not was_counted_) {
                 was_counted_ = true;
                 counts_.note(event::unit_lost_while_it_ran);
@@ -380,6 +401,9 @@ private:
     bool is_orphan_{false};  ///< nobody is left who ordered it, or who was to stop it
     bool is_foreign_{false}; ///< another master wrote to it since it stood, or since the last order
     bool was_foreign_{false};
+    bool runs_for_another_{false};
+    bool is_key_known_{false};
+    bool is_enabling_{false}; ///< the last request
     bool was_in_fault_{false};
     bool has_power_{false};
     bool runs_{false};

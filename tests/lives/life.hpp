@@ -279,6 +279,7 @@ private:
             }
             byte_writer{own.answer}.bytes(made);
             own.answer_size = made.size();
+            own.status = own.drive->status();
             bool const is_late = chance_.happens(how_.late_in_a_million);
             std::uint32_t const most = how_.options.response_timeout.microseconds +
                                        how_.options.late_answer.microseconds - 20'000;
@@ -298,7 +299,7 @@ private:
         said_.frame("  <-", frame, is_lost ? "  lost" : "", &own);
         if (not is_lost) {
             link_.receive(frame, at());
-            own.law.note_answer(frame, now_);
+            own.law.note_answer(frame, now_, own.status);
             is_answered_ = true;
         }
         for (auto const& each : nodes_) {

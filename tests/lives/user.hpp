@@ -98,6 +98,9 @@ protected:
                 break;
             }
         }
+        if (not std::is_same_v<Talk, poll>) {
+            law_of(unit).note_company(place);
+        }
         auto& what = own.what.template emplace<Talk>(made);
         own.unit = unit;
         own.began = now_;
@@ -113,7 +116,7 @@ protected:
         return std::visit(
             [](auto const& it) {
                 using type = std::decay_t<decltype(it)>;
-                return not std::is_same_v<type, poll> and not is_cyclic<type>;
+                return not std::is_same_v<type, poll>;
             },
             what);
     }

@@ -36,6 +36,7 @@ struct node {
     unsigned passed{0};
     std::array<std::byte, max_adu_size> answer{};
     std::size_t answer_size{0}; ///< of one that has not left
+    std::uint16_t status{0};    ///< when that was made
     moment leaves_at{0};
     bool is_local{false};
 
