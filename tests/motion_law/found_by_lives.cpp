@@ -423,3 +423,31 @@ TEST_CASE("motion law: L2 of two orders to run a drive the later one counts")
     it.pass([](instant) {}, milliseconds(3'000));
     CHECK(it.drive(0).motor().frequency() == 10'000);
 }
+
+TEST_CASE("motion law: L4 a stop that nobody answers is followed by silence, though another controller gave the order")
+{
+    using device = atv320::device;
+    hall<device> it;
+    start go{it.motor, 40_Hz};
+    REQUIRE(it.run(go));
+    it.link() = drive_client<2>{test::party_timing, patient}; // switched off and on: it ordered nothing
+    it.disturb([&](auto& frame, bool) { frame.clear(); });
+    stop rest{it.motor, stop_by::ramp, milliseconds(1'000)};
+    REQUIRE(it.run(rest));
+    CHECK(rest.reason().how == ending::silent);
+    it.disturb([&](auto& frame, bool is_request) {
+        if (not is_request) {
+            frame.clear(); // what is asked keeps the drive's time-out from ending
+        }
+    });
+    single_question look{it.motor.unit(), read_holding_registers{3'201, 1}};
+    it.pass(
+        [&](instant at) {
+            it.link().converse(look, at);
+            if (look.settled()) {
+                look.begin();
+            }
+        },
+        milliseconds(20'000));
+    CHECK_FALSE(it.has_power());
+}

@@ -265,11 +265,7 @@ private:
     template <typename Talk> constexpr void note_asked(Talk const& talk, effect what) noexcept
     {
         if constexpr (commanding_conversation<Talk>) {
-            if (what == effect::enabling or what == effect::resetting) {
-                orders_.note_enabling(talk.unit().octet(), talk.drive_timeout(), talk.tolerated_misses());
-            } else if (what == effect::rearranging) {
-                orders_.note_rearranging(talk.unit().octet());
-            }
+            orders_.note_asked(talk.unit().octet(), what, talk.drive_timeout(), talk.tolerated_misses());
         }
     }
 

@@ -10,7 +10,8 @@
 // another order to run. While a stop is under way nothing else commands its unit; one that was destroyed before its
 // end goes on holding it until another stop of the unit has ended, or `release`.
 //
-// A *loss* is an answer that did not come from an ordered unit, beyond those that its commander tolerates. Then, for
+// A *loss* is an answer that did not come from a unit that is ordered, beyond those that its commander tolerates, or that
+// a stop holds: another controller may have ordered it, or this one before it was switched off. Then, for
 // 2 s at most, only words that stop it go to that unit. Then nothing does, from anybody, until the drive's own time-out
 // and 1 s more have gone by since the last of them: it has stopped by itself if it can. A stop that begins meanwhile has
 // 2 s for its words. An answer to one of them ends the loss; the order stays gone.
@@ -104,13 +105,6 @@ public:
         return places_.is_full_for(unit) ? errc::too_many_ordered : errc::none;
     }
 
-    /// A request that rearranges was taken: who relies on the unit's words reads anew what they mean.
-    constexpr void note_rearranging(std::uint8_t unit) noexcept
-    {
-        unit_order* const own = places_.find(unit);
-        (own == nullptr ? places_.others() : *own).rearranged = ++count_;
-    }
-
     /// Whether another stop, or one that came later, has the unit.
     [[nodiscard]] constexpr bool is_overruled(commander const& who, std::uint8_t unit) const noexcept
     {
@@ -119,14 +113,16 @@ public:
         return not holds and check(who, unit, effect::enabling) == errc::overruled;
     }
 
-    /// A request that enables was taken.
-    constexpr void note_enabling(std::uint8_t unit, duration drive_timeout,
-                                 std::uint8_t tolerated) noexcept
+    /// A request of this effect was taken.
+    constexpr void note_asked(std::uint8_t unit, effect what, duration drive_timeout,
+                              std::uint8_t tolerated) noexcept
     {
-        if (unit_order* const own = places_.make(unit)) {
-            own->is_ordered = true;
-            own->silence = drive_timeout + milliseconds(1'000);
-            own->tolerated = tolerated;
+        switch (what) {
+        case effect::enabling:
+        case effect::resetting: return note_enabling(unit, drive_timeout, tolerated);
+        case effect::rearranging: return note_rearranging(unit);
+        case effect::stopping: return note_stopping(unit, drive_timeout);
+        case effect::none: break;
         }
     }
 
@@ -143,7 +139,7 @@ public:
             own->is_lost = false;
             return;
         }
-        if (not own->is_ordered) {
+        if (not own->is_ordered and own->holder == 0) {
             return;
         }
         if (own->is_lost or was_repeated or own->misses >= own->tolerated) {
@@ -307,6 +303,32 @@ private:
     {
         bool const is_replaced = own.last_order != 0 and is_older(who.stamp_, own.last_order);
         return is_replaced or is_older(who.stamp_, own.last_fault);
+    }
+
+    constexpr void note_enabling(std::uint8_t unit, duration drive_timeout,
+                                 std::uint8_t tolerated) noexcept
+    {
+        if (unit_order* const own = places_.make(unit)) {
+            own->is_ordered = true;
+            own->silence = drive_timeout + milliseconds(1'000);
+            own->tolerated = tolerated;
+        }
+    }
+
+    /// Who relies on the unit's words reads anew what they mean.
+    constexpr void note_rearranging(std::uint8_t unit) noexcept
+    {
+        unit_order* const own = places_.find(unit);
+        (own == nullptr ? places_.others() : *own).rearranged = ++count_;
+    }
+
+    /// Of a unit that was not ordered here its type tells how long it has to be left alone.
+    constexpr void note_stopping(std::uint8_t unit, duration drive_timeout) noexcept
+    {
+        unit_order* const own = places_.find(unit);
+        if (own != nullptr and own->silence == duration{}) {
+            own->silence = drive_timeout + milliseconds(1'000);
+        }
     }
 
     constexpr void begin_stop(commander& who, std::uint8_t unit, instant now) noexcept
