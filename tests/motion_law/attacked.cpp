@@ -280,3 +280,60 @@ TEST_CASE("motion law: settings are restored of a drive that tripped while it wa
     CHECK(restore.reason().how == ending::executed_unconfirmed);
     CHECK_FALSE(it.link().motor_orders().is_ordered(it.press.unit().octet()));
 }
+
+TEST_CASE("motion law: L4 a stop that waits for its unit's silence keeps nobody else of a bus from asking")
+{
+    constexpr client_options quick{.response_timeout = milliseconds(100), .retries = 1};
+    test::party_line<bus<3>, device> it{bus<3>{test::party_timing, quick}};
+    station<device> const press{unit_id{3}};
+    station<device> const fan{unit_id{4}};
+    it.add(press.unit());
+    it.add(fan.unit());
+    start go{press, 40_Hz};
+    REQUIRE(it.run([&](instant at) { it.link().converse(0, go, at); }, [&] { return go.settled(); },
+                   milliseconds(3'000)));
+    it.cut(0, true);
+    stop rest{press, stop_by::ramp, milliseconds(20'000)};
+    auto const wait = [&](instant at) { it.link().converse(2, rest, at); };
+    it.run(wait, [] { return false; }, milliseconds(6'000));
+    REQUIRE_FALSE(rest.settled());
+    REQUIRE(it.link().is_ordered(press.unit()));
+
+    cyclic<device> loop{fan, {.period = milliseconds(50)}};
+    auto const both = [&](instant at) {
+        it.link().converse(1, loop, at);
+        wait(at); // behind it: a question of the cycle has not left yet
+    };
+    std::size_t const before = it.answers(1);
+    it.run(both, [] { return false; }, milliseconds(2'000));
+    CHECK(it.answers(1) - before > 20);
+    REQUIRE(loop.run(900_rpm));
+    it.run(both, [] { return false; }, milliseconds(2'000));
+    CHECK(loop.control().is_running());
+    loop.stop();
+    it.run(both, [] { return false; }, milliseconds(3'000));
+    CHECK_FALSE(cia402::has_power(it.drive(1).chart().state()));
+    CHECK_FALSE(rest.settled());
+}
+
+TEST_CASE("motion law: L5 a drive that does not answer does not keep the others from being stopped one by one")
+{
+    for (bool const is_first : {false, true}) {
+        INFO(is_first);
+        hall<2> it;
+        start go{it.press, 40_Hz};
+        REQUIRE(it.run(go));
+        start more{it.fan, 20_Hz};
+        REQUIRE(it.run(more));
+        std::size_t const dead = is_first ? 0 : 1;
+        it.cut(dead, true);
+        stop_everyone all{everyone_options{.limit = milliseconds(10'000)}, it.press, it.fan};
+        REQUIRE(it.run([&](instant at) { it.link().converse(all, at); },
+                       [&] { return all.reason(1 - dead).how != ending::pending; }, milliseconds(8'000)));
+        CHECK(all.reason(1 - dead).how == ending::succeeded);
+        CHECK(all.reason(dead).how == ending::pending);
+        CHECK_FALSE(it.has_power(1 - dead));
+        REQUIRE(it.run(all, milliseconds(9'000))); // its limit ends in the silence
+        CHECK(all.reason(dead).how == ending::silent);
+    }
+}

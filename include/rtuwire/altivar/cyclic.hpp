@@ -112,7 +112,7 @@ public:
     /// For the client: what the next question does to the motor, and how a loss is told.
     [[nodiscard]] constexpr effect intent() const noexcept
     {
-        return is_due_ ? steps_.intent(this->was_rearranged()) : effect::none;
+        return is_due_ ? this->effect_now(steps_.intent(this->was_rearranged())) : effect::none;
     }
     [[nodiscard]] constexpr duration drive_timeout() const noexcept
     {

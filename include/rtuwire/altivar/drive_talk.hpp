@@ -62,7 +62,7 @@ public:
     [[nodiscard]] constexpr unit_id unit() const noexcept { return unit_; }
 
     /// For the client: what the next question does to the motor, and how a loss is told.
-    [[nodiscard]] constexpr effect intent() const noexcept { return wish_.does; }
+    [[nodiscard]] constexpr effect intent() const noexcept { return this->effect_now(wish_.does); }
     [[nodiscard]] constexpr duration drive_timeout() const noexcept { return script_.drive_timeout(); }
     [[nodiscard]] static constexpr std::uint8_t tolerated_misses() noexcept { return 1; }
 

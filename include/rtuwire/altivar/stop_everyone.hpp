@@ -126,7 +126,7 @@ public:
             return is_waiting() ? std::nullopt : ask_everyone();
         }
         at_ = candidate();
-        return stops_[at_].next();
+        return stops_[at_].is_silenced() ? std::nullopt : stops_[at_].next();
     }
 
     constexpr void accept(result<response> const& outcome) noexcept
@@ -239,7 +239,7 @@ private:
             if (stops_[at].intent() == effect::stopping) {
                 return at;
             }
-            if (not has_found and stops_[at].has_question()) {
+            if (not has_found and stops_[at].has_question() and not stops_[at].is_silenced()) {
                 has_found = true;
                 found = at;
             }

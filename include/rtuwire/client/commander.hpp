@@ -27,6 +27,10 @@ enum class effect : std::uint8_t {
 /// What every conversation derives from that can command the motor of a unit. It notes what its user wants and what it
 /// read; the client takes note when the conversation comes by.
 class commander : public asker {
+public:
+    /// Whether its unit is lost and hears nothing now, words that stop it included.
+    [[nodiscard]] constexpr bool is_silenced() const noexcept { return is_silenced_; }
+
 protected:
     /// The user orders something that may move the motor. A stop that begins later takes the order away.
     constexpr void note_order() noexcept { has_ordered_ = true; }
@@ -54,6 +58,12 @@ protected:
     /// The drive was read to be in fault: orders that were given before count no more.
     constexpr void note_fault() noexcept { has_read_fault_ = true; }
 
+    /// A word that stops is nothing of the kind while it may not be said: nobody else waits for it.
+    [[nodiscard]] constexpr effect effect_now(effect what) const noexcept
+    {
+        return what == effect::stopping and is_silenced_ ? effect::none : what;
+    }
+
     /// Whether its unit was rearranged over this client since `note_arrangement`.
     [[nodiscard]] constexpr bool was_rearranged() const noexcept { return was_rearranged_; }
     constexpr void note_arrangement() noexcept { was_rearranged_ = false; }
@@ -71,6 +81,7 @@ private:
     bool is_over_{false};
     bool has_read_rest_{false};
     bool has_read_fault_{false};
+    bool is_silenced_{false};
 };
 
 /// A conversation that commands the motor of one unit. `intent` tells what the question does that `next` would give.

@@ -57,6 +57,7 @@ public:
         take_notes(who, unit, is_doubtful, now);
         who.has_come_by_ = true;
         who.seen_ = count_;
+        who.is_silenced_ = is_silent(unit, effect::stopping);
         return is_lost;
     }
 
