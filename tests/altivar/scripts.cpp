@@ -9,7 +9,9 @@
 #include "support/commissioned.hpp"
 #include "support/proof.hpp"
 
+#include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/channel.hpp>
 #include <rtuwire/altivar/change_reference.hpp>
 #include <rtuwire/altivar/configure_scanner.hpp>
 #include <rtuwire/altivar/reset_fault.hpp>
@@ -121,6 +123,46 @@ constexpr bool enables_no_drive_that_forgot()
 }
 PROOF("a drive whose control word is not ours any more is not enabled", enables_no_drive_that_forgot)
 
+constexpr event goes_on{kind::pause_over};
+
+/// A change to 1500 rpm, written already.
+constexpr reference_script changed()
+{
+    reference_script it{atv320::device::profile, {lfrd, 1'500}};
+    static_cast<void>(it.step({kind::begun}));
+    static_cast<void>(it.step(word(0x0237)));
+    static_cast<void>(it.step(word(0x000F)));
+    static_cast<void>(it.step({kind::written}));
+    return it;
+}
+constexpr bool is_reached_by_the_second_look()
+{
+    reference_script it = changed();
+    bool ok = true;
+    for (wish::kind const next : {wish::kind::pause, wish::kind::end}) {
+        ok = ok and reads(it.step(goes_on), eta);
+        ok = ok and it.step(word(0x0637)).what == wish::kind::read; // RFR tells whether it turns
+        ok = ok and it.step(word(1)).what == next;
+    }
+    return ok and it.reason().how == ending::succeeded;
+}
+constexpr bool is_not_reached_by_one_look()
+{
+    reference_script it = changed();
+    // Turns, is not there yet, turns, stands, turns: never twice in a row.
+    bool ok = reads(it.step(goes_on), eta) and it.step(word(0x0637)).what == wish::kind::read;
+    ok = ok and it.step(word(1)).what == wish::kind::pause;
+    ok = ok and reads(it.step(goes_on), eta) and it.step(word(0x0237)).what == wish::kind::pause;
+    for (std::uint16_t const turning : {1, 0, 1}) {
+        ok = ok and reads(it.step(goes_on), eta) and it.step(word(0x0637)).what == wish::kind::read;
+        ok = ok and it.step(word(turning)).what == wish::kind::pause;
+    }
+    return ok;
+}
+PROOF("a change of the reference is done at the second look in a row that shows it reached",
+      is_reached_by_the_second_look)
+PROOF("a change of the reference is not done by one look", is_not_reached_by_one_look)
+
 constexpr bool resets_by_an_edge()
 {
     reset_script it{atv320::device::profile};
@@ -154,6 +196,26 @@ constexpr bool names_every_slot()
     return ok and next.what == wish::kind::end and it.reason().how == ending::succeeded;
 }
 PROOF("every slot of the scanner is written, those that are not named with 0", names_every_slot)
+
+constexpr bool fills_every_slot()
+{
+    using namespace altivar::atv12;
+    using inputs = scanner_inputs<altivar::atv12::eta, rfrd, altivar::atv12::lft, lcr>;
+    using outputs = scanner_outputs<altivar::atv12::cmd, altivar::atv12::lfrd, acc, dec>;
+    configure_scanner<inputs, outputs> talk{station<device>{unit_id{7}}};
+    talk.advance(start_time);
+    return talk.next().has_value();
+}
+PROOF("a scanner of four words takes four", fills_every_slot)
+
+constexpr bool names_no_register_before_it_asks()
+{
+    at_rest_script const look{atv320::device::profile, {}};
+    channel_script const channels{atv320::device::profile, {}, {}};
+    return look.address() == 0 and look.word() == 0 and channels.address() == 0 and channels.word() == 0;
+}
+PROOF("what has asked nothing names no register", names_no_register_before_it_asks)
+STATIC_CHECK(channel_settings<atv320::device>{}.words()[0].word == 0);
 
 STATIC_CHECK(reason{}.fault == 0 and reason{}.error == errc::none);
 

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// One register among those that a scanner writes, which another drive's table names.
+// EXPECT: this device has no such register
+#include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/configure_scanner.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+
+inline constexpr station<atv320::device> drive{unit_id{7}};
+
+void act()
+{
+#ifdef REFUSED
+    static_cast<void>(configure_scanner<scanner_inputs<atv320::eta>, scanner_outputs<atv320::cmd, atv28::lfr>>{drive});
+#else
+    static_cast<void>(configure_scanner<scanner_inputs<atv320::eta>, scanner_outputs<atv320::cmd, atv320::lfr>>{drive});
+#endif
+}
