@@ -22,9 +22,10 @@ INCLUDE = re.compile(r"#include [<\"]((?:rtuwire|support)/[\w/]+\.hpp)[>\"]")
 
 
 class Compiler:
-    """`too_long` are the test cases that are not run."""
+    """`too_long` are the test cases that are not run; `most` is how many tests are compiled for a change, or None."""
 
-    def __init__(self, folder, common, headers, too_long):
+    def __init__(self, folder, common, headers, too_long, most):
+        self.most = most
         self.folder, self.common, self.headers = folder, common, headers
         self.run = ["--abort", "".join(f'~"{escaped(name)}"' for name in too_long)]
         self.lock, self.kills, self.seen = threading.Lock(), {}, {}
@@ -64,11 +65,12 @@ class Compiler:
             runs([program, *self.run], 60)
 
     def ordered(self, header, refused):
-        """The header's own tests first, then those that killed most."""
+        """The header's own tests first, then those that killed most, and what is refused last."""
         room, stem = header.split("/")[0], pathlib.Path(header).stem
         tests = [path for path in sources([room, *ALSO.get(room, [])]) + refused if header in self.included(path)]
         with self.lock:
-            return sorted(tests, key=lambda path: (path.stem != stem, -self.kills.get(path, 0), path.stat().st_size))
+            return sorted(tests, key=lambda path: (path.stem != stem, -self.kills.get(path, 0),
+                                                   path.parent.name == "fail", path.stat().st_size))[:self.most]
 
     def included(self, path):
         """Which headers a file includes, also through others."""

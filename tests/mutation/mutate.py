@@ -11,7 +11,7 @@ that is no switch (a type, an array's size, what only the compiler evaluates) is
 killed by a test that fails, crashes or does not end in time, and by a build that fails. survivors.txt says why
 no test can see a change; open.txt lists those that nobody has explained yet, and may only get shorter. Survivors
 that stand in neither are printed as they are found, and rows that are for nothing at the end; either is a failure,
-but of a --sample one in twenty may survive so. Without --sample all changes are tried, in the order of the
+but of a --sample, for which only the likeliest tests are compiled, one in twenty may survive so. Without --sample all changes are tried, in the order of the
 arguments. tried.txt keeps what whole runs found: a header that has changed since is named. --note writes open.txt
 and tried.txt anew for the headers asked.
 """
@@ -36,6 +36,7 @@ import switches
 HEADERS = PROJECT / "include" / "rtuwire"
 # What stands for a machine or for a drive's manual: the simulated devices, the host's port, the register tables.
 LEFT_OUT = ("sim/", "port/", "altivar/atv", "altivar/compact_values")
+LIKELIEST = 12
 # A start value that the compiler needs where it evaluates a table (GCC 12 fails to).
 NO_SWITCH = {("core/text.hpp", "std::size_t size_{1};")}
 
@@ -64,15 +65,15 @@ def switched_tests(folder, common, pool, changes, may_switch):
     return board
 
 
-def outcomes(folder, pool, changes, is_explained, report):
-    """Whether each change survives; `report` is told of each."""
+def outcomes(folder, pool, changes, most, is_explained, report):
+    """Whether each change survives; `report` is told of each. `most`: see Compiler."""
     common = precompiled(folder)
     may_switch = {number for number, change in enumerate(changes) if change.first >= 0 and
                   (change.header, change.becomes) not in NO_SWITCH}
     board = switched_tests(folder, common, pool, changes, may_switch)
     cases = board.cases()
     report.say(f"{len(may_switch)} switches, {len(cases)} test cases of {sum(case.seconds for case in cases):.1f} s")
-    compiler = Compiler(folder, common, HEADERS, board.too_long)
+    compiler = Compiler(folder, common, HEADERS, board.too_long, most)
     models = Models(folder, pool)
 
     def lives(number):
@@ -148,7 +149,8 @@ def main():
         folder = pathlib.Path(asked.work or stack.enter_context(tempfile.TemporaryDirectory()))
         folder.mkdir(parents=True, exist_ok=True)
         pool = stack.enter_context(concurrent.futures.ThreadPoolExecutor(asked.jobs))
-        survive = outcomes(folder, pool, tried, is_explained, report)
+        most = LIKELIEST if asked.sample else None
+        survive = outcomes(folder, pool, tried, most, is_explained, report)
     counts, new, idle = report.total(tried, survive)
     idle = [] if asked.sample else idle
     for change in new:
