@@ -20,6 +20,20 @@ STATIC_CHECK((1.30_s).count() == 130 and std::same_as<decltype(1.30_s)::scale, s
 STATIC_CHECK((-1500_rpm).count() == -1500);
 STATIC_CHECK(std::same_as<decltype(4_kHz)::scale, std::kilo>);
 
+// What each literal is one of, and of what size.
+template <typename Dimension, typename Scale, typename Literal>
+constexpr bool is_one(Literal const& one)
+{
+    return std::same_as<Literal, quantity<Dimension, std::int64_t, Scale>> and one.count() == 1;
+}
+STATIC_CHECK(is_one<frequency, std::ratio<1>>(1_Hz) and is_one<frequency, std::kilo>(1_kHz));
+STATIC_CHECK(is_one<rotation, std::ratio<1>>(1_rpm) and is_one<voltage, std::ratio<1>>(1_V));
+STATIC_CHECK(is_one<current, std::ratio<1>>(1_A) and is_one<current, std::milli>(1_mA));
+STATIC_CHECK(is_one<proportion, std::ratio<1>>(1_percent) and is_one<time_span, std::ratio<1>>(1_s));
+STATIC_CHECK(is_one<operating_time, std::ratio<1>>(1_h) and is_one<torque, std::ratio<1>>(1_Nm));
+STATIC_CHECK(is_one<power, std::ratio<1>>(1_W) and is_one<temperature, std::ratio<1>>(1_celsius));
+STATIC_CHECK(is_one<dimensionless, std::ratio<1>>(1_raw));
+
 // Finer is implicit, coarser is spelled, and what a number cannot hold is neither.
 using long_decihertz = quantity<frequency, std::int32_t, std::deci>;
 STATIC_CHECK(long_decihertz{hertz{50}}.count() == 500);

@@ -11,9 +11,9 @@ that is no switch (a type, an array's size, what only the compiler evaluates) is
 killed by a test that fails, crashes or does not end in time, and by a build that fails. survivors.txt says why
 no test can see a change; open.txt lists those that nobody has explained yet, and may only get shorter. Survivors
 that stand in neither are printed as they are found, and rows that are for nothing at the end; either is a failure,
-but of a --sample, for which only the likeliest tests are compiled, one in twenty may survive so. Without --sample all changes are tried, in the order of the
-arguments. tried.txt keeps what whole runs found: a header that has changed since is named. --note writes open.txt
-and tried.txt anew for the headers asked.
+but of a --sample, for which only the likeliest tests are compiled, one in twenty may survive so. Without --sample
+all changes are tried, in the order of the arguments. tried.txt keeps what whole runs found: a header that has
+changed since is named. --note writes open.txt and tried.txt anew for the headers asked.
 """
 import argparse
 import collections
