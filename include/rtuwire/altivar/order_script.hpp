@@ -64,8 +64,8 @@ protected:
     {
         how_ = how;
         error_ = error;
-        rest_ = stop_script{profile(), mode, known};
-        return come_to_rest({event::kind::begun});
+        plan_rest(mode, known);
+        return rest_.step({event::kind::begun}); // which does not end it
     }
     constexpr wish come_to_rest(event const& what) noexcept
     {
@@ -79,6 +79,12 @@ protected:
     }
 
 private:
+    /// Not inlined: what it takes of the stack is free again when the rest begins.
+    [[gnu::noinline]] constexpr void plan_rest(stop_by mode, word_meaning known) noexcept
+    {
+        rest_ = stop_script{profile(), mode, known};
+    }
+
     supervision_script check_;
     stop_script rest_;
     std::uint16_t fault_{0};
