@@ -153,9 +153,9 @@ constexpr bool is_not_reached_by_one_look()
     bool ok = reads(it.step(goes_on), eta) and it.step(word(0x0637)).what == wish::kind::read;
     ok = ok and it.step(word(1)).what == wish::kind::pause;
     ok = ok and reads(it.step(goes_on), eta) and it.step(word(0x0237)).what == wish::kind::pause;
-    for (std::uint16_t const turning : {1, 0, 1}) {
+    for (bool const turns : {true, false, true}) {
         ok = ok and reads(it.step(goes_on), eta) and it.step(word(0x0637)).what == wish::kind::read;
-        ok = ok and it.step(word(turning)).what == wish::kind::pause;
+        ok = ok and it.step(word(turns ? 1 : 0)).what == wish::kind::pause;
     }
     return ok;
 }
