@@ -65,12 +65,15 @@ class Compiler:
             runs([program, *self.run], 60)
 
     def ordered(self, header, refused):
-        """The header's own tests first, then those that killed most, and what is refused last."""
+        """The header's own tests first, by name or by what they include, then those that killed most."""
         room, stem = header.split("/")[0], pathlib.Path(header).stem
+        itself = f"<rtuwire/{header}>"
         tests = [path for path in sources([room, *ALSO.get(room, [])]) + refused if header in self.included(path)]
         with self.lock:
-            return sorted(tests, key=lambda path: (path.stem != stem, -self.kills.get(path, 0),
-                                                   path.parent.name == "fail", path.stat().st_size))[:self.most]
+            return sorted(tests, key=lambda path: (path.stem != stem, path.stem.split("_")[0] != stem.split("_")[0],
+                                                   itself not in path.read_text(encoding="utf-8"),
+                                                   -self.kills.get(path, 0), path.parent.name == "fail",
+                                                   path.stat().st_size))[:self.most]
 
     def included(self, path):
         """Which headers a file includes, also through others."""
