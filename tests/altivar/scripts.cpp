@@ -47,6 +47,8 @@ constexpr bool ends_in_time()
 }
 PROOF("who names no limit has one, from the first pass on", ends_in_time)
 
+STATIC_CHECK(start_script::grace == milliseconds(30'000)); // as the reference says
+
 constexpr bool waits_for_the_answer()
 {
     change_reference talk{drive, 50_Hz, milliseconds(100)};

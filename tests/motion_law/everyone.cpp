@@ -5,7 +5,9 @@
 
 #include "motion_law/colliding_line.hpp"
 
+#include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic.hpp>
 #include <rtuwire/altivar/start.hpp>
@@ -247,4 +249,29 @@ TEST_CASE("motion law: S38 a family is left out of the broadcasts, and its drive
     CHECK_FALSE(writes_400);
     CHECK(writes_8501);
     CHECK_FALSE(it.has_any_power());
+}
+
+namespace {
+
+/// The word of the first broadcast.
+template <typename Device> unsigned broadcast_word(word_meaning known, bool freewheel = false)
+{
+    constexpr station<Device> drive{unit_id{3}};
+    stop_everyone all{everyone_options{.freewheel = freewheel, .known = known}, drive};
+    all.advance(instant{0});
+    auto const told = all.next();
+    REQUIRE(told);
+    return u16_at(told->frame(), 4);
+}
+
+} // namespace
+
+TEST_CASE("motion law: L5 everyone is told 0002, or 0000 where an ATV320's words are not known or freewheel is asked for")
+{
+    CHECK(broadcast_word<atv320::device>(word_meaning::unknown) == 0x0000);
+    CHECK(broadcast_word<atv320::device>(word_meaning::drive_profile) == 0x0002);
+    CHECK(broadcast_word<atv12::device>(word_meaning::unknown) == 0x0002);
+    CHECK(broadcast_word<atv310::device>(word_meaning::unknown) == 0x0002);
+    CHECK(broadcast_word<atv28::device>(word_meaning::unknown) == 0x0002);
+    CHECK(broadcast_word<atv12::device>(word_meaning::unknown, true) == 0x0000);
 }
