@@ -14,6 +14,7 @@ namespace {
 
 STATIC_CHECK("02 0c1E"_hex == std::array{std::byte{0x02}, std::byte{0x0C}, std::byte{0x1E}});
 STATIC_CHECK(""_hex.size() == 0);
+STATIC_CHECK("09 af AF"_hex == std::array{std::byte{0x09}, std::byte{0xAF}, std::byte{0xAF}});
 STATIC_CHECK("FF"_hex[0] == std::byte{0xFF});
 
 std::string shown(byte_view octets, std::size_t room)
