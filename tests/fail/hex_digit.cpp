@@ -1,14 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A hex literal with something else in it.
+// A hex literal with something else in it: the neighbours of each kind of digit.
 // EXPECT: a_hex_literal_holds_only_hexadecimal_digits_and_spaces
+// CASES: 6
 #include <rtuwire/core/hex.hpp>
 
 using namespace rtuwire;
 
-#ifdef REFUSED
-constexpr auto octets = "02 0G"_hex;
-#else
+#if not defined(REFUSED)
 constexpr auto octets = "02 0F"_hex;
+#elif REFUSED == 1
+constexpr auto octets = "02 0G"_hex;
+#elif REFUSED == 2
+constexpr auto octets = "02 0g"_hex;
+#elif REFUSED == 3
+constexpr auto octets = "02 0@"_hex;
+#elif REFUSED == 4
+constexpr auto octets = "02 0`"_hex;
+#elif REFUSED == 5
+constexpr auto octets = "02 0:"_hex;
+#else
+constexpr auto octets = "02 0/"_hex;
 #endif
 static_assert(octets.size() == 2);

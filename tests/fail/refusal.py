@@ -4,7 +4,8 @@
 
     python3 refusal.py COMPILER INCLUDE_DIR FILE
 
-The file names its sentences on lines that start with `// EXPECT:`; each must be in the output.
+The file names its sentences on lines that start with `// EXPECT:`; each must be in the output. A file with a line
+`// CASES: 6` is compiled with -DREFUSED=1 to 6, and must fail so each time.
 """
 import os
 import re
@@ -26,18 +27,21 @@ def compiles(compiler, include_dir, file, *more):
 def complaint(compiler, include_dir, file):
     """What is wrong with this file as a compile-fail test, or an empty string."""
     with open(file, encoding="utf-8") as source:
-        expected = re.findall(r"^// EXPECT: *(\S.*?) *$", source.read(), re.MULTILINE)
+        text = source.read()
+    expected = re.findall(r"^// EXPECT: *(\S.*?) *$", text, re.MULTILINE)
+    cases = re.search(r"^// CASES: *(\d+)$", text, re.MULTILINE)
     if not expected:
         return "no line starts with `// EXPECT:`"
     accepted, output = compiles(compiler, include_dir, file)
     if not accepted:
         return f"does not compile as it is:\n{output}"
-    accepted, output = compiles(compiler, include_dir, file, "-DREFUSED")
-    if accepted:
-        return "is accepted with -DREFUSED"
-    for sentence in expected:
-        if sentence not in output:
-            return f"is refused, but without saying `{sentence}`:\n{output}"
+    for case in range(1, int(cases[1]) + 1 if cases else 2):
+        accepted, output = compiles(compiler, include_dir, file, f"-DREFUSED={case}")
+        if accepted:
+            return f"is accepted with -DREFUSED={case}"
+        for sentence in expected:
+            if sentence not in output:
+                return f"is refused with -DREFUSED={case}, but without saying `{sentence}`:\n{output}"
     return ""
 
 

@@ -40,6 +40,11 @@ class Refusal(unittest.TestCase):
     def test_an_accepted_act_does_not_pass(self):
         self.assertIn("is accepted", self.complaint("// EXPECT: a goose\nint x = 1;\n"))
 
+    def test_one_accepted_case_of_several_does_not_pass(self):
+        self.assertIn("is accepted with -DREFUSED=2", self.complaint(
+            "// EXPECT: a goose\n// CASES: 3\n"
+            "#ifdef REFUSED\nstatic_assert(REFUSED == 2, \"a goose\");\n#endif\n"))
+
     def test_a_file_that_never_compiles_does_not_pass(self):
         self.assertIn("as it is", self.complaint("// EXPECT: goose\nint x = goose;\n"))
 
