@@ -94,6 +94,7 @@ public:
     /// conversation told so.
     template <conversation Talk> result<void> run(Talk& talk)
     {
+        static_assert(not endless_conversation<Talk>, "this conversation never ends: give it to a client in each pass");
         if (talk.settled()) {
             if constexpr (requires { talk.begin(); }) {
                 talk.begin();

@@ -129,6 +129,7 @@ public:
     /// it is not settled, or as long as it says that it is urgent, they ask nothing.
     template <conversation Talk> constexpr void converse_first(Talk& talk, instant now) noexcept
     {
+        static_assert(not endless_conversation<Talk>, "this conversation never ends: no slot would ask behind it");
         static_cast<void>(client_.deliver(talk, not talk.settled(), now));
         advance_talk(talk, now);
         client_.command(talk, now);

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/fixed_buffer.hpp>
@@ -109,6 +110,14 @@ concept conversation = std::derived_from<T, asker> and requires(T& talk, result<
     {
         talk.settled()
         } -> std::convertible_to<bool>;
+};
+
+/// A conversation that never settles, and says so by a static `settled`: nobody may wait for its end.
+template <typename T>
+concept endless_conversation = conversation<T> and requires
+{
+    typename std::bool_constant<T::settled()>;
+    requires not T::settled();
 };
 
 /// A conversation that pauses, or has a time limit: whoever runs it calls `advance` before `next`, and
