@@ -246,3 +246,44 @@ TEST_CASE("a port has the response time-out to send, and never waits for a time 
     // The line has to be silent before the first question.
     CHECK(port.for_reading.front() > milliseconds(1));
 }
+
+TEST_CASE("the end of a pass has a second to send, and reads until its time")
+{
+    watched_port port;
+    port.answers = {line_of(answer_1234)};
+    client link{timing};
+    single_question talk{unit_id{1}, question};
+    std::array<std::byte, 256> place{};
+    for (int pass = 0; pass < 6 and not talk.settled(); ++pass) {
+        instant const now = port.now();
+        link.advance(now);
+        link.converse(talk, now);
+        REQUIRE(pump(link, port, place, now + milliseconds(20)));
+    }
+    CHECK(talk.outcome());
+    CHECK(port.for_writing == std::vector<duration>{milliseconds(1'000)});
+}
+
+namespace {
+
+/// Has nothing to ask at first, and does not say when it will have.
+struct silent_at_first : single_question<read_holding_registers> {
+    using single_question::single_question;
+    int looks_left{3};
+
+    std::optional<request> next() { return looks_left-- > 0 ? std::nullopt : single_question::next(); }
+};
+
+} // namespace
+
+TEST_CASE("a conversation that does not say when it goes on is looked at again within ten milliseconds")
+{
+    scripted_port port = answering(answer_1234);
+    blocking_client line{port, timing};
+    silent_at_first talk{unit_id{1}, question};
+    instant const before = port.clock;
+    REQUIRE(line.run(talk));
+    CHECK(talk.outcome());
+    CHECK(port.clock - before >= milliseconds(30));
+    CHECK(port.clock - before < milliseconds(31) + timing.t3_5());
+}

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// One pass of a server over a port that is played by hand.
+#include <rtuwire/server/blocking.hpp>
+
+#include <algorithm>
+#include <vector>
+
+#include "support/catch.hpp"
+
+#include <rtuwire/core/hex.hpp>
+#include <rtuwire/server/bank.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr line_timing timing{19'200, character_format::even_8_1};
+constexpr auto question = "07 03 00 64 00 01 C5 B3"_hex;
+constexpr auto answer = "07 03 02 12 34 3D 33"_hex;
+
+/// Has a request ready, or nothing, and a clock that jumps to what is waited for.
+struct played_port {
+    std::vector<std::byte> input{};
+    std::vector<std::byte> sent{};
+    duration for_writing{};
+    instant clock{0xFFFF'FF00U};
+    errc read_error{errc::none};
+    errc write_error{errc::none};
+
+    [[nodiscard]] instant now() const { return clock; }
+    result<void> write(byte_view octets, instant until)
+    {
+        for_writing = until - clock;
+        sent.assign(octets.begin(), octets.end());
+        return write_error == errc::none ? result<void>{} : result<void>{write_error};
+    }
+    result<byte_span> read(byte_span place, instant until)
+    {
+        if (read_error != errc::none) {
+            return read_error;
+        }
+        if (input.empty()) {
+            clock = until;
+            return place.first(0);
+        }
+        std::size_t const count = input.size();
+        std::copy(input.begin(), input.end(), place.begin());
+        input.clear();
+        return place.first(count);
+    }
+};
+
+struct station_of_one {
+    played_port port{};
+    server node{unit_id{7}, timing};
+    word_bank<1> bank{100};
+
+    station_of_one() { static_cast<void>(bank.set(100, 0x1234)); }
+
+    /// Until the line was silent for long enough: a server that starts listens first.
+    void settle() { static_cast<void>(pass(milliseconds(50))); }
+    result<void> pass(duration patience) { return serve_once(node, port, bank, patience); }
+    /// One pass takes the request in, the next one answers when the line has been silent behind it.
+    result<void> is_asked()
+    {
+        port.input.assign(question.begin(), question.end());
+        static_cast<void>(pass(milliseconds(50)));
+        return pass(milliseconds(50));
+    }
+};
+
+} // namespace
+
+TEST_CASE("a request that lies in the port is answered behind a silence, and may take a second to send")
+{
+    station_of_one it;
+    it.settle();
+    instant const before = it.port.clock;
+    CHECK(it.is_asked());
+    CHECK(it.port.clock - before == timing.t3_5());
+    CHECK(it.port.sent == std::vector<std::byte>(answer.begin(), answer.end()));
+    CHECK(it.port.for_writing == milliseconds(1'000));
+}
+
+TEST_CASE("a pass in which nobody asks ends with its patience, and sends nothing")
+{
+    station_of_one it;
+    it.settle();
+    instant const before = it.port.clock;
+    CHECK(it.pass(milliseconds(80)));
+    CHECK(it.port.clock - before == milliseconds(80));
+    CHECK(it.port.sent.empty());
+}
+
+TEST_CASE("what the port says of its failure is what the pass returns")
+{
+    station_of_one deaf;
+    deaf.port.read_error = errc::device_vanished;
+    CHECK(deaf.pass(milliseconds(50)) == errc::device_vanished);
+    station_of_one mute;
+    mute.settle();
+    mute.port.write_error = errc::device_failed;
+    CHECK(mute.is_asked() == errc::device_failed);
+}
