@@ -1,29 +1,37 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""The second engines of tests/model, held against changed ones: what no single test sees, a schedule may."""
+"""The second engines of tests/model and the judge of tests/lives, held against changed headers: what no single test
+sees, a schedule or a life may."""
 from programs import TESTS, complaints, runs
 
-ENGINES = ["client", "bus", "server"]
+# How many schedules, or lives; unchanged each takes one or two seconds.
+JUDGES = {"model/compare_client": 2000, "model/compare_bus": 2000, "model/compare_server": 2000,
+          "lives/random_lives": 2000}
+# What these include besides the client: the others have no say there.
+ONLY = {"altivar": ["lives/random_lives"], "cia402": ["lives/random_lives"], "table": ["lives/random_lives"]}
 COMPILE = ["g++", "-std=c++20", "-w", "-O1", f"-I{TESTS}"]
-SCHEDULES = "2000"
-# Of the processor of a busy machine; unchanged they need one or two.
+# Of the processor of a busy machine.
 LONGEST_S = 60
 
 
 class Models:
-    """One program for each engine, with every change behind its switch."""
+    """One program for each judge, with every change behind its switch."""
 
     def __init__(self, folder, pool):
-        self.places = [folder / f"compare_{engine}" for engine in ENGINES]
-        sources = [TESTS / "model" / f"compare_{engine}.cpp" for engine in ENGINES]
-        said = pool.map(lambda pair: complaints([*COMPILE, f"-I{folder / 'include'}", "-o", *pair]),
-                        zip(self.places, sources))
-        for source, each in zip(sources, said):
+        self.programs = {judge: folder / judge.split("/")[1] for judge in JUDGES}
+        said = pool.map(lambda judge: complaints([*COMPILE, f"-I{folder / 'include'}", "-o", self.programs[judge],
+                                                  TESTS / f"{judge}.cpp"]), JUDGES)
+        for judge, each in zip(JUDGES, said):
             if each:
-                raise SystemExit(f"mutate.py: {source} does not compile:\n{each}")
-        for place in self.places:
-            if not runs([place, SCHEDULES], LONGEST_S):
-                raise SystemExit(f"mutate.py: {place} finds a difference without any change")
+                raise SystemExit(f"mutate.py: {judge}.cpp does not compile:\n{each}")
+        for judge in JUDGES:
+            if not self.passes(judge):
+                raise SystemExit(f"mutate.py: {judge} finds something without any change")
 
-    def kills(self, number):
-        return not all(runs([place, SCHEDULES], LONGEST_S, RTUWIRE_CHANGE=str(number)) for place in self.places)
+    def passes(self, judge, **more):
+        return runs([self.programs[judge], str(JUDGES[judge])], LONGEST_S, **more)
+
+    def kills(self, number, header):
+        """Whether one of those that include the header finds something with this change."""
+        asked = ONLY.get(header.split("/")[0], JUDGES)
+        return not all(self.passes(judge, RTUWIRE_CHANGE=str(number)) for judge in asked)

@@ -5,12 +5,12 @@
     python3 tests/mutation/mutate.py [--sample N] [--seed S] [--jobs J] [--work DIR] [headers, or folders of them]
 
 The tests are compiled once, with every change behind a switch; they run with one switch turned at a time, and
-only those that come by it. What they do not see and survivors.txt does not explain is compiled into a copy of the
-headers, with the tests of its room and their proofs, and tried with the second engines of tests/model. A change
-that is no switch (a type, an array's size, what only the compiler evaluates) is compiled at once. A change is
-killed by a test that fails, crashes or does not end in time, and by a build that fails. survivors.txt says why
-no test can see a change; open.txt lists those that nobody has explained yet, and may only get shorter. Survivors
-that stand in neither are printed as they are found, and rows that are for nothing at the end; either is a failure,
+only those that come by it. What they do not see and survivors.txt does not explain is tried with the second engines
+of tests/model and the lives of tests/lives, then compiled into a copy of the headers, with the tests of its room and
+their proofs. A change that is no switch (a type, an array's size, what only the compiler evaluates) is compiled at
+once. A change is killed by a test that fails, crashes or does not end in time, and by a build that fails.
+survivors.txt says why no test can see a change; open.txt lists those that nobody has explained yet, and may only get
+shorter. Survivors that stand in neither are printed as they are found, and rows that are for nothing at the end; either is a failure,
 but of a --sample, for which only the likeliest tests are compiled, one in five may survive so: it is about one in
 ten today, and samples scatter. This is to be tightened as survivors are worked off. Without --sample all
 changes are tried, in the order of the arguments. tried.txt keeps what whole runs found: a header that has changed
@@ -84,7 +84,7 @@ def outcomes(folder, pool, changes, most, is_explained, report):
         if not is_switch:
             killed = not compiler.survives(change)
         elif not killed and not is_explained(change):
-            killed = not compiler.survives(change, is_switch) or models.kills(number)
+            killed = models.kills(number, change.header) or not compiler.survives(change, is_switch)
         report.note(change, not killed)
         return not killed
     return list(pool.map(lives, range(len(changes))))
