@@ -3,91 +3,19 @@
 // The cycle, question by question: how many misses it takes, when it asks, what its limits count from.
 #include <rtuwire/altivar/cyclic.hpp>
 
-#include <array>
-#include <initializer_list>
-
-#include "support/commissioned.hpp"
+#include "altivar/cycle_by_hand.hpp"
 #include "support/proof.hpp"
 
 #include <rtuwire/altivar/atv12.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
+using namespace rtuwire::test;
 
 namespace {
 
-using words = std::initializer_list<std::uint16_t>;
-
-constexpr std::uint16_t switch_on_disabled = 0x0250, ready = 0x0231;
-constexpr std::uint16_t cmd_address = 8501, eta_address = 3201, lfrd_address = 8602;
-constexpr std::uint16_t rfrd_address = 8604;
-
-/// An ATV12 of which each answer is given by hand, at a clock that runs through zero.
-struct cycle {
-    cyclic<atv12::device> loop;
-    instant now{0xFFFF'FF00U};
-
-    explicit constexpr cycle(cyclic_options const& options = {})
-        : loop{station<atv12::device>{unit_id{3}}, options}
-    {}
-
-    constexpr bool asks_at(instant when)
-    {
-        now = when;
-        loop.advance(now);
-        return loop.next().has_value();
-    }
-    constexpr bool asks() { return asks_at(now + milliseconds(100)); }
-
-    constexpr void hear(words read)
-    {
-        std::array<std::byte, 2 + 2 * 8> pdu{std::byte{3},
-                                             to_byte(static_cast<std::uint32_t>(2 * read.size()))};
-        std::size_t at = 2;
-        for (std::uint16_t const word : read) {
-            pdu[at++] = to_byte(word >> 8U);
-            pdu[at++] = to_byte(word);
-        }
-        loop.accept(result<response>{response{byte_view{pdu}.first(at)}});
-    }
-    constexpr void miss(errc why = errc::timed_out) { loop.accept(why); }
-
-    /// Answers the questions before the first order; then the scanner is asked for.
-    constexpr bool is_checked(std::uint16_t tto = 100)
-    {
-        bool is_asked = asks();
-        while (is_asked and u16_at(loop.next()->frame(), 2) < 12'701) {
-            hear({test::commissioned_word(u16_at(loop.next()->frame(), 2), tto)});
-            is_asked = asks();
-        }
-        return is_asked;
-    }
-    /// Up to its first exchange, which `exchange` answers.
-    constexpr bool begins(std::uint16_t status = switch_on_disabled, std::uint16_t tto = 100)
-    {
-        bool ok = asks();
-        hear({status});
-        ok = ok and asks();
-        hear({0});
-        ok = ok and is_checked(tto);
-        hear({eta_address, rfrd_address, 0, 0});
-        ok = ok and asks();
-        hear({cmd_address, lfrd_address, 0, 0});
-        return ok and not loop.link_lost();
-    }
-    constexpr bool exchange(std::uint16_t status = switch_on_disabled)
-    {
-        bool const is_asked = asks();
-        hear({status, 0, 0, 0});
-        return is_asked;
-    }
-    constexpr bool fails(errc why = errc::timed_out)
-    {
-        bool const is_asked = asks();
-        miss(why);
-        return is_asked;
-    }
-};
+using cycle = cycle_by_hand<atv12::device>;
+using words = cycle::words;
 
 constexpr bool counts_misses_in_a_row()
 {
@@ -122,11 +50,10 @@ PROOF("a drive that was never heard is silent after as many misses, too", tolera
 
 constexpr bool looks_for_a_fault_once()
 {
-    constexpr std::uint16_t fault = 0x0208, last_fault_address = 7121;
     cycle it;
-    bool ok = it.begins() and it.exchange(fault);
+    bool ok = it.begins() and it.exchange(in_fault);
     ok = ok and it.asks();
-    ok = ok and u16_at(it.loop.next()->frame(), 2) == last_fault_address;
+    ok = ok and u16_at(it.loop.next()->frame(), 2) == lft_address;
     it.hear({9});
     ok = ok and it.loop.control().reason().fault == 9 and it.asks();
     return ok and it.loop.next()->frame()[1] == std::byte{23}; // and no second look at the scanner

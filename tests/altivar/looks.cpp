@@ -193,17 +193,41 @@ constexpr bool sets_one_setting()
     ok = ok and writes(it.step(read(locked)), later.cmd, 0);
     ok = ok and writes(it.step(written), 8413, 164) and it.written() == 0;
     ok = ok and reads(it.step(written), 8413) and it.written() == 1 and it.address() == 8413;
+    ok = ok and reads(it.step(read(164)), 8413); // all of them, once more
     ok = ok and it.step(read(164)).what == wish::kind::pause;
     ok = ok and reads(it.step(goes_on), later.eta);
     ok = ok and it.step(read(locked)).what == wish::kind::end;
     return ok and it.reason().how == ending::succeeded and it.address() == 0;
 }
-PROOF("a setting is read, cleared for, written, read back and looked at", sets_one_setting)
+PROOF("a setting is read, cleared for, written, read back twice and looked at", sets_one_setting)
+
+constexpr bool is_set_without_a_write()
+{
+    channel_script it = one;
+    bool ok = reads(it.step(begins), 8413);
+    ok = ok and it.step(read(164)).what == wish::kind::end;
+    return ok and it.reason().how == ending::succeeded and it.written() == 0 and it.address() == 0;
+}
+PROOF("a setting that is right already is neither written nor looked at again", is_set_without_a_write)
+
+constexpr bool finds_a_setting_that_was_lost()
+{
+    channel_script it{later, {{{8413, 164}, {8423, 10}, {}, {}}}, {.run_inputs = 0}};
+    bool ok = reads(it.step(begins), 8413) and reads(it.step(read(1)), 8423);
+    ok = ok and reads(it.step(read(1)), later.eta) and writes(it.step(read(locked)), later.cmd, 0);
+    ok = ok and writes(it.step(written), 8413, 164) and reads(it.step(written), 8413);
+    ok = ok and reads(it.step(read(164)), later.eta) and writes(it.step(read(locked)), 8423, 10);
+    ok = ok and reads(it.step(written), 8423) and reads(it.step(read(10)), 8413);
+    // Its power was gone for a moment behind the first.
+    ok = ok and it.step(read(1)).what == wish::kind::end;
+    return ok and it.reason().how == ending::not_taken and it.address() == 8413 and it.word() == 1;
+}
+PROOF("a setting that was taken and is gone at the end is told", finds_a_setting_that_was_lost)
 
 /// The set-up above, up to the look behind its last write.
 template <typename... Events> constexpr reason behind_the_write(Events... events)
 {
-    return told(one, begins, read(1), read(locked), written, written, read(164), goes_on,
+    return told(one, begins, read(1), read(locked), written, written, read(164), read(164), goes_on,
                 events...);
 }
 STATIC_CHECK(ends(behind_the_write(read(faulty), read(9)), ending::in_fault));

@@ -138,3 +138,40 @@ TEST_CASE("defect: D1 the same on a bus, where another unit is asked all the tim
         CHECK(hindered == 0);
     }
 }
+
+TEST_CASE("defect: D1 a late answer of another unit, damaged so that it seems to be of this one, pays for nothing")
+{
+    client_options const options{.response_timeout = milliseconds(500), .late_answer = milliseconds(100), .retries = 1};
+    scripted_line<client> line{client{office_line, options}, office_line};
+    slow_unit unit{400'000};
+    frame_bytes late = answer_to(read_of(3, 3201, 2));
+    late[0] = std::byte{2};
+    unsigned wrong = 0;
+    series off{[](unsigned) { return read_of(3, 3201, 2); }, 1};
+    series talk{[](unsigned number) { return read_of(2, 100 + number); }, 4};
+    talk.took = [&](unsigned number, result<response> const& outcome) {
+        wrong += outcome and line.last_tag != static_cast<int>(number) ? 1U : 0U;
+    };
+    line.heard = [&](frame_bytes const& frame) {
+        if (at(frame, 0) == 3) {
+            return;
+        }
+        if (line.departures.size() == 2) {
+            line.say(3'000, late);
+        }
+        frame_bytes const answer = answer_to(frame);
+        line.arrive(unit.answers_at(line.time()) + line.length_of(answer.size()), answer,
+                    static_cast<int>(talk.number));
+    };
+    patience const once{.response_timeout = milliseconds(500), .retries = 0};
+    line.run(10'000'000, [&](instant now) {
+        line.link.converse(off, now, once);
+        if (off.settled()) {
+            line.link.converse(talk, now);
+        }
+    });
+    CHECK(off.last == errc::timed_out);
+    CHECK(talk.number == 4);
+    CHECK(talk.answered >= 3);
+    CHECK(wrong == 0);
+}

@@ -515,7 +515,9 @@ private:
             settle(echoed, now);
         } else if ((found == crc_mismatch or found == uart_error) and frame.size() >= 4 and
                    frame[0] == request_[0] and (frame[1] & 0x7F) == request_[1] and has_size) {
-            sendings_.answered();
+            if (debts_.is_empty()) { // 17
+                sendings_.answered();
+            }
             fail(found, now);
         } else if (found != wrong_unit and found != frame_too_short) {
             error_ = found;

@@ -50,6 +50,10 @@ public:
         }
         own->end = std::max(own->end, end);
     }
+    bool is_empty() const
+    {
+        return std::all_of(rows_.begin(), rows_.end(), [](row const& each) { return each.holds == nobody; });
+    }
     bool covers(std::uint8_t unit) const
     {
         return unit != 0 and std::any_of(rows_.begin(), rows_.end(), [&](row const& each) {

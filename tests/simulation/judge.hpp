@@ -65,7 +65,7 @@ public:
             check_repetition(of, now);
         }
         ++of.sent;
-        if (of.sent > most_transmissions(of)) {
+        if (of.sent > most_transmissions(of) + most_unsure(of)) {
             all_.accuse(fault::too_many, now);
         }
         ++last_;
@@ -194,6 +194,11 @@ private:
     {
         bool const is_once = not of.may_repeat or of.is_first_try_only or of.is_broadcast();
         return 1U + (is_once ? 0U : how_.options.retries) + of.pauses;
+    }
+    /// Where several responses came in one lump, the client may have taken another one as "busy".
+    unsigned most_unsure(question const& of) const
+    {
+        return of.is_unsure ? patience{}.busy_retries - of.pauses : 0U;
     }
 
     /// A request goes out again: whether the time was right.

@@ -73,7 +73,7 @@ private:
 };
 
 /// Decides the set-up, word by word: reads all settings before it writes one, looks at the drive before each write,
-/// reads each back, and looks at the drive once more.
+/// reads each back, all of them again behind the last, and looks at the drive once more.
 class channel_script : public script {
 public:
     constexpr channel_script(drive_profile const& profile, channel_words const& wanted,
@@ -123,7 +123,7 @@ private:
         while (at_ < wanted_.size() and wanted_[at_].address == 0) {
             ++at_;
         }
-        return at_ < wanted_.size() ? read_setting() : set_next(0);
+        return at_ < wanted_.size() ? read_setting() : is_set_ ? confirm_later() : set_next(0);
     }
 
     constexpr wish read_setting() noexcept
@@ -145,8 +145,15 @@ private:
             return look({event::kind::begun});
         }
         address_ = 0;
+        is_set_ = true; // unless the drive lost its power meanwhile
+        return written_ == 0 ? end(ending::succeeded) : compare_next(0);
+    }
+
+    constexpr wish confirm_later() noexcept
+    {
+        address_ = 0;
         stage_ = stage::confirming;
-        return written_ == 0 ? end(ending::succeeded) : to_pause(look_period);
+        return to_pause(look_period);
     }
 
     constexpr wish look(event const& what) noexcept
@@ -155,7 +162,7 @@ private:
         if (look_.reason().how == ending::succeeded) {
             // A control word that stands there from before would count once Modbus commands.
             stage_ = is_cleared_ ? stage::setting : stage::clearing;
-            return is_cleared_ ? write_setting() : to_write(profile().cmd, 0);
+            return is_cleared_ ? write_setting() : to_rearrange(profile().cmd, 0);
         }
         if (next.what == wish::kind::end) {
             address_ = look_.address();
@@ -190,9 +197,7 @@ private:
     {
         word_ = word;
         switch (stage_) {
-        case stage::comparing:
-            is_wrong_ |= word != wanted_[at_].word ? 1U << at_ : 0U;
-            return compare_next(at_ + 1);
+        case stage::comparing: return compare(word);
         case stage::reading_back:
             return word == wanted_[at_].word ? set_next(at_ + 1) : end(ending::not_taken);
         case stage::reading_fault: return end_in_fault(word);
@@ -203,6 +208,16 @@ private:
         case stage::taking_back: break;
         }
         return confirm(note(word));
+    }
+
+    constexpr wish compare(std::uint16_t word) noexcept
+    {
+        bool const is_right = word == wanted_[at_].word;
+        if (is_set_ and not is_right) {
+            return end(ending::not_taken);
+        }
+        is_wrong_ |= is_right ? 0U : 1U << at_;
+        return compare_next(at_ + 1);
     }
 
     constexpr wish confirm(cia402::state at) noexcept
@@ -240,6 +255,7 @@ private:
     std::uint16_t word_{0};
     stage stage_{stage::comparing};
     bool is_cleared_{false};
+    bool is_set_{false}; ///< each was written and read back once
 };
 
 /// Sets the channels of a drive in states 2, 3 or 4. Done where each setting reads back as it was asked for, and the

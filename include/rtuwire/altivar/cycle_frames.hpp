@@ -100,8 +100,7 @@ private:
         return output_block_;
     }
 
-    static constexpr std::size_t frame_size =
-        13 + 2 * (words::outputs > 2 ? words::outputs : std::size_t{2});
+    static constexpr std::size_t frame_size = 13 + 2 * std::size_t{words::outputs};
 
     std::array<std::byte, frame_size> frame_{};
     std::array<std::uint16_t, words::outputs> outputs_{};

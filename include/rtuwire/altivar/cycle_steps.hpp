@@ -168,7 +168,6 @@ public:
         control_.note_loss(error);
         preparation_.renew();
         is_lost_ = true;
-        has_written_ = false;
         step_ = step::look;
     }
 
@@ -256,6 +255,7 @@ private:
         if (control_.is_ordered() and not control_.is_running()) {
             preparation_.renew();
             comparison_.keep_if(false);
+            control_.note_miss();
             step_ = step::look;
         }
     }
@@ -264,7 +264,6 @@ private:
     constexpr void yield() noexcept
     {
         control_.note_overruled();
-        has_written_ = false;
         must_say_stop_ = false;
         is_coming_down_ = false;
         step_ = step::look;
@@ -288,7 +287,6 @@ private:
 
     constexpr void take_look(std::uint16_t status) noexcept
     {
-        is_lost_ = is_lost_ and not preparation_.succeeded();
         control_.note_status(status, false);
         step_ = step::look_for_fault;
     }
@@ -361,7 +359,6 @@ private:
     /// The drive has taken what was written.
     constexpr void end_exchange() noexcept
     {
-        has_written_ = true;
         was_taken_ = true;
         comparison_.note_exchange();
         step_ = first_step();
@@ -373,7 +370,7 @@ private:
     {
         bool const is_before_enabling = step_ == step::check_control;
         comparison_.note_comparison(step_);
-        if (found != written or not has_written_) {
+        if (found != written) {
             control_.note_overwritten();
             wait_a_period();
         }
@@ -392,7 +389,6 @@ private:
     bool must_say_stop_{false};      ///< before anything else
     bool must_observe_{false};       ///< before anything else, where a halt was ordered
     bool is_coming_down_{false};     ///< it was stopped here, or lost its order while it ran
-    bool has_written_{false};        ///< the outputs, as far as the drive said so
     bool was_taken_{false};          ///< the drive answered the last write
     bool waits_{false};              ///< a period, until the next question
 };

@@ -17,8 +17,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// way and CMD and LFRD the other.
 template <device_type Device> struct cycle_words {
     static constexpr bool has_scanner = Device::profile.scanner_words > 0;
-    static constexpr bool needs_two = Device::limits.exchange_read < Device::profile.scanner_words;
-    static constexpr bool is_long = has_scanner and needs_two and Device::profile.scanner_words > 4;
+    static constexpr bool is_long = Device::limits.exchange_read < Device::profile.scanner_words;
     static constexpr std::uint16_t inputs = not has_scanner ? 7 : is_long ? 8 : 4;
     static constexpr std::uint16_t outputs = not has_scanner ? 2 : is_long ? 8 : 4;
     /// Without a scanner: CMD and LFR; and the seven words that end with ETA.

@@ -65,7 +65,6 @@ public:
         state_ = cia402::decode(status);
         has_read_fault_ = has_read_fault_ or (cia402::is_in_fault(state_) and not was_in_fault);
         is_known_ = true;
-        was_lost_running_ = false;
         has_enabled_ = false;
         looks_at_rest_ = not stands           ? std::uint8_t{0}
                          : looks_at_rest_ < 2 ? static_cast<std::uint8_t>(looks_at_rest_ + 1)
@@ -124,6 +123,9 @@ public:
         drop(ending::overwritten);
         reason_.how = ending::overwritten;
     }
+
+    /// What was said last may not have arrived: the way up begins anew from where the drive is.
+    constexpr void note_miss() noexcept { has_switched_on_ = false; }
 
     /// The way up takes too long.
     constexpr void note_late() noexcept { drop(ending::stuck); }
@@ -297,8 +299,7 @@ private:
             next = cia402::command::switch_on;
         }
         has_enabled_ = has_enabled_ or next == cia402::command::enable_operation;
-        has_switched_on_ = next == cia402::command::switch_on or
-                           (has_switched_on_ and next == cia402::command::enable_operation);
+        has_switched_on_ = has_switched_on_ or next == cia402::command::switch_on;
         return next == cia402::command::none ? std::uint16_t{0} : cia402::word_of(next);
     }
 

@@ -51,7 +51,9 @@ public:
             is_late_ = was_warned_ or Script::grace.microseconds == 0;
             was_warned_ = true;
             late_at_ = now + Script::grace;
-            take(script_.step({event::kind::late}));
+            if (is_late_ or not script_.takes_back()) { // else it has its grace for that
+                take(script_.step({event::kind::late}));
+            }
         } else if (has_length() and reached(now, pause_end_)) {
             bool const is_pause = wish_.what == wish::kind::pause;
             take(script_.step(is_pause ? event{event::kind::pause_over}

@@ -28,6 +28,7 @@ public:
     {
         return check_.drive_timeout();
     }
+    [[nodiscard]] constexpr bool takes_back() const noexcept { return how_ != ending::pending; }
 
 protected:
     constexpr order_script(drive_profile const& profile, supervision_script const& check) noexcept
@@ -41,12 +42,12 @@ protected:
         return check_.reason().how == ending::succeeded;
     }
 
-    /// Whether the STOP key was pressed since the first look. A drive that was stopped so before shows it until it runs.
+    /// Whether the STOP key was pressed since the last look; what the first one tells is not asked for. A drive that was
+    /// stopped so before shows it until it runs.
     constexpr bool is_key_pressed(std::uint16_t status) noexcept
     {
         bool const is_shown = (status & stop_key_bit) != 0;
-        bool const is_new = has_looked_ and is_shown and not shows_key_;
-        has_looked_ = true;
+        bool const is_new = is_shown and not shows_key_;
         shows_key_ = is_shown;
         return is_new;
     }
@@ -90,7 +91,6 @@ private:
     std::uint16_t fault_{0};
     ending how_{ending::pending};
     errc error_{errc::none};
-    bool has_looked_{false};
     bool shows_key_{false}; ///< at the last look
 };
 

@@ -101,6 +101,9 @@ public:
     /// Whether it orders its drive to run, in the place of any order before.
     static constexpr bool is_order = false;
 
+    /// Whether it takes back already what it gave.
+    [[nodiscard]] static constexpr bool takes_back() noexcept { return false; }
+
     /// Whether it stops its drive because the user said so, and holds it until it ends.
     static constexpr bool is_stop = false;
 

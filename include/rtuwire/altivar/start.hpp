@@ -124,6 +124,9 @@ private:
 
     constexpr wish climb(cia402::state at) noexcept
     {
+        if (given_ == cia402::command::enable_operation) {
+            return to_pause(look_period); // it took the command to run, and shows it later
+        }
         bool const is_ready = at == cia402::state::switched_on;
         // The word that is read back before enabling has to be ours.
         cia402::command const next = is_ready and given_ != cia402::command::switch_on
@@ -148,6 +151,7 @@ private:
         given_ = next;
         is_taken_ = false;
         has_commanded_ = true;
+        may_run_ = may_run_ or next == cia402::command::enable_operation;
         return once(to_enable(profile().cmd, static_cast<std::uint16_t>(cia402::word_of(next) | direction)));
     }
 
@@ -205,7 +209,7 @@ private:
     constexpr wish go_on(errc error) noexcept
     {
         // One that may run already has to be stopped soon.
-        std::uint8_t const most_misses = given_ == cia402::command::enable_operation ? 1 : 3;
+        std::uint8_t const most_misses = may_run_ ? 1 : 3;
         ++misses_;
         if (is_exception(error) or is_final(error) or not has_commanded_ or misses_ > most_misses) {
             return withdraw(ending_for(error), error);
@@ -226,9 +230,7 @@ private:
         if (not has_commanded_) {
             return finish(how, error);
         }
-        bool const may_run = given_ == cia402::command::enable_operation or
-                             stage_ == stage::enabled or
-                             reason().state == cia402::state::operation_enabled;
+        bool const may_run = may_run_ or reason().state == cia402::state::operation_enabled;
         stage_ = stage::withdrawing;
         return take_back(how, error, may_run ? stop_by::ramp : stop_by::freewheel, report().words);
     }
@@ -241,6 +243,7 @@ private:
     std::uint8_t misses_{0};
     bool has_commanded_{false};
     bool is_taken_{false}; ///< the drive answered the command that was given
+    bool may_run_{false};  ///< the command to run was given, answered or not
     bool is_contradictory_;
 };
 

@@ -173,6 +173,7 @@ private:
         bool const is_zero = frequency == 0;
         bool const was_zero = has_frequency_ and last_ == 0;
         bool const is_slowing = has_frequency_ and magnitude(frequency) < magnitude(last_);
+        is_compared_ = has_frequency_;
         first_ = has_frequency_ ? first_ : frequency;
         last_ = frequency;
         has_frequency_ = true;
@@ -224,7 +225,7 @@ private:
         if (not was_taken_) {
             return end(error_ != errc::none ? error_ : errc::timed_out);
         }
-        bool const obeys_not = is_seen_ and cia402::has_power(reason().state) and
+        bool const obeys_not = is_seen_ and cia402::has_power(reason().state) and is_compared_ and
                                magnitude(last_) >= magnitude(first_);
         return end(obeys_not ? ending::stuck : ending::unconfirmed, error_);
     }
@@ -245,6 +246,7 @@ private:
     bool has_word_{false};
     bool has_said_{false}; ///< any word
     bool has_frequency_{false};
+    bool is_compared_{false}; ///< it was read twice at least
     bool was_taken_{false}; ///< the drive confirmed a word
     bool is_seen_{false};   ///< and its state was read after that
     bool stands_{false};

@@ -70,10 +70,7 @@ public:
     {
         return base::is_held(unit) or orders_.is_silent(unit, effect::none);
     }
-    [[nodiscard]] constexpr bool is_held(unit_id unit) const noexcept
-    {
-        return is_held(unit.octet());
-    }
+    [[nodiscard]] constexpr bool is_held(unit_id unit) const noexcept { return is_held(unit.octet()); }
 
     /// Which units run by order.
     [[nodiscard]] constexpr Orders& motor_orders() noexcept { return orders_; }
@@ -88,10 +85,7 @@ public:
     }
 
     /// Whether it was this conversation that asked last.
-    [[nodiscard]] constexpr bool is_asked_by(asker const& who) const noexcept
-    {
-        return turns_.is_own(who);
-    }
+    [[nodiscard]] constexpr bool is_asked_by(asker const& who) const noexcept { return turns_.is_own(who); }
 
     /// Lets a conversation come by: hands it its outcome, and asks its next question when it is its turn. After
     /// an outcome the next turn is that of the others that came by meanwhile. A question to a unit that owes an
@@ -128,7 +122,9 @@ public:
             if constexpr (stops_everyone<Talk>) {
                 orders_.visit_for_all(talk, now);
                 for (auto& each : talk.stops()) {
-                    static_cast<void>(orders_.visit(each, each.unit().octet(), now));
+                    if (orders_.visit(each, each.unit().octet(), now)) {
+                        each.note_loss();
+                    }
                 }
             } else if (orders_.visit(talk, talk.unit().octet(), now)) {
                 talk.note_loss();
@@ -262,10 +258,16 @@ private:
         }
     }
 
-    template <typename Talk> constexpr void note_asked(Talk const& talk, effect what) noexcept
+    template <typename Talk> constexpr void note_asked(Talk& talk, effect what) noexcept
     {
         if constexpr (commanding_conversation<Talk>) {
             orders_.note_asked(talk.unit().octet(), what, talk.drive_timeout(), talk.tolerated_misses());
+        } else if constexpr (stops_everyone<Talk>) {
+            for (auto& each : talk.stops()) {
+                if (each.unit().octet() == base::asked_unit()) {
+                    note_asked(each, what);
+                }
+            }
         }
     }
 
@@ -290,12 +292,12 @@ private:
         return wrong;
     }
 
-    /// What came of the request. Whatever becomes of its asker, an answer that did not come is noted.
+    /// What came of the request. Whatever becomes of its asker, an answer that did not come is noted: a unit that was
+    /// asked and not waited for has heard its master as well.
     constexpr result<response> take_outcome(instant now) noexcept
     {
-        result<response> const outcome = base::take_outcome();
-        orders_.note_outcome(base::asked_unit(), outcome.error(), base::was_repeated(), now);
-        return outcome;
+        orders_.note_outcome(base::asked_unit(), base::heard_of_unit(), base::was_repeated(), now);
+        return base::take_outcome();
     }
 
     /// A word that stops comes by. Until it has left, nobody else asks; what is under way for its unit is given up,
@@ -317,7 +319,7 @@ private:
         }
         base::make_way(may_cut, now);
         if (base::was_cut()) {
-            static_cast<void>(take_outcome(now)); // its asker is told that it was cancelled
+            static_cast<void>(base::take_outcome()); // its asker is told that it was cancelled
         }
     }
 
@@ -363,7 +365,9 @@ private:
         bool const is_quiet = base::is_quiet();
         if constexpr (Orders::is_kept) {
             if (turns_.is_reserved() and not turns_.misses_reserver(who)) {
-                base::wake(now);
+                if (is_quiet) {
+                    base::wake(now);
+                }
                 return false;
             }
         }

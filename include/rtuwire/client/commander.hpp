@@ -70,6 +70,7 @@ protected:
 
 private:
     template <std::size_t> friend class orders;
+    template <std::size_t> friend class stop_holds;
 
     std::uint32_t stamp_{0}; ///< when the last order or stop was given, in the client's count; 0: never
     std::uint32_t seen_{0};  ///< the client's count when it had come by last
@@ -79,6 +80,7 @@ private:
     bool has_come_by_{false};
     bool has_stopped_{false};
     bool is_over_{false};
+    bool is_stopping_{false}; ///< a stop that came by, up to its end
     bool has_read_rest_{false};
     bool has_read_fault_{false};
     bool is_silenced_{false};

@@ -14,6 +14,13 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+/// How the stop under way holds a unit.
+enum class hold : std::uint8_t {
+    by_its_stop,
+    by_another_stop, ///< a unit's that had no place when this one got its own
+    is_over,         ///< that stop has ended
+};
+
 /// What is known of one unit. All zero where nothing is, so that a `constinit` client needs no flash; the times are
 /// written before they are read.
 struct unit_order {
@@ -30,12 +37,12 @@ struct unit_order {
     std::uint8_t tolerated;
     bool is_ordered;
     bool is_lost;
-    bool is_stop_over; ///< the stop under way has ended
     bool was_lost;     ///< the last stop was a loss
     bool may_be_told;  ///< while it is lost: words that stop it may go
+    hold held;
 };
 inline constexpr unit_order nothing_known{
-    instant{0}, instant{0}, duration{}, 0, 0, 0, 0, 0, 0, 0, 0, false, false, false, false, false};
+    instant{0}, instant{0}, duration{}, 0, 0, 0, 0, 0, 0, 0, 0, false, false, false, false, hold::by_its_stop};
 
 /// Whether an event came before another one.
 [[nodiscard]] constexpr bool is_older(std::uint32_t stamp, std::uint32_t than) noexcept
@@ -85,6 +92,7 @@ public:
         forget(places_[at]);
         places_[at] = others_;
         places_[at].unit = unit;
+        places_[at].held = others_.held == hold::by_its_stop ? hold::by_another_stop : others_.held;
         return &places_[at];
     }
 
@@ -103,7 +111,7 @@ private:
         return at;
     }
 
-    /// A place that is free, or whose unit is neither ordered nor held; `Units` where there is none.
+    /// A place that is free, or whose unit is neither ordered, held nor lost; `Units` where there is none.
     constexpr std::size_t free_place() const noexcept
     {
         std::size_t found = Units;
@@ -112,7 +120,7 @@ private:
             if (each.unit == 0) {
                 return i;
             }
-            found = each.is_ordered or each.holder != 0 ? found : i;
+            found = each.is_ordered or each.is_lost or each.holder != 0 ? found : i;
         }
         return found;
     }

@@ -22,6 +22,7 @@
 
 #include <rtuwire/client/commander.hpp>
 #include <rtuwire/client/order_places.hpp>
+#include <rtuwire/client/stop_holds.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
@@ -38,11 +39,18 @@ struct no_orders {
     static constexpr void add_to(earliest&) noexcept {}
 };
 
-/// How long words that stop may follow a loss, or a stop that begins behind it.
-inline constexpr duration stop_words_after_loss = milliseconds(2'000);
-
 /// The orders of up to `Units` units at once.
-template <std::size_t Units> class orders {
+template <std::size_t Units> class orders : public stop_holds<Units> {
+    using holds = stop_holds<Units>;
+    using holds::begin_stop;
+    using holds::count_;
+    using holds::end_stop;
+    using holds::has_another_stop;
+    using holds::holder_of_all_;
+    using holds::keep_hold;
+    using holds::places_;
+    using holds::stopped_all_;
+
 public:
     static constexpr bool is_kept = true;
 
@@ -55,34 +63,18 @@ public:
         bool const is_doubtful = who.has_come_by_ and has_happened(who, unit);
         tell_arrangement(who, unit);
         take_notes(who, unit, is_doubtful, now);
+        if (who.is_stopping_) {
+            keep_hold(who, unit);
+        }
         who.has_come_by_ = true;
         who.seen_ = count_;
         who.is_silenced_ = is_silent(unit, effect::stopping);
         return is_lost;
     }
 
-    /// The same for a commander that stops every unit.
-    constexpr void visit_for_all(commander& who, instant now) noexcept
-    {
-        if (who.has_stopped_) {
-            who.has_stopped_ = false;
-            who.stamp_ = ++count_;
-            stopped_all_ = count_;
-            holder_of_all_ = count_;
-            for (unit_order& each : places_) {
-                each.words_end = now + stop_words_after_loss;
-                each.may_be_told = each.is_lost;
-            }
-        }
-        if (who.is_over_) {
-            who.is_over_ = false;
-            is_all_over_ = who.stamp_ == holder_of_all_;
-        }
-    }
-
     /// Whether a request of this effect may be asked, but for silence: `overruled` where a stop came later than the
-    /// order, or another stop is under way; `unit_lost` where a loss did; `too_many_ordered` where there is no place for
-    /// one more unit.
+    /// order, or another stop is under way, or the unit was rearranged behind what its commander read; `unit_lost` where a
+    /// loss did; `too_many_ordered` where there is no place for one more unit.
     [[nodiscard]] constexpr errc check(commander const& who, std::uint8_t unit,
                                        effect what) const noexcept
     {
@@ -90,10 +82,8 @@ public:
             return errc::none;
         }
         unit_order const& own = places_.of(unit);
-        bool const is_others = own.holder != 0 and who.stamp_ != own.holder;
         if (what == effect::stopping) {
-            bool const stops_all = holder_of_all_ != 0 and who.stamp_ == holder_of_all_;
-            return is_others and not stops_all ? errc::overruled : errc::none;
+            return has_another_stop(who, unit) ? errc::overruled : errc::none;
         }
         bool const is_late = is_older(who.stamp_, own.last_stop) or is_older(who.stamp_, stopped_all_) or
                              (what == effect::enabling and has_newer(own, who));
@@ -103,15 +93,16 @@ public:
         if (what == effect::rearranging) {
             return own.is_ordered ? errc::overruled : errc::none; // only of a drive that stands
         }
+        if (who.was_rearranged_) {
+            return errc::overruled;
+        }
         return places_.is_full_for(unit) ? errc::too_many_ordered : errc::none;
     }
 
     /// Whether another stop, or one that came later, has the unit.
     [[nodiscard]] constexpr bool is_overruled(commander const& who, std::uint8_t unit) const noexcept
     {
-        std::uint32_t const holder = places_.of(unit).holder;
-        bool const holds = holder != 0 and holder == who.stamp_;
-        return not holds and check(who, unit, effect::enabling) == errc::overruled;
+        return check(who, unit, who.is_stopping_ ? effect::stopping : effect::enabling) == errc::overruled;
     }
 
     /// A request of this effect was taken.
@@ -128,6 +119,7 @@ public:
     }
 
     /// What came of a request to a unit, whoever asked it; one that its client repeated by itself is tolerated no more.
+    /// `cancelled` is one that never left: it tells nothing of its unit.
     constexpr void note_outcome(std::uint8_t unit, errc error, bool was_repeated,
                                 instant now) noexcept
     {
@@ -185,37 +177,13 @@ public:
         return places_.of(unit).is_ordered;
     }
 
-    /// Lets a unit be commanded again that a stop holds which was given up.
-    constexpr void release(std::uint8_t unit) noexcept
-    {
-        unit_order* const own = places_.find(unit);
-        let_go(own == nullptr ? places_.others() : *own);
-    }
-
-    /// The same where a stop of everyone was given up.
-    constexpr void release_all() noexcept
-    {
-        holder_of_all_ = 0;
-        stopped_all_ = ++count_;
-    }
-
-    /// Lets time pass. Whether a silence is over. Stops that ended release their units here, so that no order counts that
-    /// was given before.
+    /// Lets time pass. Whether a silence is over.
     constexpr bool advance(instant now) noexcept
     {
-        if (is_all_over_) {
-            is_all_over_ = false;
-            release_all();
-        }
-        if (places_.others().is_stop_over) {
-            let_go(places_.others());
-        }
+        holds::let_go_of_ended();
         wake_ = {};
         bool is_over = false;
         for (unit_order& each : places_) {
-            if (each.is_stop_over) {
-                let_go(each);
-            }
             each.may_be_told = each.is_lost and each.may_be_told and not reached(now, each.words_end);
             if (each.is_lost and reached(now, each.silence_end)) {
                 each.is_lost = false;
@@ -266,7 +234,7 @@ private:
         }
         if (who.is_over_) {
             who.is_over_ = false;
-            end_stop(who, unit);
+            end_stop(who);
         }
     }
 
@@ -284,9 +252,10 @@ private:
         return own.is_lost and is_older(who.seen_, own.last_stop);
     }
 
+    /// Who comes by for the first time has read nothing yet that this could have changed.
     constexpr void tell_arrangement(commander& who, std::uint8_t unit) const noexcept
     {
-        bool const is_new = is_older(who.seen_, places_.of(unit).rearranged);
+        bool const is_new = who.has_come_by_ and is_older(who.seen_, places_.of(unit).rearranged);
         who.was_rearranged_ = who.was_rearranged_ or is_new;
     }
 
@@ -332,39 +301,6 @@ private:
         }
     }
 
-    constexpr void begin_stop(commander& who, std::uint8_t unit, instant now) noexcept
-    {
-        who.stamp_ = ++count_;
-        // Where there is no place for its unit it holds all that have none.
-        unit_order* const place = places_.make(unit);
-        unit_order& own = place == nullptr ? places_.others() : *place;
-        own.last_stop = count_;
-        own.was_lost = false;
-        own.holder = count_;
-        own.is_stop_over = false;
-        own.words_end = now + stop_words_after_loss;
-        own.may_be_told = own.is_lost;
-    }
-
-    constexpr void let_go(unit_order& own) noexcept
-    {
-        own.holder = 0;
-        own.is_stop_over = false;
-        own.last_stop = ++count_;
-        own.was_lost = false;
-    }
-
-    constexpr void end_stop(commander const& who, std::uint8_t unit) noexcept
-    {
-        unit_order* const own = places_.find(unit);
-        if (own != nullptr and own->holder == who.stamp_) {
-            own->is_stop_over = true;
-        }
-        if (places_.others().holder == who.stamp_) {
-            places_.others().is_stop_over = true;
-        }
-    }
-
     constexpr void lose(unit_order& own, instant now) noexcept
     {
         if (not own.is_lost) {
@@ -377,12 +313,7 @@ private:
         own.silence_end = now + own.silence;
     }
 
-    order_places<Units> places_{};
-    std::uint32_t count_{0};
-    std::uint32_t stopped_all_{0};   ///< the stamp of the last stop of all units
-    std::uint32_t holder_of_all_{0}; ///< the same while it is under way; 0: none
     deadline wake_{};
-    bool is_all_over_{false};
 };
 
 } // namespace rtuwire

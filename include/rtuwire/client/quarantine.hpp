@@ -60,6 +60,17 @@ public:
         return is_over;
     }
 
+    /// Whether no unit is held.
+    [[nodiscard]] constexpr bool is_empty() const noexcept
+    {
+        for (quarantine_entry const& each : entries_) {
+            if (each.unit != nobody) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /// Whether a unit may not be asked yet; never for 0, which is everyone and answers nothing.
     [[nodiscard, gnu::always_inline]] constexpr bool covers(std::uint8_t unit) const noexcept
     {

@@ -222,8 +222,17 @@ protected:
         return phase_ == phase::settled and trouble_ == errc::cancelled;
     }
 
-    /// Whether the request that ended left more than once.
-    constexpr bool was_repeated() const noexcept { return not attempts_.is_first(); }
+    /// Whether the request that ended left more than once, as far as it was not given up.
+    constexpr bool was_repeated() const noexcept
+    {
+        return not attempts_.is_first() and trouble_ != errc::cancelled;
+    }
+
+    /// How it ended for its unit: one that left is not answered, also where it was given up before.
+    constexpr errc heard_of_unit() const noexcept
+    {
+        return trouble_ == errc::cancelled and attempts_.unanswered() != 0 ? errc::timed_out : trouble_;
+    }
 
     /// Ends what is settled.
     [[gnu::always_inline]] constexpr result<response> take_outcome() noexcept
@@ -326,7 +335,8 @@ private:
         bool const is_answer = event == line_event::reply or event == line_event::exception;
         bool const is_damaged = event == line_event::crc and framer().claims(question()) and
                                 framer().has_told_size();
-        if (is_answer or is_damaged) {
+        // A damaged one may be what another unit owes, where one does: nothing in its octets is to be relied on.
+        if (is_answer or (is_damaged and quarantine_.is_empty())) {
             attempts_.note_answered();
         }
         if (attempts_.may_pause(wrong)) {

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Which stop holds which unit. A stop holds its unit from its begin to its end; one that is destroyed before goes on
+// holding it until another stop of the unit has ended, or `release`. Where there is no place for its unit it holds all
+// that have none, and every such stop says its words: nobody knows whose unit is held.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/client/commander.hpp>
+#include <rtuwire/client/order_places.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// How long words that stop may follow a loss, or a stop that begins behind it.
+inline constexpr duration stop_words_after_loss = milliseconds(2'000);
+
+/// The stops under way of one client; the base of its orders.
+template <std::size_t Units> class stop_holds {
+public:
+    /// A commander that stops every unit comes by.
+    constexpr void visit_for_all(commander& who, instant now) noexcept
+    {
+        if (who.has_stopped_) {
+            who.has_stopped_ = false;
+            who.stamp_ = ++count_;
+            stopped_all_ = count_;
+            holder_of_all_ = count_;
+            for (unit_order& each : places_) {
+                each.words_end = now + stop_words_after_loss;
+                each.may_be_told = each.is_lost;
+            }
+        }
+        if (who.is_over_) {
+            who.is_over_ = false;
+            is_all_over_ = who.stamp_ == holder_of_all_;
+        }
+    }
+
+    /// Lets a unit be commanded again that a stop holds which was given up.
+    constexpr void release(std::uint8_t unit) noexcept
+    {
+        unit_order* const own = places_.find(unit);
+        let_go(own == nullptr ? places_.others() : *own);
+    }
+
+    /// The same for all units, where a stop of everyone was given up. A stop that still comes by goes on holding its own.
+    constexpr void release_all() noexcept
+    {
+        end_stop_of_all();
+        let_go(places_.others());
+        for (unit_order& each : places_) {
+            let_go(each);
+        }
+    }
+
+protected:
+    constexpr void begin_stop(commander& who, std::uint8_t unit, instant now) noexcept
+    {
+        who.stamp_ = ++count_;
+        who.is_stopping_ = true;
+        unit_order& own = place_of(unit);
+        own.last_stop = count_;
+        own.was_lost = false;
+        own.holder = count_;
+        own.held = hold::by_its_stop;
+        own.words_end = now + stop_words_after_loss;
+        own.may_be_told = own.is_lost;
+    }
+
+    /// A stop under way comes by: a place that is free by now is its unit's, and where the stop of another unit without a
+    /// place has ended, this one goes on holding.
+    constexpr void keep_hold(commander const& who, std::uint8_t unit) noexcept
+    {
+        unit_order& own = place_of(unit);
+        if (own.holder == 0 or own.held == hold::by_another_stop) {
+            own.holder = who.stamp_;
+            own.held = hold::by_its_stop;
+        }
+    }
+
+    /// A stop has ended: whatever it holds, units that got their places since as well.
+    constexpr void end_stop(commander& who) noexcept
+    {
+        who.is_stopping_ = false;
+        end_hold(places_.others(), who);
+        for (unit_order& each : places_) {
+            end_hold(each, who);
+        }
+    }
+
+    /// Whether another stop of the unit has begun since.
+    [[nodiscard]] constexpr bool has_another_stop(commander const& who, std::uint8_t unit) const noexcept
+    {
+        unit_order const* const own = places_.find(unit);
+        bool const stops_all = holder_of_all_ != 0 and who.stamp_ == holder_of_all_;
+        return own != nullptr and own->holder != 0 and own->holder != who.stamp_ and
+               own->held != hold::by_another_stop and not stops_all;
+    }
+
+    /// Stops that ended let go of their units, so that no order counts that was given before.
+    constexpr void let_go_of_ended() noexcept
+    {
+        if (is_all_over_) {
+            is_all_over_ = false;
+            end_stop_of_all();
+        }
+        let_go_if_over(places_.others());
+        for (unit_order& each : places_) {
+            let_go_if_over(each);
+        }
+    }
+
+    order_places<Units> places_{};
+    std::uint32_t count_{0};         ///< of all events, which are told apart by it
+    std::uint32_t stopped_all_{0};   ///< the stamp of the last stop of all units
+    std::uint32_t holder_of_all_{0}; ///< the same while it is under way; 0: none
+
+private:
+    constexpr unit_order& place_of(std::uint8_t unit) noexcept
+    {
+        unit_order* const place = places_.make(unit);
+        return place == nullptr ? places_.others() : *place;
+    }
+
+    constexpr void end_stop_of_all() noexcept
+    {
+        holder_of_all_ = 0;
+        stopped_all_ = ++count_;
+    }
+
+    constexpr void let_go(unit_order& own) noexcept
+    {
+        own.holder = 0;
+        own.held = hold::by_its_stop;
+        own.last_stop = ++count_;
+        own.was_lost = false;
+    }
+    constexpr void let_go_if_over(unit_order& own) noexcept
+    {
+        if (own.held == hold::is_over) {
+            let_go(own);
+        }
+    }
+
+    static constexpr void end_hold(unit_order& own, commander const& who) noexcept
+    {
+        if (own.holder != 0 and own.holder == who.stamp_) {
+            own.held = hold::is_over;
+        }
+    }
+
+    bool is_all_over_{false};
+};
+
+} // namespace rtuwire

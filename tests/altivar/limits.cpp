@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What a conversation does when its time is over: on a line that has no time for it, with a drive that does not answer,
+// and with one that does not stop.
+#include <array>
+
+#include "support/commissioned.hpp"
+#include "support/proof.hpp"
+
+#include <rtuwire/altivar/atv12.hpp>
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/change_reference.hpp>
+#include <rtuwire/altivar/start.hpp>
+#include <rtuwire/altivar/stop.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+
+namespace {
+
+constexpr station<atv320::device> drive{unit_id{7}};
+constexpr station<atv12::device> other{unit_id{7}};
+constexpr std::uint16_t cmd = 8501, eta = 3201, rfr = 3202;
+constexpr std::uint16_t ready = 0x0231, enabled = 0x0237;
+
+/// A conversation and a clock.
+template <typename Talk> struct by_hand {
+    Talk talk;
+    instant now{0xFFFF'FF00U};
+
+    constexpr void wait(std::uint32_t time_ms)
+    {
+        now = now + milliseconds(time_ms);
+        talk.advance(now);
+    }
+    constexpr bool reads(std::uint16_t address)
+    {
+        auto const question = talk.next();
+        return question and question->frame()[1] == std::byte{3} and
+               u16_at(question->frame(), 2) == address;
+    }
+    constexpr bool writes(std::uint16_t address, std::uint16_t word)
+    {
+        auto const question = talk.next();
+        return question and question->frame()[1] == std::byte{6} and
+               u16_at(question->frame(), 2) == address and u16_at(question->frame(), 4) == word;
+    }
+    constexpr void hear(std::uint16_t word)
+    {
+        std::array<std::byte, 4> const pdu{std::byte{3}, std::byte{2}, to_byte(word >> 8U),
+                                           to_byte(word)};
+        talk.accept(result<response>{response{pdu}});
+    }
+    constexpr void confirm() { talk.accept(result<response>{response{}}); }
+    constexpr void miss() { talk.accept(errc::timed_out); }
+};
+
+/// Whether a halt whose first look has no turn on the line becomes the ramp then, and not before.
+constexpr bool is_ramp_after(std::uint32_t time_ms, duration limit)
+{
+    by_hand<stop> it{stop{other, stop_by::halt, limit}};
+    it.wait(0);
+    it.wait(time_ms - 1);
+    bool ok = it.talk.intent() == effect::none and not it.talk.settled();
+    it.wait(1);
+    ok = ok and it.talk.intent() == effect::stopping and not it.talk.settled() and
+         it.writes(cmd, 0x0007);
+    it.miss();
+    it.wait(static_cast<std::uint32_t>(limit.microseconds / 1'000));
+    return ok and it.talk.settled() and it.talk.reason().how == ending::silent and
+           it.talk.reason().is_other_stop;
+}
+constexpr bool says_a_word_before_its_limit()
+{
+    return is_ramp_after(1'000, milliseconds(30'000)) and is_ramp_after(500, milliseconds(500));
+}
+PROOF("a halt that cannot look for a second, or up to its limit, says the word of the ramp instead",
+      says_a_word_before_its_limit)
+
+constexpr bool is_taken_back_beyond_the_limit()
+{
+    by_hand<start> it{
+        start{drive, 50_Hz, heading::forward, milliseconds(200), test::commissioned()}};
+    it.wait(0);
+    bool ok = it.reads(eta);
+    it.hear(ready);
+    ok = ok and it.writes(cmd, 0x0007);
+    it.confirm();
+    ok = ok and it.reads(eta);
+    it.hear(ready); // and stays there
+    it.wait(200);
+    // The word that takes back has no turn on the line for a while.
+    for (unsigned i = 0; i < 10; ++i) {
+        ok = ok and it.talk.intent() == effect::stopping and not it.talk.settled();
+        it.wait(100);
+    }
+    // It is said again and again, for the 30 s behind the limit.
+    for (unsigned i = 0; i < 28; ++i) {
+        ok = ok and not it.talk.settled() and it.writes(cmd, 0x0000);
+        it.miss();
+        it.wait(1'000);
+    }
+    ok = ok and not it.talk.settled() and it.writes(cmd, 0x0000);
+    it.miss();
+    it.wait(1'000);
+    return ok and it.talk.settled() and it.talk.reason().how == ending::stuck;
+}
+PROOF("what a start gave is taken back for half a minute behind its limit, however bad the line is",
+      is_taken_back_beyond_the_limit)
+
+/// How a stop ends that found the drive so twice, and has told it anew just before its limit.
+constexpr reason told_of_a_stop(std::uint16_t first, std::uint16_t last, bool is_seen_since)
+{
+    by_hand<stop> it{stop{other, stop_by::ramp, milliseconds(1'000)}};
+    it.wait(0);
+    bool ok = true;
+    for (std::uint16_t const frequency : {first, last}) {
+        ok = ok and it.writes(cmd, 0x0007);
+        it.confirm();
+        ok = ok and it.reads(eta);
+        it.hear(enabled);
+        ok = ok and it.reads(rfr);
+        it.hear(frequency);
+        it.wait(50);
+    }
+    if (not is_seen_since) {
+        ok = ok and it.writes(cmd, 0x0007);
+        it.confirm();
+    }
+    it.wait(1'000);
+    if (not it.talk.settled()) { // what was due then
+        it.miss();
+    }
+    return ok ? it.talk.reason() : reason{};
+}
+constexpr bool tells_what_is_true()
+{
+    constexpr auto back = static_cast<std::uint16_t>(-300),
+                   slower_back = static_cast<std::uint16_t>(-200);
+    return told_of_a_stop(300, 300, true).how == ending::stuck and
+           told_of_a_stop(300, 310, true).how == ending::stuck and
+           told_of_a_stop(back, back, true).how == ending::stuck and
+           told_of_a_stop(300, 200, true).how == ending::unconfirmed and
+           told_of_a_stop(back, slower_back, true).how == ending::unconfirmed and
+           told_of_a_stop(300, 300, false).how == ending::unconfirmed;
+}
+PROOF("a stop ends as not obeyed where the drive was seen as fast as before behind the last word, "
+      "else as unconfirmed",
+      tells_what_is_true)
+
+constexpr bool ends_a_halt_that_was_told_at_its_limit()
+{
+    by_hand<stop> it{stop{other, stop_by::halt, milliseconds(1'000)}};
+    it.wait(0);
+    bool ok = it.reads(eta);
+    it.hear(ready); // nothing to halt: it is told to leave that state
+    ok = ok and it.writes(cmd, 0x0000);
+    it.confirm();
+    it.wait(1'000); // and its next look had no turn
+    return ok and it.talk.settled() and it.talk.reason().how == ending::unconfirmed and
+           not it.talk.reason().is_other_stop;
+}
+PROOF("a halt that has told the drive something says no other word at its limit",
+      ends_a_halt_that_was_told_at_its_limit)
+
+constexpr bool has_no_loss_but_its_own()
+{
+    by_hand<change_reference> it{change_reference{drive, 0_Hz}};
+    it.talk.note_loss(); // of an order before this one
+    it.wait(0);
+    bool ok = it.reads(eta);
+    it.hear(enabled);
+    ok = ok and it.reads(cmd);
+    it.hear(0x000F);
+    ok = ok and it.writes(8502, 0);
+    it.confirm();
+    for (unsigned i = 0; i < 2; ++i) {
+        it.wait(50);
+        ok = ok and it.reads(eta);
+        it.hear(0x0637);
+    }
+    ok = ok and it.talk.succeeded();
+    it.talk.note_loss();
+    return ok and it.talk.succeeded();
+}
+PROOF("a loss before a conversation began, or behind its end, is none of it",
+      has_no_loss_but_its_own)
+
+constexpr bool is_ended_by_its_loss()
+{
+    by_hand<change_reference> waiting{change_reference{drive, 50_Hz}};
+    waiting.wait(0);
+    waiting.talk.note_loss(); // somebody else's question found it
+    bool ok = waiting.talk.reason().how == ending::silent and
+              waiting.talk.reason().error == errc::unit_lost;
+    by_hand<change_reference> asking{change_reference{drive, 50_Hz}};
+    asking.wait(0);
+    ok = ok and asking.reads(eta);
+    asking.talk.note_loss();
+    ok = ok and not asking.talk.settled();
+    asking.hear(enabled); // its answer is heard yet, but nothing follows
+    return ok and asking.talk.reason().how == ending::silent and not asking.talk.next();
+}
+PROOF("a loss ends a conversation, at once or behind the answer that it waits for",
+      is_ended_by_its_loss)
+
+constexpr bool knows_how_long_the_drive_goes_on()
+{
+    return start{drive, 50_Hz, heading::forward, milliseconds(3'000), test::commissioned()}
+                   .drive_timeout() == milliseconds(10'000) and
+           start{drive, 50_Hz}.drive_timeout() == milliseconds(30'000);
+}
+PROOF("a drive goes on without a request as long as its time-out was read, else as long as it can "
+      "be set",
+      knows_how_long_the_drive_goes_on)
+
+} // namespace
