@@ -211,7 +211,7 @@ TEST_CASE("motion law: a client without a place for one more order says so")
     REQUIRE(it.run(go));
     start more{it.fan, 20_Hz};
     REQUIRE(it.run(more));
-    CHECK(more.reason().how == ending::refused);
+    CHECK(more.reason().how == ending::no_place);
     CHECK(more.reason().error == errc::too_many_ordered);
     CHECK_FALSE(it.has_power(1));
 }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/channel.hpp>
+#include <rtuwire/altivar/cyclic.hpp>
 #include <rtuwire/altivar/start.hpp>
 #include <rtuwire/altivar/stop.hpp>
 #include <rtuwire/altivar/stop_everyone.hpp>
@@ -238,7 +238,7 @@ TEST_CASE("motion law: L4 a unit that is left alone keeps its place, whoever els
             },
             milliseconds(20'000));
         CHECK_FALSE(is_asked);
-        CHECK((is_stop ? second.succeeded() : go.reason().error == errc::too_many_ordered));
+        CHECK((is_stop ? second.succeeded() : go.reason().how == ending::no_place));
     }
 }
 
@@ -251,7 +251,7 @@ TEST_CASE("motion law: L3 everyone is let go by release_all, in whatever part of
             stop_everyone all{drives[0], drives[1]};
             it.pass([&](instant at) { it.link().converse(all, at); }, milliseconds(after_ms));
         }
-        it.link().motor_orders().release_all();
+        it.link().release_all();
         for (std::size_t index : {0U, 1U}) {
             start go{drives[index], 30_Hz};
             REQUIRE(it.run(go));
@@ -296,4 +296,77 @@ TEST_CASE("motion law: L9 a drive that was looked at once is not said to disobey
     it.pass(work, milliseconds(10'000));
     REQUIRE(rest.settled());
     CHECK(rest.reason().how == ending::unconfirmed);
+}
+
+TEST_CASE("motion law: L11 an order that a cycle takes behind a stop is carried out, and no other is taken")
+{
+    enum class stopped_by { itself, another, everyone };
+    for (stopped_by const who : {stopped_by::itself, stopped_by::another, stopped_by::everyone}) {
+        for (unsigned waits = 0; waits < 120; waits += waits < 10 ? 1 : 10) {
+            INFO(static_cast<int>(who) << ", ordered " << waits << " passes behind the end");
+            hall<2> it;
+            cyclic<device> loop{drives[0], {.period = milliseconds(50)}};
+            stop rest{drives[0]};
+            stop_everyone all{drives[0], drives[1]};
+            bool is_stopped = false;
+            auto const work = [&](instant at) {
+                if (is_stopped and who == stopped_by::everyone and not all.settled()) {
+                    it.link().converse(all, at);
+                }
+                if (is_stopped and who == stopped_by::another and not rest.settled()) {
+                    it.link().converse(rest, at);
+                }
+                it.link().converse(loop, at);
+            };
+            it.pass(work, milliseconds(2'000));
+            REQUIRE(loop.run(900_rpm));
+            it.pass(work, milliseconds(2'000));
+            REQUIRE(loop.control().is_running());
+            is_stopped = true;
+            if (who == stopped_by::itself) {
+                loop.stop(stop_by::quick_stop);
+            }
+            bool is_taken = false;
+            unsigned passes = 0;
+            it.run(work,
+                   [&] {
+                       bool const is_over = who == stopped_by::itself ? not loop.control().is_running()
+                                                                      : rest.settled() or all.settled();
+                       passes += is_over ? 1U : 0U;
+                       is_taken = is_over and passes > waits and loop.run(900_rpm);
+                       return is_taken;
+                   },
+                   milliseconds(10'000));
+            REQUIRE(is_taken);
+            it.pass(work, milliseconds(3'000));
+            CHECK(loop.control().is_running());
+            CHECK(it.has_power(0));
+        }
+    }
+}
+
+TEST_CASE("motion law: L3 a stop that was given up without a place lets go when its unit was stopped again")
+{
+    hall<1> it;
+    start first{drives[0], 30_Hz};
+    REQUIRE(it.run(first));
+    it.run_by_another(1);
+    {
+        stop given_up{drives[1]};
+        it.pass([&](instant at) { it.link().converse(given_up, at); }, milliseconds(10));
+        REQUIRE_FALSE(given_up.settled());
+    }
+    for (std::size_t index : {0U, 1U}) {
+        stop whole{drives[index]};
+        REQUIRE(it.run(whole));
+        REQUIRE(whole.succeeded());
+    }
+    for (std::size_t index : {0U, 1U, 2U}) {
+        INFO(index);
+        start go{drives[index], 30_Hz};
+        REQUIRE(it.run(go));
+        CHECK(go.running());
+        stop rest{drives[index]};
+        REQUIRE(it.run(rest));
+    }
 }

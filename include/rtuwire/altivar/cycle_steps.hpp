@@ -50,6 +50,9 @@ public:
     }
     constexpr bool reset_fault() noexcept { return control_.reset_fault(); }
 
+    /// Another conversation stopped the drive.
+    constexpr void note_halt() noexcept { control_.note_halt(); }
+
     /// The way up took too long.
     constexpr void note_late() noexcept { control_.note_late(); }
     [[nodiscard]] constexpr cycle_frames<Device>& frames() noexcept { return frames_; }

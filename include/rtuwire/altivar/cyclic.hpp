@@ -38,13 +38,13 @@ public:
 
     /// Orders operation at a speed (a frequency on a device without scanner), below zero in reverse. False, with
     /// nothing changed, until the drive was checked, before the first exchange and after a loss; in a fault, in local
-    /// control, in a quick stop, while a stop has not come to its end, and for a reference below zero together with
-    /// `heading::reverse`.
+    /// control, in a quick stop, while a stop has not come to its end, behind another's stop until the drive was read
+    /// again, and for a reference below zero together with `heading::reverse`.
     constexpr bool run(setting<words::reference> reference, heading way = heading::forward) noexcept
     {
         reference_write const asked{0, reference.word()};
         bool const is_reverse = way == heading::reverse;
-        if (is_reverse and asked.is_reverse()) {
+        if ((is_reverse and asked.is_reverse()) or this->was_stopped()) {
             return false;
         }
         bool const was_ordered = control().is_ordered();
@@ -151,6 +151,10 @@ public:
         }
         bool const was_rearranged = this->was_rearranged();
         this->note_arrangement();
+        if (this->was_stopped()) {
+            this->note_halt();
+            steps_.note_halt();
+        }
         is_asking_ = true;
         return request{steps_.ask(was_rearranged), repetition::never};
     }

@@ -124,6 +124,9 @@ public:
         reason_.how = ending::overwritten;
     }
 
+    /// The drive was stopped by somebody else: what it does now is not known until it is read.
+    constexpr void note_halt() noexcept { is_known_ = false; }
+
     /// What was said last may not have arrived: the way up begins anew from where the drive is.
     constexpr void note_miss() noexcept { has_switched_on_ = false; }
 

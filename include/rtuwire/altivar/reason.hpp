@@ -18,7 +18,8 @@ enum class ending : std::uint8_t {
     pending, ///< it has not
     succeeded,
     executed_unconfirmed,  ///< the drive took the order; what it did to the line cannot be asked
-    refused,               ///< by an exception, or because the client has no place for its order: `error` tells
+    refused,               ///< by an exception: `error` tells which
+    no_place,              ///< the client keeps no more orders at once: see `drive_client`
     silent,                ///< no answer was accepted; `error` tells why
     stuck,                 ///< the state did not change in time, or fell back; a stop: taken, and not obeyed
     unconfirmed,           ///< a stop: its word was taken, or the motor slows down; it was not seen to stand
@@ -30,7 +31,7 @@ enum class ending : std::uint8_t {
     misconfigured,         ///< the drive's scanner holds other words than are needed
     halted,                ///< the halt bit is set: only a start takes it away
     overwritten,           ///< the command or reference in the drive is not the one written last
-    overruled,             ///< a stop was ordered later, or is under way; or the drive was in fault since
+    overruled,             ///< a stop was ordered later, or is under way; or the drive was in fault or set up anew since
     contradictory,         ///< a negative reference and "reverse" at once: one sign for the direction
     unchecked,             ///< nobody looked whether the drive may be ordered
     unsupervised,          ///< the drive does not watch its link: it would never stop by itself
@@ -64,6 +65,7 @@ struct reason {
     case ending::succeeded: return "done";
     case ending::executed_unconfirmed: return "executed, not confirmed";
     case ending::refused: return "refused by the drive";
+    case ending::no_place: return "the client has no place for one more drive";
     case ending::silent: return "no answer";
     case ending::stuck: return "the drive does not follow";
     case ending::unconfirmed: return "told to stop, not seen to stand";
@@ -75,7 +77,7 @@ struct reason {
     case ending::misconfigured: return "the drive's scanner holds other words";
     case ending::halted: return "the drive is halted";
     case ending::overwritten: return "another master commands the drive, or it lost its power";
-    case ending::overruled: return "a stop or a fault came later";
+    case ending::overruled: return "a stop, a fault or another set-up came later";
     case ending::contradictory: return "a negative reference and reverse at once";
     case ending::unchecked: return "the drive was not checked";
     case ending::unsupervised: return "the drive does not watch its link";

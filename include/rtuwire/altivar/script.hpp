@@ -140,8 +140,10 @@ protected:
 
     static constexpr ending ending_for(errc error) noexcept
     {
-        bool const is_refusal = is_exception(error) or error == errc::too_many_ordered;
-        return is_refusal ? ending::refused : ending::silent;
+        if (error == errc::too_many_ordered) {
+            return ending::no_place;
+        }
+        return is_exception(error) ? ending::refused : ending::silent;
     }
 
     /// Keeps the state that a status word tells.

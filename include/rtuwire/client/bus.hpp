@@ -154,9 +154,9 @@ public:
     }
 
     /// Lets a unit be commanded again that a stop holds which was given up before its end.
-    constexpr void release(unit_id unit) noexcept { client_.motor_orders().release(unit.octet()); }
+    constexpr void release(unit_id unit) noexcept { client_.release(unit); }
     /// The same for all units, where a stop of everyone was given up.
-    constexpr void release_all() noexcept { client_.motor_orders().release_all(); }
+    constexpr void release_all() noexcept { client_.release_all(); }
 
     /// When the next pass has something to do.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
@@ -217,11 +217,7 @@ private:
     /// Whether a conversation's question is a word that stops: no rest and no probing holds it back.
     template <typename Talk> static constexpr bool stops_now(Talk const& talk) noexcept
     {
-        if constexpr (commanding_conversation<Talk>) {
-            return talk.intent() == effect::stopping and not talk.settled();
-        } else {
-            return false;
-        }
+        return talk.intent() == effect::stopping and not talk.settled();
     }
 
     template <typename Talk> static constexpr bool is_urgent(Talk const& talk) noexcept
@@ -265,7 +261,7 @@ private:
         constexpr std::uint32_t longest = 1'800'000'000;
         std::uint32_t const others = 100U - share_.silent_share;
         std::uint32_t const part = cost.microseconds / share_.silent_share + 1;
-        std::uint32_t const rest = others == 0 or part < longest_rest / others ? part * others : longest_rest;
+        std::uint32_t const rest = others == 0 or part <= longest_rest / others ? part * others : longest_rest;
         std::uint32_t const all = rest + (is_probe_limited_ ? (probe_at_ - asked_at_).microseconds : 0);
         probe_at_ = now + microseconds(all < longest ? all : longest);
         is_probe_limited_ = true;

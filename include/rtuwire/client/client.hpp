@@ -76,6 +76,11 @@ public:
     [[nodiscard]] constexpr Orders& motor_orders() noexcept { return orders_; }
     [[nodiscard]] constexpr Orders const& motor_orders() const noexcept { return orders_; }
 
+    /// Lets a unit be commanded again that a stop holds which was given up before its end; all units, where a stop of
+    /// everyone was.
+    constexpr void release(unit_id unit) noexcept requires(Orders::is_kept) { orders_.release(unit.octet()); }
+    constexpr void release_all() noexcept requires(Orders::is_kept) { orders_.release_all(); }
+
     /// Gives up what is under way, only where it is this conversation's.
     constexpr void cancel(asker const& whose, instant now) noexcept
     {
@@ -227,9 +232,8 @@ private:
     {
         if constexpr (commanding_conversation<Talk>) {
             return orders_.is_overruled(talk, talk.unit().octet()) ? errc::overruled : errc::cancelled;
-        } else {
-            return errc::cancelled;
         }
+        return errc::cancelled;
     }
 
     /// What the next question of a conversation does to a motor.
@@ -237,9 +241,8 @@ private:
     {
         if constexpr (commanding_conversation<Talk> or stops_everyone<Talk>) {
             return talk.intent();
-        } else {
-            return effect::none;
         }
+        return effect::none;
     }
 
     /// Whether a unit is asked nothing of this effect now. Words that stop it do not wait for answers that it owes:
@@ -253,9 +256,8 @@ private:
     {
         if constexpr (commanding_conversation<Talk>) {
             return orders_.check(talk, talk.unit().octet(), what);
-        } else {
-            return errc::none;
         }
+        return errc::none;
     }
 
     template <typename Talk> constexpr void note_asked(Talk& talk, effect what) noexcept
@@ -333,8 +335,7 @@ private:
         return may;
     }
 
-    /// Only the asker is missing, and another conversation comes by: whether it takes that one's place.
-    /// Inlined at its one place, as others here are: that is smaller.
+    /// Only the asker is missing, and another conversation comes by: whether it takes that one's place. Inlined: smaller.
     [[gnu::always_inline]] constexpr void replace_asker(standing place, instant now) noexcept
     {
         base::wake(now);
@@ -345,8 +346,7 @@ private:
         }
     }
 
-    /// A conversation's unit is asked nothing now. Who asked last has had its turn; any other gets one when that is
-    /// over.
+    /// A conversation's unit is asked nothing now. Who asked last has had its turn; any other gets one behind that.
     constexpr errc hold_back(asker const& who) noexcept
     {
         if (not turns_.is_last(who)) {

@@ -68,6 +68,10 @@ protected:
     [[nodiscard]] constexpr bool was_rearranged() const noexcept { return was_rearranged_; }
     constexpr void note_arrangement() noexcept { was_rearranged_ = false; }
 
+    /// Whether somebody else stopped its unit, lost it or read it in fault since `note_halt`: what was read before is old.
+    [[nodiscard]] constexpr bool was_stopped() const noexcept { return was_stopped_; }
+    constexpr void note_halt() noexcept { was_stopped_ = false; }
+
 private:
     template <std::size_t> friend class orders;
     template <std::size_t> friend class stop_holds;
@@ -75,6 +79,7 @@ private:
     std::uint32_t stamp_{0}; ///< when the last order or stop was given, in the client's count; 0: never
     std::uint32_t seen_{0};  ///< the client's count when it had come by last
     bool was_rearranged_{false};
+    bool was_stopped_{false};
     bool has_ordered_{false};
     bool takes_over_{false};
     bool has_come_by_{false};

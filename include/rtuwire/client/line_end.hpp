@@ -119,12 +119,6 @@ protected:
         return framer().line().with_characters(silence, longest_.size());
     }
 
-    /// Whether the question must wait because its unit is asked nothing new now.
-    constexpr bool owes(request const& asked) const noexcept
-    {
-        return not asked.frame().empty() and quarantine_.covers(to_u8(asked.frame()[0]));
-    }
-
     /// Whether an octet before the answer may be left out. Options that are fixed at none leave all of this out.
     constexpr bool may_skip() const noexcept
     {

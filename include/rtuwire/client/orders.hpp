@@ -34,7 +34,6 @@ struct no_orders {
     static constexpr bool is_kept = false;
     static constexpr bool advance(instant) noexcept { return false; }
     static constexpr bool is_silent(std::uint8_t, effect) noexcept { return false; }
-    static constexpr bool is_lost(std::uint8_t) noexcept { return false; }
     static constexpr void note_outcome(std::uint8_t, errc, bool, instant) noexcept {}
     static constexpr void add_to(earliest&) noexcept {}
 };
@@ -61,6 +60,7 @@ public:
         bool const is_lost = has_lost(who, unit);
         // What was ordered since it came by last may be older than what happened meanwhile.
         bool const is_doubtful = who.has_come_by_ and has_happened(who, unit);
+        who.was_stopped_ = who.was_stopped_ or is_doubtful;
         tell_arrangement(who, unit);
         take_notes(who, unit, is_doubtful, now);
         if (who.is_stopping_) {
@@ -234,7 +234,7 @@ private:
         }
         if (who.is_over_) {
             who.is_over_ = false;
-            end_stop(who);
+            end_stop(who, unit);
         }
     }
 

@@ -30,6 +30,7 @@ public:
             who.stamp_ = ++count_;
             stopped_all_ = count_;
             holder_of_all_ = count_;
+            is_all_over_ = false; // if another one has just ended
             for (unit_order& each : places_) {
                 each.words_end = now + stop_words_after_loss;
                 each.may_be_told = each.is_lost;
@@ -37,7 +38,10 @@ public:
         }
         if (who.is_over_) {
             who.is_over_ = false;
-            is_all_over_ = who.stamp_ == holder_of_all_;
+            if (who.stamp_ == holder_of_all_) { // not one that ended before, and comes by
+                is_all_over_ = true;
+                stopped_all_ = ++count_;
+            }
         }
     }
 
@@ -51,7 +55,8 @@ public:
     /// The same for all units, where a stop of everyone was given up. A stop that still comes by goes on holding its own.
     constexpr void release_all() noexcept
     {
-        end_stop_of_all();
+        holder_of_all_ = 0;
+        stopped_all_ = ++count_;
         let_go(places_.others());
         for (unit_order& each : places_) {
             let_go(each);
@@ -64,8 +69,8 @@ protected:
         who.stamp_ = ++count_;
         who.is_stopping_ = true;
         unit_order& own = place_of(unit);
+        own.unit = unit; // of those without a place: which one is held
         own.last_stop = count_;
-        own.was_lost = false;
         own.holder = count_;
         own.held = hold::by_its_stop;
         own.words_end = now + stop_words_after_loss;
@@ -78,18 +83,22 @@ protected:
     {
         unit_order& own = place_of(unit);
         if (own.holder == 0 or own.held == hold::by_another_stop) {
+            own.unit = unit;
             own.holder = who.stamp_;
             own.held = hold::by_its_stop;
         }
     }
 
-    /// A stop has ended: whatever it holds, units that got their places since as well.
-    constexpr void end_stop(commander& who) noexcept
+    /// A stop has ended: whatever it holds, units that got their places since as well; and what a stop of this unit holds
+    /// that was given up before it had a place. No order counts that was given before.
+    constexpr void end_stop(commander& who, std::uint8_t unit) noexcept
     {
         who.is_stopping_ = false;
-        end_hold(places_.others(), who);
+        unit_order const& others = places_.others();
+        std::uint32_t const given_up = others.unit == unit ? others.holder : who.stamp_;
+        end_hold(places_.others(), who.stamp_, given_up);
         for (unit_order& each : places_) {
-            end_hold(each, who);
+            end_hold(each, who.stamp_, given_up);
         }
     }
 
@@ -102,12 +111,12 @@ protected:
                own->held != hold::by_another_stop and not stops_all;
     }
 
-    /// Stops that ended let go of their units, so that no order counts that was given before.
+    /// Stops that ended let go of their units.
     constexpr void let_go_of_ended() noexcept
     {
         if (is_all_over_) {
             is_all_over_ = false;
-            end_stop_of_all();
+            holder_of_all_ = 0;
         }
         let_go_if_over(places_.others());
         for (unit_order& each : places_) {
@@ -127,12 +136,6 @@ private:
         return place == nullptr ? places_.others() : *place;
     }
 
-    constexpr void end_stop_of_all() noexcept
-    {
-        holder_of_all_ = 0;
-        stopped_all_ = ++count_;
-    }
-
     constexpr void let_go(unit_order& own) noexcept
     {
         own.holder = 0;
@@ -140,17 +143,20 @@ private:
         own.last_stop = ++count_;
         own.was_lost = false;
     }
-    constexpr void let_go_if_over(unit_order& own) noexcept
+    static constexpr void let_go_if_over(unit_order& own) noexcept
     {
         if (own.held == hold::is_over) {
-            let_go(own);
+            own.holder = 0;
+            own.held = hold::by_its_stop;
         }
     }
 
-    static constexpr void end_hold(unit_order& own, commander const& who) noexcept
+    constexpr void end_hold(unit_order& own, std::uint32_t stop, std::uint32_t given_up) noexcept
     {
-        if (own.holder != 0 and own.holder == who.stamp_) {
+        if (own.holder != 0 and (own.holder == stop or own.holder == given_up)) {
             own.held = hold::is_over;
+            own.last_stop = ++count_;
+            own.was_lost = false;
         }
     }
 

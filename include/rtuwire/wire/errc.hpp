@@ -39,7 +39,7 @@ enum class errc : std::uint8_t {
     busy,                    ///< a transaction is under way
     pending,                 ///< a conversation has not ended yet
     finished,                ///< a conversation has ended already, and cannot begin anew
-    overruled,               ///< a stop or a fault came later than the order, or a stop is under way
+    overruled,               ///< a stop, a fault or a set-up came later than the order, or a stop is under way
     unit_lost,               ///< the unit, ordered to run, did not answer somebody; its order is gone
     too_many_ordered,        ///< the client keeps the orders of no more units at once
 

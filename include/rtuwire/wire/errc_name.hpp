@@ -36,7 +36,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     case errc::busy: return "a transaction is under way";
     case errc::pending: return "not ended yet";
     case errc::finished: return "ended already";
-    case errc::overruled: return "a stop or a fault came after the order, or a stop is under way";
+    case errc::overruled: return "a stop, a fault or a set-up came after the order, or a stop is under way";
     case errc::unit_lost: return "the unit did not answer, and its order is gone";
     case errc::too_many_ordered: return "the client keeps no more orders at once";
     case errc::frame_too_short: return "frame too short";

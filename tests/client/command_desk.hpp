@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A client that commands motors in the hands of a test: who commands says what the test wants, the clock goes on as the
+// test says, and units answer or do not.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "defect/client_line.hpp"
+
+namespace rtuwire::test {
+
+/// Commands the motor of one unit: one request at a time, with whatever effect is wanted.
+struct hand_commander : commander {
+    unsigned of;
+    effect wanted{effect::none};
+    repetition again{repetition::never};
+    bool has_question{false};
+    std::uint8_t tolerates{0};
+    duration timeout{milliseconds(5'000)}; ///< of its drive
+    errc told{errc::pending};
+    unsigned losses{0}; ///< that it was told of
+    frame_bytes frame{};
+
+    explicit hand_commander(unsigned unit, std::uint8_t tolerated = 0)
+        : of{unit}, tolerates{tolerated}
+    {}
+
+    using commander::note_arrangement;
+    using commander::note_fault;
+    using commander::note_order;
+    using commander::note_order_to_run;
+    using commander::note_rest;
+    using commander::note_stop;
+    using commander::note_stop_over;
+
+    unit_id unit() const { return *unit_id::checked(of); }
+    effect intent() const { return has_question ? effect_now(wanted) : effect::none; }
+    std::optional<request> next()
+    {
+        if (not has_question) {
+            return std::nullopt;
+        }
+        frame = wanted == effect::none ? read_of(of, 3'201) : write_of(of, 8'501, word());
+        return request{frame, again};
+    }
+    void accept(result<response> const& outcome)
+    {
+        told = outcome.error();
+        has_question = false;
+    }
+    bool settled() const { return not has_question; }
+    void note_loss() { ++losses; }
+    duration drive_timeout() const { return timeout; }
+    std::uint8_t tolerated_misses() const { return tolerates; }
+
+private:
+    unsigned word() const
+    {
+        return wanted == effect::stopping ? 0 : wanted == effect::resetting ? 128 : 15;
+    }
+};
+
+/// Stops everyone: broadcasts, as many as are wanted, and the stops of some units.
+struct hand_for_all : commander {
+    std::array<hand_commander, 1> each;
+    bool has_question{false};
+    unsigned to{0}; ///< whom its words are for; 0: everyone
+    errc told{errc::pending};
+    frame_bytes frame{};
+
+    explicit hand_for_all(unsigned unit) : each{hand_commander{unit}} {}
+
+    using commander::note_stop;
+    using commander::note_stop_over;
+
+    auto& stops() { return each; }
+    effect intent() const { return has_question ? effect::stopping : effect::none; }
+    bool is_urgent() const { return has_question; }
+    bool may_cut(std::uint8_t) const { return true; }
+    std::optional<request> next()
+    {
+        if (not has_question) {
+            return std::nullopt;
+        }
+        frame = write_of(to, 8'501, 0);
+        return request{frame};
+    }
+    void accept(result<response> const& outcome)
+    {
+        told = outcome.error();
+        has_question = false;
+    }
+    bool settled() const { return not has_question; }
+};
+
+/// The line, and its times.
+template <std::size_t Places> struct command_desk {
+    drive_client<Places> link;
+    std::uint64_t time{0xFFFF'FFFFU - 5'000'000U};
+
+    static constexpr client_options options{.response_timeout = milliseconds(100),
+                                            .turnaround = milliseconds(20),
+                                            .late_answer = {},
+                                            .retries = 0};
+
+    explicit command_desk(client_options const& with = options) : link{office_line, with}
+    {
+        pass(0);
+        pass(1'000'000);
+    }
+    instant now() const { return instant{static_cast<std::uint32_t>(time)}; }
+    void pass(std::uint64_t length)
+    {
+        time += length;
+        link.advance(now());
+    }
+    void pass_until(std::uint64_t end) { pass(end - time); }
+
+    /// Comes by and asks nothing.
+    template <typename Talk> void see(Talk& talk)
+    {
+        talk.has_question = false;
+        link.converse(talk, now());
+    }
+
+    /// Wants to say something: whether it leaves at once.
+    template <typename Talk> bool says(Talk& talk)
+    {
+        talk.has_question = true;
+        talk.told = errc::pending;
+        link.converse(talk, now());
+        return leaves();
+    }
+    bool says(hand_commander& talk, effect what)
+    {
+        talk.wanted = what;
+        return says(talk);
+    }
+    bool leaves()
+    {
+        byte_view const frame = link.poll_transmit();
+        if (frame.empty()) {
+            return false;
+        }
+        left = frame_bytes{frame.begin(), frame.end()};
+        time += office_line.characters(frame.size()).microseconds;
+        link.sent(now());
+        return true;
+    }
+    void hear(frame_bytes const& bytes)
+    {
+        time += 5'000;
+        link.receive(bytes, now());
+        pass(5'000);
+    }
+
+    /// Says it and is answered: `none`; or what it is told instead; `pending` where it has to wait.
+    errc does(hand_commander& talk, effect what)
+    {
+        if (says(talk, what)) {
+            hear(answer_to(left));
+            link.converse(talk, now());
+        }
+        return talk.told;
+    }
+    /// Says it and hears nothing. When that was over.
+    std::uint64_t misses(hand_commander& talk, effect what)
+    {
+        if (not says(talk, what)) {
+            return 0;
+        }
+        fail(talk);
+        return time;
+    }
+    template <typename Talk> void fail(Talk& talk)
+    {
+        pass(200'000);
+        link.converse(talk, now());
+    }
+    bool is_ordered(unsigned unit) const
+    {
+        return link.motor_orders().is_ordered(static_cast<std::uint8_t>(unit));
+    }
+    bool is_lost(unsigned unit) const
+    {
+        return link.motor_orders().is_lost(static_cast<std::uint8_t>(unit));
+    }
+
+    /// Orders its motor to run, and its words are answered.
+    errc runs(hand_commander& talk)
+    {
+        talk.note_order_to_run();
+        return does(talk, effect::enabling);
+    }
+
+    frame_bytes left{}; ///< what was said last
+};
+
+} // namespace rtuwire::test
