@@ -32,6 +32,10 @@ STATIC_CHECK(asks(write_all<atv12::acc, atv12::dec>(drive, 2_s, 3_s),
 STATIC_CHECK(asks(exchange<registers<atv12::nm1, atv12::nm2, atv12::nm3>, atv12::nc1, atv12::nc2,
                            atv12::nc3>(drive, 15_raw, 1500_raw, 0_raw),
                   "02 17 31 C5 00 03 31 D9 00 03 06 00 0F 05 DC 00 00 32 63"_hex));
+// As many as the device takes, and a single one.
+STATIC_CHECK(asks(exchange<registers<atv12::nm1>, atv12::nc1, atv12::nc2, atv12::nc3, atv12::nc4>(
+                      drive, 15_raw, 1500_raw, 0_raw, 7_raw),
+                  "02 17 31 C5 00 01 31 D9 00 04 08 00 0F 05 DC 00 00 00 07 EA F3"_hex));
 STATIC_CHECK(asks(write_all<atv28::cmd, atv28::lfr>(station<atv28::device>{unit_id{2}},
                                                     atv28::command_word{0x000F}, 40_Hz),
                   "02 10 01 90 00 02 04 00 0F 01 90 C9 E8"_hex));
@@ -41,6 +45,16 @@ STATIC_CHECK(asks(write_in_steps_of<deciseconds, atv320::acc>(station<atv320::de
 STATIC_CHECK(asks(write_in_steps_of<centiseconds, atv320::acc>(station<atv320::device>{unit_id{2}},
                                                                1.3_s),
                   "02 06 23 29 00 82 D3 D4"_hex));
+
+/// Whether a question has room for its frame and for an answer of so many octets, and for no more.
+template <std::size_t FrameSize, std::size_t AnswerSize>
+constexpr bool takes_only(framed_question<FrameSize, AnswerSize> const& talk, std::size_t answer)
+{
+    return talk.next()->frame().size() == FrameSize and answer == AnswerSize;
+}
+STATIC_CHECK(takes_only(write_all<atv12::acc, atv12::dec>(drive, 2_s, 3_s), 5));
+using three_words = registers<atv12::nm1, atv12::nm2, atv12::nm3>;
+STATIC_CHECK(takes_only(exchange<three_words, atv12::nc1>(drive, 9_raw), 2 + 3 * 2));
 
 constexpr bool reads_a_value()
 {

@@ -33,6 +33,14 @@ TEST_CASE("a result equals its like, its value or its error, and nothing else")
     CHECK_FALSE((failed == errc::timed_out));
 }
 
+TEST_CASE("a result equals a number of another type only where that is its value")
+{
+    result<std::uint16_t> const some{4'464};
+    CHECK((some == 4'464L));
+    CHECK_FALSE((some == 70'000)); // 4'464, cut off to 16 bits
+    CHECK_FALSE((result<std::uint16_t>{errc::busy} == 0));
+}
+
 TEST_CASE("raw PDUs differ by function and by data")
 {
     constexpr std::array<std::byte, 2> one{std::byte{1}}, two{std::byte{2}};

@@ -34,10 +34,22 @@ STATIC_CHECK(is_one<operating_time, std::ratio<1>>(1_h) and is_one<torque, std::
 STATIC_CHECK(is_one<power, std::ratio<1>>(1_W) and is_one<temperature, std::ratio<1>>(1_celsius));
 STATIC_CHECK(is_one<dimensionless, std::ratio<1>>(1_raw));
 
+// Each decimal digit is one, wherever it stands; an apostrophe only parts them.
+STATIC_CHECK((9_Hz).count() == 9 and (19.9_s).count() == 199);
+STATIC_CHECK((1'234'567'890_raw).count() == 1'234'567'890);
+STATIC_CHECK((1'000.25_s).count() == 100'025 and
+             std::same_as<decltype(1'000.25_s)::scale, std::centi>);
+
+// Ten of these steps are a milliampere.
+STATIC_CHECK(truncated_to<tenth_milliamperes>(1_A).count() == 10'000);
+STATIC_CHECK(truncated_to<tenth_milliamperes>(0.1_mA).count() == 1);
+
 // Finer is implicit, coarser is spelled, and what a number cannot hold is neither.
 using long_decihertz = quantity<frequency, std::int32_t, std::deci>;
 STATIC_CHECK(long_decihertz{hertz{50}}.count() == 500);
 STATIC_CHECK(std::is_convertible_v<hertz, long_decihertz>);
+STATIC_CHECK(long_decihertz{signed_decihertz{-500}}.count() == -500);
+STATIC_CHECK(std::is_convertible_v<signed_decihertz, long_decihertz>);
 STATIC_CHECK(not std::is_convertible_v<decihertz, hertz>);
 STATIC_CHECK(not std::is_constructible_v<hertz, decihertz>);
 STATIC_CHECK(not std::is_constructible_v<decihertz, hertz>);
@@ -54,6 +66,8 @@ STATIC_CHECK(not std::is_convertible_v<decihertz, std::uint16_t>);
 constexpr decihertz counted(std::uint8_t steps) { return decihertz(steps); }
 STATIC_CHECK(counted(255).count() == 255);
 STATIC_CHECK(decihertz(65'535).count() == 65'535 and signed_decihertz(-32'768).count() == -32'768);
+// Two types of one size hold the same numbers.
+STATIC_CHECK(quantity<frequency, long long>(5L).count() == 5);
 // One that may not fit is the nearest that does, where it is known only when running.
 constexpr signed_decihertz nearest(int steps) { return signed_decihertz(steps); }
 STATIC_CHECK(nearest(-300).count() == -300);

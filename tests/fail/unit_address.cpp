@@ -1,14 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A unit address that the line does not have.
+// A unit address that the line does not have: too high, that of everyone, more than an octet.
 // EXPECT: a_unit_address_is_1_to_247
+// CASES: 3
 #include <rtuwire/wire/unit_id.hpp>
 
 using namespace rtuwire;
 
-#ifdef REFUSED
-constexpr unit_id unit{248};
-#else
+#if not defined(REFUSED)
 constexpr unit_id unit{247};
+#elif REFUSED == 1
+constexpr unit_id unit{248};
+#elif REFUSED == 2
+constexpr unit_id unit{0};
+#else
+constexpr unit_id unit{256 + 7};
 #endif
 static_assert(unit.octet() > 0);

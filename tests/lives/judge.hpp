@@ -172,7 +172,8 @@ public:
         bool const shows_state = is_look_ or (to_u8(frame[1]) != 16 and frame.size() > size_of_one_word + 1);
         is_key_known_ = shows_state ? (status & altivar::stop_key_bit) != 0 : is_key_known_;
         for (order& each : orders_) {
-            each.has_looked = each.has_looked or (is_look_ and each.is_alone);
+            // An answer to who asked in that place before tells the order nothing.
+            each.has_looked = each.has_looked or (is_look_ and each.is_alone and asked_at_ >= each.at);
         }
         is_heard_since_good_ = is_heard_since_good_ or is_good_;
     }

@@ -76,6 +76,12 @@ STATIC_CHECK(answers(drive, "17 00 69 00 01 00 69 00 01 02 12 34 00 00"_hex, "97
 STATIC_CHECK(answers(drive, "10 00 69 00 7B 06 00 01 00 02 00 03"_hex, "90 03"_hex));
 STATIC_CHECK(answers(drive, "10 00 69 00 01 02 00 05 AA BB"_hex, "90 03"_hex));
 STATIC_CHECK(answers(drive, "10 00 69 00 01 03 00 05 00"_hex, "90 03"_hex));
+// Quantity, byte count and size agree, all three of them.
+STATIC_CHECK(answers(drive, "10 00 69 00 01 03 12 34"_hex, "90 03"_hex));
+STATIC_CHECK(answers(drive, "10 00 69 00 02 02 12 34"_hex, "90 03"_hex));
+STATIC_CHECK(answers(drive, "10 00 69 01 01 02 12 34"_hex, "90 03"_hex));
+STATIC_CHECK(answers(drive, "17 00 69 00 01 00 69 00 01 03 12 34"_hex, "97 03"_hex));
+STATIC_CHECK(answers(drive, "17 00 69 00 01 00 69 01 01 02 12 34"_hex, "97 03"_hex));
 STATIC_CHECK(answers(drive, "10 00 69 00 06 0C 00 01 00 02 00 03 00 04 00 05 00 06"_hex,
                      "90 02"_hex));
 

@@ -190,6 +190,13 @@ private:
         }
     }
 
+    /// A late answer of function 06 that comes while its request is sent again is an echo, as far as the client can know.
+    void note_look_alike(arrival const& of)
+    {
+        question& asked = all_.questions[current_];
+        asked.is_unsure = asked.is_unsure or (is_under_way_ and same(asked.request.view(), of.content.view()));
+    }
+
     unsigned most_transmissions(question const& of) const
     {
         bool const is_once = not of.may_repeat or of.is_first_try_only or of.is_broadcast();
@@ -259,6 +266,7 @@ private:
         all_.events.note(now, of.is_whole ? "client hears" : "client hears it spoiled",
                          of.origin.transmission, of.content.view());
         if (told_at_ == never or of.first_at < told_at_) {
+            note_look_alike(of);
             return;
         }
         if (not of.is_whole) {

@@ -3,6 +3,8 @@
 // Descriptors, settings and tables.
 #include <rtuwire/table/setting.hpp>
 
+#include <limits>
+
 #include "support/proof.hpp"
 
 #include <rtuwire/table/enumeration.hpp>
@@ -40,7 +42,32 @@ STATIC_CHECK(setting<protection>::checked(deciamperes{49}, 50, 100).error() ==
 STATIC_CHECK(setting<protection>::checked(deciamperes{101}, 50, 100).error() ==
              errc::illegal_data_value);
 STATIC_CHECK(product_of("HSP", "SDS", 10).with(500, 30) == 1'500);
+// What 32 bits do not hold is the nearest number that they do, however large the product.
+constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
+constexpr std::int32_t least = std::numeric_limits<std::int32_t>::min();
+constexpr bound as_it_is{"HSP", 65'535, 65'535, "SDS"};
+constexpr bool keeps_to_32_bits()
+{
+    bool ok = true;
+    for (std::int32_t const times : {2, 50'000, 80'000, 130'000, 150'000, 1'000'000, most}) {
+        ok = ok and as_it_is.with(most, times) == most and as_it_is.with(least, times) == least and
+             as_it_is.with(most, -times) == least;
+    }
+    return ok and as_it_is.with(most, 1) == most and as_it_is.with(7, 1'000) == 7'000;
+}
+PROOF("a limit that is a product of two registers has at most 32 bits", keeps_to_32_bits)
 STATIC_CHECK(bound{}.is_open() and not bound{0}.is_open() and bound{0}.is_number());
+
+// A register has sixteen bits, and so has what it holds.
+enum class wide : std::uint16_t { one };
+enum class narrow : std::uint8_t { one };
+STATIC_CHECK(register_value<wide>);
+STATIC_CHECK(register_value<decihertz>);
+STATIC_CHECK(register_value<flags<wide>>);
+STATIC_CHECK(not register_value<narrow>);
+STATIC_CHECK(not register_value<std::uint16_t>);
+STATIC_CHECK(not register_value<quantity<frequency, std::uint8_t>>);
+STATIC_CHECK(not register_value<quantity<frequency, std::uint32_t>>);
 
 using three = table<ramp, speed, protection>;
 STATIC_CHECK(three::size == 3 and three::contains<speed> and three::addresses[2] == 9622);

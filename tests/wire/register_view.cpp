@@ -18,6 +18,14 @@ STATIC_CHECK(std::is_constructible_v<register_block<2>, int, int>);
 STATIC_CHECK(not std::is_constructible_v<register_block<2>, int>);
 STATIC_CHECK(not std::is_constructible_v<register_block<2>, int, int, int>);
 
+// A view equals the block with the same registers, from either side.
+constexpr register_block pair{0x1234, 7};
+constexpr std::array<std::byte, 4> same_pair{std::byte{0x12}, std::byte{0x34}, std::byte{0},
+                                             std::byte{7}};
+STATIC_CHECK(register_view{same_pair} == pair and pair == register_view{same_pair});
+STATIC_CHECK(not(register_view{same_pair} == register_block{0x1234, 8}));
+STATIC_CHECK(not(register_view{same_pair} == register_block{0x1234}));
+
 constexpr std::uint16_t untouched = 0xA5A5;
 
 /// Registers of which both octets differ, and every one from its neighbours.

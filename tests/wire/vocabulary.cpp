@@ -99,6 +99,8 @@ STATIC_CHECK(not function_set{static_cast<function_code>(0x86)}.contains(functio
 STATIC_CHECK(not function_set{static_cast<function_code>(0)}.contains(function_code{0}));
 STATIC_CHECK(not two.contains(static_cast<function_code>(0x86)));
 
+STATIC_CHECK(sizeof(function_set) == 16);
+
 constexpr bool holds_what_it_was_given()
 {
     for (std::uint32_t member = 0; member <= 0xFF; ++member) {

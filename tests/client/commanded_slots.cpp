@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Conversations that command motors in the slots of a bus: docs/engine-rules.md, rules 28 to 31.
+#include "client/command_desk.hpp"
+
+#include "support/catch.hpp"
+
+#include <rtuwire/client/bus.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::test;
+
+namespace {
+
+constexpr client_options once{
+    .response_timeout = milliseconds(100), .late_answer = {}, .retries = 0};
+
+/// Not settled while it has nothing to ask, as a cycle is.
+struct cycle : hand_commander {
+    using hand_commander::hand_commander;
+    static bool settled() { return false; }
+};
+
+struct bus_desk {
+    bus<2> link{office_line, once, {.silent_share = 50, .silent_after = 1}};
+    instant now{0};
+
+    bus_desk()
+    {
+        pass({});
+        pass(milliseconds(1'000));
+    }
+    void pass(duration length)
+    {
+        now = now + length;
+        link.advance(now);
+    }
+    template <typename Talk> bool asks(std::size_t slot, Talk& talk)
+    {
+        link.converse(slot, talk, now);
+        byte_view const frame = link.poll_transmit();
+        if (frame.empty()) {
+            return false;
+        }
+        left = frame_bytes{frame.begin(), frame.end()};
+        now = now + office_line.characters(frame.size());
+        link.sent(now);
+        return true;
+    }
+    bool says(cycle& talk, effect what)
+    {
+        talk.has_question = true;
+        talk.wanted = what;
+        return asks(0, talk);
+    }
+    void be_answered()
+    {
+        now = now + milliseconds(5);
+        link.receive(answer_to(left), now);
+        pass(milliseconds(5));
+    }
+
+    frame_bytes left{};
+};
+
+} // namespace
+
+TEST_CASE("rule 28: a commander rests like any other, but for its words that stop")
+{
+    bus_desk it;
+    it.link.set(0,
+                {.with = {.response_timeout = milliseconds(100)}, .least_idle = milliseconds(500)});
+    cycle one{3};
+    one.note_order_to_run();
+    REQUIRE(it.says(one, effect::enabling));
+    it.be_answered();
+    it.asks(0, one);
+    REQUIRE(one.told == errc::none);
+    it.pass(milliseconds(499));
+    CHECK_FALSE(it.says(one, effect::enabling));
+    CHECK(it.says(one, effect::stopping));
+    it.be_answered();
+    it.asks(0, one);
+    it.pass(milliseconds(500));
+    CHECK(it.says(one, effect::enabling));
+}
+
+TEST_CASE("rule 29: a commander asks its silent unit now and then, but for its words that stop")
+{
+    bus_desk it;
+    cycle one{3};
+    REQUIRE(it.says(one, effect::none));
+    it.pass(milliseconds(200));
+    it.asks(0, one);
+    REQUIRE(one.told == errc::timed_out);
+    REQUIRE(it.link.is_silent(0));
+    it.pass(milliseconds(10));
+    CHECK_FALSE(it.says(one, effect::none));
+    CHECK(it.says(one, effect::stopping));
+    it.be_answered();
+    it.asks(0, one);
+    CHECK_FALSE(it.link.is_silent(0));
+    CHECK(it.says(one, effect::none));
+}
+
+TEST_CASE("rule 31: a silent unit is asked only where that ends before two thirds of an ordered "
+          "drive's time-out")
+{
+    // The drive's time-out is 5 s, so 3.33 s; the silent unit has 2 s and the time of 512 characters, 0.29 s.
+    for (bool const is_late : {false, true}) {
+        INFO(is_late);
+        bus_desk it;
+        it.link.set(1, {.with = {.response_timeout = milliseconds(2'000), .retries = 0}});
+        cycle one{3};
+        series absent{[](unsigned) { return read_of(9, 3'201); }};
+        REQUIRE(it.asks(1, absent));
+        it.pass(milliseconds(2'300));
+        it.asks(1, absent);
+        REQUIRE(it.link.is_silent(1));
+        it.asks(0, one);
+        it.pass(milliseconds(10'000)); // the others had their share
+        one.note_order_to_run();
+        instant const asked = it.now;
+        REQUIRE(it.says(one, effect::enabling));
+        it.be_answered();
+        it.asks(0, one);
+        REQUIRE(one.told == errc::none);
+        it.pass((asked + milliseconds(is_late ? 1'041 : 1'039)) - it.now);
+        it.asks(0, one);
+        CHECK(it.asks(1, absent) == not is_late);
+    }
+}

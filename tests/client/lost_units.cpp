@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What a client says to a unit that is ordered and does not answer: docs/engine-rules.md, rules 40 and 41, to the
+// microsecond.
+#include "client/command_desk.hpp"
+
+#include "support/catch.hpp"
+
+using namespace rtuwire;
+using namespace rtuwire::test;
+
+namespace {
+
+constexpr std::uint64_t words = 2'000'000;
+constexpr std::uint64_t silence = 6'000'000; ///< of a drive whose time-out is 5 s
+
+/// One unit that ran and was lost just now.
+struct loss {
+    command_desk<2> it{};
+    hand_commander one;
+    std::uint64_t begun;
+
+    explicit loss(unsigned unit = 3) : one{unit}
+    {
+        REQUIRE(it.runs(one) == errc::none);
+        begun = it.misses(one, effect::enabling);
+        REQUIRE(it.is_lost(unit));
+    }
+    /// Whether a read of a unit leaves.
+    bool reads(unsigned unit)
+    {
+        return leaves(series{[=](unsigned) { return read_of(unit, 3'201); }, 1});
+    }
+    /// It comes by twice, for its turn.
+    bool leaves(series talk)
+    {
+        it.link.converse(talk, it.now());
+        it.link.converse(talk, it.now());
+        return it.leaves();
+    }
+};
+
+/// Words that stop it leave up to the microsecond before `end`, and no later.
+void check_words_until(loss& of, hand_commander& who, std::uint64_t end)
+{
+    of.it.pass_until(end - 1 - office_line.characters(8).microseconds - 200'000);
+    REQUIRE(of.it.misses(who, effect::stopping) == end - 1);
+    of.it.see(who);
+    CHECK_FALSE(who.is_silenced());
+    of.it.pass(1);
+    of.it.see(who);
+    CHECK(who.is_silenced());
+    CHECK_FALSE(of.it.says(who, effect::stopping));
+}
+
+void check_silence_until(loss& of, unit_id unit, std::uint64_t end)
+{
+    of.it.pass_until(end - 1);
+    CHECK(of.it.link.is_held(unit));
+    CHECK(of.it.is_lost(unit.octet()));
+    CHECK_FALSE(of.reads(unit.octet()));
+    of.it.pass(1);
+    CHECK_FALSE(of.it.link.is_held(unit));
+    CHECK_FALSE(of.it.is_lost(unit.octet()));
+    CHECK(of.reads(unit.octet()));
+}
+
+} // namespace
+
+TEST_CASE("rule 40: words that stop it go to a lost unit for 2 s, nothing else does")
+{
+    for (unsigned const unit : {1U, 3U}) {
+        loss of{unit};
+        CHECK_FALSE(of.reads(unit));
+        CHECK(of.it.does(of.one, effect::enabling) == errc::unit_lost);
+        check_words_until(of, of.one, of.begun + words);
+        CHECK(of.reads(unit == 1 ? 3 : 1)); // others hear everything
+    }
+}
+
+TEST_CASE("rule 40: silence lasts for the drive's time-out and 1 s from the last request without "
+          "an answer")
+{
+    for (bool const has_word : {false, true}) {
+        loss of;
+        std::uint64_t const last = has_word ? of.it.misses(of.one, effect::stopping) : of.begun;
+        REQUIRE(last != 0);
+        check_silence_until(of, unit_id{3}, last + silence);
+    }
+}
+
+TEST_CASE("rule 40: the client wakes up when the words are over and when the silence is")
+{
+    loss of;
+    CHECK(of.it.link.poll_deadline() == instant{static_cast<std::uint32_t>(of.begun + words)});
+    of.it.pass_until(of.begun + words);
+    CHECK(of.it.link.poll_deadline() == instant{static_cast<std::uint32_t>(of.begun + silence)});
+    of.it.pass_until(of.begun + silence);
+    CHECK_FALSE(of.it.link.poll_deadline());
+}
+
+TEST_CASE("rule 40: who was held back by the silence has a turn when it is over")
+{
+    for (bool const is_waiting : {false, true}) {
+        loss of;
+        command_desk<2>& it = of.it;
+        series other{[](unsigned) { return read_of(3, 3'201); }},
+            third{[](unsigned) { return read_of(4, 3'201); }};
+        if (is_waiting) {
+            it.link.converse(other, it.now());
+            REQUIRE_FALSE(it.link.is_busy());
+        }
+        it.pass_until(of.begun + silence);
+        it.link.receive(frame_bytes{std::byte{0x55}}, it.now());
+        it.link.converse(third, it.now());
+        CHECK(it.link.is_busy() ==
+              not is_waiting); // while others wait, nobody asks before the line is quiet
+    }
+}
+
+TEST_CASE("rule 40: an answer ends the loss at once, the order stays gone")
+{
+    loss of;
+    CHECK(of.it.does(of.one, effect::stopping) == errc::none);
+    CHECK_FALSE(of.it.is_lost(3));
+    CHECK(of.it.does(of.one, effect::none) == errc::none);
+    CHECK(of.it.does(of.one, effect::enabling) == errc::unit_lost);
+    CHECK(of.it.is_ordered(3));
+    CHECK(of.it.runs(of.one) == errc::none);
+}
+
+TEST_CASE(
+    "rule 40: every commander of a lost unit is told, also one that comes by for the first time")
+{
+    command_desk<1> it;
+    hand_commander one{3}, late{3}, apart{4};
+    CHECK_FALSE(late.is_silenced());
+    REQUIRE(it.misses(one, effect::resetting) != 0);
+    REQUIRE(it.is_lost(3));
+    for (hand_commander* const each : {&one, &late, &apart}) {
+        it.see(*each);
+        it.see(*each);
+        CHECK(each->losses == (each == &apart ? 0 : 1));
+    }
+}
+
+TEST_CASE(
+    "rule 40: a stop that begins behind a loss has 2 s for its words, however often it comes by")
+{
+    for (bool const is_for_all : {false, true}) {
+        loss of;
+        hand_commander other{3};
+        hand_for_all all{9};
+        of.it.pass(3'000'000);
+        CHECK_FALSE(of.it.says(of.one, effect::stopping));
+        std::uint64_t const begin = of.it.time;
+        auto const come_by = [&] {
+            if (is_for_all) {
+                of.it.see(all);
+            }
+            of.it.see(other);
+        };
+        if (is_for_all) {
+            all.note_stop();
+        } else {
+            other.note_stop();
+        }
+        come_by();
+        of.it.pass(1'000'000);
+        come_by();
+        check_words_until(of, other, begin + words);
+    }
+}
+
+TEST_CASE("rule 40: of a unit that was not ordered here its type tells how long it is left alone")
+{
+    for (bool const is_for_all : {false, true}) {
+        command_desk<1> it;
+        hand_commander one{3};
+        hand_for_all all{3};
+        if (is_for_all) {
+            all.note_stop();
+            all.each[0].note_stop();
+            all.to = 3;
+            REQUIRE(it.says(all));
+            it.fail(all);
+        } else {
+            one.note_stop();
+            REQUIRE(it.misses(one, effect::stopping) != 0);
+        }
+        REQUIRE(it.is_lost(3));
+        it.pass(silence - 1);
+        CHECK(it.is_lost(3));
+        it.pass(1);
+        CHECK_FALSE(it.is_lost(3));
+    }
+}
+
+TEST_CASE("rule 41: while a unit is lost a broadcast waits, but for one that stops everyone")
+{
+    loss of;
+    series const writer{[](unsigned) { return write_of(0, 8'502, 300); }, 1};
+    CHECK_FALSE(of.leaves(writer));
+    of.it.pass(3'000'000); // words to the unit itself are over
+    hand_for_all all{9};
+    CHECK(of.it.says(all));
+    of.it.fail(all);
+    CHECK(all.told == errc::none);
+    CHECK_FALSE(of.leaves(writer));
+    of.it.pass_until(of.begun + silence);
+    CHECK(of.leaves(writer));
+}
