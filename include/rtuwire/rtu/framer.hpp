@@ -258,12 +258,6 @@ public:
         activity_ = activity::busy;
     }
 
-    /// Whether `now` lies before the end of what was on the line last, as after a `restart` ahead of time.
-    [[nodiscard]] constexpr bool is_before_end(instant now) const noexcept
-    {
-        return not reached(now, last_);
-    }
-
     /// Whether t3.5 of silence has passed, so that somebody may send.
     [[nodiscard]] constexpr bool is_quiet() const noexcept { return activity_ == activity::quiet; }
 
