@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "defect/client_line.hpp"
+#include "client/hand_clock.hpp"
 
 namespace rtuwire::test {
 
@@ -98,27 +98,19 @@ struct hand_for_all : commander {
 };
 
 /// The line, and its times.
-template <std::size_t Places> struct command_desk {
-    drive_client<Places> link;
-    std::uint64_t time{0xFFFF'FFFFU - 5'000'000U};
+template <std::size_t Places> struct command_desk : hand_clock<drive_client<Places>> {
+    using base = hand_clock<drive_client<Places>>;
+    using base::link;
+    using base::now;
+    using base::pass;
+    using base::time;
 
     static constexpr client_options options{.response_timeout = milliseconds(100),
                                             .turnaround = milliseconds(20),
                                             .late_answer = {},
                                             .retries = 0};
 
-    explicit command_desk(client_options const& with = options) : link{office_line, with}
-    {
-        pass(0);
-        pass(1'000'000);
-    }
-    instant now() const { return instant{static_cast<std::uint32_t>(time)}; }
-    void pass(std::uint64_t length)
-    {
-        time += length;
-        link.advance(now());
-    }
-    void pass_until(std::uint64_t end) { pass(end - time); }
+    explicit command_desk(client_options const& with = options) : base{with} {}
 
     /// Comes by and asks nothing.
     template <typename Talk> void see(Talk& talk)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // What a unit owes and for how long it is asked nothing new: docs/engine-rules.md, rules 17 to 19, to the
 // microsecond. The times here are sums of their own.
-#include "defect/client_line.hpp"
+#include "client/hand_clock.hpp"
 
 #include "support/catch.hpp"
 
@@ -16,24 +16,14 @@ namespace {
 constexpr std::uint64_t minute = 60'000'000;
 constexpr std::uint64_t longest = 35 * minute;
 
-/// A client in the hands of the test: its clock goes on as the test says.
-template <typename Link = client> struct hand {
-    Link link;
-    std::uint64_t time{0xFFFF'FFFFU - 5'000'000U};
+/// A client in the hands of the test.
+template <typename Link = client> struct hand : hand_clock<Link> {
+    using hand_clock<Link>::link;
+    using hand_clock<Link>::now;
+    using hand_clock<Link>::pass;
+    using hand_clock<Link>::time;
 
-    explicit hand(client_options const& options) : link{office_line, options}
-    {
-        pass(0);
-        pass(1'000'000);
-    }
-    instant now() const { return instant{static_cast<std::uint32_t>(time)}; }
-    void pass(std::uint64_t length)
-    {
-        time += length;
-        link.advance(now());
-    }
-    /// To a time that was reckoned.
-    void pass_until(std::uint64_t end) { pass(end - time); }
+    explicit hand(client_options const& options) : hand_clock<Link>{options} {}
 
     /// A conversation comes by; whether a frame left. It has left when this returns.
     bool asks(series& talk)

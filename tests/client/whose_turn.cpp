@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Whose turn it is: docs/engine-rules.md, rules 22 and 23, sentence by sentence.
-#include "defect/client_line.hpp"
+#include "client/hand_clock.hpp"
 
 #include "support/catch.hpp"
 
@@ -26,21 +26,8 @@ struct prompt_talk : plain_talk {
 };
 
 /// A line in the hands of the test.
-struct desk {
-    client link{office_line, once};
-    std::uint64_t time{0xFFFF'FFFFU - 5'000'000U};
-
-    desk()
-    {
-        pass(0);
-        pass(1'000'000);
-    }
-    instant now() const { return instant{static_cast<std::uint32_t>(time)}; }
-    void pass(std::uint64_t length)
-    {
-        time += length;
-        link.advance(now());
-    }
+struct desk : hand_clock<client> {
+    desk() : hand_clock{once} {}
     void be_disturbed() { link.receive(frame_bytes{std::byte{0x55}}, now()); }
 
     /// It comes by; whether its request was taken then.

@@ -7,7 +7,7 @@ from programs import TESTS, complaints, runs
 # How many schedules, or lives; unchanged each takes one or two seconds.
 JUDGES = {"model/compare_client": 2000, "model/compare_bus": 2000, "model/compare_server": 2000,
           "lives/random_lives": 2000}
-# What these include besides the client: the others have no say there.
+# Of these rooms only the lives include anything.
 ONLY = {"altivar": ["lives/random_lives"], "cia402": ["lives/random_lives"], "table": ["lives/random_lives"]}
 COMPILE = ["g++", "-std=c++20", "-w", "-O1", f"-I{TESTS}"]
 # Of the processor of a busy machine.

@@ -144,9 +144,12 @@ private:
             look_ = at_rest_script{profile(), options_};
             return look({event::kind::begun});
         }
-        address_ = 0;
-        is_set_ = true; // unless the drive lost its power meanwhile
-        return written_ == 0 ? end(ending::succeeded) : compare_next(0);
+        if (written_ == 0) {
+            address_ = 0;
+            return end(ending::succeeded);
+        }
+        is_set_ = true;
+        return compare_next(0); // all once more: a drive that lost its power meanwhile has forgotten them
     }
 
     constexpr wish confirm_later() noexcept

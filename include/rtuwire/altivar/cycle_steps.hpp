@@ -51,7 +51,7 @@ public:
     constexpr bool reset_fault() noexcept { return control_.reset_fault(); }
 
     /// Another conversation stopped the drive.
-    constexpr void note_halt() noexcept { control_.note_halt(); }
+    constexpr void note_stopped() noexcept { control_.note_stopped(); }
 
     /// The way up took too long.
     constexpr void note_late() noexcept { control_.note_late(); }

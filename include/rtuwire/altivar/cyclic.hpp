@@ -152,8 +152,8 @@ public:
         bool const was_rearranged = this->was_rearranged();
         this->note_arrangement();
         if (this->was_stopped()) {
-            this->note_halt();
-            steps_.note_halt();
+            this->heed_stop();
+            steps_.note_stopped();
         }
         is_asking_ = true;
         return request{steps_.ask(was_rearranged), repetition::never};

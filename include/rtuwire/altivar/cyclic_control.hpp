@@ -125,7 +125,7 @@ public:
     }
 
     /// The drive was stopped by somebody else: what it does now is not known until it is read.
-    constexpr void note_halt() noexcept { is_known_ = false; }
+    constexpr void note_stopped() noexcept { is_known_ = false; }
 
     /// What was said last may not have arrived: the way up begins anew from where the drive is.
     constexpr void note_miss() noexcept { has_switched_on_ = false; }
@@ -316,7 +316,7 @@ private:
     stop_by how_{stop_by::ramp};
     bool is_known_{false};
     bool has_switched_on_{false}; ///< was told so, on the way up
-    bool was_lost_running_{false}; ///< and not heard since
+    bool was_lost_running_{false}; ///< it may have been running at the last loss
     bool has_enabled_{false}; ///< the command to run was given since the state was read
     bool is_ordered_{false};
     bool has_read_rest_{false};

@@ -42,8 +42,8 @@ protected:
         return check_.reason().how == ending::succeeded;
     }
 
-    /// Whether the STOP key was pressed since the last look; what the first one tells is not asked for. A drive that was
-    /// stopped so before shows it until it runs.
+    /// Whether the STOP key was pressed since the look before. A drive that was stopped so earlier shows it until it runs:
+    /// what the first look returns is nothing new, and its caller drops it.
     constexpr bool is_key_pressed(std::uint16_t status) noexcept
     {
         bool const is_shown = (status & stop_key_bit) != 0;

@@ -68,9 +68,9 @@ protected:
     [[nodiscard]] constexpr bool was_rearranged() const noexcept { return was_rearranged_; }
     constexpr void note_arrangement() noexcept { was_rearranged_ = false; }
 
-    /// Whether somebody else stopped its unit, lost it or read it in fault since `note_halt`: what was read before is old.
+    /// Whether somebody else stopped its unit, lost it or read it in fault since `heed_stop`: what was read before is old.
     [[nodiscard]] constexpr bool was_stopped() const noexcept { return was_stopped_; }
-    constexpr void note_halt() noexcept { was_stopped_ = false; }
+    constexpr void heed_stop() noexcept { was_stopped_ = false; }
 
 private:
     template <std::size_t> friend class orders;
