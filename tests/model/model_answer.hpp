@@ -20,17 +20,7 @@ inline bool has_told_size(bytes const& frame)
     if (auto const told = told_size(frame, false)) {
         return *told == frame.size();
     }
-    if (frame.size() < 3 or frame[1] != 43 or frame[2] != 14) {
-        return true;
-    }
-    std::size_t end = 8;
-    for (std::size_t left = frame.size() < 8 ? 0 : frame[7]; left > 0; --left) {
-        if (frame.size() < end + 2) {
-            break;
-        }
-        end += 2U + frame[end + 1];
-    }
-    return end + 2 > 256; // more than a frame is not told
+    return frame.size() < 3 or frame[1] != 43 or frame[2] != 14;
 }
 
 /// The longest answer to a request, and whether its own bytes tell its end.

@@ -87,15 +87,13 @@ struct line_times {
     time characters(std::size_t count) const { return character * static_cast<time>(count); }
 };
 
-/// The size that a frame's first bytes tell; none where they do not tell it yet, or never.
+/// The size that a frame's first bytes tell, if it is more than a frame can be as well; none where they do not tell it
+/// yet, or never.
 inline std::optional<std::size_t> told_size(bytes const& frame, bool is_request)
 {
     std::size_t const n = frame.size();
-    auto const if_frame = [](std::size_t size) -> std::optional<std::size_t> {
-        return size <= 256 ? std::optional{size} : std::nullopt;
-    };
     auto const counted = [&](std::size_t at, std::size_t base) -> std::optional<std::size_t> {
-        return n > at ? if_frame(base + frame[at]) : std::nullopt;
+        return n > at ? std::optional{base + frame[at]} : std::nullopt;
     };
     if (n < 2) {
         return std::nullopt;
@@ -130,7 +128,7 @@ inline std::optional<std::size_t> told_size(bytes const& frame, bool is_request)
         if (is_request) {
             return 6;
         }
-        return n >= 4 ? if_frame(6 + 256U * frame[2] + frame[3]) : std::nullopt;
+        return n >= 4 ? std::optional<std::size_t>{6 + 256U * frame[2] + frame[3]} : std::nullopt;
     case 43: {
         if (n < 3 or frame[2] != 14) {
             return std::nullopt;
@@ -148,7 +146,7 @@ inline std::optional<std::size_t> told_size(bytes const& frame, bool is_request)
             }
             at += 2U + frame[at + 1];
         }
-        return if_frame(at + 2);
+        return at + 2;
     }
     default: return std::nullopt;
     }

@@ -242,8 +242,9 @@ private:
             end_frame(false);
             return;
         }
-        bool const is_other_next = (is_request and response_size == frame.size() + 1) or
-                                   (is_response and request_size == frame.size() + 1);
+        bool const is_other_next = frame.size() < 256 and
+                                   ((is_request and response_size == frame.size() + 1) or
+                                    (is_response and request_size == frame.size() + 1));
         if (is_other_next) {
             is_open_end_ = true;
             is_open_response_ = is_response;

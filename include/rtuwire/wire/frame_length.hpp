@@ -171,13 +171,14 @@ struct told_length {
     return told.size > max_adu_size ? length_so_far{} : length_so_far{told.size, told.is_final};
 }
 
-/// Its size alone, for who looks whether so many octets are there. Always inlined: who asks knows the
-/// direction, and half of it falls away.
+/// Its size alone, for who looks whether so many octets are there. A size above 256 is told as 1, which no
+/// frame has: what silence ends of it is refused. Always inlined: who asks knows the direction, and half of
+/// it falls away.
 [[nodiscard, gnu::always_inline]] constexpr std::size_t told_size(direction way,
                                                                   byte_view adu) noexcept
 {
     std::size_t const size = length_by_rule(way, adu).size;
-    return size > max_adu_size ? 0 : size;
+    return size > max_adu_size ? 1 : size;
 }
 
 } // namespace rtuwire
