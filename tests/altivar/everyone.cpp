@@ -4,10 +4,12 @@
 #include <string>
 
 #include "altivar/everyone_by_hand.hpp"
+#include "support/octets.hpp"
 
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/stop_everyone.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -50,6 +52,16 @@ TEST_CASE("everyone is told twice at once and once more a second later, each fam
     CHECK(it.broadcasts() == frames{coast_new, coast_old});
     CHECK_FALSE(it.all.is_urgent());
     CHECK_FALSE(it.all.settled());
+}
+
+TEST_CASE("what everyone is told is one whole frame, its check at the end")
+{
+    stop_everyone all{everyone_options{.freewheel = true}, hoist};
+    all.advance(test::start_of_all);
+    auto const question = all.next();
+    REQUIRE(question);
+    byte_view const frame = question->frame();
+    CHECK(test::octets{frame.begin(), frame.end()} == test::octets_of("00 06 21 35 00 00 92 29"));
 }
 
 TEST_CASE("where the turnarounds take longer than that, nothing more is waited for")

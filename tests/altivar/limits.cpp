@@ -148,6 +148,28 @@ PROOF("a stop ends as not obeyed where the drive was seen as fast as before behi
       "else as unconfirmed",
       tells_what_is_true)
 
+/// How a stop ends whose frequency was read once, or never, behind a look that found the motor running.
+constexpr ending told_of_one_look(bool has_frequency)
+{
+    by_hand<stop> it{stop{other, stop_by::ramp, milliseconds(1'000)}};
+    it.wait(0);
+    bool ok = it.writes(cmd, 0x0007);
+    it.confirm();
+    ok = ok and it.reads(eta);
+    it.hear(enabled);
+    ok = ok and it.reads(rfr);
+    has_frequency ? it.hear(300) : it.miss();
+    it.wait(1'000);
+    return ok and it.talk.settled() ? it.talk.reason().how : ending::pending;
+}
+constexpr bool compares_two_frequencies()
+{
+    return told_of_one_look(true) == ending::unconfirmed and
+           told_of_one_look(false) == ending::unconfirmed;
+}
+PROOF("a motor whose frequency was not read twice is not said to be as fast as before",
+      compares_two_frequencies)
+
 constexpr bool ends_a_halt_that_was_told_at_its_limit()
 {
     by_hand<stop> it{stop{other, stop_by::halt, milliseconds(1'000)}};

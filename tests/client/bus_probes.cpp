@@ -151,6 +151,23 @@ constexpr bool rests_ten_minutes_at_most()
 }
 PROOF("a loss of seconds costs ten minutes at most", rests_ten_minutes_at_most)
 
+/// The longest loss whose share is not cut: rule 29 gives (6 060 605 / 1 + 1) x 99 us for it, 6 us below ten minutes.
+constexpr bool rests_no_longer_than_its_share()
+{
+    constexpr std::uint32_t longest_cost = 6'060'605, some_timeout = 5'950'000;
+    constexpr auto after = [](std::uint32_t timeout) {
+        return rest_after_a_loss(
+            {.silent_share = 1},
+            {.response_timeout = microseconds(timeout), .late_answer = {}, .retries = 0});
+    };
+    auto const more = static_cast<std::uint32_t>(after(some_timeout).cost) - some_timeout;
+    rest const uncut = after(longest_cost - more), cut = after(longest_cost - more + 1);
+    return uncut.cost == longest_cost and uncut.length == 599'999'994 and
+           cut.cost == longest_cost + 1 and cut.length == 600'000'000;
+}
+PROOF("ten minutes take the place of what is longer, and of nothing shorter",
+      rests_no_longer_than_its_share)
+
 constexpr bool counts_from_the_first_answer()
 {
     lonely stranger;

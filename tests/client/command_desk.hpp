@@ -29,6 +29,7 @@ struct hand_commander : commander {
         : of{unit}, tolerates{tolerated}
     {}
 
+    using commander::heed_stop;
     using commander::note_arrangement;
     using commander::note_fault;
     using commander::note_order;
@@ -36,6 +37,7 @@ struct hand_commander : commander {
     using commander::note_rest;
     using commander::note_stop;
     using commander::note_stop_over;
+    using commander::was_stopped;
 
     unit_id unit() const { return *unit_id::checked(of); }
     effect intent() const { return has_question ? effect_now(wanted) : effect::none; }

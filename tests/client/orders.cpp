@@ -141,6 +141,28 @@ TEST_CASE("rule 36: a fault that was read takes older orders to enable, not one 
 }
 
 TEST_CASE(
+    "who came by before another read a fault knows of it until that is heeded, and who is new "
+    "knows of none")
+{
+    command_desk<2> it;
+    hand_commander one{3}, other{3}, late{3};
+    CHECK_FALSE(one.was_stopped());
+    it.see(one);
+    CHECK_FALSE(one.was_stopped());
+    other.note_fault();
+    it.see(other);
+    for (unsigned pass = 0; pass < 2; ++pass) {
+        it.see(one);
+        CHECK(one.was_stopped());
+    }
+    one.heed_stop();
+    it.see(one);
+    CHECK_FALSE(one.was_stopped());
+    it.see(late);
+    CHECK_FALSE(late.was_stopped());
+}
+
+TEST_CASE(
     "rule 36: nothing is enabled without an order where a fault, a loss or another order came")
 {
     for (unsigned const what : {0U, 1U, 2U, 3U}) {

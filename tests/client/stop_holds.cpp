@@ -100,6 +100,30 @@ TEST_CASE("rule 37: a stop that is gone holds on until another one has ended, or
     }
 }
 
+TEST_CASE("rule 37: a stop of everyone that is gone holds all units until release_all, behind "
+          "which no older order counts")
+{
+    for (bool const has_place : {false, true}) {
+        command_desk<1> it;
+        hand_commander one{3};
+        {
+            hand_for_all all{9};
+            begin(it, all);
+        }
+        it.pass(60'000'000);
+        if (has_place) {
+            CHECK(it.runs(one) == errc::overruled);
+        } else {
+            one.note_order();
+            CHECK(it.does(one, effect::resetting) == errc::overruled);
+        }
+        it.link.motor_orders().release_all();
+        CHECK(it.does(one, effect::resetting) == errc::overruled);
+        CHECK(it.does(one, effect::enabling) == errc::overruled);
+        CHECK(it.runs(one) == errc::none);
+    }
+}
+
 TEST_CASE("rule 37: a stop that comes by holds its unit again behind a release")
 {
     for (bool const is_for_all : {false, true}) {

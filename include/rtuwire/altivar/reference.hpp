@@ -19,8 +19,8 @@ enum class heading : std::uint8_t { forward, reverse };
 
 /// A reference as a register write. Its word is signed: below zero turns the motor in reverse.
 struct reference_write {
-    std::uint16_t address{0};
-    std::uint16_t word{0};
+    std::uint16_t address;
+    std::uint16_t word;
 
     [[nodiscard]] constexpr bool is_reverse() const noexcept { return (word & 0x8000U) != 0; }
     [[nodiscard]] constexpr bool is_zero() const noexcept { return word == 0; }

@@ -132,8 +132,8 @@ public:
 private:
     /// Registers that one request reads.
     struct block {
-        std::uint16_t start{0};
-        std::uint16_t count{0};
+        std::uint16_t start;
+        std::uint16_t count;
     };
 
     static constexpr bool has_frequency_next = profile.rfr == profile.eta + 1;

@@ -115,7 +115,6 @@ protected:
     constexpr void let_go_of_ended() noexcept
     {
         if (is_all_over_) {
-            is_all_over_ = false;
             holder_of_all_ = 0;
         }
         let_go_if_over(places_.others());
