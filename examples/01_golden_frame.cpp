@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// The smallest use: a request as octets, an answer as a value; the compiler has checked both already.
+// The smallest use: a request as bytes, a response as a value; the compiler has checked both already.
 #include <cstdio>
 
 #include <rtuwire/rtuwire.hpp>
@@ -9,20 +9,20 @@ using namespace rtuwire;
 
 namespace {
 
-constexpr auto question = encode(unit_id{2}, read_holding_registers{.start = 3102, .count = 4});
-static_assert(question == "02 03 0C 1E 00 04 27 6C"_hex);
+constexpr auto request = encode(unit_id{2}, read_holding_registers{.start = 3102, .count = 4});
+static_assert(request == "02 03 0C 1E 00 04 27 6C"_hex);
 
-constexpr auto answer = "02 03 08 00 28 02 58 01 F4 00 00 52 B0"_hex;
+constexpr auto received = "02 03 08 00 28 02 58 01 F4 00 00 52 B0"_hex;
 
 } // namespace
 
 int main()
 {
     char text[3 * max_adu_size];
-    auto const hex = to_hex(*question, text);
+    auto const hex = to_hex(*request, text);
     std::printf("asked    %.*s\n", static_cast<int>(hex.size()), hex.data());
-    auto const taken = decode_adu(answer);
-    if (not taken or check_answer(*question, *taken) != errc::none) {
+    auto const taken = decode_adu(received);
+    if (not taken or check_response(*request, *taken) != errc::none) {
         return 1;
     }
     auto const read = read_holding_registers_response::decode(taken->pdu());

@@ -16,7 +16,7 @@ int main()
     word_bank<16> registers;
     static_cast<void>(registers.set(3, 1500));
 
-    single_question ask_speed{unit_id{7}, read_holding_registers{.start = 3, .count = 1}};
+    single_request ask_speed{unit_id{7}, read_holding_registers{.start = 3, .count = 1}};
     instant now{0};
     while (not ask_speed.settled()) {
         link.advance(now);
@@ -39,8 +39,7 @@ int main()
     if (not outcome) {
         return 1;
     }
-    auto const answer = outcome->to<read_holding_registers>();
-    std::printf("register 3 of unit 7: %u, after %u us\n", answer ? answer->registers[0] : 0U,
-                now.microseconds);
-    return answer and answer->registers[0] == 1500 ? 0 : 1;
+    auto const response = outcome->to<read_holding_registers>();
+    std::printf("register 3 of unit 7: %u, after %u us\n", response ? response->registers[0] : 0U, now.microseconds);
+    return response and response->registers[0] == 1500 ? 0 : 1;
 }

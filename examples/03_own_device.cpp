@@ -17,7 +17,7 @@ inline constexpr reg<decihertz> actual{.code = "ACT", .address = 11, .mode = acc
 inline constexpr reg<celsius> bearing{.code = "TMP", .address = 12, .mode = access::read_only};
 
 struct device {
-    static constexpr text name{"pump"};
+    static constexpr literal name{"pump"};
     static constexpr function_set functions = all_functions;
     static constexpr device_limits limits{};
     static constexpr unit_range units{};
@@ -35,10 +35,9 @@ int main()
     auto const tell = write<pump::setpoint>(far_pump, 47.5_Hz);
     std::array<std::byte, max_pdu_size> place{};
     auto const asked = decode_adu(tell.next()->frame());
-    auto const answer = respond(asked->pdu(), registers, server_profile{}, place);
+    auto const response = respond(asked->pdu(), registers, server_profile{}, place);
     bool const is_written = registers.take_written<pump::setpoint>();
-    std::printf("setpoint %s Hz, bearing %s degrees\n",
-                figures(registers.get<pump::setpoint>()).c_str(),
+    std::printf("setpoint %s Hz, bearing %s degrees\n", figures(registers.get<pump::setpoint>()).c_str(),
                 figures(registers.get<pump::bearing>()).c_str());
-    return is_written and answer.size() == 5 ? 0 : 1;
+    return is_written and response.size() == 5 ? 0 : 1;
 }

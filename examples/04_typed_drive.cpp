@@ -24,11 +24,11 @@ struct line_of_two {
     bank<atv12::eta, atv12::rfr, atv12::frh, atv12::lcr, atv12::acc> registers{};
     instant now{0};
 
-    template <conversation Talk> void run(Talk& talk)
+    template <conversation Conversation> void run(Conversation& conversation)
     {
-        while (not talk.settled()) {
+        while (not conversation.settled()) {
             link.advance(now);
-            link.converse(talk, now);
+            link.converse(conversation, now);
             if (byte_view const frame = link.poll_transmit(); not frame.empty()) {
                 now = now + timing.characters(frame.size());
                 link.sent(now);
@@ -64,11 +64,9 @@ int main()
 
     auto const& seen = panel.latest();
     bool const runs = seen.get<atv12::eta>().has(status_bit::operation_enabled);
-    std::printf("%zu requests: %s at %s Hz, ramp %s s\n", monitor::request_count,
-                runs ? "running" : "stopped", figures(seen.get<atv12::rfr>()).c_str(),
-                figures(seen.get<atv12::acc>()).c_str());
+    std::printf("%zu requests: %s at %s Hz, ramp %s s\n", monitor::request_count, runs ? "running" : "stopped",
+                figures(seen.get<atv12::rfr>()).c_str(), figures(seen.get<atv12::acc>()).c_str());
     bool const is_read = ask.outcome() == signed_decihertz{487};
-    bool const is_written =
-        tell.outcome().has_value() and seen.get<atv12::acc>() == deciseconds{13};
+    bool const is_written = tell.outcome().has_value() and seen.get<atv12::acc>() == deciseconds{13};
     return is_read and is_written and runs and panel.outcome().has_value() ? 0 : 1;
 }

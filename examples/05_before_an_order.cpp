@@ -18,10 +18,10 @@ template <device_type Device> struct line_of_two {
     drive_client<> link{timing};
     sim::unit<Device> far{unit_id{7}, timing, now};
 
-    template <conversation Talk> void pass(Talk& talk)
+    template <conversation Conversation> void pass(Conversation& conversation)
     {
         link.advance(now);
-        link.converse(talk, now);
+        link.converse(conversation, now);
         if (byte_view const frame = link.poll_transmit(); not frame.empty()) {
             now = now + timing.characters(frame.size());
             link.sent(now);
@@ -35,19 +35,16 @@ template <device_type Device> struct line_of_two {
         }
         now = now + microseconds(100);
     }
-    template <conversation Talk> Talk& run(Talk& talk)
+    template <conversation Conversation> Conversation& run(Conversation& conversation)
     {
-        while (not talk.settled()) {
-            pass(talk);
+        while (not conversation.settled()) {
+            pass(conversation);
         }
-        return talk;
+        return conversation;
     }
 };
 
-void show(char const* what, text how)
-{
-    std::printf("%s: %.*s\n", what, static_cast<int>(how.size()), how.begin());
-}
+void show(char const* what, literal how) { std::printf("%s: %.*s\n", what, static_cast<int>(how.size()), how.begin()); }
 
 bool prepare_an_atv320()
 {
@@ -55,7 +52,7 @@ bool prepare_an_atv320()
     constexpr station<atv320::device> drive{unit_id{7}};
 
     set_channel by_line{drive, channel_settings<atv320::device>::by_modbus()};
-    show("channels", name_of(it.run(by_line).reason().how));
+    show("channels", name_of(it.run(by_line).reason().kind));
 
     auto everyone = broadcast_setting<atv320::device, atv320::tto>(3_s);
     it.run(everyone);
@@ -63,7 +60,7 @@ bool prepare_an_atv320()
     // Thirty drives, 25 ms for each exchange, 400 ms for one that is off.
     duration const gap = longest_gap_of(30, milliseconds(25), milliseconds(400));
     check_supervision safe{drive, {.longest_gap = gap}};
-    show("to be ordered", name_of(it.run(safe).reason().how));
+    show("to be ordered", name_of(it.run(safe).reason().kind));
     supervision_report const& found = safe.report();
     std::printf("  register %u; time-out %u ms, needed %u ms\n", unsigned{found.address},
                 static_cast<unsigned>(found.period.timeout.microseconds / 1'000),
@@ -72,14 +69,14 @@ bool prepare_an_atv320()
     auto longer = broadcast_setting<atv320::device, atv320::tto>(5_s);
     it.run(longer);
     check_supervision again{drive, {.longest_gap = gap}};
-    show("to be ordered", name_of(it.run(again).reason().how));
+    show("to be ordered", name_of(it.run(again).reason().kind));
 
     watch eye{drive};
     while (eye.rounds() < 2) {
         it.pass(eye);
     }
     show("seen", cia402::name_of(eye.state()));
-    return by_line.succeeded() and safe.reason().how == ending::timeout_too_short and again.ready();
+    return by_line.succeeded() and safe.reason().kind == outcome_kind::timeout_too_short and again.ready();
 }
 
 bool release_an_atv28()
@@ -88,22 +85,22 @@ bool release_an_atv28()
     constexpr station<atv28::device> old{unit_id{7}};
 
     atv28::activate_link take{old};
-    show("ATV28 by its link", name_of(it.run(take).reason().how));
+    show("ATV28 by its link", name_of(it.run(take).reason().kind));
     atv28::direct_start go{old, -20_Hz};
-    show("run directly", name_of(it.run(go).reason().how));
+    show("run directly", name_of(it.run(go).reason().kind));
     atv28::direct_stop rest{old, atv28::direct_stop_by::fast_stop};
-    show("stopped directly", name_of(it.run(rest).reason().how));
+    show("stopped directly", name_of(it.run(rest).reason().kind));
     recall_from_eeprom recall{old};
-    show("recalled", name_of(it.run(recall).reason().how));
+    show("recalled", name_of(it.run(recall).reason().kind));
 
-    it.far.inside().set_input(1, true); // somebody asks to run at the terminals
+    it.far.drive().set_input(1, true); // somebody asks to run at the terminals
     atv28::release_link give{old};
-    show("released", name_of(it.run(give).reason().how));
-    it.far.inside().set_input(1, false);
+    show("released", name_of(it.run(give).reason().kind));
+    it.far.drive().set_input(1, false);
     atv28::release_link once_more{old};
-    show("released", name_of(it.run(once_more).reason().how));
+    show("released", name_of(it.run(once_more).reason().kind));
     return take.succeeded() and go.running() and rest.succeeded() and recall.succeeded() and
-           give.reason().how == ending::run_input_closed and once_more.succeeded();
+           give.reason().kind == outcome_kind::run_input_closed and once_more.succeeded();
 }
 
 } // namespace

@@ -12,7 +12,7 @@
 
 using namespace rtuwire;
 using namespace examples;
-using altivar::heading;
+using altivar::run_direction;
 
 namespace {
 
@@ -51,34 +51,31 @@ template <typename Demo> bool disturb(Demo& demo, simulated_process const& drive
         return false;
     }
     demo.step("The cause is gone: reset, and start again");
-    if (not drive.suffer("clear") or not demo.reset() or not demo.start(heading::forward) or
+    if (not drive.suffer("clear") or not demo.reset() or not demo.start(run_direction::forward) or
         not demo.reach_reference()) {
         return false;
     }
     demo.step("The cable is cut for longer than the drive's time-out");
-    if (not drive.suffer("cut") or not demo.lose_link() or
-        not demo.watch(timeout + milliseconds(1'000))) {
+    if (not drive.suffer("cut") or not demo.lose_link() or not demo.watch(timeout + milliseconds(1'000))) {
         return false;
     }
     demo.step("The cable is mended: nothing moves until somebody says so");
     return drive.suffer("join") and demo.regain_link() and demo.see_fault() and demo.reset() and
-           demo.watch(milliseconds(500)) and demo.start(heading::forward) and
-           demo.reach_reference();
+           demo.watch(milliseconds(500)) and demo.start(run_direction::forward) and demo.reach_reference();
 }
 
 /// Runs the motor; a simulated drive is disturbed too.
-template <typename Demo>
-bool drive_motor(Demo& demo, simulated_process const* simulated, duration timeout)
+template <typename Demo> bool drive_motor(Demo& demo, simulated_process const* simulated, duration timeout)
 {
     demo.step("Start, and ramp up to 50 Hz");
-    bool ok = demo.take_command() and demo.start(heading::forward) and demo.reach_reference();
+    bool ok = demo.take_command() and demo.start(run_direction::forward) and demo.reach_reference();
     if (ok) {
         demo.step("Read the monitor plan");
         ok = demo.read_panel();
     }
     if (ok) {
         demo.step("Reverse");
-        ok = demo.start(heading::reverse) and demo.reach_reference();
+        ok = demo.start(run_direction::reverse) and demo.reach_reference();
     }
     if (ok and simulated != nullptr) {
         ok = disturb(demo, *simulated, timeout);
@@ -90,10 +87,10 @@ bool drive_motor(Demo& demo, simulated_process const* simulated, duration timeou
 }
 
 template <device_type Device>
-int demonstrate(options const& chosen, station<Device> const& drive, posix_serial& port,
-                line_timing const& timing, simulated_process const* simulated)
+int demonstrate(options const& chosen, station<Device> const& drive, posix_serial& port, line_timing const& timing,
+                simulated_process const* simulated)
 {
-    bool const is_short = simulated != nullptr and Device::profile.scanner_words > 0;
+    bool const is_short = simulated != nullptr and Device::layout.scanner_words > 0;
     duration const timeout = is_short ? milliseconds(3'000) : Device::silence.factory;
     demonstration<Device> demo{port, timing, drive};
     say("%s, unit %u on %s\n", chosen.drive.c_str(), chosen.unit, port.device().c_str());
@@ -115,8 +112,7 @@ int demonstrate(options const& chosen, station<Device> const& drive, posix_seria
     }
     print_plot(demo.seen());
     bool const is_drawn = svg_plot{demo.seen()}.write(chosen.svg);
-    say("\n%s %s\n", is_drawn ? "The same as a drawing:" : "NO drawing could be written to",
-        chosen.svg.c_str());
+    say("\n%s %s\n", is_drawn ? "The same as a drawing:" : "NO drawing could be written to", chosen.svg.c_str());
     ok = ok and is_drawn;
     demo.print_counts();
     say("%s\n", ok ? "All went as it should." : "Not all went as it should.");
@@ -130,10 +126,9 @@ template <device_type Device> int run_on_line(options const& chosen, station<Dev
     posix_serial port;
     simulated_process simulated;
     bool const is_real = not chosen.line.port.empty();
-    // Nothing delays the octets of a pseudo-terminal inside a frame.
-    auto const timing = is_real
-                            ? line_timing::host(set.bits_per_second, set.format)
-                            : line_timing::host(set.bits_per_second, set.format, milliseconds(5));
+    // Nothing delays the bytes of a pseudo-terminal inside a frame.
+    auto const timing = is_real ? line_timing::host(set.bits_per_second, set.format)
+                                : line_timing::host(set.bits_per_second, set.format, milliseconds(5));
     if (not is_real and not simulated.start(chosen.drive, chosen.unit, timing)) {
         complain("demo: no simulated drive to be had\n");
         return 1;
@@ -151,8 +146,7 @@ template <device_type Device> int run_on_line(options const& chosen, station<Dev
 void rtuwire::on_missing_value(rtuwire::errc why) noexcept
 {
     emergency.stop_motor();
-    complain("demo: read a value that is not there (%s); the motor was stopped\n",
-             std::string{name(why)}.c_str());
+    complain("demo: read a value that is not there (%s); the motor was stopped\n", std::string{name(why)}.c_str());
     error_output.finish(std::chrono::milliseconds{500});
 }
 

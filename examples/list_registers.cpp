@@ -13,7 +13,7 @@ using namespace examples;
 
 namespace {
 
-std::string words(text characters) { return {characters.begin(), characters.end()}; }
+std::string words(literal characters) { return {characters.begin(), characters.end()}; }
 
 std::string shown(bound const& limit)
 {
@@ -26,8 +26,7 @@ std::string shown(bound const& limit)
     std::string share;
     if (limit.numerator() != limit.denominator()) {
         char factor[16];
-        std::snprintf(factor, sizeof factor, "%g*",
-                      double(limit.numerator()) / limit.denominator());
+        std::snprintf(factor, sizeof factor, "%g*", double(limit.numerator()) / limit.denominator());
         share = factor;
     }
     std::string const factor = words(limit.factor());
@@ -84,10 +83,10 @@ template <auto const& R> row row_of()
     }
     std::string const factory = R.factory ? std::to_string(*R.factory) : "";
     std::string name = words(R.name);
-    if (R.source == trust::inferred) {
+    if (R.source == provenance::inferred) {
         name += " [inferred]";
     }
-    if (R.source == trust::doubtful) {
+    if (R.source == provenance::doubtful) {
         name += " [doubtful]";
     }
     if (R.gap.last >= R.gap.first) {
@@ -96,8 +95,8 @@ template <auto const& R> row row_of()
     if (R.steps_set_by.size() > 0) {
         name += " [steps set by " + words(R.steps_set_by) + "]";
     }
-    return {{words(R.code), std::to_string(R.address), shown(R.mode), how.type, how.unit, scale,
-             shown(R.min), shown(R.max), factory, name}};
+    return {{words(R.code), std::to_string(R.address), shown(R.mode), how.type, how.unit, scale, shown(R.min),
+             shown(R.max), factory, name}};
 }
 
 /// A field of a line of comma-separated values, quoted as RFC 4180 says.
@@ -128,8 +127,7 @@ void print(row const& line, bool as_csv)
 
 template <typename Device> void list(bool as_csv)
 {
-    print({{"code", "address", "access", "type", "unit", "scale", "min", "max", "default", "name"}},
-          as_csv);
+    print({{"code", "address", "access", "type", "unit", "scale", "min", "max", "default", "name"}}, as_csv);
     Device::registers::for_each([&]<auto const & R>() { print(row_of<R>(), as_csv); });
 }
 
@@ -172,9 +170,7 @@ int main(int argc, char** argv)
     std::string const usage = std::string{"[--drive "} + drive_names + "] [--csv]";
     return with_usage("list_registers", usage, argc, argv, [&] {
         options const chosen = parse({argc, argv});
-        with_drive(chosen.drive, [&chosen](auto device) {
-            list<typename decltype(device)::type>(chosen.as_csv);
-        });
+        with_drive(chosen.drive, [&chosen](auto device) { list<typename decltype(device)::type>(chosen.as_csv); });
         return is_all_printed() ? 0 : 1;
     });
 }

@@ -86,7 +86,7 @@ options parse(arguments words)
 }
 
 /// "1 fault": what happens to unit 1. "1 show": what it does.
-template <typename Line> void obey(Line& line, std::string const& order)
+template <typename Line> void apply(Line& line, std::string const& order)
 {
     auto const space = order.find(' ');
     auto const unit = number_in(order.substr(0, space));
@@ -124,7 +124,7 @@ int serve(Port& port, std::string const& path, line_timing const& timing, option
     while (failed and noted.end == 0) {
         failed = line.pass(milliseconds(20));
         while (auto const order = input.next()) {
-            obey(line, *order);
+            apply(line, *order);
         }
         if (noted.suspend != 0) {
             suspend(); // the drives fall silent, as without power
@@ -138,10 +138,10 @@ int run(options const& chosen)
     auto const& set = chosen.line.settings;
     if (not chosen.line.port.empty()) {
         posix_serial port;
-        int const status = port.open(chosen.line.port, set)
-                               ? serve(port, chosen.line.port,
-                                       line_timing::host(set.bits_per_second, set.format), chosen)
-                               : 1;
+        int const status =
+            port.open(chosen.line.port, set)
+                ? serve(port, chosen.line.port, line_timing::host(set.bits_per_second, set.format), chosen)
+                : 1;
         if (not port.failure().empty()) {
             complain("%s\n", port.failure().c_str());
         }
@@ -152,7 +152,7 @@ int run(options const& chosen)
         complain("simulate: no pseudo-terminal to be had\n");
         return 1;
     }
-    // Nothing delays the octets of a pseudo-terminal inside a frame.
+    // Nothing delays the bytes of a pseudo-terminal inside a frame.
     auto const timing = line_timing::host(set.bits_per_second, set.format, milliseconds(5));
     return serve(port, port.path(), timing, chosen);
 }
@@ -162,8 +162,7 @@ int run(options const& chosen)
 /// The motors are simulated and stop with this program; a client hears no more of them and must know why.
 void rtuwire::on_missing_value(rtuwire::errc why) noexcept
 {
-    complain("simulate: read a value that is not there (%s); all drives end here\n",
-             std::string{name(why)}.c_str());
+    complain("simulate: read a value that is not there (%s); all drives end here\n", std::string{name(why)}.c_str());
     error_output.finish(std::chrono::milliseconds{500});
 }
 

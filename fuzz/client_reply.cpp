@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Any octets as the answer to a question, at once: what is accepted has the unit, function, length and
-// echo of the question and a right CRC.
+// Any bytes as the response to a request, at once: what is accepted has the unit, function, length and
+// echo of the request and a right CRC.
 #include <rtuwire/rtuwire.hpp>
 
 #include "input.hpp"
@@ -18,11 +18,10 @@ auto const read = *encode(unit, read_holding_registers{3201, 3});
 auto const write = *encode(unit, write_single_register{8501, 15});
 auto const block = *encode(unit, write_multiple_registers{9001, register_block{20, 30}});
 auto const both = *encode(unit, read_write_multiple_registers{12741, 4, 12761, register_block{6}});
-auto const test_line =
-    *encode(unit, diagnostics{subfunction::return_query_data, register_block{7}});
+auto const test_line = *encode(unit, diagnostics{subfunction::return_query_data, register_block{7}});
 auto const who = *encode(unit, read_device_identification{});
 
-byte_view question(std::uint8_t choice)
+byte_view request(std::uint8_t choice)
 {
     switch (choice % 6U) {
     case 0: return read;
@@ -66,14 +65,14 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
 {
     fuzz::input in{data, size};
     std::uint8_t const choice = in.u8();
-    byte_view const asked = question(choice);
+    byte_view const asked = request(choice);
     fuzz::frame const heard{in.some(max_adu_size + 8), (choice & 0x80U) != 0};
     test::asking<client> link{line_timing{19'200, character_format::even_8_1}, {.retries = 0}};
     instant now{0};
     link.advance(now);
     now = now + milliseconds(10);
     link.advance(now);
-    require(link.start(request{asked}, now).has_value());
+    require(link.start(request_frame{asked}, now).has_value());
     require(same_bytes(link.poll_transmit(), asked));
     link.sent(now);
     link.receive(heard.view(), now + milliseconds(200));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Any octets in any chunking and any pauses to a client that keeps asking: every question ends by its
+// Any bytes in any chunking and any pauses to a client that keeps asking: every request ends by its
 // deadline, is sent no more often than it may be, and waits for its unit no longer than rules 17 to 19 of
 // docs/engine-rules.md say.
 #include <rtuwire/rtuwire.hpp>
@@ -16,14 +16,14 @@ namespace {
 
 constexpr line_timing line{19'200, character_format::even_8_1};
 constexpr unsigned retries = 2, busy_retries = 3;
-constexpr std::size_t longest_answer = 7; ///< a value of one register
+constexpr std::size_t longest_response = 7; ///< a value of one register
 
-/// What the sendings of one question leave behind, at most.
+/// What the sendings of one request leave behind, at most.
 class debt {
 public:
-    explicit debt(client_options const& options) : late_{options.late_answer}
+    explicit debt(client_options const& options) : late_{options.late_response}
     {
-        each_ = options.response_timeout + line.characters(longest_answer) + late_;
+        each_ = options.response_timeout + line.characters(longest_response) + late_;
     }
 
     void forget() { sendings_ = 0; }
@@ -35,14 +35,14 @@ public:
         require(sendings_ <= 1 + retries + busy_retries);
     }
 
-    /// When its unit may be asked again at the latest, where this was the outcome at `now`: one answer has come, and
+    /// When its unit may be asked again at the latest, where this was the outcome at `now`: one response has come, and
     /// each other may take as long as all did so far; or none has, and each takes its time behind the last.
-    instant end(bool is_answered, instant now) const
+    instant end(bool has_response, instant now) const
     {
         if (sendings_ == 0) {
             return now;
         }
-        return is_answered ? now + ((now - first_) + late_) * (sendings_ - 1) : last_ + each_ * sendings_;
+        return has_response ? now + ((now - first_) + late_) * (sendings_ - 1) : last_ + each_ * sendings_;
     }
 
 private:
@@ -63,8 +63,8 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     fuzz::input in{data, size};
     std::uint8_t const flags = in.u8();
     client_options options{.response_timeout = milliseconds(100), .retries = retries};
-    options.has_echo = (flags & 1U) != 0;
-    options.skip_noise = (flags & 2U) != 0 ? 3 : 0;
+    options.has_line_echo = (flags & 1U) != 0;
+    options.max_leading_noise = (flags & 2U) != 0 ? 3 : 0;
     using engine = basic_client<unit_statistics<2>>;
     test::asking<engine> link{line, options};
     engine const& under_way = link;
@@ -85,13 +85,13 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         bool is_same = under_way.is_busy();
         link.advance(now);
         if (auto const outcome = link.poll_outcome()) {
-            bool const is_answered = outcome->has_value() or is_exception(outcome->error());
-            held_until = owed.end(is_answered, now);
+            bool const has_response = outcome->has_value() or is_exception(outcome->error());
+            held_until = owed.end(has_response, now);
             owed.forget();
             is_same = false;
         }
         if (not link.is_busy()) {
-            require(link.start(request{frame}, now).has_value());
+            require(link.start(request_frame{frame}, now).has_value());
         }
         // Its unit is held no longer than for the debt; then it is asked on a quiet line, where the first visit may
         // be for whoever asked last.

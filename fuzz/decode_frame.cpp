@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Any octets as a frame: nothing reads outside, and whatever decodes encodes to the same octets.
+// Any bytes as a frame: nothing reads outside, and whatever decodes encodes to the same bytes.
 #include <array>
 #include <cstdint>
 #include <cstdlib>
@@ -26,7 +26,7 @@ template <typename P> void decode(adu heard, byte_view frame)
     }
     std::array<std::byte, max_adu_size> place{};
     auto const again = encode_adu(place, heard.unit(), *value);
-    // An answer may lie past the last register, which a question may not.
+    // A response may lie past the last register, which a request may not.
     if (not again) {
         return require(again == errc::invalid_address_range);
     }
@@ -61,15 +61,15 @@ void decode_all(byte_view frame)
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
-    std::array<std::byte, 300> octets{};
-    size = size < octets.size() - 2 ? size : octets.size() - 2;
+    std::array<std::byte, 300> bytes{};
+    size = size < bytes.size() - 2 ? size : bytes.size() - 2;
     for (std::size_t i = 0; i < size; ++i) {
-        octets[i] = static_cast<std::byte>(data[i]);
+        bytes[i] = static_cast<std::byte>(data[i]);
     }
-    decode_all(byte_view{octets}.first(size));
-    std::uint16_t const crc = crc16(byte_view{octets}.first(size));
-    octets[size] = to_byte(crc);
-    octets[size + 1] = to_byte(std::uint32_t{crc} >> 8U);
-    decode_all(byte_view{octets}.first(size + 2));
+    decode_all(byte_view{bytes}.first(size));
+    std::uint16_t const crc = crc16(byte_view{bytes}.first(size));
+    bytes[size] = to_byte(crc);
+    bytes[size + 1] = to_byte(std::uint32_t{crc} >> 8U);
+    decode_all(byte_view{bytes}.first(size + 2));
     return 0;
 }

@@ -13,26 +13,26 @@ using fuzz::require;
 
 namespace {
 
-constexpr text texts[] = {"", "A", "Schneider Electric",
-                          "bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb"
-                          "bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb",
-                          "cccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc"
-                          "cccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc"
-                          "cccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc"
-                          "cccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc"
-                          "cccc",
-                          // One octet more than a page has room for.
-                          "dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd"
-                          "dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd"
-                          "dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd"
-                          "dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd"
-                          "ddddd"};
+constexpr literal texts[] = {"", "A", "Schneider Electric",
+                             "bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb"
+                             "bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb",
+                             "cccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc"
+                             "cccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc"
+                             "cccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc"
+                             "cccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc"
+                             "cccc",
+                             // One byte more than a page has room for.
+                             "dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd"
+                             "dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd"
+                             "dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd"
+                             "dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd"
+                             "ddddd"};
 
 /// Up to four objects, their numbers rising from the vendor's name on.
 void pages_are_whole(fuzz::input in)
 {
-    std::array<std::byte, 1024> octets{};
-    byte_writer out{octets};
+    std::array<std::byte, 1024> bytes{};
+    byte_writer out{bytes};
     std::size_t count = 0;
     for (unsigned id = 0; count < 4 and not in.is_empty() and id < 256; ++count) {
         write_object(out, {static_cast<std::uint8_t>(id), texts[in.u8() % std::size(texts)]});
@@ -50,7 +50,7 @@ void pages_are_whole(fuzz::input in)
         read_device_identification const asked{identification_access::extended, next};
         byte_writer request{place};
         asked.write(request);
-        pdu_place pdu{place, request.size()};
+        pdu_buffer pdu{place, request.size()};
         require(write_identification(pdu, all) == errc::none);
         auto const read = device_identification::decode(pdu.view());
         require(read.has_value());
@@ -66,8 +66,8 @@ void pages_are_whole(fuzz::input in)
     require(seen <= 2 * count);
 }
 
-/// Octets that pass for objects are served.
-void any_octets_are_checked(fuzz::input in)
+/// Bytes that pass for objects are served.
+void any_bytes_are_checked(fuzz::input in)
 {
     auto const objects = device_objects::from(in.some(400));
     if (not objects) {
@@ -76,21 +76,21 @@ void any_octets_are_checked(fuzz::input in)
     std::array<std::byte, max_pdu_size> place{};
     byte_writer request{place};
     read_device_identification{identification_access::extended, 0}.write(request);
-    pdu_place pdu{place, request.size()};
+    pdu_buffer pdu{place, request.size()};
     require(write_identification(pdu, *objects) == errc::none);
     require(device_identification::decode(pdu.view()).has_value());
 }
 
 void any_pages_end(fuzz::input in)
 {
-    altivar::identify<altivar::atv320::device> talk{station<altivar::atv320::device>{unit_id{1}}};
-    for (unsigned page = 0; page < 300 and not talk.settled() and not in.is_empty(); ++page) {
-        require(talk.next().has_value());
+    altivar::identify<altivar::atv320::device> conversation{station<altivar::atv320::device>{unit_id{1}}};
+    for (unsigned page = 0; page < 300 and not conversation.settled() and not in.is_empty(); ++page) {
+        require(conversation.next().has_value());
         byte_view const pdu = in.some(in.u8());
         if (pdu.size() < 2 or not device_identification::decode(pdu)) {
-            talk.accept(errc::malformed);
+            conversation.accept(errc::malformed);
         } else {
-            talk.accept(result<response>{response{pdu}});
+            conversation.accept(result<response>{response{pdu}});
         }
     }
 }
@@ -101,6 +101,6 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
 {
     pages_are_whole({data, size});
     any_pages_end({data, size});
-    any_octets_are_checked({data, size});
+    any_bytes_are_checked({data, size});
     return 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A fuzzer's octets, taken piece by piece; and what a target says when something does not hold.
+// A fuzzer's bytes, taken piece by piece; and what a target says when something does not hold.
 #pragma once
 
 #include <array>
@@ -23,46 +23,44 @@ inline void require(bool holds)
 
 class input {
 public:
-    input(std::uint8_t const* data, std::size_t size)
-        : octets_{reinterpret_cast<std::byte const*>(data), size}
-    {}
+    input(std::uint8_t const* data, std::size_t size) : bytes_{reinterpret_cast<std::byte const*>(data), size} {}
 
-    bool is_empty() const { return octets_.empty(); }
+    bool is_empty() const { return bytes_.empty(); }
 
-    /// The next octet; 0 when there is none.
+    /// The next byte; 0 when there is none.
     std::uint8_t u8()
     {
-        if (octets_.empty()) {
+        if (bytes_.empty()) {
             return 0;
         }
-        std::uint8_t const first = rtuwire::to_u8(octets_[0]);
-        octets_ = octets_.subspan(1);
+        std::uint8_t const first = rtuwire::to_u8(bytes_[0]);
+        bytes_ = bytes_.subspan(1);
         return first;
     }
 
     std::uint16_t u16() { return static_cast<std::uint16_t>(u8() << 8U | u8()); }
 
-    /// Up to `most` of the next octets.
+    /// Up to `most` of the next bytes.
     rtuwire::byte_view some(std::size_t most)
     {
-        std::size_t const count = most < octets_.size() ? most : octets_.size();
-        rtuwire::byte_view const taken = octets_.first(count);
-        octets_ = octets_.subspan(count);
+        std::size_t const count = most < bytes_.size() ? most : bytes_.size();
+        rtuwire::byte_view const taken = bytes_.first(count);
+        bytes_ = bytes_.subspan(count);
         return taken;
     }
 
 private:
-    rtuwire::byte_view octets_;
+    rtuwire::byte_view bytes_;
 };
 
-/// Octets as a frame: as they are, or with the CRC that belongs to them.
+/// Bytes as a frame: as they are, or with the CRC that belongs to them.
 class frame {
 public:
-    frame(rtuwire::byte_view octets, bool has_crc)
+    frame(rtuwire::byte_view bytes, bool has_crc)
     {
         constexpr std::size_t most = rtuwire::max_adu_size + 8;
-        for (std::byte const octet : octets.first(octets.size() < most ? octets.size() : most)) {
-            place_[size_++] = octet;
+        for (std::byte const byte : bytes.first(bytes.size() < most ? bytes.size() : most)) {
+            place_[size_++] = byte;
         }
         if (has_crc) {
             std::uint16_t const crc = rtuwire::crc16(view());

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Requests of a right length to our server and to libmodbus's: the same answers, octet by octet, and the
+// Requests of a right length to our server and to libmodbus's: the same answers, byte by byte, and the
 // same registers after them.
 #include <modbus.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint16_t map_size = 200;
 
-/// A libmodbus server whose answers go into a pipe.
+/// A libmodbus server whose responses go into a pipe.
 class other_server {
 public:
     other_server()
@@ -41,13 +41,12 @@ public:
         modbus_free(context_);
     }
 
-    byte_view answer_to(byte_view frame)
+    byte_view response_to(byte_view frame)
     {
-        static_cast<void>(modbus_reply(context_,
-                                       reinterpret_cast<std::uint8_t const*>(frame.data()),
+        static_cast<void>(modbus_reply(context_, reinterpret_cast<std::uint8_t const*>(frame.data()),
                                        static_cast<int>(frame.size()), map_));
-        ssize_t const count = ::read(pipe_[0], answer_.data(), answer_.size());
-        return byte_view{answer_}.first(count < 0 ? 0 : static_cast<std::size_t>(count));
+        ssize_t const count = ::read(pipe_[0], response_.data(), response_.size());
+        return byte_view{response_}.first(count < 0 ? 0 : static_cast<std::size_t>(count));
     }
 
     std::uint16_t get(std::size_t at) const { return map_->tab_registers[at]; }
@@ -56,7 +55,7 @@ private:
     modbus_t* context_{modbus_new_rtu("/dev/null", 19'200, 'N', 8, 1)};
     modbus_mapping_t* map_{modbus_mapping_new(0, 0, map_size, 0)};
     int pipe_[2]{-1, -1};
-    std::array<std::byte, 512> answer_{};
+    std::array<std::byte, 512> response_{};
 };
 
 /// One request of a function that both have, its byte count and length as its quantity says.
@@ -100,10 +99,9 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     while (not in.is_empty()) {
         std::array<std::byte, 300> place{};
         byte_view const frame = request_from(in, place);
-        std::array<std::byte, max_pdu_size> answer{};
-        byte_view const pdu =
-            respond(frame.subspan(1, frame.size() - adu_overhead), ours, profile, answer);
-        byte_view const other = theirs.answer_to(frame);
+        std::array<std::byte, max_pdu_size> response{};
+        byte_view const pdu = respond(frame.subspan(1, frame.size() - adu_overhead), ours, profile, response);
+        byte_view const other = theirs.response_to(frame);
         require(other.size() == pdu.size() + adu_overhead);
         require(same_bytes(other.subspan(1, pdu.size()), pdu));
     }

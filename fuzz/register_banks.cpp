@@ -50,7 +50,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         new_drive.advance(now);
         old_drive.advance(now);
         require(typed.get<atv12::acc>().count() <= 9'999);
-        require(cia402::decode(new_drive.word("ETA")) == new_drive.chart().state());
+        require(cia402::decode(new_drive.word("ETA")) == new_drive.state_machine().state());
     }
     return 0;
 }

@@ -25,7 +25,7 @@ template <typename P> void there_and_back(std::uint8_t unit, P const& value)
     std::array<std::byte, max_adu_size> other{};
     auto const second = encode_adu(other, unit, *again);
     require(second and same_bytes(*second, *frame));
-    // No room for one octet less.
+    // No room for one byte less.
     auto const tight = encode_adu(byte_span{place}.first(frame->size() - 1), unit, value);
     require(tight == errc::buffer_too_small);
 }
@@ -50,8 +50,8 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         there_and_back(unit, read_write_multiple_registers{first, second, third, words});
         there_and_back(unit, read_write_multiple_registers_response{words});
         there_and_back(unit, diagnostics{static_cast<subfunction>(first), words});
-        there_and_back(unit, exception_response{static_cast<function_code>(first & 0xFFU),
-                                                static_cast<std::uint8_t>(second)});
+        there_and_back(
+            unit, exception_response{static_cast<function_code>(first & 0xFFU), static_cast<std::uint8_t>(second)});
     }
     return 0;
 }

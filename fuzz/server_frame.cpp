@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Any PDU to a server as a pure function: the answer fits, is of the function asked, and a refusal changed
+// Any PDU to a server as a pure function: the response fits, is of the function asked, and a refusal changed
 // nothing.
 #include <rtuwire/rtuwire.hpp>
 
@@ -18,18 +18,9 @@ struct shadowed_bank {
     word_bank<32> words{100};
     unsigned writes{0};
 
-    errc check_read(std::uint16_t start, std::size_t count) const
-    {
-        return words.check_read(start, count);
-    }
-    errc check_write(std::uint16_t start, register_view values) const
-    {
-        return words.check_write(start, values);
-    }
-    errc read(std::uint16_t start, std::size_t count, byte_writer& out)
-    {
-        return words.read(start, count, out);
-    }
+    errc check_read(std::uint16_t start, std::size_t count) const { return words.check_read(start, count); }
+    errc check_write(std::uint16_t start, register_view values) const { return words.check_write(start, values); }
+    errc read(std::uint16_t start, std::size_t count, byte_writer& out) { return words.read(start, count, out); }
     errc write(std::uint16_t start, register_view values)
     {
         ++writes;
@@ -50,14 +41,14 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         byte_view const asked = in.some(in.u8());
         std::array<std::byte, max_pdu_size> place{};
         unsigned const before = bank.writes;
-        byte_view const answer = respond(asked, bank, is_wide ? wide : narrow, place, line);
-        if (answer.empty()) {
+        byte_view const response = respond(asked, bank, is_wide ? wide : narrow, place, line);
+        if (response.empty()) {
             continue;
         }
-        require(answer.size() <= max_pdu_size and not asked.empty());
-        require((to_u8(answer[0]) & 0x7FU) == to_u8(asked[0]));
-        if (to_u8(answer[0]) >= 0x80) {
-            require(answer.size() == 2 and to_u8(answer[1]) >= 1 and to_u8(answer[1]) <= 4);
+        require(response.size() <= max_pdu_size and not asked.empty());
+        require((to_u8(response[0]) & 0x7FU) == to_u8(asked[0]));
+        if (to_u8(response[0]) >= 0x80) {
+            require(response.size() == 2 and to_u8(response[1]) >= 1 and to_u8(response[1]) <= 4);
             require(bank.writes == before);
         }
     }

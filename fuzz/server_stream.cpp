@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Any octets in any chunking and any pauses to a server: it never answers more than it was asked, and
+// Any bytes in any chunking and any pauses to a server: it never answers more than it was asked, and
 // what it says is a frame of its own unit.
 #include <array>
 #include <cstdint>
@@ -26,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     now = now + milliseconds(10);
     node.advance(now);
     while (size > 0) {
-        // One octet says how many follow at once, how long the pause is, and whether a CRC follows.
+        // One byte says how many follow at once, how long the pause is, and whether a CRC follows.
         std::size_t const count = data[0] % 16U < size - 1 ? data[0] % 16U : size - 1;
         std::array<std::byte, 18> lump{};
         for (std::size_t i = 0; i < count; ++i) {
@@ -40,9 +40,9 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         node.receive(byte_view{lump}.first(count + (has_crc ? 2U : 0U)), now);
         node.advance(now);
         node.serve(bank, now);
-        byte_view const answer = node.poll_transmit();
-        if (not answer.empty()) {
-            auto const said = decode_adu(answer);
+        byte_view const response = node.poll_transmit();
+        if (not response.empty()) {
+            auto const said = decode_adu(response);
             if (not said or said->unit() != 1) {
                 std::abort();
             }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // What a stack does all day, one function each, so that their instructions can be counted one by one. No
-// compiler sees through them: they are not inlined, and their octets are variables.
+// compiler sees through them: they are not inlined, and their bytes are variables.
 #pragma once
 
 #include <array>
@@ -9,9 +9,9 @@
 #include <cstdint>
 
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/server/answer_frame.hpp>
-#include <rtuwire/wire/answer.hpp>
+#include <rtuwire/server/response_frame.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/response.hpp>
 
 namespace operations {
 
@@ -22,13 +22,12 @@ inline constexpr server_profile profile{};
 
 inline constexpr auto read_4 = "01 03 00 01 00 04 15 C9"_hex;
 inline constexpr auto write_4 = "01 10 00 01 00 04 08 00 01 00 02 00 03 00 04 D3 7A"_hex;
-inline constexpr auto exchange_4 =
-    "01 17 00 01 00 04 00 01 00 04 08 00 01 00 02 00 03 00 04 2B 29"_hex;
+inline constexpr auto exchange_4 = "01 17 00 01 00 04 00 01 00 04 08 00 01 00 02 00 03 00 04 2B 29"_hex;
 
 struct memory {
     std::array<std::byte, max_adu_size> frame{};
-    std::array<std::byte, 13> answer_4{};
-    std::array<std::byte, 131> answer_63{};
+    std::array<std::byte, 13> response_4{};
+    std::array<std::byte, 131> response_63{};
     std::array<std::uint16_t, 125> values{};
     word_bank<16> bank{};
     no_diagnostics line{};
@@ -39,19 +38,19 @@ struct memory {
 };
 inline memory all;
 
-/// An answer of function 03 with as many registers as fit.
-template <std::size_t Size> void fill(std::array<std::byte, Size>& answer)
+/// A response of function 03 with as many registers as fit.
+template <std::size_t Size> void fill(std::array<std::byte, Size>& response)
 {
-    answer[0] = std::byte{1};
-    answer[1] = std::byte{3};
-    answer[2] = static_cast<std::byte>(Size - 5);
-    static_cast<void>(seal(answer, Size - adu_overhead));
+    response[0] = std::byte{1};
+    response[1] = std::byte{3};
+    response[2] = static_cast<std::byte>(Size - 5);
+    static_cast<void>(append_crc(response, Size - adu_overhead));
 }
 
 inline void prepare()
 {
-    fill(all.answer_4);
-    fill(all.answer_63);
+    fill(all.response_4);
+    fill(all.response_63);
 }
 
 /// Nothing: what a call costs.
@@ -59,8 +58,7 @@ inline void prepare()
 
 [[gnu::noinline]] inline void encode_read()
 {
-    auto const frame =
-        encode_into(all.frame, all.unit, read_holding_registers{all.start, all.quantity});
+    auto const frame = encode_into(all.frame, all.unit, read_holding_registers{all.start, all.quantity});
     all.sum = all.sum + (frame ? 1U : 0U);
 }
 
@@ -71,20 +69,20 @@ inline void prepare()
     return frame;
 }
 
-[[gnu::noinline]] inline void decode(byte_view octets)
+[[gnu::noinline]] inline void decode(byte_view bytes)
 {
-    auto const answer = decode_adu(octets);
-    if (not answer) {
+    auto const response = decode_adu(bytes);
+    if (not response) {
         return;
     }
-    auto const read = read_holding_registers_response::decode(answer->pdu());
+    auto const read = read_holding_registers_response::decode(response->pdu());
     if (not read) {
         return;
     }
     all.sum = all.sum + read->registers.copy_to(all.values);
 }
-[[gnu::noinline]] inline void decode_4() { decode(all.answer_4); }
-[[gnu::noinline]] inline void decode_63() { decode(all.answer_63); }
+[[gnu::noinline]] inline void decode_4() { decode(all.response_4); }
+[[gnu::noinline]] inline void decode_63() { decode(all.response_63); }
 
 /// Puts a request where a receiver would have left it.
 template <std::size_t Size> void receive(std::array<std::byte, Size> const& request)
@@ -97,8 +95,8 @@ template <std::size_t Size> void receive(std::array<std::byte, Size> const& requ
 template <std::size_t Size> void serve(std::array<std::byte, Size> const& request)
 {
     receive(request);
-    byte_view const answer = answer_frame(all.frame, Size, address, all.bank, profile, all.line);
-    all.sum = all.sum + answer.size();
+    byte_view const response = response_frame(all.frame, Size, address, all.bank, profile, all.line);
+    all.sum = all.sum + response.size();
 }
 [[gnu::noinline]] inline void receive_read_4() { receive(read_4); }
 [[gnu::noinline]] inline void receive_write_4() { receive(write_4); }
@@ -107,10 +105,7 @@ template <std::size_t Size> void serve(std::array<std::byte, Size> const& reques
 [[gnu::noinline]] inline void serve_write_4() { serve(write_4); }
 [[gnu::noinline]] inline void serve_exchange_4() { serve(exchange_4); }
 
-[[gnu::noinline]] inline void crc_of_253()
-{
-    all.sum = all.sum + crc16(byte_view{all.frame}.first(253));
-}
+[[gnu::noinline]] inline void crc_of_253() { all.sum = all.sum + crc16(byte_view{all.frame}.first(253)); }
 
 /// Whether each does what its name says: a count of refusals would be a low one.
 inline bool are_right()
@@ -122,9 +117,9 @@ inline bool are_right()
     serve_write_4();
     serve_exchange_4();
     bool const is_served = all.sum == 1 + 13 + 8 + 13 and all.bank.get(4) == 4;
-    fill(all.answer_4);
-    all.answer_4[4] = std::byte{7};
-    static_cast<void>(seal(all.answer_4, 10));
+    fill(all.response_4);
+    all.response_4[4] = std::byte{7};
+    static_cast<void>(append_crc(all.response_4, 10));
     all.sum = 0;
     decode_4();
     bool const is_read = all.sum == 4 and all.values[0] == 7;

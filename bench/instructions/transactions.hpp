@@ -22,20 +22,20 @@ inline constexpr unit_id address{1};
 inline constexpr auto read_4 = "01 03 00 01 00 04 15 C9"_hex;
 
 struct memory {
-    std::array<std::byte, 13> answer_4{};
-    std::array<std::byte, 131> answer_63{};
+    std::array<std::byte, 13> response_4{};
+    std::array<std::byte, 131> response_63{};
     word_bank<16> bank{};
     std::size_t sum{0};
 };
 inline memory all;
 
-/// An answer of function 03 with as many registers as fit.
-template <std::size_t Size> void fill(std::array<std::byte, Size>& answer)
+/// A response of function 03 with as many registers as fit.
+template <std::size_t Size> void fill(std::array<std::byte, Size>& response)
 {
-    answer[0] = std::byte{1};
-    answer[1] = std::byte{3};
-    answer[2] = static_cast<std::byte>(Size - 5);
-    static_cast<void>(seal(answer, Size - adu_overhead));
+    response[0] = std::byte{1};
+    response[1] = std::byte{3};
+    response[2] = static_cast<std::byte>(Size - 5);
+    static_cast<void>(append_crc(response, Size - adu_overhead));
 }
 
 /// Nothing: what a call costs.
@@ -54,7 +54,7 @@ inline engines* line = nullptr; ///< made when it is first needed: nothing runs 
 /// A read of so many registers, without end.
 template <std::uint16_t Count> class read_again : public asker {
 public:
-    constexpr std::optional<request> next() const noexcept { return request{frame_}; }
+    constexpr std::optional<request_frame> next() const noexcept { return request_frame{frame_}; }
     constexpr void accept(result<response> const& outcome) noexcept
     {
         line->values += outcome ? outcome->pdu().size() - 2 : 0;
@@ -69,26 +69,26 @@ constinit inline read_again<63> read_of_63;
 
 inline void let_pass(duration length) { line->now = line->now + length; }
 
-/// One transaction of a client, its answer fed octet by octet as a receiver's interrupt would. Ends by
+/// One transaction of a client, its response fed byte by byte as a receiver's interrupt would. Ends by
 /// taking the outcome and asking again.
-template <typename Talk>
-[[gnu::noinline]] void transact(client& link, Talk& talk, byte_view answer)
+template <typename Conversation>
+[[gnu::noinline]] void transact(client& link, Conversation& conversation, byte_view response)
 {
     let_pass(milliseconds(4));
     link.advance(line->now);
-    link.converse(talk, line->now);
+    link.converse(conversation, line->now);
     all.sum = all.sum + link.poll_transmit().size();
     link.sent(line->now);
-    for (std::byte const& each : answer) {
+    for (std::byte const& each : response) {
         let_pass(microseconds(573));
         link.receive({&each, 1}, line->now);
     }
     link.advance(line->now);
-    link.converse(talk, line->now);
+    link.converse(conversation, line->now);
     all.sum = all.sum + (link.poll_deadline() ? 1 : 0);
 }
-inline void client_read_4() { transact(line->asks_4, read_of_4, all.answer_4); }
-inline void client_read_63() { transact(line->asks_63, read_of_63, all.answer_63); }
+inline void client_read_4() { transact(line->asks_4, read_of_4, all.response_4); }
+inline void client_read_63() { transact(line->asks_63, read_of_63, all.response_63); }
 
 /// One transaction of the server, fed the same way.
 [[gnu::noinline]] inline void server_read_4()
@@ -110,8 +110,8 @@ inline void client_read_63() { transact(line->asks_63, read_of_63, all.answer_63
 /// Whether the engines do what their names say.
 inline bool are_right()
 {
-    fill(all.answer_4);
-    fill(all.answer_63);
+    fill(all.response_4);
+    fill(all.response_63);
     static engines made;
     line = &made;
     line->asks_4.advance(line->now);

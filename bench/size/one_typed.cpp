@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // One register read by name, over the client. Twin of one_by_hand.cpp.
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/client/access.hpp>
+#include <rtuwire/ask/access.hpp>
 #include <rtuwire/client/client.hpp>
 
 using namespace rtuwire;
@@ -10,11 +10,11 @@ using namespace rtuwire::altivar;
 
 result<std::uint16_t> read_one(station<atv320::device> const& drive, client& link, instant now)
 {
-    auto talk = read<atv320::lcr>(drive);
-    link.converse(talk, now);
-    link.converse(talk, now);
-    if (not talk.outcome()) {
-        return talk.outcome().error();
+    auto conversation = read<atv320::lcr>(drive);
+    link.converse(conversation, now);
+    link.converse(conversation, now);
+    if (not conversation.outcome()) {
+        return conversation.outcome().error();
     }
-    return talk.outcome()->count();
+    return conversation.outcome()->count();
 }

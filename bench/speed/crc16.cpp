@@ -17,10 +17,7 @@ namespace {
 
 using crc_function = std::uint16_t (*)(byte_view);
 
-template <crc_form Form> [[gnu::noinline]] std::uint16_t crc_by(byte_view octets)
-{
-    return crc16<Form>(octets);
-}
+template <crc_form Form> [[gnu::noinline]] std::uint16_t crc_by(byte_view bytes) { return crc16<Form>(bytes); }
 
 void throughput(benchmark::State& state, crc_function crc)
 {
@@ -28,7 +25,7 @@ void throughput(benchmark::State& state, crc_function crc)
     std::size_t start = 0;
     for (auto _ : state) {
         start = (start + 1) % 8;
-        benchmark::DoNotOptimize(crc(byte_view{bench::octets}.subspan(start, size)));
+        benchmark::DoNotOptimize(crc(byte_view{bench::bytes}.subspan(start, size)));
     }
     state.SetBytesProcessed(state.iterations() * state.range(0));
 }
@@ -37,30 +34,23 @@ constexpr struct {
     char const* name;
     crc_function crc;
 } forms[] = {
-    {"two tables", bench::crc_by_two_tables},
-    {"bitwise", crc_by<crc_form::bitwise>},
-    {"nibble table", crc_by<crc_form::nibble_table>},
-    {"byte table", crc_by<crc_form::byte_table>},
-    {"slicing by 4", crc_by<crc_form::slicing_by_4>},
-    {"slicing by 8", crc_by<crc_form::slicing_by_8>},
-    {"slicing by 16", crc_by<crc_form::slicing_by_16>},
-    {"octet algebra", crc_by<crc_form::octet_algebra>},
-    {"word algebra", crc_by<crc_form::word_algebra>},
-    {"host (default)", crc_by<crc_form::host>},
+    {"two tables", bench::crc_by_two_tables},           {"bitwise", crc_by<crc_form::bitwise>},
+    {"nibble table", crc_by<crc_form::nibble_table>},   {"byte table", crc_by<crc_form::byte_table>},
+    {"slicing by 4", crc_by<crc_form::slicing_by_4>},   {"slicing by 8", crc_by<crc_form::slicing_by_8>},
+    {"slicing by 16", crc_by<crc_form::slicing_by_16>}, {"byte algebra", crc_by<crc_form::byte_algebra>},
+    {"word algebra", crc_by<crc_form::word_algebra>},   {"host (default)", crc_by<crc_form::host>},
 };
 
 int add_all()
 {
-    for (std::size_t i = 0; i < bench::octets.size(); ++i) {
-        bench::octets[i] = to_byte(static_cast<std::uint32_t>(i * 37));
+    for (std::size_t i = 0; i < bench::bytes.size(); ++i) {
+        bench::bytes[i] = to_byte(static_cast<std::uint32_t>(i * 37));
     }
     for (auto const& form : forms) {
         for (int const size : {6, 8, 16, 64, 133, 253, 4'096}) {
             std::string const of = std::string{"/"} + form.name;
-            benchmark::RegisterBenchmark(("crc latency" + of).c_str(), bench::latency, form.crc)
-                ->Arg(size);
-            benchmark::RegisterBenchmark(("crc throughput" + of).c_str(), throughput, form.crc)
-                ->Arg(size);
+            benchmark::RegisterBenchmark(("crc latency" + of).c_str(), bench::latency, form.crc)->Arg(size);
+            benchmark::RegisterBenchmark(("crc throughput" + of).c_str(), throughput, form.crc)->Arg(size);
         }
     }
     return 0;

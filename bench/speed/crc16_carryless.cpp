@@ -15,10 +15,7 @@ namespace {
 
 using bench::latency;
 
-[[gnu::noinline]] std::uint16_t crc_by_multiplication(byte_view view)
-{
-    return crc16<crc_form::carryless>(view);
-}
+[[gnu::noinline]] std::uint16_t crc_by_multiplication(byte_view view) { return crc16<crc_form::carryless>(view); }
 
 BENCHMARK_CAPTURE(latency, two tables, bench::crc_by_two_tables)
     ->Name("carryless latency/two tables")

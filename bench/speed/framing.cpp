@@ -8,7 +8,7 @@
 
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/rtu/framer.hpp>
-#include <rtuwire/server/answer_frame.hpp>
+#include <rtuwire/server/response_frame.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 
 using namespace rtuwire;
@@ -18,14 +18,14 @@ namespace {
 constexpr unit_id one{1};
 constexpr line_timing timing{19'200, character_format::even_8_1};
 
-/// An answer of function 03 with some registers.
-std::vector<std::byte> answer_of(std::size_t registers)
+/// A response of function 03 with some registers.
+std::vector<std::byte> response_of(std::size_t registers)
 {
     std::vector<std::byte> frame(2 * registers + 5);
     frame[0] = std::byte{1};
     frame[1] = std::byte{3};
     frame[2] = static_cast<std::byte>(2 * registers);
-    static_cast<void>(seal(frame, 2 * registers + 2));
+    static_cast<void>(append_crc(frame, 2 * registers + 2));
     return frame;
 }
 
@@ -41,13 +41,13 @@ void encode_read(benchmark::State& state)
 }
 BENCHMARK(encode_read)->Name("frames/encode FC03");
 
-void decode_answer(benchmark::State& state)
+void decode_response(benchmark::State& state)
 {
-    auto const frame = answer_of(static_cast<std::size_t>(state.range(0)));
+    auto const frame = response_of(static_cast<std::size_t>(state.range(0)));
     for (auto _ : state) {
         benchmark::ClobberMemory();
-        auto const answer = decode_adu(frame);
-        auto const read = read_holding_registers_response::decode(answer->pdu());
+        auto const response = decode_adu(frame);
+        auto const read = read_holding_registers_response::decode(response->pdu());
         std::uint32_t sum = 0;
         for (std::size_t i = 0; i < read->registers.size(); ++i) {
             sum += read->registers[i];
@@ -55,7 +55,7 @@ void decode_answer(benchmark::State& state)
         benchmark::DoNotOptimize(sum);
     }
 }
-BENCHMARK(decode_answer)->Name("frames/decode FC03")->Arg(1)->Arg(4)->Arg(63);
+BENCHMARK(decode_response)->Name("frames/decode FC03")->Arg(1)->Arg(4)->Arg(63);
 
 template <std::size_t Size> void serve(benchmark::State& state, std::array<std::byte, Size> request)
 {
@@ -65,21 +65,19 @@ template <std::size_t Size> void serve(benchmark::State& state, std::array<std::
     for (auto _ : state) {
         std::copy(request.begin(), request.end(), place.begin());
         benchmark::DoNotOptimize(place);
-        benchmark::DoNotOptimize(answer_frame(place, Size, one, bank, server_profile{}, none));
+        benchmark::DoNotOptimize(response_frame(place, Size, one, bank, server_profile{}, none));
         benchmark::ClobberMemory();
     }
 }
 BENCHMARK_CAPTURE(serve, read, "01 03 00 01 00 04 15 C9"_hex)->Name("frames/serve FC03 x4");
-BENCHMARK_CAPTURE(serve, write, "01 10 00 01 00 04 08 00 01 00 02 00 03 00 04 D3 7A"_hex)
-    ->Name("frames/serve FC16 x4");
-BENCHMARK_CAPTURE(serve, exchange,
-                  "01 17 00 01 00 04 00 01 00 04 08 00 01 00 02 00 03 00 04 2B 29"_hex)
+BENCHMARK_CAPTURE(serve, write, "01 10 00 01 00 04 08 00 01 00 02 00 03 00 04 D3 7A"_hex)->Name("frames/serve FC16 x4");
+BENCHMARK_CAPTURE(serve, exchange, "01 17 00 01 00 04 00 01 00 04 08 00 01 00 02 00 03 00 04 2B 29"_hex)
     ->Name("frames/serve FC23 4+4");
 
 /// Full-length answers, one behind the other, in chunks.
 void cut_stream(benchmark::State& state)
 {
-    auto const frame = answer_of(125);
+    auto const frame = response_of(125);
     auto const chunk = static_cast<std::size_t>(state.range(0));
     framer<direction::response> cutter{timing};
     instant const now{0};

@@ -11,7 +11,7 @@ import pathlib
 import sys
 
 BASE = "two tables"
-# The least that the CRC's default has to be faster, by its octets.
+# The least that the CRC's default has to be faster, by its bytes.
 BARS = {("crc latency", "host (default)"): {8: 2.5, 253: 12.0},
         ("carryless latency", "carry-less"): {8: 2.9, 253: 23.0}}
 LEAST_TRANSACTIONS = 4.0
@@ -42,7 +42,7 @@ def ratios_of(found, group):
 
 def show_ratios(group, ratios):
     sizes = list(next(iter(ratios.values())))
-    print(f"\n{group}: times faster than {BASE}, by octets")
+    print(f"\n{group}: times faster than {BASE}, by bytes")
     print(f"{'':18}" + "".join(f"{size:9}" for size in sizes))
     for name, row in ratios.items():
         print(f"{name:18}" + "".join(f"{row[size]:9.2f}" for size in sizes))
@@ -53,7 +53,7 @@ def verdicts(group, ratios):
         if kind == group:
             for size, least in bars.items():
                 ratio = ratios[name][size]
-                yield f"{group}, {name}, {size} octets: {ratio:.1f}", ratio >= least, least
+                yield f"{group}, {name}, {size} bytes: {ratio:.1f}", ratio >= least, least
     if group == "crc latency":
         least = min(ratios["host (default)"].values())
         yield f"{group}, host (default), the least of all sizes: {least:.2f}", least >= 1.0, 1.0
@@ -68,7 +68,7 @@ def chart(ratios):
         for size, ratio in row.items():
             y += 16
             width = max(2.0, 60 + 60 * log2(max(ratio, 0.51)))
-            rows.append(f'<text x="60" y="{y + 12}">{size} octets</text>'
+            rows.append(f'<text x="60" y="{y + 12}">{size} bytes</text>'
                         f'<rect x="140" y="{y + 2}" width="{width:.0f}" height="12" fill="#36c"/>'
                         f'<text x="{146 + width:.0f}" y="{y + 12}">{ratio:.2f}</text>')
         y += 24

@@ -9,8 +9,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/client/client.hpp>
-#include <rtuwire/client/single_question.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 
@@ -26,7 +26,7 @@ struct both_ends {
     client link{timing};
     server node{one, timing};
     word_bank<16> bank{};
-    single_question<read_holding_registers> question{one, {1, 4}};
+    single_request<read_holding_registers> request{one, {1, 4}};
     instant now{0};
 
     both_ends()
@@ -42,20 +42,20 @@ struct both_ends {
     }
     std::uint32_t ask()
     {
-        question.begin();
-        link.converse(question, now);
+        request.begin();
+        link.converse(request, now);
         pass(timing.t3_5());
-        link.converse(question, now);
+        link.converse(request, now);
         byte_view const asked = link.poll_transmit();
         link.sent(now);
         node.receive(asked, now);
         node.serve(bank, now);
         pass(timing.t3_5());
-        byte_view const answer = node.poll_transmit();
-        link.receive(answer, now);
+        byte_view const response = node.poll_transmit();
+        link.receive(response, now);
         node.sent(now);
-        link.converse(question, now);
-        auto const read = question.outcome()->to<read_holding_registers>();
+        link.converse(request, now);
+        auto const read = request.outcome()->to<read_holding_registers>();
         return read ? read->registers[3] : 0U;
     }
 };
@@ -83,8 +83,7 @@ struct two_contexts {
 
     two_contexts()
         : master{modbus_new_rtu("/dev/null", 115'200, 'E', 8, 1)},
-          slave{modbus_new_rtu("/dev/null", 115'200, 'E', 8, 1)}, registers{modbus_mapping_new(
-                                                                      0, 0, 16, 0)}
+          slave{modbus_new_rtu("/dev/null", 115'200, 'E', 8, 1)}, registers{modbus_mapping_new(0, 0, 16, 0)}
     {
         ::socketpair(AF_UNIX, SOCK_STREAM, 0, sockets.data());
         modbus_set_socket(master, sockets[0]);
@@ -105,14 +104,14 @@ struct two_contexts {
     }
     std::uint32_t ask()
     {
-        std::array<std::uint8_t, 6> question{1, 3, 0, 1, 0, 4};
+        std::array<std::uint8_t, 6> request{1, 3, 0, 1, 0, 4};
         std::array<std::uint8_t, MODBUS_RTU_MAX_ADU_LENGTH> asked{};
-        std::array<std::uint8_t, MODBUS_RTU_MAX_ADU_LENGTH> answer{};
-        modbus_send_raw_request(master, question.data(), static_cast<int>(question.size()));
+        std::array<std::uint8_t, MODBUS_RTU_MAX_ADU_LENGTH> response{};
+        modbus_send_raw_request(master, request.data(), static_cast<int>(request.size()));
         int const size = modbus_receive(slave, asked.data());
         modbus_reply(slave, asked.data(), size, registers);
-        int const got = modbus_receive_confirmation(master, answer.data());
-        return got == 13 ? answer[10] : 0U;
+        int const got = modbus_receive_confirmation(master, response.data());
+        return got == 13 ? response[10] : 0U;
     }
 };
 

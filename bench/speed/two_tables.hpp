@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// The baseline: the CRC as most stacks have it, an octet at a time from one table for each half. And how a
+// The baseline: the CRC as most stacks have it, a byte at a time from one table for each half. And how a
 // form is held against it.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include <rtuwire/core/crc16_tables.hpp>
+#include <rtuwire/core/crc16/tables.hpp>
 
 namespace bench {
 
@@ -22,21 +22,19 @@ constexpr two_tables make_two_tables()
 {
     two_tables made;
     for (std::size_t i = 0; i < 256; ++i) {
-        made.low[i] = static_cast<std::uint8_t>(
-            rtuwire::crc16_tables::byte(static_cast<std::uint32_t>(i)) & 0xFFU);
-        made.high[i] = static_cast<std::uint8_t>(
-            rtuwire::crc16_tables::byte(static_cast<std::uint32_t>(i)) >> 8U);
+        made.low[i] = static_cast<std::uint8_t>(rtuwire::crc16_tables::byte(static_cast<std::uint32_t>(i)) & 0xFFU);
+        made.high[i] = static_cast<std::uint8_t>(rtuwire::crc16_tables::byte(static_cast<std::uint32_t>(i)) >> 8U);
     }
     return made;
 }
 inline constexpr two_tables halves = make_two_tables();
 
-[[gnu::noinline]] inline std::uint16_t crc_by_two_tables(rtuwire::byte_view octets)
+[[gnu::noinline]] inline std::uint16_t crc_by_two_tables(rtuwire::byte_view bytes)
 {
     std::uint8_t low = 0xFF;
     std::uint8_t high = 0xFF;
-    for (std::byte const octet : octets) {
-        std::size_t const index = low ^ rtuwire::to_u8(octet);
+    for (std::byte const byte : bytes) {
+        std::size_t const index = low ^ rtuwire::to_u8(byte);
         low = static_cast<std::uint8_t>(high ^ halves.low[index]);
         high = halves.high[index];
     }
@@ -44,7 +42,7 @@ inline constexpr two_tables halves = make_two_tables();
 }
 
 /// What the forms are run over.
-inline std::array<std::byte, 4'096 + 8> octets{};
+inline std::array<std::byte, 4'096 + 8> bytes{};
 
 /// Each call waits for the one before, as a receiver's does.
 inline void latency(benchmark::State& state, std::uint16_t (*crc)(rtuwire::byte_view))
@@ -54,7 +52,7 @@ inline void latency(benchmark::State& state, std::uint16_t (*crc)(rtuwire::byte_
     std::uint32_t none = 0;
     benchmark::DoNotOptimize(none);
     for (auto _ : state) {
-        last = crc(rtuwire::byte_view{octets}.subspan(last & none, size));
+        last = crc(rtuwire::byte_view{bytes}.subspan(last & none, size));
     }
     benchmark::DoNotOptimize(last);
 }

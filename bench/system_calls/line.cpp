@@ -41,7 +41,7 @@ int serve(unsigned long count)
     while (served and (bank.reads < count or node.poll_deadline())) {
         served = serve_once(node, port, bank, milliseconds(1'000));
     }
-    // The last answer is gone with the port, unless it was read.
+    // The last response is gone with the port, unless it was read.
     served = served ? serve_once(node, port, bank, milliseconds(300)) : served;
     return served ? 0 : 1;
 }

@@ -9,7 +9,7 @@
 
 #include RTUWIRE_BOARD
 
-#include <rtuwire/core/text.hpp>
+#include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/time.hpp>
 
 /// A program defines these two when it uses the line: the interrupt of its UART, and the clock's, which comes
@@ -51,7 +51,7 @@ template <typename Line> void sleep(Line const& line)
     asm volatile("cpsie i" : : : "memory");
 }
 
-inline void print(rtuwire::text words)
+inline void print(rtuwire::literal words)
 {
     for (char const c : words) {
         while (not console_uart::has_room()) {
@@ -70,7 +70,7 @@ inline void print(std::int32_t number)
         print(number / 10);
     }
     char const digit[] = {static_cast<char>('0' + number % 10), '\0'};
-    print(rtuwire::text{digit});
+    print(rtuwire::literal{digit});
 }
 
 /// Clocks, pins and UARTs.

@@ -8,11 +8,11 @@
 
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/start.hpp>
-#include <rtuwire/altivar/stop.hpp>
+#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/ask/poller.hpp>
 #include <rtuwire/cia402/command.hpp>
-#include <rtuwire/client/fixed_client.hpp>
-#include <rtuwire/client/poller.hpp>
+#include <rtuwire/client/static_client.hpp>
 #include <rtuwire/client/statistics.hpp>
 #include <rtuwire/wire/pdu/write_single_register.hpp>
 
@@ -31,43 +31,41 @@ using monitor = read_plan<model::device, model::eta, model::rfr, model::lcr, mod
 constexpr station<model::device> drive{unit_id{1}};
 constexpr auto no_voltage = constant_frame([] {
     return encode(drive.unit(),
-                  write_single_register{model::device::profile.cmd,
-                                        cia402::word_of(cia402::command::disable_voltage)});
+                  write_single_register{model::device::layout.cmd, cia402::word_of(cia402::command::disable_voltage)});
 });
 constexpr client_options patient{.response_timeout = milliseconds(500)};
 // An emulated UART delivers in lumps, as a host's does; on a real board the times of
 // line_timing{19'200, character_format::even_8_1} are the right ones.
-constexpr line_timing timing =
-    line_timing::host(19'200, character_format::even_8_1, milliseconds(20));
+constexpr line_timing timing = line_timing::host(19'200, character_format::even_8_1, milliseconds(20));
 
 /// Shared by the interrupts and the loop.
 constinit board::half_duplex_line<board::line_uart, board::driver_enable> line;
 
 /// The client and what it does in each pass.
 struct controller {
-    fixed_drive_client<timing, 1, patient, line_statistics> link{};
+    static_drive_client<timing, 1, patient, line_statistics> link{};
 
-    template <conversation Talk> void pass(Talk& talk)
+    template <conversation Conversation> void pass(Conversation& conversation)
     {
         instant const now = board::now();
         line.serve(link, now);
-        link.converse(talk, now);
+        link.converse(conversation, now);
         board::sleep(line);
     }
-    template <conversation Talk> void run(Talk& talk)
+    template <conversation Conversation> void run(Conversation& conversation)
     {
-        while (not talk.settled()) {
-            pass(talk);
+        while (not conversation.settled()) {
+            pass(conversation);
         }
     }
 };
 
-bool report(text what, reason const& how)
+bool report(literal what, reason const& how)
 {
     board::print(what);
-    board::print(name_of(how.how));
+    board::print(name_of(how.kind));
     board::print("\n");
-    return how.how == ending::succeeded;
+    return how.kind == outcome_kind::succeeded;
 }
 
 void print_values(monitor::snapshot const& seen)
@@ -134,7 +132,7 @@ int main()
     board::print("ready on ");
     for (char const* c = board::name; *c != '\0'; ++c) {
         char const letter[] = {*c, '\0'};
-        board::print(text{letter});
+        board::print(literal{letter});
     }
     board::print("\n");
     start up{drive, 30_Hz};

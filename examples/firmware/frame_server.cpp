@@ -5,7 +5,7 @@
 #include "board.hpp"
 #include "frames.hpp"
 
-#include <rtuwire/server/answer_frame.hpp>
+#include <rtuwire/server/response_frame.hpp>
 #include <rtuwire/server/typed_bank.hpp>
 #include <rtuwire/table/register.hpp>
 
@@ -17,8 +17,7 @@ constexpr reg<decihertz> setpoint{.code = "SET", .address = 10, .min = 0, .max =
 constexpr reg<decihertz> actual{.code = "ACT", .address = 11, .mode = access::read_only};
 constexpr reg<celsius> bearing{.code = "TMP", .address = 12, .mode = access::read_only};
 
-constexpr device_object objects[] = {
-    {vendor_name, "rtuwire"}, {product_code, "pump"}, {major_minor_revision, "1.0"}};
+constexpr device_object objects[] = {{vendor_name, "rtuwire"}, {product_code, "pump"}, {major_minor_revision, "1.0"}};
 constexpr server_profile profile{.identity = identity_of<objects>};
 constexpr unit_id address{1};
 
@@ -35,19 +34,18 @@ void on_tick() { dma::on_tick(line); }
 int main()
 {
     bank<setpoint, actual, bearing> registers;
-    loop_back diagnostics;
+    loopback_only diagnostics;
     registers.set<bearing>(celsius{-5});
     line.begin();
     board::start_interrupts();
     board::print("ready\n");
     for (;;) {
         if (auto const [place, size] = line.poll_frame(); size > 0) {
-            byte_span const answer =
-                answer_frame(place, size, address, registers, profile, diagnostics);
-            if (answer.empty()) {
+            byte_span const response = response_frame(place, size, address, registers, profile, diagnostics);
+            if (response.empty()) {
                 line.release();
             } else {
-                line.send(answer);
+                line.send(response);
             }
         }
         if (registers.take_written<setpoint>()) {

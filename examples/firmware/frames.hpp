@@ -14,7 +14,7 @@
 
 namespace board {
 
-/// Whole frames, in and out. An answer is written and sent in the place of its request.
+/// Whole frames, in and out. A response is written and sent in the place of its request.
 template <typename Dma, typename DriverEnable> class frame_line {
 public:
     constexpr frame_line() = default;
@@ -45,7 +45,7 @@ public:
         is_sending_.store(false, std::memory_order_release);
     }
 
-    /// A frame that arrived: its place, with room for an answer, and its size; 0 where there is none.
+    /// A frame that arrived: its place, with room for a response, and its size; 0 where there is none.
     struct arrived {
         rtuwire::byte_span place;
         std::size_t size;
@@ -56,8 +56,7 @@ public:
             is_answering_ = false;
             release();
         }
-        return {buffers_[reading_],
-                is_answering_ ? 0U : sizes_[reading_].load(std::memory_order_acquire)};
+        return {buffers_[reading_], is_answering_ ? 0U : sizes_[reading_].load(std::memory_order_acquire)};
     }
 
     /// Gives the place of the frame back to the DMA.
@@ -67,12 +66,11 @@ public:
         reading_ = 1 - reading_;
     }
 
-    /// Sends an answer, which lies in the place of the frame; the place is given back once it has left. Not
+    /// Sends a response, which lies in the place of the frame; the place is given back once it has left. Not
     /// sent where the line is no longer silent: then the client has given up.
-    void send(rtuwire::byte_view answer)
+    void send(rtuwire::byte_view response)
     {
-        bool const is_late =
-            sizes_[1 - reading_].load(std::memory_order_acquire) != 0 or Dma::is_receiving();
+        bool const is_late = sizes_[1 - reading_].load(std::memory_order_acquire) != 0 or Dma::is_receiving();
         if (is_late) {
             release();
             return;
@@ -80,7 +78,7 @@ public:
         is_answering_ = true;
         is_sending_.store(true, std::memory_order_release);
         DriverEnable::set(true);
-        Dma::send(answer);
+        Dma::send(response);
     }
 
     /// Whether the loop may sleep; to be asked with interrupts masked.

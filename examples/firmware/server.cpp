@@ -16,8 +16,7 @@ constexpr reg<decihertz> setpoint{.code = "SET", .address = 10, .min = 0, .max =
 constexpr reg<decihertz> actual{.code = "ACT", .address = 11, .mode = access::read_only};
 constexpr reg<celsius> bearing{.code = "TMP", .address = 12, .mode = access::read_only};
 
-constexpr device_object objects[] = {
-    {vendor_name, "rtuwire"}, {product_code, "pump"}, {major_minor_revision, "1.0"}};
+constexpr device_object objects[] = {{vendor_name, "rtuwire"}, {product_code, "pump"}, {major_minor_revision, "1.0"}};
 constexpr server_profile profile{.identity = identity_of<objects>};
 constexpr unit_id address{1};
 

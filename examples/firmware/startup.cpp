@@ -55,8 +55,7 @@ struct vector_table {
 
 } // namespace
 
-[[gnu::section(".vectors"), gnu::used]] extern constexpr vector_table vectors{&stack_end,
-                                                                              make_handlers()};
+[[gnu::section(".vectors"), gnu::used]] extern constexpr vector_table vectors{&stack_end, make_handlers()};
 
 void reset()
 {

@@ -20,8 +20,8 @@ struct usage_error : std::runtime_error {
 /// A whole decimal number of at most nine digits, or nothing.
 inline std::optional<std::uint32_t> number_in(std::string const& word)
 {
-    bool const is_number = not word.empty() and word.size() < 10 and
-                           word.find_first_not_of("0123456789") == std::string::npos;
+    bool const is_number =
+        not word.empty() and word.size() < 10 and word.find_first_not_of("0123456789") == std::string::npos;
     if (not is_number) {
         return std::nullopt;
     }
@@ -93,8 +93,7 @@ inline bool asks_for_help(int count, char** words)
 
 /// A program's status: 0 with its usage on standard output for --help, 2 behind a usage error, otherwise that of
 /// `run`.
-template <typename Run>
-int with_usage(char const* program, std::string const& usage, int count, char** words, Run run)
+template <typename Run> int with_usage(char const* program, std::string const& usage, int count, char** words, Run run)
 {
     std::string const line = std::string{"usage: "} + program + " " + usage + "\n";
     if (asks_for_help(count, words)) {

@@ -39,14 +39,12 @@ template <typename Use> void with_drive(std::string const& name, Use use)
 }
 
 /// The drive of that kind at a unit address. Refuses one out of the device's range.
-template <rtuwire::device_type Device>
-rtuwire::station<Device> station_at(std::uint32_t unit, std::string const& name)
+template <rtuwire::device_type Device> rtuwire::station<Device> station_at(std::uint32_t unit, std::string const& name)
 {
     auto const found = rtuwire::station<Device>::checked(unit);
     if (not found) {
-        throw usage_error{"unit " + std::to_string(unit) + " is out of range: an " + name +
-                          " has one from " + std::to_string(Device::units.first) + " to " +
-                          std::to_string(Device::units.last)};
+        throw usage_error{"unit " + std::to_string(unit) + " is out of range: an " + name + " has one from " +
+                          std::to_string(Device::units.first) + " to " + std::to_string(Device::units.last)};
     }
     return *found;
 }
@@ -94,8 +92,7 @@ private:
     static std::uint32_t rate(std::uint32_t number)
     {
         if (not rtuwire::speed_code(number)) {
-            throw usage_error{"--baud " + std::to_string(number) +
-                              ": this system has no such bit rate"};
+            throw usage_error{"--baud " + std::to_string(number) + ": this system has no such bit rate"};
         }
         return number;
     }

@@ -8,11 +8,11 @@
 #include <chrono>
 #include <string>
 
-#include <rtuwire/altivar/cyclic.hpp>
-#include <rtuwire/altivar/identify.hpp>
+#include <rtuwire/altivar/cyclic/cyclic.hpp>
+#include <rtuwire/altivar/procedure/identify.hpp>
+#include <rtuwire/ask/poller.hpp>
 #include <rtuwire/client/blocking.hpp>
 #include <rtuwire/client/bus.hpp>
-#include <rtuwire/client/poller.hpp>
 #include <rtuwire/client/statistics.hpp>
 #include <rtuwire/port/chrono.hpp>
 #include <rtuwire/port/posix_serial.hpp>
@@ -31,8 +31,8 @@ using rtuwire::cia402::state;
 template <rtuwire::device_type Device> class demonstration {
     using panel = panel_of<Device>;
     using plan = typename panel::template plan<Device>;
-    static constexpr bool has_scanner = Device::profile.scanner_words > 0;
-    static constexpr rtuwire::client_options patience{.response_timeout = milliseconds(300)};
+    static constexpr bool has_scanner = Device::layout.scanner_words > 0;
+    static constexpr rtuwire::client_options patient{.response_timeout = milliseconds(300)};
 
 public:
     demonstration(demonstration const&) = delete;
@@ -41,9 +41,8 @@ public:
 
     demonstration(rtuwire::posix_serial& port, rtuwire::line_timing const& timing,
                   rtuwire::station<Device> const& drive)
-        : port_{port}, drive_{drive}, link_{timing, patience, {.silent_share = 50}},
-          loop_{drive}, panel_{drive}, begin_{port.now()},
-          must_end_{to_chrono(Device::silence.factory) / 3}
+        : port_{port}, drive_{drive}, link_{timing, patient, {.silent_share = 50}}, loop_{drive}, panel_{drive},
+          begin_{port.now()}, must_end_{to_chrono(Device::silence.factory) / 3}
     {}
 
     // What it does, step by step. Each tells whether it went as it should.
@@ -55,22 +54,21 @@ public:
             return false;
         }
         if constexpr (requires { who.outcome()->vendor; }) {
-            auto const shown = [](rtuwire::byte_view octets) {
-                return std::string{reinterpret_cast<char const*>(octets.data()), octets.size()};
+            auto const shown = [](rtuwire::byte_view bytes) {
+                return std::string{reinterpret_cast<char const*>(bytes.data()), bytes.size()};
             };
             auto const& found = *who.outcome();
-            say("   %s, %s, revision %s\n", shown(found.vendor).c_str(),
-                shown(found.product).c_str(), shown(found.revision).c_str());
+            say("   %s, %s, revision %s\n", shown(found.vendor).c_str(), shown(found.product).c_str(),
+                shown(found.revision).c_str());
         } else {
-            say("   no function 43; nominal drive current %.1f A\n",
-                number(who.latest().template get<atv28::inv>()));
+            say("   no function 43; nominal drive current %.1f A\n", number(who.latest().template get<atv28::inv>()));
         }
         return true;
     }
 
     bool shorten_times()
     {
-        return set_short_times(drive_, [this](auto talk) { return this->run(talk); });
+        return set_short_times(drive_, [this](auto conversation) { return this->run(conversation); });
     }
 
     /// One round of the monitor plan, in its units.
@@ -99,19 +97,18 @@ public:
         if (not until(
                 "first exchange", [this] { return not loop_.link_lost(); }, milliseconds(5'000))) {
             auto const& found = loop_.supervision();
-            say("   %s (register %u holds %u)\n", words(name_of(found.finding)).c_str(),
-                unsigned{found.address}, unsigned{found.word});
+            say("   %s (register %u holds %u)\n", words(name_of(found.finding)).c_str(), unsigned{found.address},
+                unsigned{found.word});
             return false;
         }
         must_end_ = reason_to_end{to_chrono(loop_.supervision().period.timeout) / 3};
         return true;
     }
 
-    bool start(rtuwire::altivar::heading way)
+    bool start(rtuwire::altivar::run_direction way)
     {
         bool const is_able = until(
-            "drive ready for an order", [this] { return loop_.control().is_able(); },
-            milliseconds(5'000));
+            "drive ready for an order", [this] { return loop_.control().is_able(); }, milliseconds(5'000));
         bool const was_running = loop_.control().is_running();
         seen_.mark();
         if (not is_able or not order(way)) {
@@ -119,22 +116,20 @@ public:
         }
         way_ = way;
         return until(
-                   "operation enabled", [this] { return loop_.control().is_running(); },
-                   milliseconds(5'000)) and
-               (was_running or seen_.has_passed({state::ready_to_switch_on, state::switched_on,
-                                                 state::operation_enabled}));
+                   "operation enabled", [this] { return loop_.control().is_running(); }, milliseconds(5'000)) and
+               (was_running or
+                seen_.has_passed({state::ready_to_switch_on, state::switched_on, state::operation_enabled}));
     }
 
     bool reach_reference()
     {
-        bool const is_reverse = way_ == rtuwire::altivar::heading::reverse;
+        bool const is_reverse = way_ == rtuwire::altivar::run_direction::reverse;
         return until(
             "reference reached",
             [&] {
                 auto const now = read();
                 return now.has(rtuwire::altivar::reference_reached_bit) and
-                       now.has(rtuwire::altivar::runs_backwards_bit) == is_reverse and
-                       now.output() != 0;
+                       now.has(rtuwire::altivar::runs_backwards_bit) == is_reverse and now.output() != 0;
             },
             milliseconds(60'000));
     }
@@ -143,8 +138,7 @@ public:
     bool see_fault()
     {
         return until(
-                   "fault", [this] { return loop_.control().state() == state::fault; },
-                   milliseconds(5'000)) and
+                   "fault", [this] { return loop_.control().state() == state::fault; }, milliseconds(5'000)) and
                has_lost_order() and read_panel();
     }
 
@@ -153,8 +147,7 @@ public:
         seen_.mark();
         loop_.reset_fault();
         return until(
-                   "fault cleared",
-                   [this] { return loop_.control().state() == state::switch_on_disabled; },
+                   "fault cleared", [this] { return loop_.control().state() == state::switch_on_disabled; },
                    milliseconds(5'000)) and
                seen_.has_passed({state::switch_on_disabled});
     }
@@ -169,11 +162,9 @@ public:
     bool regain_link()
     {
         return until(
-                   "link regained", [this] { return not loop_.link_lost(); },
-                   milliseconds(10'000)) and
+                   "link regained", [this] { return not loop_.link_lost(); }, milliseconds(10'000)) and
                until(
-                   "panel", [this] { return panel_.outcome().has_value(); },
-                   milliseconds(5'000)) and
+                   "panel", [this] { return panel_.outcome().has_value(); }, milliseconds(5'000)) and
                has_lost_order();
     }
 
@@ -187,8 +178,8 @@ public:
             [this] {
                 state const at = loop_.control().state();
                 bool const has_power = rtuwire::cia402::has_power(at);
-                return not loop_.link_lost() and at != state::unknown and
-                       at != state::switched_on and not has_power and read().output() == 0;
+                return not loop_.link_lost() and at != state::unknown and at != state::switched_on and not has_power and
+                       read().output() == 0;
             },
             milliseconds(60'000));
     }
@@ -198,9 +189,9 @@ public:
     {
         using rtuwire::line_event;
         rtuwire::counters const& line = link_.statistics().line();
-        say("%u requests, %u of them repeated; %u time-outs, %u damaged frames\n",
-            unsigned{line[line_event::request]}, unsigned{line[line_event::repetition]},
-            unsigned{line[line_event::timeout]}, unsigned{line[line_event::crc]});
+        say("%u requests, %u of them repeated; %u time-outs, %u damaged frames\n", unsigned{line[line_event::request]},
+            unsigned{line[line_event::repetition]}, unsigned{line[line_event::timeout]},
+            unsigned{line[line_event::crc]});
     }
 
     /// Tells, and marks where the states of the next step begin.
@@ -215,7 +206,7 @@ public:
 private:
     // One pass, and what is shown of it.
 
-    template <typename Talk> bool pass(Talk& talk)
+    template <typename Conversation> bool pass(Conversation& conversation)
     {
         must_end_.look();
         if (must_end_ and not is_stopping_) {
@@ -226,7 +217,7 @@ private:
         if (is_commanding_) {
             link_.converse(0, loop_, now);
         }
-        link_.converse(1, talk, now);
+        link_.converse(1, conversation, now);
         auto const passed = pump(link_, port_, input_, now + milliseconds(10));
         if (not passed) {
             say("   %s\n", port_.failure().c_str());
@@ -238,22 +229,21 @@ private:
     }
 
     /// Runs a conversation beside the cycle; whether it succeeded.
-    template <typename Talk> bool run(Talk& talk)
+    template <typename Conversation> bool run(Conversation& conversation)
     {
-        while (not talk.settled()) {
-            if (not pass(talk)) {
+        while (not conversation.settled()) {
+            if (not pass(conversation)) {
                 return false;
             }
         }
-        if (not talk.outcome()) {
-            say("   %s\n", std::string{name(talk.outcome().error())}.c_str());
+        if (not conversation.outcome()) {
+            say("   %s\n", std::string{name(conversation.outcome().error())}.c_str());
         }
-        return talk.outcome().has_value();
+        return conversation.outcome().has_value();
     }
 
     /// Lives on until something is so; false, and says so, when it is not so in time.
-    template <typename Condition>
-    bool until(char const* what, Condition is_so, rtuwire::duration limit)
+    template <typename Condition> bool until(char const* what, Condition is_so, rtuwire::duration limit)
     {
         rtuwire::instant const end = port_.now() + limit;
         while (true) {
@@ -279,7 +269,7 @@ private:
         }
     }
 
-    bool order(rtuwire::altivar::heading way)
+    bool order(rtuwire::altivar::run_direction way)
     {
         using namespace rtuwire;
         if constexpr (has_scanner) {
@@ -294,7 +284,7 @@ private:
         bool const is_lost = not loop_.control().is_ordered();
         auto const reason = loop_.control().reason();
         say("   the order to run is %s: %s\n", is_lost ? "dropped" : "STILL THERE",
-            words(name_of(reason.how)).c_str());
+            words(name_of(reason.kind)).c_str());
         return is_lost;
     }
 
@@ -307,7 +297,7 @@ private:
     void look()
     {
         auto const now = read();
-        bool const is_reverse = way_ == rtuwire::altivar::heading::reverse;
+        bool const is_reverse = way_ == rtuwire::altivar::run_direction::reverse;
         seen_.add({time(), now.reference(is_reverse), now.output(), now.current(), now.state(),
                    panel_.outcome().has_value()});
     }
@@ -321,7 +311,7 @@ private:
     std::array<std::byte, rtuwire::max_adu_size> input_{};
     reason_to_end must_end_;
     logbook seen_{};
-    rtuwire::altivar::heading way_{rtuwire::altivar::heading::forward};
+    rtuwire::altivar::run_direction way_{rtuwire::altivar::run_direction::forward};
     int steps_{0};
     std::sig_atomic_t interrupts_before_{0}; ///< the stop
     bool is_commanding_{false};

@@ -31,8 +31,7 @@ inline std::vector<std::string> words_of(std::string const& line)
 }
 
 /// A word as another master on the line writes it; whether the drive took it.
-template <typename Drive>
-bool write_as_another_master(Drive& drive, std::uint32_t address, std::uint32_t word)
+template <typename Drive> bool write_as_another_master(Drive& drive, std::uint32_t address, std::uint32_t word)
 {
     if (address > 0xFFFF or word > 0xFFFF) {
         return false;
@@ -40,13 +39,11 @@ bool write_as_another_master(Drive& drive, std::uint32_t address, std::uint32_t 
     rtuwire::register_block const value{static_cast<std::uint16_t>(word)};
     auto const place = static_cast<std::uint16_t>(address);
     drive.note_contact();
-    return drive.check_write(place, value) == rtuwire::errc::none and
-           drive.write(place, value) == rtuwire::errc::none;
+    return drive.check_write(place, value) == rtuwire::errc::none and drive.write(place, value) == rtuwire::errc::none;
 }
 
 /// What needs a number or two; false for what is not known.
-template <typename Drive>
-bool happens_with_numbers(Drive& drive, std::vector<std::string> const& words)
+template <typename Drive> bool happens_with_numbers(Drive& drive, std::vector<std::string> const& words)
 {
     auto const first = number_in(words[1]);
     if (not first) {
@@ -57,13 +54,11 @@ bool happens_with_numbers(Drive& drive, std::vector<std::string> const& words)
         return true;
     }
     auto const second = number_in(words.back());
-    return words.size() == 3 and words[0] == "write" and second and
-           write_as_another_master(drive, *first, *second);
+    return words.size() == 3 and words[0] == "write" and second and write_as_another_master(drive, *first, *second);
 }
 
 /// Lets something happen to a drive; false for what is not known, and for a word that it does not take.
-template <typename Drive>
-bool happens(Drive& drive, std::vector<std::string> const& words, rtuwire::instant now)
+template <typename Drive> bool happens(Drive& drive, std::vector<std::string> const& words, rtuwire::instant now)
 {
     constexpr std::uint16_t overcurrent = 9; // LFT
     if (words.size() != 1) {

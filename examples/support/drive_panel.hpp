@@ -7,13 +7,13 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/client/access.hpp>
+#include <rtuwire/ask/access.hpp>
 #include <rtuwire/table/read_plan.hpp>
 
 namespace examples {
 
-template <auto const& Eta, auto const& Rfr, auto const& Frh, auto const& Lcr, auto const& Uln,
-          auto const& Thr, auto const& Lft>
+template <auto const& Eta, auto const& Rfr, auto const& Frh, auto const& Lcr, auto const& Uln, auto const& Thr,
+          auto const& Lft>
 struct panel {
     static constexpr auto const& eta = Eta;
     static constexpr auto const& rfr = Rfr;
@@ -22,8 +22,7 @@ struct panel {
     static constexpr auto const& uln = Uln;
     static constexpr auto const& thr = Thr;
     static constexpr auto const& lft = Lft;
-    template <typename Device>
-    using plan = rtuwire::read_plan<Device, Eta, Rfr, Frh, Lcr, Uln, Thr, Lft>;
+    template <typename Device> using plan = rtuwire::read_plan<Device, Eta, Rfr, Frh, Lcr, Uln, Thr, Lft>;
 };
 
 template <typename Device> struct panel_of;
@@ -40,12 +39,12 @@ template <>
 struct panel_of<atv28::device>
     : panel<atv28::eta, atv28::rfr, atv28::frh, atv28::lcr, atv28::uln, atv28::thr, atv28::lft> {};
 template <>
-struct panel_of<atv310::device> : panel<atv310::eta, atv310::rfr, atv310::frh, atv310::lcr,
-                                        atv310::uln, atv310::thr, atv310::lft> {};
+struct panel_of<atv310::device>
+    : panel<atv310::eta, atv310::rfr, atv310::frh, atv310::lcr, atv310::uln, atv310::thr, atv310::lft> {};
 template <> struct panel_of<atv310::device_2026> : panel_of<atv310::device> {};
 template <>
-struct panel_of<atv320::device> : panel<atv320::eta, atv320::rfr, atv320::frh, atv320::lcr,
-                                        atv320::uln, atv320::thr, atv320::lft> {};
+struct panel_of<atv320::device>
+    : panel<atv320::eta, atv320::rfr, atv320::frh, atv320::lcr, atv320::uln, atv320::thr, atv320::lft> {};
 
 /// A quantity in its unit, for people.
 template <typename Quantity> double number(Quantity value)
@@ -56,14 +55,12 @@ template <typename Quantity> double number(Quantity value)
 
 /// Hands `run` the conversations that set ramps of one second and, where it can be set, a time-out of
 /// three seconds; whether all went well.
-template <typename Device, typename Run>
-bool set_short_times(rtuwire::station<Device> const& drive, Run run)
+template <typename Device, typename Run> bool set_short_times(rtuwire::station<Device> const& drive, Run run)
 {
     using namespace rtuwire;
     if constexpr (std::is_same_v<Device, atv320::device>) {
-        return run(write_in_steps_of<deciseconds, atv320::acc>(drive, 1_s)) and
-               run(write_in_steps_of<deciseconds, atv320::dec>(drive, 1_s)) and
-               run(write<atv320::tto>(drive, 3_s));
+        return run(write_with_step<deciseconds, atv320::acc>(drive, 1_s)) and
+               run(write_with_step<deciseconds, atv320::dec>(drive, 1_s)) and run(write<atv320::tto>(drive, 3_s));
     } else if constexpr (std::is_same_v<Device, atv28::device>) {
         return run(write<atv28::acc>(drive, 1_s)) and run(write<atv28::dec>(drive, 1_s));
     } else if constexpr (std::is_same_v<Device, atv12::device>) {

@@ -33,8 +33,7 @@ struct emergency_stop {
         using namespace rtuwire;
         auto const written =
             encode_into(frame, drive.unit(),
-                        write_single_register{Device::profile.cmd,
-                                              cia402::word_of(cia402::command::disable_voltage)});
+                        write_single_register{Device::layout.cmd, cia402::word_of(cia402::command::disable_voltage)});
         line = written ? port.descriptor_number() : -1;
     }
 

@@ -63,10 +63,10 @@ private:
             say("     time   state                   reference     output    current\n");
         }
         if (at.is_known) {
-            say("  %6.2f s  %-22s  %6.1f Hz  %6.1f Hz  %6.1f A\n", at.time,
-                words(name_of(at.state)).c_str(), at.reference, at.output, at.current);
+            say("  %6.2f s  %-22s  %6.1f Hz  %6.1f Hz  %6.1f A\n", at.time, words(name_of(at.state)).c_str(),
+                at.reference, at.output, at.current);
         } else {
-            say("  %6.2f s  no answer\n", at.time);
+            say("  %6.2f s  no response\n", at.time);
         }
     }
 

@@ -24,8 +24,7 @@ inline std::chrono::nanoseconds time_awake_or_asleep() noexcept
 class missed_time {
 public:
     /// More than `limit` between two looks is too long; `now` is the first look.
-    explicit missed_time(std::chrono::nanoseconds limit,
-                         std::chrono::nanoseconds now = time_awake_or_asleep()) noexcept
+    explicit missed_time(std::chrono::nanoseconds limit, std::chrono::nanoseconds now = time_awake_or_asleep()) noexcept
         : limit_{limit}, last_{now}
     {}
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include <rtuwire/altivar/words.hpp>
+#include <rtuwire/altivar/device/words.hpp>
 #include <rtuwire/cia402/state.hpp>
 
 #include "drive_panel.hpp"
@@ -50,10 +50,9 @@ public:
         say("   ETA %04X (%s), RFR %.1f Hz, FRH %.1f Hz, LCR %.1f A, ULN %.0f V, THR %.0f %%, "
             "LFT %s; %zu registers in %zu requests\n",
             status(), words(name_of(state())).c_str(), number(seen_.template get<panel::rfr>()),
-            number(seen_.template get<panel::frh>()), current(),
-            number(seen_.template get<panel::uln>()), number(seen_.template get<panel::thr>()),
-            words(rtuwire::name_of(seen_.template get<panel::lft>())).c_str(), std::size_t{7},
-            std::size_t{plan::request_count});
+            number(seen_.template get<panel::frh>()), current(), number(seen_.template get<panel::uln>()),
+            number(seen_.template get<panel::thr>()), words(rtuwire::name_of(seen_.template get<panel::lft>())).c_str(),
+            std::size_t{7}, std::size_t{plan::request_count});
     }
 
 private:

@@ -45,8 +45,7 @@ inline char letter_of(sample const& at)
     return '?';
 }
 
-inline constexpr char letters[] =
-    "d switch on disabled, r ready, s switched on, O operation, F fault, ? link lost";
+inline constexpr char letters[] = "d switch on disabled, r ready, s switched on, O operation, F fault, ? link lost";
 
 /// A field of characters with a scale on its left.
 class chart_area {
@@ -101,8 +100,7 @@ inline void print_plot(history const& all)
     std::string states(columns, ' ');
     std::size_t done = 0;
     for (sample const& each : all) {
-        auto const column =
-            std::min(columns - 1, std::size_t((each.time - begin) / length * columns));
+        auto const column = std::min(columns - 1, std::size_t((each.time - begin) / length * columns));
         for (; done <= column; ++done) {
             states[done] = letter_of(each);
         }
@@ -146,8 +144,7 @@ private:
         return left + (time - all_.front().time) / length * (right - left);
     }
 
-    template <typename Value>
-    std::string line(char const* colour, char const* dashes, Value value_of) const
+    template <typename Value> std::string line(char const* colour, char const* dashes, Value value_of) const
     {
         // The line breaks where the link was lost.
         std::string text;
@@ -193,10 +190,8 @@ private:
         std::string text;
         for (std::size_t i = 0; i + 1 < all_.size(); ++i) {
             char bar[128];
-            std::snprintf(bar, sizeof bar,
-                          "<rect x=\"%.1f\" y=\"410\" width=\"%.2f\" height=\"24\" fill=\"%s\"/>\n",
-                          x(all_[i].time), x(all_[i + 1].time) - x(all_[i].time) + 0.3,
-                          colour_of(all_[i]));
+            std::snprintf(bar, sizeof bar, "<rect x=\"%.1f\" y=\"410\" width=\"%.2f\" height=\"24\" fill=\"%s\"/>\n",
+                          x(all_[i].time), x(all_[i + 1].time) - x(all_[i].time) + 0.3, colour_of(all_[i]));
             text += bar;
         }
         return text;
@@ -215,17 +210,14 @@ private:
         double const most = highest_current(all_);
         text += line("#a0a0a0", "6 4", [](sample const& at) { return 140 - at.reference * 1.6; });
         text += line("#2060c0", "none", [](sample const& at) { return 140 - at.output * 1.6; });
-        text += line("#c06020", "none",
-                     [most](sample const& at) { return 390 - at.current / most * 100; });
+        text += line("#c06020", "none", [most](sample const& at) { return 390 - at.current / most * 100; });
         char highest[32];
         std::snprintf(highest, sizeof highest, "%.1f A", most);
         char length[32];
         std::snprintf(length, sizeof length, "%.1f s", all_.back().time - all_.front().time);
         text += label(10, 64, "50 Hz") + label(10, 224, "-50 Hz") + label(10, 294, highest) +
-                label(60, 28, "reference (dashed) and output frequency") +
-                label(60, 272, "motor current") + states() +
-                label(60, 456, "state: green operation, red fault, grey link lost") +
-                label(width - 70, 456, length);
+                label(60, 28, "reference (dashed) and output frequency") + label(60, 272, "motor current") + states() +
+                label(60, 456, "state: green operation, red fault, grey link lost") + label(width - 70, 456, length);
         return text + "</svg>\n";
     }
 

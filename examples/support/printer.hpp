@@ -40,10 +40,10 @@ public:
     }
 
     /// Waits until all is written, at most so long; whether it is.
-    bool finish(std::chrono::milliseconds patience)
+    bool finish(std::chrono::milliseconds time_limit)
     {
         std::unique_lock hold{shared_->lock};
-        return shared_->news.wait_for(hold, patience, [this] { return shared_->is_idle(); }) and
+        return shared_->news.wait_for(hold, time_limit, [this] { return shared_->is_idle(); }) and
                shared_->failure == 0;
     }
 

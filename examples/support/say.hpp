@@ -10,7 +10,7 @@
 
 #include <unistd.h>
 
-#include <rtuwire/core/text.hpp>
+#include <rtuwire/core/literal.hpp>
 
 #include "printer.hpp"
 
@@ -20,10 +20,7 @@ inline printer standard_output{STDOUT_FILENO};
 inline printer error_output{STDERR_FILENO};
 
 /// A name of the library, as printf takes it.
-inline std::string words(rtuwire::text characters)
-{
-    return {characters.begin(), characters.end()};
-}
+inline std::string words(rtuwire::literal characters) { return {characters.begin(), characters.end()}; }
 
 /// What printf would make of it.
 [[gnu::format(printf, 1, 0)]] inline std::string formatted(char const* format, std::va_list values)
@@ -55,19 +52,19 @@ inline std::string words(rtuwire::text characters)
 /// or 1 in place of 0 where standard output could not be written.
 inline int end_of_output(char const* program, int status)
 {
-    constexpr std::chrono::milliseconds patience{2'000};
-    bool const flows = standard_output.finish(patience);
+    constexpr std::chrono::milliseconds time_limit{2'000};
+    bool const flows = standard_output.finish(time_limit);
     int const failure = standard_output.failure();
     std::size_t const missing = standard_output.missing();
     if (failure != 0) {
         complain("%s: standard output: %s\n", program, std::strerror(failure));
     } else if (missing > 0 and flows) {
         say("%zu lines were dropped: the output was blocked\n", missing);
-        standard_output.finish(patience);
+        standard_output.finish(time_limit);
     } else if (missing > 0) {
         complain("%s: %zu lines were dropped: the output is blocked\n", program, missing);
     }
-    error_output.finish(patience);
+    error_output.finish(time_limit);
     return status == 0 and failure != 0 ? 1 : status;
 }
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <rtuwire/rtu/receive_from.hpp>
-#include <rtuwire/sim/unit.hpp>
+#include <rtuwire/sim/drive/unit.hpp>
 
 #include "command_line.hpp"
 #include "drive_events.hpp"
@@ -26,7 +26,7 @@ public:
     simulated_drive& operator=(simulated_drive const&) = delete;
     virtual ~simulated_drive() = default;
 
-    virtual void receive(rtuwire::byte_view octets, rtuwire::instant now) = 0;
+    virtual void receive(rtuwire::byte_view bytes, rtuwire::instant now) = 0;
     virtual void receive_error(rtuwire::instant now) = 0;
     virtual void sent(rtuwire::instant now) = 0;
     virtual void advance(rtuwire::instant now) = 0;
@@ -47,61 +47,57 @@ template <rtuwire::device_type Device> class simulated final : public simulated_
 public:
     simulated(rtuwire::unit_id address, rtuwire::line_timing const& line, rtuwire::instant now,
               rtuwire::device_objects const& objects)
-        : address_{address}, profile_{rtuwire::sim::line_profile_with<Device>(objects)},
-          unit_{address, line, now, profile_}
+        : address_{address}, profile_{rtuwire::sim::line_profile_with<Device>(objects)}, unit_{address, line, now,
+                                                                                               profile_}
     {}
 
-    void receive(rtuwire::byte_view octets, rtuwire::instant now) override
+    void receive(rtuwire::byte_view bytes, rtuwire::instant now) override
     {
-        if (not is_deaf_) {
-            unit_.receive(octets, now);
+        if (not is_listen_only_) {
+            unit_.receive(bytes, now);
         }
     }
     void receive_error(rtuwire::instant now) override
     {
-        if (not is_deaf_) {
+        if (not is_listen_only_) {
             unit_.receive_error(now);
         }
     }
     void sent(rtuwire::instant now) override { unit_.sent(now); }
     void advance(rtuwire::instant now) override { unit_.advance(now); }
-    rtuwire::byte_view poll_transmit() override
-    {
-        return is_mute_ ? rtuwire::byte_view{} : unit_.poll_transmit();
-    }
+    rtuwire::byte_view poll_transmit() override { return is_mute_ ? rtuwire::byte_view{} : unit_.poll_transmit(); }
     rtuwire::deadline poll_deadline() const override { return unit_.poll_deadline(); }
     rtuwire::unit_id address() const override { return address_; }
-    bool is_at_rest() const override { return unit_.inside().motor().is_at_rest(); }
+    bool is_at_rest() const override { return unit_.drive().motor().is_at_rest(); }
     std::string shown() const override
     {
-        auto const& drive = unit_.inside();
-        auto const state = name_of(drive.chart().state());
-        return std::string{state.begin(), state.end()} + ", " +
-               figures(drive.motor().frequency() / 100, 1) + " Hz, LFT " +
-               std::to_string(drive.fault());
+        auto const& drive = unit_.drive();
+        auto const state = name_of(drive.state_machine().state());
+        return std::string{state.begin(), state.end()} + ", " + figures(drive.motor().frequency() / 100, 1) +
+               " Hz, LFT " + std::to_string(drive.fault());
     }
 
     bool suffer(std::string const& what, rtuwire::instant now) override
     {
         if (what == "cut" or what == "join" or what == "deaf" or what == "mute") {
-            is_deaf_ = what == "cut" or what == "deaf";
+            is_listen_only_ = what == "cut" or what == "deaf";
             is_mute_ = what == "cut" or what == "mute";
             return true;
         }
-        return happens(unit_.inside(), words_of(what), now);
+        return happens(unit_.drive(), words_of(what), now);
     }
 
 private:
     rtuwire::unit_id address_;
     rtuwire::server_profile profile_;
     rtuwire::sim::unit<Device> unit_;
-    bool is_deaf_{false};
+    bool is_listen_only_{false};
     bool is_mute_{false};
 };
 
 /// Drives that hear one line, and each other.
 template <typename Port> class simulated_line {
-    using identity_octets = std::array<std::byte, rtuwire::max_adu_size>;
+    using identity_bytes = std::array<std::byte, rtuwire::max_adu_size>;
 
 public:
     /// The drives say of themselves what their manuals print, or that `vendor` made them.
@@ -117,15 +113,15 @@ public:
         }
         with_drive(name, [&](auto device) {
             using type = typename decltype(device)::type;
-            drives_.push_back(std::make_unique<simulated<type>>(
-                station_at<type>(address, name).unit(), timing_, last_, identity_of_a<type>()));
+            drives_.push_back(std::make_unique<simulated<type>>(station_at<type>(address, name).unit(), timing_, last_,
+                                                                identity_of_a<type>()));
         });
     }
 
     simulated_drive* find(std::uint32_t address) const
     {
         for (auto const& each : drives_) {
-            if (each->address().octet() == address) {
+            if (each->address().byte() == address) {
                 return each.get();
             }
         }
@@ -141,42 +137,42 @@ public:
         return all;
     }
 
-    /// Waits for octets, at most for `patience`, and lets the drives do what is due. Errors: those of
+    /// Waits for bytes, at most for `time_limit`, and lets the drives do what is due. Errors: those of
     /// the port.
-    rtuwire::result<void> pass(rtuwire::duration patience)
+    rtuwire::result<void> pass(rtuwire::duration time_limit)
     {
-        rtuwire::deadline until = port_.now() + patience;
+        rtuwire::deadline until = port_.now() + time_limit;
         for (auto const& each : drives_) {
             until = rtuwire::earlier(until, each->poll_deadline());
         }
-        auto const octets = port_.read(input_, *until);
-        if (not octets) {
-            return octets.error();
+        auto const bytes = port_.read(input_, *until);
+        if (not bytes) {
+            return bytes.error();
         }
         // Nothing came until then; whatever came since is read in the next pass, however late that is.
         bool const is_damaged = has_receive_error();
-        rtuwire::instant const now = octets->empty() and not is_damaged ? *until : port_.now();
+        rtuwire::instant const now = bytes->empty() and not is_damaged ? *until : port_.now();
         last_ = rtuwire::reached(now, last_) ? now : last_;
         for (auto const& each : drives_) {
-            each->receive(*octets, last_);
+            each->receive(*bytes, last_);
             if (is_damaged) {
                 each->receive_error(last_);
             }
             each->advance(last_);
         }
-        return answer();
+        return response();
     }
 
     rtuwire::instant now() const { return last_; }
 
 private:
-    /// The objects of a drive; their octets live as long as this line.
+    /// The objects of a drive; their bytes live as long as this line.
     template <rtuwire::device_type Device> rtuwire::device_objects identity_of_a()
     {
         using rtuwire::sim::line_profile;
         auto const& printed = line_profile<Device>::objects;
-        auto const& octets = identities_.emplace_back(std::make_unique<identity_octets>());
-        rtuwire::byte_writer out{*octets};
+        auto const& bytes = identities_.emplace_back(std::make_unique<identity_bytes>());
+        rtuwire::byte_writer out{*bytes};
         for (rtuwire::device_object const& each : printed) {
             if (each.id == rtuwire::vendor_name and not vendor_.empty()) {
                 write_vendor(out);
@@ -206,22 +202,22 @@ private:
         }
     }
 
-    rtuwire::result<void> answer()
+    rtuwire::result<void> response()
     {
         constexpr rtuwire::duration write_limit = rtuwire::milliseconds(1'000);
-        for (auto const& speaker : drives_) {
-            rtuwire::byte_view const frame = speaker->poll_transmit();
+        for (auto const& sender : drives_) {
+            rtuwire::byte_view const frame = sender->poll_transmit();
             if (frame.empty()) {
                 continue;
             }
             auto const written = port_.write(frame, port_.now() + write_limit);
             last_ = port_.now();
             for (auto const& other : drives_) {
-                if (other != speaker) {
+                if (other != sender) {
                     other->receive(frame, last_);
                 }
             }
-            speaker->sent(last_);
+            sender->sent(last_);
             if (not written and written.error() != rtuwire::errc::timed_out) {
                 return written;
             }
@@ -233,7 +229,7 @@ private:
     rtuwire::line_timing timing_;
     rtuwire::instant last_;
     std::string vendor_;
-    std::vector<std::unique_ptr<identity_octets>> identities_{};
+    std::vector<std::unique_ptr<identity_bytes>> identities_{};
     std::vector<std::unique_ptr<simulated_drive>> drives_{};
     std::array<std::byte, rtuwire::max_adu_size> input_{};
 };

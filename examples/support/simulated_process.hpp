@@ -77,9 +77,8 @@ private:
         }
     }
 
-    [[noreturn]] static void serve(rtuwire::pseudo_terminal& port, std::string const& name,
-                                   std::uint32_t unit, rtuwire::line_timing const& timing,
-                                   int from) noexcept
+    [[noreturn]] static void serve(rtuwire::pseudo_terminal& port, std::string const& name, std::uint32_t unit,
+                                   rtuwire::line_timing const& timing, int from) noexcept
     {
         simulated_line line{port, timing};
         orders input{from};

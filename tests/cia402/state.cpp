@@ -62,8 +62,8 @@ STATIC_CHECK(decode(0x0218) == state::fault and decode(0x0038) == state::fault);
 STATIC_CHECK(decode(0x0240) == state::switch_on_disabled); // an ATV28 with mains
 STATIC_CHECK(decode(0x0001) == state::unknown and decode(0x0022) == state::unknown);
 
-STATIC_CHECK(name_of(state::operation_enabled) == text{"operation enabled"});
-STATIC_CHECK(name_of(state::unknown) == text{"unknown"});
+STATIC_CHECK(name_of(state::operation_enabled) == literal{"operation enabled"});
+STATIC_CHECK(name_of(state::unknown) == literal{"unknown"});
 STATIC_CHECK(has_power(state::quick_stop_active) and not has_power(state::switched_on));
 
 /// Bits 6 to 0 as the manuals print them, bit 4 aside; whether the motor may have power; whether there is a fault.
@@ -92,7 +92,6 @@ constexpr bool is_as_printed()
     }
     return true;
 }
-PROOF("each state shows its bits, and says whether there is power and whether a fault",
-      is_as_printed)
+PROOF("each state shows its bits, and says whether there is power and whether a fault", is_as_printed)
 
 } // namespace

@@ -7,36 +7,27 @@
 
 #include "support/proof.hpp"
 
-#include <rtuwire/cia402/way.hpp>
+#include <rtuwire/cia402/next_command.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::cia402;
 
 namespace {
 
-constexpr chart_options profile{false, false, true};
-constexpr chart_options altivar{true, false, false};
+constexpr state_machine_options profile{false, false, true};
+constexpr state_machine_options altivar{true, false, false};
 
-constexpr std::array all_states{state::unknown,
-                                state::not_ready_to_switch_on,
-                                state::switch_on_disabled,
-                                state::ready_to_switch_on,
-                                state::switched_on,
-                                state::operation_enabled,
-                                state::quick_stop_active,
-                                state::fault_reaction_active,
-                                state::fault};
-constexpr std::array all_commands{command::none,
-                                  command::shutdown,
-                                  command::switch_on,
-                                  command::enable_operation,
-                                  command::disable_voltage,
-                                  command::quick_stop,
-                                  command::fault_reset};
+constexpr std::array all_states{
+    state::unknown,     state::not_ready_to_switch_on, state::switch_on_disabled, state::ready_to_switch_on,
+    state::switched_on, state::operation_enabled,      state::quick_stop_active,  state::fault_reaction_active,
+    state::fault};
+constexpr std::array all_commands{
+    command::none,       command::shutdown,   command::switch_on, command::enable_operation, command::disable_voltage,
+    command::quick_stop, command::fault_reset};
 
 /// The numbers of the transitions, a row for each state in the order above, a column for each command.
 /// -1: not accepted; 30: 3B, which only some drives have; 16: which only others have.
-constexpr int chart[9][7] = {
+constexpr int state_machine[9][7] = {
     //  none shutdown switch_on enable disable quick reset
     {-1, -1, -1, -1, -1, -1, -1}, // unknown
     {-1, -1, -1, -1, -1, -1, -1}, // not ready to switch on
@@ -49,7 +40,7 @@ constexpr int chart[9][7] = {
     {-1, -1, -1, -1, -1, -1, 15}, // fault
 };
 
-constexpr transition expected(int number, chart_options const& options)
+constexpr transition expected(int number, state_machine_options const& options)
 {
     switch (number) {
     case -1: return transition::none;
@@ -64,9 +55,9 @@ constexpr bool follows_the_chart()
     for (auto const& options : {profile, altivar}) {
         for (std::size_t row = 0; row < all_states.size(); ++row) {
             for (std::size_t column = 0; column < all_commands.size(); ++column) {
-                arrow const taken = step(all_states[row], all_commands[column], options);
+                transition_rule const taken = step(all_states[row], all_commands[column], options);
                 bool const stays = taken.to == all_states[row];
-                if (taken.number != expected(chart[row][column], options) or
+                if (taken.number != expected(state_machine[row][column], options) or
                     stays != (taken.number == transition::none)) {
                     return false;
                 }
@@ -85,8 +76,7 @@ constexpr bool recognises_its_words()
             return false;
         }
     }
-    return recognise(0x080F) == command::enable_operation and
-           recognise(0x010F) == command::enable_operation and
+    return recognise(0x080F) == command::enable_operation and recognise(0x010F) == command::enable_operation and
            recognise(0x000B) == command::quick_stop and recognise(0x000E) == command::shutdown and
            recognise(0x000D) == command::disable_voltage;
 }
@@ -98,8 +88,7 @@ constexpr bool resets_by_the_edge_only()
         // Outside a fault a word asks for the same with and without bit 7, edge or not.
         for (std::uint16_t low = 0; low < 0x10 and each != state::fault; ++low) {
             auto const high = static_cast<std::uint16_t>(low | 0x80U);
-            if (recognise(each, 0, high) != recognise(low) or
-                recognise(each, 0x80, high) != recognise(low)) {
+            if (recognise(each, 0, high) != recognise(low) or recognise(each, 0x80, high) != recognise(low)) {
                 return false;
             }
         }
@@ -112,8 +101,7 @@ constexpr bool resets_by_the_edge_only()
 PROOF("bit 7 counts in a fault, by its edge, and nowhere else", resets_by_the_edge_only)
 
 /// Follows the commands toward a goal until none is left; whether that ends in the goal.
-template <typename Toward, typename Goal>
-constexpr bool arrives(state from, Toward toward, Goal is_goal)
+template <typename Toward, typename Goal> constexpr bool arrives(state from, Toward toward, Goal is_goal)
 {
     for (unsigned steps = 0; steps < 8; ++steps) {
         command const next = toward(from);
@@ -128,12 +116,11 @@ constexpr bool arrives(state from, Toward toward, Goal is_goal)
 constexpr bool leads_to_the_goals()
 {
     for (state const from : all_states) {
-        bool const can_climb = height_of(from) > 0;
+        bool const can_enable = enable_rank(from) > 0;
         bool const runs =
-            arrives(from, toward_running, [](state at) { return at == state::operation_enabled; });
-        bool const clears =
-            arrives(from, toward_cleared, [](state at) { return at != state::fault; });
-        if (runs != can_climb or not clears) {
+            arrives(from, next_command_to_enable, [](state at) { return at == state::operation_enabled; });
+        bool const clears = arrives(from, next_command_to_reset, [](state at) { return at != state::fault; });
+        if (runs != can_enable or not clears) {
             return false;
         }
     }
@@ -142,11 +129,11 @@ constexpr bool leads_to_the_goals()
 PROOF("the ways end where they lead, from every state", leads_to_the_goals)
 
 /// The height of each state, in the order above.
-constexpr std::array heights{-1, 0, 1, 2, 3, 4, -1, -1, -1};
+constexpr std::array ranks{-1, 0, 1, 2, 3, 4, -1, -1, -1};
 constexpr bool rises_step_by_step()
 {
     for (std::size_t i = 0; i < all_states.size(); ++i) {
-        if (height_of(all_states[i]) != heights[i]) {
+        if (enable_rank(all_states[i]) != ranks[i]) {
             return false;
         }
     }
@@ -155,17 +142,15 @@ constexpr bool rises_step_by_step()
 PROOF("the way up has heights of 0 to 4, and off it there is none", rises_step_by_step)
 
 // A drive of which nothing is told has the profile's chart without what drives may lack.
-STATIC_CHECK(step(state::ready_to_switch_on, command::enable_operation, {}).number ==
-             transition::none);
-STATIC_CHECK(step(state::quick_stop_active, command::enable_operation, {}).number ==
-             transition::none);
-STATIC_CHECK(not chart_options{}.quick_stop_waits);
+STATIC_CHECK(step(state::ready_to_switch_on, command::enable_operation, {}).number == transition::none);
+STATIC_CHECK(step(state::quick_stop_active, command::enable_operation, {}).number == transition::none);
+STATIC_CHECK(not state_machine_options{}.quick_stop_waits);
 
-STATIC_CHECK(name_of(transition::t3b) == text{"3B"} and name_of(transition::t0) == text{"0"});
-STATIC_CHECK(name_of(transition::none) == text{"none"});
+STATIC_CHECK(name_of(transition::t3b) == literal{"3B"} and name_of(transition::t0) == literal{"0"});
+STATIC_CHECK(name_of(transition::none) == literal{"none"});
 // Behind the last name, too.
-STATIC_CHECK(name_of(static_cast<transition>(18)) == text{"none"});
-STATIC_CHECK(name_of(command::quick_stop) == text{"quick stop"});
+STATIC_CHECK(name_of(static_cast<transition>(18)) == literal{"none"});
+STATIC_CHECK(name_of(command::quick_stop) == literal{"quick stop"});
 STATIC_CHECK(word_of(command::fault_reset) == 0x0080 and word_of(command::none) == 0);
 
 } // namespace

@@ -1,31 +1,31 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Noise for an hour: every question ends in time, nothing of it is a value, and the first good exchange
+// Noise for an hour: every request ends in time, nothing of it is a value, and the first good exchange
 // after it is one.
 #include <rtuwire/client/client.hpp>
 
 #include <array>
 
 #include "support/catch.hpp"
-#include "support/far_end.hpp"
+#include "support/manual_unit.hpp"
 #include "support/random.hpp"
 
 using namespace rtuwire;
-using test::answer_1234;
-using test::far_end;
+using test::manual_unit;
 using test::read_eta;
+using test::response_1234;
 
 TEST_CASE("after an hour of noise the first good exchange succeeds")
 {
     constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
     constexpr std::uint32_t longest_us = 3'000'000;
-    far_end unit{patient};
+    manual_unit unit{patient};
     test::random random{7};
     std::uint64_t passed = 0;
     unsigned values = 0;
     std::uint32_t waited = 0;
     while (passed < 3'600'000'000U) {
-        static_cast<void>(unit.link.start(request{read_eta}, unit.now));
+        static_cast<void>(unit.link.start(request_frame{read_eta}, unit.now));
         std::array<std::byte, 32> noise{};
         random.fill(noise);
         instant const before = unit.now;
@@ -45,6 +45,6 @@ TEST_CASE("after an hour of noise the first good exchange succeeds")
     static_cast<void>(unit.link.poll_outcome());
     unit.run(milliseconds(1'000));
     REQUIRE(unit.ask(read_eta));
-    unit.say(answer_1234);
+    unit.say(response_1234);
     CHECK(unit.has(0x1234));
 }

@@ -25,12 +25,12 @@ struct scripted_port {
 
     instant now() { return clock = clock + microseconds(10); }
 
-    result<void> write(byte_view octets, instant)
+    result<void> write(byte_view bytes, instant)
     {
         if (is_broken) {
             return errc::device_vanished;
         }
-        sent.emplace_back(octets.begin(), octets.end());
+        sent.emplace_back(bytes.begin(), bytes.end());
         if (sent.size() <= answers.size()) {
             input = answers[sent.size() - 1];
         }
@@ -54,76 +54,75 @@ struct scripted_port {
     }
 };
 
-template <std::size_t Size>
-std::vector<std::byte> line_of(std::array<std::byte, Size> const& octets)
+template <std::size_t Size> std::vector<std::byte> line_of(std::array<std::byte, Size> const& bytes)
 {
-    return {octets.begin(), octets.end()};
+    return {bytes.begin(), bytes.end()};
 }
 
-constexpr auto answer_1234 = "01 03 02 12 34 B5 33"_hex;
-constexpr auto answer_5678 = "01 03 02 56 78 87 C6"_hex;
+constexpr auto response_1234 = "01 03 02 12 34 B5 33"_hex;
+constexpr auto response_5678 = "01 03 02 56 78 87 C6"_hex;
 constexpr auto refusal = "01 83 02 C0 F1"_hex;
 constexpr auto stop_all = "00 06 21 35 00 00 92 29"_hex;
 
-template <std::size_t Size> scripted_port answering(std::array<std::byte, Size> const& octets)
+template <std::size_t Size> scripted_port responding(std::array<std::byte, Size> const& bytes)
 {
     scripted_port port;
-    port.answers.push_back(line_of(octets));
+    port.answers.push_back(line_of(bytes));
     return port;
 }
 
 constexpr line_timing timing{19'200, character_format::even_8_1};
-constexpr read_holding_registers question{0x0C81, 1};
+constexpr read_holding_registers request{0x0C81, 1};
 
 } // namespace
 
-TEST_CASE("a waiting client gives the answer")
+TEST_CASE("a waiting client gives the response")
 {
-    scripted_port port = answering(answer_1234);
+    scripted_port port = responding(response_1234);
     blocking_client line{port, timing};
-    auto const answer = line.ask(unit_id{1}, question);
-    REQUIRE(answer);
-    CHECK(answer->registers[0] == 0x1234);
+    auto const response = line.ask(unit_id{1}, request);
+    REQUIRE(response);
+    CHECK(response->registers[0] == 0x1234);
     CHECK(port.sent.size() == 1);
 }
 
 TEST_CASE("a waiting client gives exceptions, time-outs and refusals as errors")
 {
-    scripted_port port = answering(refusal);
+    scripted_port port = responding(refusal);
     blocking_client line{port, timing, {.retries = 1}};
-    CHECK(line.ask(unit_id{1}, question) == errc::illegal_data_address);
-    CHECK(line.ask(unit_id{1}, question) == errc::timed_out);
+    CHECK(line.ask(unit_id{1}, request) == errc::illegal_data_address);
+    CHECK(line.ask(unit_id{1}, request) == errc::timed_out);
     CHECK(port.sent.size() == 3);
     CHECK(line.ask(unit_id{1}, read_holding_registers{0, 126}) == errc::invalid_quantity);
     CHECK(port.sent.size() == 3);
 }
 
-TEST_CASE("a question without an answer takes its time, and no more")
+TEST_CASE("a request without a response takes its time, and no more")
 {
     scripted_port port;
     blocking_client line{port, timing, {.response_timeout = milliseconds(300), .retries = 0}};
     instant const before = port.clock;
-    CHECK(line.ask(unit_id{1}, question) == errc::timed_out);
+    CHECK(line.ask(unit_id{1}, request) == errc::timed_out);
     std::uint32_t const least = 300'000 + timing.characters(8 + 7).microseconds;
     CHECK((port.clock - before).microseconds - least < 5'000);
 }
 
-TEST_CASE("what lay in the port before the question does not answer it")
+TEST_CASE("what lay in the port before the request does not answer it")
 {
-    scripted_port port = answering(answer_1234);
-    port.input = line_of(answer_5678);
+    scripted_port port = responding(response_1234);
+    port.input = line_of(response_5678);
     blocking_client line{port, timing};
-    auto const answer = line.ask(unit_id{1}, question);
-    REQUIRE(answer);
-    CHECK(answer->registers[0] == 0x1234);
+    auto const response = line.ask(unit_id{1}, request);
+    REQUIRE(response);
+    CHECK(response->registers[0] == 0x1234);
 }
 
-TEST_CASE("a command to all ends without an answer")
+TEST_CASE("a command to all ends without a response")
 {
     scripted_port port;
     blocking_client line{port, timing};
     instant const before = port.clock;
-    CHECK(line.tell_all(write_single_register{8501, 0}));
+    CHECK(line.send_broadcast(write_single_register{8501, 0}));
     duration const least = timing.t3_5() + timing.characters(8) + milliseconds(100);
     CHECK(port.clock - before >= least);
     CHECK((port.clock - before).microseconds - least.microseconds < 1000);
@@ -131,20 +130,20 @@ TEST_CASE("a command to all ends without an answer")
     CHECK(port.sent[0] == line_of(stop_all));
 }
 
-TEST_CASE("a port that fails ends the question, and the next one can be asked")
+TEST_CASE("a port that fails ends the request, and the next one can be asked")
 {
-    scripted_port port = answering(answer_1234);
+    scripted_port port = responding(response_1234);
     blocking_client line{port, timing};
     port.is_broken = true;
-    CHECK(line.ask(unit_id{1}, question) == errc::device_vanished);
+    CHECK(line.ask(unit_id{1}, request) == errc::device_vanished);
     port.is_broken = false;
-    CHECK(line.ask(unit_id{1}, question));
+    CHECK(line.ask(unit_id{1}, request));
 }
 
 namespace {
 
-/// Pauses before its one question.
-class patient_question : public asker {
+/// Pauses before its one request.
+class patient_request : public asker {
 public:
     void advance(instant now)
     {
@@ -155,13 +154,13 @@ public:
         is_due_ = is_due_ or reached(now, start_);
     }
     deadline poll_deadline() const { return is_due_ ? deadline{} : deadline{start_}; }
-    std::optional<request> next() const { return is_due_ ? talk_.next() : std::nullopt; }
-    void accept(result<response> const& outcome) { talk_.accept(outcome); }
-    bool settled() const { return talk_.settled(); }
-    auto outcome() const& { return talk_.outcome(); }
+    std::optional<request_frame> next() const { return is_due_ ? conversation_.next() : std::nullopt; }
+    void accept(result<response> const& outcome) { conversation_.accept(outcome); }
+    bool settled() const { return conversation_.settled(); }
+    auto outcome() const& { return conversation_.outcome(); }
 
 private:
-    single_question<read_holding_registers> talk_{unit_id{1}, question};
+    single_request<read_holding_registers> conversation_{unit_id{1}, request};
     instant start_{0};
     bool begun_{false};
     bool is_due_{false};
@@ -171,16 +170,16 @@ private:
 
 TEST_CASE("a conversation that pauses is waited for")
 {
-    scripted_port port = answering(answer_1234);
+    scripted_port port = responding(response_1234);
     blocking_client line{port, timing};
-    patient_question talk;
+    patient_request conversation;
     instant const before = port.clock;
-    REQUIRE(line.run(talk));
-    CHECK(talk.outcome());
+    REQUIRE(line.run(conversation));
+    CHECK(conversation.outcome());
     CHECK((port.clock - before).microseconds >= 30'000);
 }
 
-TEST_CASE("a port that breaks while an answer is awaited settles the conversation")
+TEST_CASE("a port that breaks while a response is awaited settles the conversation")
 {
     struct breaking_port : scripted_port {
         result<byte_span> read(byte_span place, instant until)
@@ -191,9 +190,9 @@ TEST_CASE("a port that breaks while an answer is awaited settles the conversatio
     };
     breaking_port port;
     blocking_client line{port, timing};
-    single_question talk{unit_id{1}, question};
-    CHECK(line.run(talk) == errc::device_vanished);
-    CHECK(talk.outcome().error() == errc::cancelled);
+    single_request conversation{unit_id{1}, request};
+    CHECK(line.run(conversation) == errc::device_vanished);
+    CHECK(conversation.outcome().error() == errc::cancelled);
 }
 
 TEST_CASE("a port that breaks while a broadcast leaves is reported")
@@ -203,7 +202,7 @@ TEST_CASE("a port that breaks while a broadcast leaves is reported")
     };
     mute_port port;
     blocking_client line{port, timing};
-    CHECK(line.tell_all(write_single_register{8501, 0}) == errc::device_failed);
+    CHECK(line.send_broadcast(write_single_register{8501, 0}) == errc::device_failed);
 }
 
 namespace {
@@ -213,10 +212,10 @@ struct watched_port : scripted_port {
     std::vector<duration> for_writing{};
     std::vector<duration> for_reading{};
 
-    result<void> write(byte_view octets, instant until)
+    result<void> write(byte_view bytes, instant until)
     {
         for_writing.push_back(until - clock);
-        return scripted_port::write(octets, until);
+        return scripted_port::write(bytes, until);
     }
     result<byte_span> read(byte_span place, instant until)
     {
@@ -231,11 +230,10 @@ struct watched_port : scripted_port {
 TEST_CASE("a port has the response time-out to send, and never waits for a time that is long over")
 {
     watched_port port;
-    port.answers = {line_of(answer_1234), {}, line_of(answer_5678)};
-    blocking_client<watched_port> client{
-        port, timing, {.response_timeout = milliseconds(250), .retries = 1}};
-    CHECK(client.ask(unit_id{1}, question));
-    CHECK(client.ask(unit_id{1}, question));
+    port.answers = {line_of(response_1234), {}, line_of(response_5678)};
+    blocking_client<watched_port> client{port, timing, {.response_timeout = milliseconds(250), .retries = 1}};
+    CHECK(client.ask(unit_id{1}, request));
+    CHECK(client.ask(unit_id{1}, request));
     REQUIRE(port.sent.size() == 3);
     for (duration const each : port.for_writing) {
         CHECK(each == milliseconds(250));
@@ -243,47 +241,47 @@ TEST_CASE("a port has the response time-out to send, and never waits for a time 
     for (duration const each : port.for_reading) {
         CHECK(each <= milliseconds(600));
     }
-    // The line has to be silent before the first question.
+    // The line has to be silent before the first request.
     CHECK(port.for_reading.front() > milliseconds(1));
 }
 
 TEST_CASE("the end of a pass has a second to send, and reads until its time")
 {
     watched_port port;
-    port.answers = {line_of(answer_1234)};
+    port.answers = {line_of(response_1234)};
     client link{timing};
-    single_question talk{unit_id{1}, question};
+    single_request conversation{unit_id{1}, request};
     std::array<std::byte, 256> place{};
-    for (int pass = 0; pass < 6 and not talk.settled(); ++pass) {
+    for (int pass = 0; pass < 6 and not conversation.settled(); ++pass) {
         instant const now = port.now();
         link.advance(now);
-        link.converse(talk, now);
+        link.converse(conversation, now);
         REQUIRE(pump(link, port, place, now + milliseconds(20)));
     }
-    CHECK(talk.outcome());
+    CHECK(conversation.outcome());
     CHECK(port.for_writing == std::vector<duration>{milliseconds(1'000)});
 }
 
 namespace {
 
 /// Has nothing to ask at first, and does not say when it will have.
-struct silent_at_first : single_question<read_holding_registers> {
-    using single_question::single_question;
+struct silent_at_first : single_request<read_holding_registers> {
+    using single_request::single_request;
     int looks_left{3};
 
-    std::optional<request> next() { return looks_left-- > 0 ? std::nullopt : single_question::next(); }
+    std::optional<request_frame> next() { return looks_left-- > 0 ? std::nullopt : single_request::next(); }
 };
 
 } // namespace
 
 TEST_CASE("a conversation that does not say when it goes on is looked at again within ten milliseconds")
 {
-    scripted_port port = answering(answer_1234);
+    scripted_port port = responding(response_1234);
     blocking_client line{port, timing};
-    silent_at_first talk{unit_id{1}, question};
+    silent_at_first conversation{unit_id{1}, request};
     instant const before = port.clock;
-    REQUIRE(line.run(talk));
-    CHECK(talk.outcome());
+    REQUIRE(line.run(conversation));
+    CHECK(conversation.outcome());
     CHECK(port.clock - before >= milliseconds(30));
     CHECK(port.clock - before < milliseconds(31) + timing.t3_5());
 }

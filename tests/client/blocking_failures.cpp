@@ -27,13 +27,13 @@ struct silent_port {
     unsigned reads{0};
 
     instant now() const { return clock; }
-    result<void> write(byte_view octets, instant)
+    result<void> write(byte_view bytes, instant)
     {
         if (is_broken) {
             return errc::device_vanished;
         }
         sent_at.push_back(clock);
-        clock = clock + timing.characters(octets.size());
+        clock = clock + timing.characters(bytes.size());
         return {};
     }
     result<byte_span> read(byte_span place, instant until)
@@ -51,65 +51,65 @@ struct silent_port {
     }
 };
 
-/// One question; counts what it is told.
+/// One request; counts what it is told.
 template <typename Request> struct counted : asker {
-    single_question<Request> talk;
+    single_request<Request> conversation;
     unsigned told{0};
     errc last{errc::none};
 
-    template <typename To> counted(To to, Request const& asked) : talk{to, asked} {}
-    std::optional<request> next() const { return talk.next(); }
+    template <typename To> counted(To to, Request const& asked) : conversation{to, asked} {}
+    std::optional<request_frame> next() const { return conversation.next(); }
     void accept(result<response> const& outcome)
     {
         ++told;
         last = outcome.error();
-        talk.accept(outcome);
+        conversation.accept(outcome);
     }
-    bool settled() const { return talk.settled(); }
+    bool settled() const { return conversation.settled(); }
 };
 
 using counted_read = counted<read_holding_registers>;
 using counted_stop = counted<write_single_register>;
-constexpr read_holding_registers question{3201, 1};
+constexpr read_holding_registers request{3201, 1};
 constexpr write_single_register stop_word{8501, 0};
 
-/// Asks its question so long after it was looked at first.
+/// Asks its request so long after it was looked at first.
 struct late_read : counted_read {
     duration pause;
     std::optional<instant> due{};
     bool is_due{false};
 
-    explicit late_read(duration length) : counted_read{unit_id{1}, question}, pause{length} {}
+    explicit late_read(duration length) : counted_read{unit_id{1}, request}, pause{length} {}
     void advance(instant now)
     {
         due = due ? due : std::optional{now + pause};
         is_due = is_due or reached(now, *due);
     }
     deadline poll_deadline() const { return is_due ? deadline{} : due; }
-    std::optional<request> next() const { return is_due ? counted_read::next() : std::nullopt; }
+    std::optional<request_frame> next() const { return is_due ? counted_read::next() : std::nullopt; }
 };
 
 } // namespace
 
-TEST_CASE("a conversation whose port breaks is told once, whatever its question is")
+TEST_CASE("a conversation whose port breaks is told once, whatever its request is")
 {
     for (unsigned const reads : {0U, 1U}) {
         INFO("after " << reads << " reads");
         silent_port port;
         port.reads_left = reads;
         blocking_client line{port, timing};
-        counted_read talk{unit_id{1}, question};
-        CHECK(line.run(talk) == errc::device_vanished);
-        CHECK(talk.told == 1);
-        CHECK(talk.last == errc::cancelled);
+        counted_read conversation{unit_id{1}, request};
+        CHECK(line.run(conversation) == errc::device_vanished);
+        CHECK(conversation.told == 1);
+        CHECK(conversation.last == errc::cancelled);
     }
     silent_port port;
     port.reads_left = 0;
     blocking_client line{port, timing};
-    counted_stop talk{broadcast, stop_word}; // units still get their time for it
-    CHECK(line.run(talk) == errc::device_vanished);
-    CHECK(talk.told == 1);
-    CHECK(talk.last == errc::cancelled);
+    counted_stop conversation{broadcast, stop_word}; // units still get their time for it
+    CHECK(line.run(conversation) == errc::device_vanished);
+    CHECK(conversation.told == 1);
+    CHECK(conversation.last == errc::cancelled);
 }
 
 TEST_CASE("a conversation whose port broke before it asked is told nothing")
@@ -117,10 +117,10 @@ TEST_CASE("a conversation whose port broke before it asked is told nothing")
     silent_port port;
     port.is_broken = true;
     blocking_client line{port, timing};
-    counted_read talk{unit_id{1}, question};
-    CHECK(line.run(talk) == errc::device_vanished);
-    CHECK(talk.told == 0);
-    CHECK_FALSE(talk.settled());
+    counted_read conversation{unit_id{1}, request};
+    CHECK(line.run(conversation) == errc::device_vanished);
+    CHECK(conversation.told == 0);
+    CHECK_FALSE(conversation.settled());
 }
 
 TEST_CASE("a conversation that could not ask while a command took its time is not ahead for it")
@@ -132,16 +132,16 @@ TEST_CASE("a conversation that could not ask while a command took its time is no
         blocking_client line{port, timing};
         counted_stop everyone{broadcast, stop_word};
         REQUIRE_FALSE(line.run(everyone));
-        counted_read talk{unit_id{1}, question};
+        counted_read conversation{unit_id{1}, request};
         if (has_tried == 1) {
-            REQUIRE(line.run(talk) == errc::device_vanished);
-            REQUIRE(talk.told == 0);
+            REQUIRE(line.run(conversation) == errc::device_vanished);
+            REQUIRE(conversation.told == 0);
         }
         port.is_broken = false;
         port.reads_left.reset();
         port.clock = port.clock + milliseconds(200); // that time is over
         unsigned const before = port.reads;
-        REQUIRE(line.run(talk));
+        REQUIRE(line.run(conversation));
         REQUIRE(port.sent_at.size() == 4); // and two repetitions
         reads.at(has_tried) = port.reads - before;
     }
@@ -153,19 +153,19 @@ TEST_CASE("a conversation that pauses is looked at when its pause ends, and not 
     for (duration const pause : {milliseconds(3), milliseconds(30), milliseconds(3'000)}) {
         silent_port port;
         blocking_client line{port, timing};
-        late_read talk{pause};
+        late_read conversation{pause};
         instant const begin = port.clock;
-        REQUIRE(line.run(talk));
+        REQUIRE(line.run(conversation));
         REQUIRE_FALSE(port.sent_at.empty());
         // The line has to be silent before it is looked at first.
         instant const due = begin + timing.t3_5() + pause;
         CHECK(port.sent_at.front() - due < milliseconds(1));
-        CHECK(talk.told == 1);
+        CHECK(conversation.told == 1);
     }
     silent_port port;
     blocking_client line{port, timing};
-    late_read talk{milliseconds(3'000)};
-    port.reads_left = 0; // breaks behind the question
-    CHECK(line.run(talk) == errc::device_vanished);
+    late_read conversation{milliseconds(3'000)};
+    port.reads_left = 0; // breaks behind the request
+    CHECK(line.run(conversation) == errc::device_vanished);
     CHECK(port.reads < 6);
 }

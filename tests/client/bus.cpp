@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Turns on a line: fairness, patience by unit, and what a silent unit may cost.
+// Turns on a line: fairness, a retry policy by unit, and what a silent unit may cost.
 #include <rtuwire/client/bus.hpp>
 
 #include <array>
 
 #include "support/proof.hpp"
 
-#include <rtuwire/client/single_question.hpp>
+#include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 #include <rtuwire/wire/pdu/write_single_register.hpp>
@@ -20,14 +20,13 @@ constexpr line_timing line{19'200, character_format::even_8_1};
 
 /// Asks the same for ever, and counts.
 struct endless : asker {
-    single_question<read_holding_registers> question;
+    single_request<read_holding_registers> request;
     unsigned answers{0};
     unsigned failures{0};
 
-    explicit constexpr endless(std::uint32_t unit)
-        : question{*unit_id::checked(unit), read_holding_registers{3201, 1}}
+    explicit constexpr endless(std::uint32_t unit) : request{*unit_id::checked(unit), read_holding_registers{3201, 1}}
     {}
-    constexpr std::optional<request> next() const { return question.next(); }
+    constexpr std::optional<request_frame> next() const { return request.next(); }
     constexpr void accept(result<response> const& outcome)
     {
         answers += outcome ? 1U : 0U;
@@ -42,7 +41,7 @@ constexpr auto refusal = "03 83 80 E1 50"_hex;
 /// Three conversations on one line, played by hand: units from `silent_from` on say nothing.
 struct three {
     bus<3> link;
-    std::array<endless, 3> talks{endless{1}, endless{2}, endless{3}};
+    std::array<endless, 3> conversations{endless{1}, endless{2}, endless{3}};
     unsigned silent_from{4};
     unsigned refusing{0};
     instant now{0xFFFF'FF00};
@@ -56,8 +55,8 @@ struct three {
     constexpr void pass()
     {
         link.advance(now);
-        for (std::size_t i = 0; i < talks.size(); ++i) {
-            link.converse(i, talks[i], now);
+        for (std::size_t i = 0; i < conversations.size(); ++i) {
+            link.converse(i, conversations[i], now);
         }
         transmit();
         deadline const next = link.poll_deadline();
@@ -81,10 +80,9 @@ struct three {
         } else if (unit != 0 and unit < silent_from) {
             register_block const word{0x0237};
             std::array<std::byte, 8> place{};
-            auto const answer =
-                encode_into(place, *unit_id::checked(unit), read_holding_registers_response{word});
+            auto const response = encode_into(place, *unit_id::checked(unit), read_holding_registers_response{word});
             now = now + milliseconds(4);
-            link.receive(*answer, now);
+            link.receive(*response, now);
         }
     }
 };
@@ -100,9 +98,9 @@ constexpr bool takes_turns()
             return false;
         }
     }
-    return all.talks[0].answers == 10 and all.talks[2].answers >= 9;
+    return all.conversations[0].answers == 10 and all.conversations[2].answers >= 9;
 }
-PROOF("conversations take turns, one question each", takes_turns)
+PROOF("conversations take turns, one request each", takes_turns)
 
 constexpr bool limits_silence(std::uint8_t share, std::uint32_t at_most)
 {
@@ -111,13 +109,13 @@ constexpr bool limits_silence(std::uint8_t share, std::uint32_t at_most)
     instant const start = all.now;
     std::uint64_t lost = 0;
     while ((all.now - start) < milliseconds(1'500)) {
-        unsigned const failures = all.talks[2].failures;
+        unsigned const failures = all.conversations[2].failures;
         all.pass();
-        lost += all.talks[2].failures - failures;
+        lost += all.conversations[2].failures - failures;
     }
     // The first silence costs two attempts of about 57 ms each, later ones one.
-    return lost >= 2 and lost * 57 <= at_most and all.talks[0].answers > 25 and
-           all.link.is_silent(2) and not all.link.is_silent(0);
+    return lost >= 2 and lost * 57 <= at_most and all.conversations[0].answers > 25 and all.link.is_silent(2) and
+           not all.link.is_silent(0);
 }
 constexpr bool limits_silence_to_ten_percent() { return limits_silence(10, 400); }
 constexpr bool limits_silence_to_half() { return limits_silence(50, 1'000); }
@@ -133,10 +131,10 @@ constexpr bool comes_back()
     }
     all.silent_from = 4;
     instant const start = all.now;
-    while (all.talks[2].answers < 5 and (all.now - start) < milliseconds(3'000)) {
+    while (all.conversations[2].answers < 5 and (all.now - start) < milliseconds(3'000)) {
         all.pass();
     }
-    return all.talks[2].answers == 5 and not all.link.is_silent(2);
+    return all.conversations[2].answers == 5 and not all.link.is_silent(2);
 }
 PROOF("a unit that answers again is asked as often as the others", comes_back)
 
@@ -147,7 +145,7 @@ constexpr bool hears_refusals()
     while (all.asked < 30) {
         all.pass();
     }
-    return all.talks[2].failures >= 9 and not all.link.is_silent(2);
+    return all.conversations[2].failures >= 9 and not all.link.is_silent(2);
 }
 PROOF("a unit that refuses is not silent, even by a code that no document has", hears_refusals)
 
@@ -160,7 +158,8 @@ constexpr bool keeps_idle_time()
     while ((all.now - start) < milliseconds(1'000)) {
         all.pass();
     }
-    return all.talks[1].answers >= 4 and all.talks[1].answers <= 5 and all.talks[0].answers > 20;
+    return all.conversations[1].answers >= 4 and all.conversations[1].answers <= 5 and
+           all.conversations[0].answers > 20;
 }
 PROOF("a unit that needs idle time gets it, and the others go on", keeps_idle_time)
 
@@ -170,14 +169,15 @@ constexpr bool does_not_wait_for_the_absent()
     instant const start = all.now;
     while ((all.now - start) < milliseconds(500)) {
         all.link.advance(all.now);
-        all.link.converse(0, all.talks[0], all.now);
-        all.link.converse(2, all.talks[2], all.now);
-        all.link.converse(7, all.talks[1], all.now);
+        all.link.converse(0, all.conversations[0], all.now);
+        all.link.converse(2, all.conversations[2], all.now);
+        all.link.converse(7, all.conversations[1], all.now);
         all.transmit();
         deadline const next = all.link.poll_deadline();
         all.now = next and not reached(all.now, *next) ? *next : all.now + microseconds(100);
     }
-    return all.talks[0].answers > 10 and all.talks[2].answers > 10 and all.talks[1].answers == 0;
+    return all.conversations[0].answers > 10 and all.conversations[2].answers > 10 and
+           all.conversations[1].answers == 0;
 }
 PROOF("a slot that nobody runs does not hold the others up", does_not_wait_for_the_absent)
 
@@ -187,19 +187,19 @@ constexpr bool lets_the_urgent_go_first()
     while (all.asked < 4) {
         all.pass();
     }
-    single_question stop{broadcast, write_single_register{8501, 0}};
+    single_request stop{broadcast, write_single_register{8501, 0}};
     while (not stop.settled()) {
         all.link.advance(all.now);
-        all.link.converse_first(stop, all.now);
+        all.link.run_urgent(stop, all.now);
         for (std::size_t i = 0; i < 3; ++i) {
-            all.link.converse(i, all.talks[i], all.now);
+            all.link.converse(i, all.conversations[i], all.now);
         }
         all.transmit();
         deadline const next = all.link.poll_deadline();
         all.now = next and not reached(all.now, *next) ? *next : all.now + microseconds(100);
     }
     bool const next_was_broadcast = all.order[4] == 0;
-    all.link.converse_first(stop, all.now);
+    all.link.run_urgent(stop, all.now);
     while (all.asked < 10) {
         all.pass();
     }

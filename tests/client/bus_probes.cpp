@@ -9,7 +9,7 @@
 
 #include "support/proof.hpp"
 
-#include <rtuwire/client/single_question.hpp>
+#include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 
 using namespace rtuwire;
@@ -17,20 +17,18 @@ using namespace rtuwire;
 namespace {
 
 constexpr line_timing line{19'200, character_format::even_8_1};
-// No answer comes late: the unit may be asked again as soon as the bus wishes.
-constexpr client_options once{
-    .response_timeout = milliseconds(50), .late_answer = {}, .retries = 0};
+// No response comes late: the unit may be asked again as soon as its turn comes.
+constexpr client_options once{.response_timeout = milliseconds(50), .late_response = {}, .retries = 0};
 
 /// Asks the same for ever.
 struct endless : asker {
-    single_question<read_holding_registers> question;
+    single_request<read_holding_registers> request;
     unsigned answers{0};
     unsigned failures{0};
 
-    explicit constexpr endless(std::uint32_t unit)
-        : question{*unit_id::checked(unit), read_holding_registers{3201, 1}}
+    explicit constexpr endless(std::uint32_t unit) : request{*unit_id::checked(unit), read_holding_registers{3201, 1}}
     {}
-    constexpr std::optional<request> next() const { return question.next(); }
+    constexpr std::optional<request_frame> next() const { return request.next(); }
     constexpr void accept(result<response> const& outcome)
     {
         answers += outcome ? 1U : 0U;
@@ -42,7 +40,7 @@ struct endless : asker {
 /// One slot, whose unit answers as far as it is told to. Goes from deadline to deadline.
 struct lonely {
     bus<1> link;
-    endless talk{7};
+    endless conversation{7};
     bool is_answering{false};
     instant now{0xFFFF'FF00};
     instant asked_at{0};
@@ -55,10 +53,10 @@ struct lonely {
     /// False where the bus wants to sleep for ever.
     constexpr bool pass()
     {
-        unsigned const outcomes = talk.failures + talk.answers;
+        unsigned const outcomes = conversation.failures + conversation.answers;
         link.advance(now);
-        link.converse(0, talk, now);
-        ended_at = talk.failures + talk.answers != outcomes ? now : ended_at;
+        link.converse(0, conversation, now);
+        ended_at = conversation.failures + conversation.answers != outcomes ? now : ended_at;
         if (byte_view const frame = link.poll_transmit(); not frame.empty()) {
             asked_at = now;
             transmit(to_u8(frame[0]), frame.size());
@@ -71,7 +69,7 @@ struct lonely {
 
     constexpr bool fails(unsigned times)
     {
-        for (unsigned const all = talk.failures + times; talk.failures != all;) {
+        for (unsigned const all = conversation.failures + times; conversation.failures != all;) {
             if (not pass()) {
                 return false;
             }
@@ -81,7 +79,7 @@ struct lonely {
     constexpr bool answers(unsigned times)
     {
         is_answering = true;
-        for (unsigned const all = talk.answers + times; talk.answers != all;) {
+        for (unsigned const all = conversation.answers + times; conversation.answers != all;) {
             if (not pass()) {
                 return false;
             }
@@ -99,14 +97,12 @@ private:
             register_block const word{0x0237};
             std::array<std::byte, 8> place{};
             now = now + milliseconds(4);
-            link.receive(
-                *encode_into(place, *unit_id::checked(unit), read_holding_registers_response{word}),
-                now);
+            link.receive(*encode_into(place, *unit_id::checked(unit), read_holding_registers_response{word}), now);
         }
     }
 };
 
-/// From the end of a loss to the next question, and what the loss took.
+/// From the end of a loss to the next request, and what the loss took.
 struct rest {
     std::uint64_t length, cost;
 };
@@ -126,13 +122,11 @@ constexpr rest rest_after_a_loss(bus_options const& share, client_options const&
 constexpr bool is_share(rest const& of, std::uint64_t percent)
 {
     std::uint64_t const least = of.cost * (100 - percent);
-    return of.cost >= 50'000 and of.length * percent >= least and
-           of.length * percent <= least + 100 * percent;
+    return of.cost >= 50'000 and of.length * percent >= least and of.length * percent <= least + 100 * percent;
 }
 constexpr bool leaves_the_line_to_the_others()
 {
-    return is_share(rest_after_a_loss({}), 10) and
-           is_share(rest_after_a_loss({.silent_share = 1}), 1) and
+    return is_share(rest_after_a_loss({}), 10) and is_share(rest_after_a_loss({.silent_share = 1}), 1) and
            is_share(rest_after_a_loss({.silent_share = 50}), 50) and
            is_share(rest_after_a_loss({.silent_share = 99}), 99);
 }
@@ -141,12 +135,10 @@ PROOF("a silent unit is asked again when its last loss is its share of the time,
 
 constexpr bool rests_ten_minutes_at_most()
 {
-    rest const most = rest_after_a_loss(
-        {.silent_share = 1},
-        {.response_timeout = milliseconds(7'000), .late_answer = {}, .retries = 0});
-    rest const nearly = rest_after_a_loss(
-        {.silent_share = 1},
-        {.response_timeout = milliseconds(5'950), .late_answer = {}, .retries = 0});
+    rest const most = rest_after_a_loss({.silent_share = 1},
+                                        {.response_timeout = milliseconds(7'000), .late_response = {}, .retries = 0});
+    rest const nearly = rest_after_a_loss({.silent_share = 1},
+                                          {.response_timeout = milliseconds(5'950), .late_response = {}, .retries = 0});
     return most.length == 600'000'000 and is_share(nearly, 1);
 }
 PROOF("a loss of seconds costs ten minutes at most", rests_ten_minutes_at_most)
@@ -156,31 +148,28 @@ constexpr bool rests_no_longer_than_its_share()
 {
     constexpr std::uint32_t longest_cost = 6'060'605, some_timeout = 5'950'000;
     constexpr auto after = [](std::uint32_t timeout) {
-        return rest_after_a_loss(
-            {.silent_share = 1},
-            {.response_timeout = microseconds(timeout), .late_answer = {}, .retries = 0});
+        return rest_after_a_loss({.silent_share = 1},
+                                 {.response_timeout = microseconds(timeout), .late_response = {}, .retries = 0});
     };
     auto const more = static_cast<std::uint32_t>(after(some_timeout).cost) - some_timeout;
     rest const uncut = after(longest_cost - more), cut = after(longest_cost - more + 1);
-    return uncut.cost == longest_cost and uncut.length == 599'999'994 and
-           cut.cost == longest_cost + 1 and cut.length == 600'000'000;
+    return uncut.cost == longest_cost and uncut.length == 599'999'994 and cut.cost == longest_cost + 1 and
+           cut.length == 600'000'000;
 }
-PROOF("ten minutes take the place of what is longer, and of nothing shorter",
-      rests_no_longer_than_its_share)
+PROOF("ten minutes take the place of what is longer, and of nothing shorter", rests_no_longer_than_its_share)
 
-constexpr bool counts_from_the_first_answer()
+constexpr bool counts_from_the_first_response()
 {
-    lonely stranger;
-    bool ok = not stranger.link.is_silent(0) and not stranger.link.is_silent(1);
-    ok = ok and stranger.fails(1) and stranger.link.is_silent(0);
-    ok = ok and stranger.answers(1) and not stranger.link.is_silent(0);
-    ok = ok and stranger.fails(1) and not stranger.link.is_silent(0);
-    ok = ok and stranger.fails(1) and stranger.link.is_silent(0);
-    ok = ok and stranger.answers(1) and stranger.fails(1) and not stranger.link.is_silent(0);
-    return ok and stranger.answers(1) and stranger.fails(1) and not stranger.link.is_silent(0);
+    lonely foreign_unit;
+    bool ok = not foreign_unit.link.is_silent(0) and not foreign_unit.link.is_silent(1);
+    ok = ok and foreign_unit.fails(1) and foreign_unit.link.is_silent(0);
+    ok = ok and foreign_unit.answers(1) and not foreign_unit.link.is_silent(0);
+    ok = ok and foreign_unit.fails(1) and not foreign_unit.link.is_silent(0);
+    ok = ok and foreign_unit.fails(1) and foreign_unit.link.is_silent(0);
+    ok = ok and foreign_unit.answers(1) and foreign_unit.fails(1) and not foreign_unit.link.is_silent(0);
+    return ok and foreign_unit.answers(1) and foreign_unit.fails(1) and not foreign_unit.link.is_silent(0);
 }
-PROOF("who never answered is silent after one question, who did after two in a row",
-      counts_from_the_first_answer)
+PROOF("who never answered is silent after one request, who did after two in a row", counts_from_the_first_response)
 
 constexpr bool asks_at_once_who_is_not_silent()
 {
@@ -192,14 +181,14 @@ constexpr bool asks_at_once_who_is_not_silent()
     }
     return ok and it.asked_at - end < milliseconds(5);
 }
-PROOF("one lost answer of a unit that answered puts nothing off", asks_at_once_who_is_not_silent)
+PROOF("one lost response of a unit that answered puts nothing off", asks_at_once_who_is_not_silent)
 
 constexpr bool forgets_the_unit_before(std::uint32_t before, std::uint32_t after)
 {
     lonely it;
-    it.talk = endless{before};
+    it.conversation = endless{before};
     bool ok = it.answers(3);
-    it.talk = endless{after};
+    it.conversation = endless{after};
     for (instant const last = it.asked_at; ok and it.asked_at == last;) {
         ok = it.pass() and not it.link.is_silent(0);
     }
@@ -207,13 +196,12 @@ constexpr bool forgets_the_unit_before(std::uint32_t before, std::uint32_t after
 }
 constexpr bool keeps_the_health_of_one_unit()
 {
-    return forgets_the_unit_before(1, 2) and forgets_the_unit_before(2, 1) and
-           forgets_the_unit_before(247, 246);
+    return forgets_the_unit_before(1, 2) and forgets_the_unit_before(2, 1) and forgets_the_unit_before(247, 246);
 }
 PROOF("a slot that asks another unit knows nothing of it", keeps_the_health_of_one_unit)
 
-/// A slot that rests: its next question comes so long after the end of the last transaction, no sooner.
-constexpr bool rests_between_questions()
+/// A slot that rests: its next request comes so long after the end of the last transaction, no sooner.
+constexpr bool rests_between_requests()
 {
     lonely it;
     it.link.set(1, {.least_idle = milliseconds(9'999)});
@@ -223,7 +211,7 @@ constexpr bool rests_between_questions()
     ok = ok and it.answers(1);
     return ok and it.asked_at - end >= milliseconds(200) and it.asked_at - end <= milliseconds(201);
 }
-PROOF("a unit has its idle time, to the millisecond", rests_between_questions)
+PROOF("a unit has its idle time, to the millisecond", rests_between_requests)
 
 } // namespace
 

@@ -8,7 +8,7 @@
 
 #include "support/proof.hpp"
 
-#include <rtuwire/client/single_question.hpp>
+#include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 
 using namespace rtuwire;
@@ -19,13 +19,11 @@ constexpr line_timing line{19'200, character_format::even_8_1};
 
 /// Asks the same of a unit that never answers, for ever.
 struct vain : asker {
-    single_question<read_holding_registers> question;
+    single_request<read_holding_registers> request;
     unsigned failures{0};
 
-    explicit constexpr vain(std::uint32_t unit)
-        : question{*unit_id::checked(unit), read_holding_registers{3201, 1}}
-    {}
-    constexpr std::optional<request> next() const { return question.next(); }
+    explicit constexpr vain(std::uint32_t unit) : request{*unit_id::checked(unit), read_holding_registers{3201, 1}} {}
+    constexpr std::optional<request_frame> next() const { return request.next(); }
     constexpr void accept(result<response> const&) { ++failures; }
     static constexpr bool settled() { return false; }
 };
@@ -34,7 +32,7 @@ struct vain : asker {
 /// often before they do.
 template <std::size_t Slots> struct vain_bus {
     bus<Slots> link;
-    std::array<vain, 6> talks{vain{1}, vain{2}, vain{3}, vain{4}, vain{5}, vain{6}};
+    std::array<vain, 6> conversations{vain{1}, vain{2}, vain{3}, vain{4}, vain{5}, vain{6}};
     unsigned looks{1};
     instant now{0xFFFF'FF00};
     std::uint64_t time{0};
@@ -42,11 +40,9 @@ template <std::size_t Slots> struct vain_bus {
     std::uint64_t lost_at{0}; ///< when it was told last that nobody answered
     std::uint8_t asked{0};
 
-    constexpr vain_bus(client_options const& options, bus_options const& share)
-        : link{line, options, share}
-    {}
+    constexpr vain_bus(client_options const& options, bus_options const& share) : link{line, options, share} {}
 
-    /// Whether a question left.
+    /// Whether a request left.
     constexpr bool pass()
     {
         for (unsigned i = 0; i < looks; ++i) {
@@ -54,7 +50,7 @@ template <std::size_t Slots> struct vain_bus {
         }
         unsigned const before = failures();
         for (std::size_t i = Slots; i-- > 0;) {
-            link.converse(i, talks[i], now);
+            link.converse(i, conversations[i], now);
         }
         lost_at = failures() != before ? time : lost_at;
         if (byte_view const frame = link.poll_transmit(); not frame.empty()) {
@@ -81,7 +77,7 @@ template <std::size_t Slots> struct vain_bus {
     {
         unsigned all = 0;
         for (std::size_t i = 0; i < Slots; ++i) {
-            all += talks[i].failures;
+            all += conversations[i].failures;
         }
         return all;
     }
@@ -97,21 +93,21 @@ private:
 constexpr bool leaves_other_slots_out()
 {
     bus<2> link{line};
-    vain talk{1};
+    vain conversation{1};
     link.advance(instant{0});
     link.advance(instant{0} + milliseconds(10));
-    link.converse(2, talk, instant{0} + milliseconds(10));
-    link.converse(0xFFFF, talk, instant{0} + milliseconds(10));
+    link.converse(2, conversation, instant{0} + milliseconds(10));
+    link.converse(0xFFFF, conversation, instant{0} + milliseconds(10));
     link.set(2, {.least_idle = milliseconds(1)});
-    return link.poll_transmit().empty() and talk.failures == 0 and not link.is_silent(2) and
+    return link.poll_transmit().empty() and conversation.failures == 0 and not link.is_silent(2) and
            not link.poll_deadline();
 }
 PROOF("a slot that there is not asks nothing", leaves_other_slots_out)
 
-/// From the last of so many losses of ten seconds, one of each slot, to the next question.
+/// From the last of so many losses of ten seconds, one of each slot, to the next request.
 template <std::size_t Slots> constexpr std::uint64_t rest_after_losses()
 {
-    vain_bus<Slots> it{{.response_timeout = milliseconds(10'000), .late_answer = {}, .retries = 0},
+    vain_bus<Slots> it{{.response_timeout = milliseconds(10'000), .late_response = {}, .retries = 0},
                        {.silent_share = 1}};
     for (std::size_t i = 0; i < Slots; ++i) {
         if (not it.asks()) {
@@ -135,7 +131,7 @@ PROOF("losses of several units add up, to half an hour at most", rests_half_an_h
 
 constexpr std::uint8_t first_probed(unsigned looks)
 {
-    vain_bus<2> it{{.response_timeout = milliseconds(50), .late_answer = {}, .retries = 0}, {}};
+    vain_bus<2> it{{.response_timeout = milliseconds(50), .late_response = {}, .retries = 0}, {}};
     it.looks = looks;
     bool const both = it.asks() and it.asks();
     return both and it.asks() ? it.asked : std::uint8_t{0};

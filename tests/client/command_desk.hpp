@@ -18,16 +18,14 @@ struct hand_commander : commander {
     unsigned of;
     effect wanted{effect::none};
     repetition again{repetition::never};
-    bool has_question{false};
+    bool has_request{false};
     std::uint8_t tolerates{0};
     duration timeout{milliseconds(5'000)}; ///< of its drive
     errc told{errc::pending};
     unsigned losses{0}; ///< that it was told of
     frame_bytes frame{};
 
-    explicit hand_commander(unsigned unit, std::uint8_t tolerated = 0)
-        : of{unit}, tolerates{tolerated}
-    {}
+    explicit hand_commander(unsigned unit, std::uint8_t tolerated = 0) : of{unit}, tolerates{tolerated} {}
 
     using commander::heed_stop;
     using commander::note_arrangement;
@@ -40,36 +38,33 @@ struct hand_commander : commander {
     using commander::was_stopped;
 
     unit_id unit() const { return *unit_id::checked(of); }
-    effect intent() const { return has_question ? effect_now(wanted) : effect::none; }
-    std::optional<request> next()
+    effect intent() const { return has_request ? effect_now(wanted) : effect::none; }
+    std::optional<request_frame> next()
     {
-        if (not has_question) {
+        if (not has_request) {
             return std::nullopt;
         }
         frame = wanted == effect::none ? read_of(of, 3'201) : write_of(of, 8'501, word());
-        return request{frame, again};
+        return request_frame{frame, again};
     }
     void accept(result<response> const& outcome)
     {
         told = outcome.error();
-        has_question = false;
+        has_request = false;
     }
-    bool settled() const { return not has_question; }
+    bool settled() const { return not has_request; }
     void note_loss() { ++losses; }
     duration drive_timeout() const { return timeout; }
     std::uint8_t tolerated_misses() const { return tolerates; }
 
 private:
-    unsigned word() const
-    {
-        return wanted == effect::stopping ? 0 : wanted == effect::resetting ? 128 : 15;
-    }
+    unsigned word() const { return wanted == effect::stopping ? 0 : wanted == effect::resetting ? 128 : 15; }
 };
 
 /// Stops everyone: broadcasts, as many as are wanted, and the stops of some units.
 struct hand_for_all : commander {
     std::array<hand_commander, 1> each;
-    bool has_question{false};
+    bool has_request{false};
     unsigned to{0}; ///< whom its words are for; 0: everyone
     errc told{errc::pending};
     frame_bytes frame{};
@@ -80,23 +75,23 @@ struct hand_for_all : commander {
     using commander::note_stop_over;
 
     auto& stops() { return each; }
-    effect intent() const { return has_question ? effect::stopping : effect::none; }
-    bool is_urgent() const { return has_question; }
+    effect intent() const { return has_request ? effect::stopping : effect::none; }
+    bool is_urgent() const { return has_request; }
     bool may_cut(std::uint8_t) const { return true; }
-    std::optional<request> next()
+    std::optional<request_frame> next()
     {
-        if (not has_question) {
+        if (not has_request) {
             return std::nullopt;
         }
         frame = write_of(to, 8'501, 0);
-        return request{frame};
+        return request_frame{frame};
     }
     void accept(result<response> const& outcome)
     {
         told = outcome.error();
-        has_question = false;
+        has_request = false;
     }
-    bool settled() const { return not has_question; }
+    bool settled() const { return not has_request; }
 };
 
 /// The line, and its times.
@@ -107,32 +102,30 @@ template <std::size_t Places> struct command_desk : hand_clock<drive_client<Plac
     using base::pass;
     using base::time;
 
-    static constexpr client_options options{.response_timeout = milliseconds(100),
-                                            .turnaround = milliseconds(20),
-                                            .late_answer = {},
-                                            .retries = 0};
+    static constexpr client_options options{
+        .response_timeout = milliseconds(100), .turnaround = milliseconds(20), .late_response = {}, .retries = 0};
 
     explicit command_desk(client_options const& with = options) : base{with} {}
 
     /// Comes by and asks nothing.
-    template <typename Talk> void see(Talk& talk)
+    template <typename Conversation> void see(Conversation& conversation)
     {
-        talk.has_question = false;
-        link.converse(talk, now());
+        conversation.has_request = false;
+        link.converse(conversation, now());
     }
 
     /// Wants to say something: whether it leaves at once.
-    template <typename Talk> bool says(Talk& talk)
+    template <typename Conversation> bool says(Conversation& conversation)
     {
-        talk.has_question = true;
-        talk.told = errc::pending;
-        link.converse(talk, now());
+        conversation.has_request = true;
+        conversation.told = errc::pending;
+        link.converse(conversation, now());
         return leaves();
     }
-    bool says(hand_commander& talk, effect what)
+    bool says(hand_commander& conversation, effect what)
     {
-        talk.wanted = what;
-        return says(talk);
+        conversation.wanted = what;
+        return says(conversation);
     }
     bool leaves()
     {
@@ -153,42 +146,36 @@ template <std::size_t Places> struct command_desk : hand_clock<drive_client<Plac
     }
 
     /// Says it and is answered: `none`; or what it is told instead; `pending` where it has to wait.
-    errc does(hand_commander& talk, effect what)
+    errc does(hand_commander& conversation, effect what)
     {
-        if (says(talk, what)) {
-            hear(answer_to(left));
-            link.converse(talk, now());
+        if (says(conversation, what)) {
+            hear(response_to(left));
+            link.converse(conversation, now());
         }
-        return talk.told;
+        return conversation.told;
     }
     /// Says it and hears nothing. When that was over.
-    std::uint64_t misses(hand_commander& talk, effect what)
+    std::uint64_t misses(hand_commander& conversation, effect what)
     {
-        if (not says(talk, what)) {
+        if (not says(conversation, what)) {
             return 0;
         }
-        fail(talk);
+        fail(conversation);
         return time;
     }
-    template <typename Talk> void fail(Talk& talk)
+    template <typename Conversation> void fail(Conversation& conversation)
     {
         pass(200'000);
-        link.converse(talk, now());
+        link.converse(conversation, now());
     }
-    bool is_ordered(unsigned unit) const
-    {
-        return link.motor_orders().is_ordered(static_cast<std::uint8_t>(unit));
-    }
-    bool is_lost(unsigned unit) const
-    {
-        return link.motor_orders().is_lost(static_cast<std::uint8_t>(unit));
-    }
+    bool is_ordered(unsigned unit) const { return link.motor_orders().is_ordered(static_cast<std::uint8_t>(unit)); }
+    bool is_lost(unsigned unit) const { return link.motor_orders().is_lost(static_cast<std::uint8_t>(unit)); }
 
     /// Orders its motor to run, and its words are answered.
-    errc runs(hand_commander& talk)
+    errc runs(hand_commander& conversation)
     {
-        talk.note_order_to_run();
-        return does(talk, effect::enabling);
+        conversation.note_order_to_run();
+        return does(conversation, effect::enabling);
     }
 
     frame_bytes left{}; ///< what was said last

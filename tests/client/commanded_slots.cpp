@@ -12,8 +12,7 @@ using namespace rtuwire::test;
 
 namespace {
 
-constexpr client_options once{
-    .response_timeout = milliseconds(100), .late_answer = {}, .retries = 0};
+constexpr client_options once{.response_timeout = milliseconds(100), .late_response = {}, .retries = 0};
 
 /// Not settled while it has nothing to ask, as a cycle is.
 struct cycle : hand_commander {
@@ -35,9 +34,9 @@ struct bus_desk {
         now = now + length;
         link.advance(now);
     }
-    template <typename Talk> bool asks(std::size_t slot, Talk& talk)
+    template <typename Conversation> bool asks(std::size_t slot, Conversation& conversation)
     {
-        link.converse(slot, talk, now);
+        link.converse(slot, conversation, now);
         byte_view const frame = link.poll_transmit();
         if (frame.empty()) {
             return false;
@@ -47,16 +46,16 @@ struct bus_desk {
         link.sent(now);
         return true;
     }
-    bool says(cycle& talk, effect what)
+    bool says(cycle& conversation, effect what)
     {
-        talk.has_question = true;
-        talk.wanted = what;
-        return asks(0, talk);
+        conversation.has_request = true;
+        conversation.wanted = what;
+        return asks(0, conversation);
     }
     void be_answered()
     {
         now = now + milliseconds(5);
-        link.receive(answer_to(left), now);
+        link.receive(response_to(left), now);
         pass(milliseconds(5));
     }
 
@@ -68,8 +67,7 @@ struct bus_desk {
 TEST_CASE("rule 28: a commander rests like any other, but for its words that stop")
 {
     bus_desk it;
-    it.link.set(0,
-                {.with = {.response_timeout = milliseconds(100)}, .least_idle = milliseconds(500)});
+    it.link.set(0, {.with = {.response_timeout = milliseconds(100)}, .least_idle = milliseconds(500)});
     cycle one{3};
     one.note_order_to_run();
     REQUIRE(it.says(one, effect::enabling));

@@ -5,11 +5,11 @@
 #include <rtuwire/client/client.hpp>
 
 #include "support/catch.hpp"
-#include "support/far_end.hpp"
+#include "support/manual_unit.hpp"
 
 #include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/client/access.hpp>
-#include <rtuwire/client/echo_probe.hpp>
+#include <rtuwire/ask/access.hpp>
+#include <rtuwire/client/line_echo_probe.hpp>
 #include <rtuwire/client/quarantine.hpp>
 #include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/hex.hpp>
@@ -27,23 +27,23 @@ constexpr auto too_long_of_1 = "01 03 04 12 34 56 78 81 07"_hex;
 constexpr unit_id one{1};
 constexpr station<atv28::device> drive{unit_id{1}};
 
-/// A bus with one talk, played by hand: each question is answered with `answer`, if there is one.
-template <typename Talk> struct one_slot {
+/// A bus with one conversation, played by hand: each request is answered with `response`, if there is one.
+template <typename Conversation> struct one_slot {
     bus<1> link;
-    Talk talk;
+    Conversation conversation;
     instant now{0};
 
-    one_slot(Talk const& asked, bus_options const& options)
-        : link{test::line, once, options}, talk{asked}
+    one_slot(Conversation const& asked, bus_options const& options)
+        : link{test::line, once, options}, conversation{asked}
     {
         link.advance(now);
         now = now + milliseconds(10);
     }
-    void transact(byte_view answer)
+    void transact(byte_view response)
     {
         while (true) {
             link.advance(now);
-            link.converse(0, talk, now);
+            link.converse(0, conversation, now);
             if (not link.poll_transmit().empty()) {
                 break;
             }
@@ -53,63 +53,63 @@ template <typename Talk> struct one_slot {
         now = now + milliseconds(5);
         link.sent(now);
         now = now + milliseconds(2);
-        link.receive(answer, now);
-        now = now + (answer.empty() ? milliseconds(200) : milliseconds(5));
+        link.receive(response, now);
+        now = now + (response.empty() ? milliseconds(200) : milliseconds(5));
         link.advance(now);
-        link.converse(0, talk, now);
+        link.converse(0, conversation, now);
     }
 };
 
 /// Asks the same for ever.
 struct endless : asker {
-    single_question<read_holding_registers> question{one, read_holding_registers{3201, 1}};
+    single_request<read_holding_registers> request{one, read_holding_registers{3201, 1}};
     errc last{errc::pending};
-    std::optional<request> next() const { return question.next(); }
+    std::optional<request_frame> next() const { return request.next(); }
     void accept(result<response> const& outcome) { last = outcome.error(); }
     static constexpr bool settled() { return false; }
 };
 
-/// The same with a question that is made when it can leave.
+/// The same with a request that is made when it can leave.
 struct prompt : endless {
     static constexpr unit_id unit() { return one; }
 };
 
-/// Whether a question of this conversation was taken.
-template <typename Talk> bool is_taken(test::far_end& unit, Talk& talk)
+/// Whether a request of this conversation was taken.
+template <typename Conversation> bool is_taken(test::manual_unit& unit, Conversation& conversation)
 {
-    unit.link.converse(talk, unit.now);
+    unit.link.converse(conversation, unit.now);
     return unit.link.is_busy();
 }
 
 } // namespace
 
-TEST_CASE("a prompt question is made when the line is silent and its unit owes no answer")
+TEST_CASE("a prompt request is made when the line is silent and its unit owes no response")
 {
-    test::far_end unit{once};
-    prompt talk;
+    test::manual_unit unit{once};
+    prompt conversation;
     unit.link.receive("00"_hex, unit.now);
-    CHECK_FALSE(is_taken(unit, talk));
+    CHECK_FALSE(is_taken(unit, conversation));
     unit.pass(test::line.t3_5());
-    REQUIRE(is_taken(unit, talk));
+    REQUIRE(is_taken(unit, conversation));
     REQUIRE(unit.transmit());
-    unit.pass(milliseconds(100)); // no answer: a late one is waited for
-    CHECK_FALSE(is_taken(unit, talk));
-    REQUIRE(talk.last == errc::timed_out);
+    unit.pass(milliseconds(100)); // no response: a late one is waited for
+    CHECK_FALSE(is_taken(unit, conversation));
+    REQUIRE(conversation.last == errc::timed_out);
     unit.pass(milliseconds(250));
-    CHECK(is_taken(unit, talk));
+    CHECK(is_taken(unit, conversation));
 }
 
-TEST_CASE("any other question is taken at once, and waits itself")
+TEST_CASE("any other request is taken at once, and waits itself")
 {
-    test::far_end unit{once};
-    endless talk;
+    test::manual_unit unit{once};
+    endless conversation;
     unit.link.receive("00"_hex, unit.now);
-    CHECK(is_taken(unit, talk));
+    CHECK(is_taken(unit, conversation));
 }
 
-TEST_CASE("a question that is given up between two attempts leaves its unit in quarantine")
+TEST_CASE("a request that is given up between two attempts leaves its unit in quarantine")
 {
-    test::far_end unit{{.response_timeout = milliseconds(50), .retries = 1}};
+    test::manual_unit unit{{.response_timeout = milliseconds(50), .retries = 1}};
     REQUIRE(unit.ask(test::read_eta));
     unit.link.advance(unit.now = unit.now + milliseconds(60) + test::line.characters(8));
     REQUIRE(unit.transmissions == 1);
@@ -122,40 +122,40 @@ TEST_CASE("a question that is given up between two attempts leaves its unit in q
     CHECK(unit.transmissions == 2);
 }
 
-TEST_CASE("a question that nobody sends stalls, after the time that it and an answer may take")
+TEST_CASE("a request that nobody sends stalls, after the time that it and a response may take")
 {
-    test::far_end unit{{.response_timeout = milliseconds(50)}};
-    REQUIRE(unit.link.start(request{test::read_eta}, unit.now));
+    test::manual_unit unit{{.response_timeout = milliseconds(50)}};
+    REQUIRE(unit.link.start(request_frame{test::read_eta}, unit.now));
     unit.pass(microseconds(49'999) + test::line.characters(8));
-    CHECK(unit.fault() == errc::busy);
+    CHECK(unit.none_yet());
     unit.pass(microseconds(1));
     CHECK(unit.fault() == errc::transmit_stalled);
 }
 
-TEST_CASE("a question has 4 to 256 octets")
+TEST_CASE("a request has 4 to 256 bytes")
 {
-    test::far_end unit;
-    std::array<std::byte, 257> const octets{};
-    byte_view const all = octets;
-    CHECK(unit.link.start(request{all.first(3)}, unit.now) == errc::frame_too_short);
-    CHECK(unit.link.start(request{all}, unit.now) == errc::frame_too_long);
+    test::manual_unit unit;
+    std::array<std::byte, 257> const bytes{};
+    byte_view const all = bytes;
+    CHECK(unit.link.start(request_frame{all.first(3)}, unit.now) == errc::frame_too_short);
+    CHECK(unit.link.start(request_frame{all}, unit.now) == errc::frame_too_long);
     CHECK_FALSE(unit.link.is_busy());
-    // Its answer may be as long, and has no room beside it but on a host.
-    CHECK(unit.link.start(request{all.first(256)}, unit.now) == errc::buffer_too_small);
-    test::basic_far_end<host_client> host;
-    CHECK(host.link.start(request{all.first(256)}, host.now));
-    CHECK(unit.link.start(request{all.first(4)}, unit.now));
+    // Its response may be as long, and has no room beside it but on a host.
+    CHECK(unit.link.start(request_frame{all.first(256)}, unit.now) == errc::buffer_too_small);
+    test::basic_manual_unit<host_client> host;
+    CHECK(host.link.start(request_frame{all.first(256)}, host.now));
+    CHECK(unit.link.start(request_frame{all.first(4)}, unit.now));
 }
 
 TEST_CASE("a transmission that stalled may still be answered late")
 {
-    test::far_end unit{{.response_timeout = milliseconds(50)}};
-    REQUIRE(unit.link.start(request{test::read_eta}, unit.now));
+    test::manual_unit unit{{.response_timeout = milliseconds(50)}};
+    REQUIRE(unit.link.start(request_frame{test::read_eta}, unit.now));
     REQUIRE_FALSE(unit.link.poll_transmit().empty());
     unit.pass(milliseconds(0));
     unit.pass(milliseconds(100));
     REQUIRE(unit.fault() == errc::transmit_stalled);
-    REQUIRE(unit.link.start(request{test::read_eta}, unit.now));
+    REQUIRE(unit.link.start(request_frame{test::read_eta}, unit.now));
     unit.pass(milliseconds(240)); // it may have left just now: its time-out, and 200 ms
     CHECK(unit.link.poll_transmit().empty());
     unit.pass(milliseconds(30));
@@ -163,29 +163,29 @@ TEST_CASE("a transmission that stalled may still be answered late")
     CHECK_FALSE(unit.link.poll_transmit().empty());
 }
 
-TEST_CASE("only a damaged answer of the unit itself is worth an early repetition")
+TEST_CASE("only a damaged response of the unit itself is worth an early repetition")
 {
     for (byte_view const heard : {byte_view{damaged_of_2}, byte_view{too_long_of_1}}) {
-        test::far_end unit{{.response_timeout = milliseconds(500), .retries = 1}};
+        test::manual_unit unit{{.response_timeout = milliseconds(500), .retries = 1}};
         REQUIRE(unit.ask(test::read_eta));
         unit.say(heard);
         unit.run(milliseconds(100));
         CHECK(unit.transmissions == 1);
     }
-    test::far_end unit{{.response_timeout = milliseconds(500), .retries = 1}};
+    test::manual_unit unit{{.response_timeout = milliseconds(500), .retries = 1}};
     REQUIRE(unit.ask(test::read_eta));
     unit.say(damaged_of_1);
     unit.run(milliseconds(60));
     CHECK(unit.transmissions == 2);
 }
 
-TEST_CASE("noise is skipped before an answer, and not within it")
+TEST_CASE("noise is skipped before a response, and not within it")
 {
-    test::far_end unit{{.skip_noise = 9}};
+    test::manual_unit unit{{.max_leading_noise = 9}};
     REQUIRE(unit.ask(test::read_eta));
     unit.say("00"_hex);
-    for (std::byte const octet : test::answer_1234) {
-        unit.say({&octet, 1});
+    for (std::byte const byte : test::response_1234) {
+        unit.say({&byte, 1});
     }
     CHECK(unit.has(0x1234));
 }
@@ -205,40 +205,39 @@ TEST_CASE("a silent unit is asked at least every ten minutes")
 {
     client_options const slow{.response_timeout = milliseconds(60'000), .retries = 0};
     bus<1> link{test::line, slow, {.silent_share = 1}};
-    endless talk;
+    endless conversation;
     instant now{0};
     instant asked{0};
-    unsigned questions = 0;
+    unsigned requests = 0;
     link.advance(now);
-    for (unsigned i = 0; i < 200 and questions < 4; ++i) {
-        now = link.poll_deadline() and not reached(now, *link.poll_deadline())
-                  ? *link.poll_deadline()
-                  : now + milliseconds(10);
+    for (unsigned i = 0; i < 200 and requests < 4; ++i) {
+        now = link.poll_deadline() and not reached(now, *link.poll_deadline()) ? *link.poll_deadline()
+                                                                               : now + milliseconds(10);
         link.advance(now);
-        link.converse(0, talk, now);
+        link.converse(0, conversation, now);
         if (not link.poll_transmit().empty()) {
-            ++questions;
+            ++requests;
             CHECK(now - asked < milliseconds(700'000));
             asked = now;
             now = now + milliseconds(5);
             link.sent(now);
         }
     }
-    CHECK(questions == 4);
+    CHECK(requests == 4);
 }
 
 TEST_CASE("a line whose unit refuses the probe has no echo, one without a unit is unknown")
 {
-    echo_probe refused{one};
+    line_echo_probe refused{one};
     CHECK(refused.outcome() == errc::pending);
     refused.accept(errc::illegal_data_address);
     CHECK((refused.outcome() == result<bool>{false}));
-    echo_probe silent{one};
+    line_echo_probe silent{one};
     silent.accept(errc::timed_out);
     CHECK(silent.outcome() == errc::timed_out);
 }
 
-TEST_CASE("a unit that owes two answers is waited for alone")
+TEST_CASE("a unit that owes two responses is waited for alone")
 {
     quarantine<1> owed;
     instant const now{0};
@@ -258,7 +257,7 @@ TEST_CASE("units beyond the table are counted for the line alone")
         counts.note(line_event::reply, unit);
         counts.note_exception(errc::illegal_data_value, unit);
         counts.note_asked(instant{7});
-        counts.note_answered(instant{7} + milliseconds(unit), unit);
+        counts.note_response(instant{7} + milliseconds(unit), unit);
         counts.note_stray(5, true, unit);
     }
     CHECK(counts.line()[line_event::late] == 2);

@@ -10,8 +10,7 @@ using namespace rtuwire::test;
 
 namespace {
 
-constexpr client_options once{
-    .response_timeout = milliseconds(100), .late_answer = milliseconds(30), .retries = 0};
+constexpr client_options once{.response_timeout = milliseconds(100), .late_response = milliseconds(30), .retries = 0};
 
 series reads(unsigned unit, unsigned count = 1)
 {
@@ -42,9 +41,9 @@ struct desk {
         link.advance(now());
     }
     /// It comes by; whether a frame leaves then. It has left when this returns.
-    bool asks(series& talk)
+    bool asks(series& conversation)
     {
-        link.converse(talk, now());
+        link.converse(conversation, now());
         std::size_t const size = link.poll_transmit().size();
         if (size != 0) {
             time += office_line.characters(size).microseconds;
@@ -55,7 +54,7 @@ struct desk {
     void be_answered(frame_bytes const& asked)
     {
         time += 5'000;
-        link.receive(answer_to(asked), now());
+        link.receive(response_to(asked), now());
         pass(10'000);
     }
 };
@@ -117,7 +116,7 @@ TEST_CASE("a conversation that is begun anew keeps its turn, also on a client th
     }
 }
 
-TEST_CASE("where two units owe an answer to a host's client, all are held")
+TEST_CASE("where two units owe a response to a host's client, all are held")
 {
     host_client link{office_line};
     instant const now{5};

@@ -26,9 +26,9 @@ template <typename Link = client> struct hand : hand_clock<Link> {
     explicit hand(client_options const& options) : hand_clock<Link>{options} {}
 
     /// A conversation comes by; whether a frame left. It has left when this returns.
-    bool asks(series& talk)
+    bool asks(series& conversation)
     {
-        link.converse(talk, now());
+        link.converse(conversation, now());
         std::size_t const size = link.poll_transmit().size();
         if (size == 0) {
             return false;
@@ -38,18 +38,15 @@ template <typename Link = client> struct hand : hand_clock<Link> {
         return true;
     }
     void hear(frame_bytes const& bytes) { link.receive(bytes, now()); }
-    bool is_held(std::uint8_t unit) const
-    {
-        return link.is_held(unit_id::checked(unit).value_or(unit_id{1}));
-    }
+    bool is_held(std::uint8_t unit) const { return link.is_held(unit_id::checked(unit).value_or(unit_id{1})); }
 };
 
-/// How long the answer to a read of one register takes on the line: seven characters of eleven bits.
-constexpr std::uint64_t answer_time = (7 * 11 * 1'000'000 + 19'199) / 19'200;
+/// How long the response to a read of one register takes on the line: seven characters of eleven bits.
+constexpr std::uint64_t response_time = (7 * 11 * 1'000'000 + 19'199) / 19'200;
 
 constexpr client_options patient{
-    .response_timeout = milliseconds(100), .late_answer = milliseconds(30), .retries = 2};
-constexpr std::uint64_t waits = 100'000 + answer_time;
+    .response_timeout = milliseconds(100), .late_response = milliseconds(30), .retries = 2};
+constexpr std::uint64_t waits = 100'000 + response_time;
 constexpr std::uint64_t each = waits + 30'000;
 
 series reader(unsigned unit, unsigned count = 1)
@@ -74,74 +71,73 @@ TEST_CASE("rule 18: a unit that answered none of its sendings is held until it m
           "the other")
 {
     hand it{patient};
-    series talk = reader(1);
+    series conversation = reader(1);
     std::uint64_t owed = 0;
     for (unsigned i = 0; i < 3; ++i) {
-        REQUIRE(it.asks(talk));
+        REQUIRE(it.asks(conversation));
         owed = std::max(owed, it.time) + each;
         it.pass_until(it.time + waits);
     }
-    it.link.converse(talk, it.now());
-    REQUIRE(talk.last == errc::timed_out);
+    it.link.converse(conversation, it.now());
+    REQUIRE(conversation.last == errc::timed_out);
     check_held_until(it, 1, owed);
 }
 
-TEST_CASE("rule 18: after an answer each other sending may take as long as the first took, and "
-          "late_answer")
+TEST_CASE("rule 18: after a response each other sending may take as long as the first took, and "
+          "late_response")
 {
     for (unsigned const unanswered : {1U, 2U}) {
-        INFO(unanswered << " sendings without an answer");
+        INFO(unanswered << " sendings without a response");
         hand it{patient};
-        series talk = reader(1);
-        REQUIRE(it.asks(talk));
+        series conversation = reader(1);
+        REQUIRE(it.asks(conversation));
         std::uint64_t const first = it.time;
         for (unsigned i = 0; i < unanswered; ++i) {
             it.pass_until(it.time + waits);
-            REQUIRE(it.asks(talk));
+            REQUIRE(it.asks(conversation));
         }
         it.time += 20'000;
-        it.hear(answer_to(read_of(1, 3201)));
+        it.hear(response_to(read_of(1, 3201)));
         std::uint64_t const answered = it.time;
-        it.link.converse(talk, it.now());
-        REQUIRE(talk.answered == 1);
+        it.link.converse(conversation, it.now());
+        REQUIRE(conversation.answered == 1);
         check_held_until(it, 1, answered + unanswered * (answered - first + 30'000));
     }
 }
 
-TEST_CASE("rule 18: an exception and a damaged answer are answers")
+TEST_CASE("rule 18: an exception and a damaged response are answers")
 {
     for (bool const is_damaged : {false, true}) {
         hand it{patient};
-        series talk = reader(1);
-        REQUIRE(it.asks(talk));
-        frame_bytes said = is_damaged ? answer_to(read_of(1, 3201)) : framed({1, 0x83, 2});
+        series conversation = reader(1);
+        REQUIRE(it.asks(conversation));
+        frame_bytes said = is_damaged ? response_to(read_of(1, 3201)) : framed({1, 0x83, 2});
         said.back() = is_damaged ? said.back() ^ std::byte{1} : said.back();
         for (unsigned i = 0; i < (is_damaged ? 3U : 1U); ++i) {
             it.time += 20'000;
             it.hear(said);
             it.pass(5'000); // what is damaged ends by silence
-            it.link.converse(talk, it.now());
+            it.link.converse(conversation, it.now());
             if (is_damaged and i < 2) {
-                REQUIRE(it.asks(talk));
+                REQUIRE(it.asks(conversation));
             }
         }
-        CHECK(talk.last == (is_damaged ? errc::crc_mismatch : errc::illegal_data_address));
+        CHECK(conversation.last == (is_damaged ? errc::crc_mismatch : errc::illegal_data_address));
         CHECK_FALSE(it.is_held(1));
     }
 }
 
-TEST_CASE(
-    "rule 18: a frame that was handed out and not reported counts as sent at the end of its time")
+TEST_CASE("rule 18: a frame that was handed out and not reported counts as sent at the end of its time")
 {
     hand it{patient};
-    series talk = reader(1);
-    it.link.converse(talk, it.now());
+    series conversation = reader(1);
+    it.link.converse(conversation, it.now());
     REQUIRE(it.link.poll_transmit().size() == 8);
     it.pass(0);
     std::uint64_t const limit = it.time + 100'000 + office_line.characters(8).microseconds;
     it.pass_until(limit);
-    it.link.converse(talk, it.now());
-    REQUIRE(talk.last == errc::transmit_stalled);
+    it.link.converse(conversation, it.now());
+    REQUIRE(conversation.last == errc::transmit_stalled);
     check_held_until(it, 1, limit + each);
 }
 
@@ -149,50 +145,49 @@ TEST_CASE("rule 18: what was never handed out is owed nothing")
 {
     hand it{patient};
     it.hear({std::byte{0x55}});
-    series talk = reader(1);
-    it.link.converse(talk, it.now());
+    series conversation = reader(1);
+    it.link.converse(conversation, it.now());
     it.link.cancel(it.now());
-    it.link.converse(talk, it.now());
-    REQUIRE(talk.last == errc::cancelled);
+    it.link.converse(conversation, it.now());
+    REQUIRE(conversation.last == errc::cancelled);
     CHECK_FALSE(it.is_held(1));
 }
 
 TEST_CASE("rules 17 and 18: sums of times stop at 35 minutes")
 {
-    constexpr client_options slow{.response_timeout = milliseconds(20 * 60'000),
-                                  .late_answer = milliseconds(20 * 60'000),
-                                  .retries = 2};
+    constexpr client_options slow{
+        .response_timeout = milliseconds(20 * 60'000), .late_response = milliseconds(20 * 60'000), .retries = 2};
     {
         hand it{slow};
-        series talk = reader(1);
-        REQUIRE(it.asks(talk));
+        series conversation = reader(1);
+        REQUIRE(it.asks(conversation));
         std::uint64_t const sent = it.time;
         it.link.cancel(it.now());
-        it.link.converse(talk, it.now());
-        REQUIRE(talk.last == errc::cancelled);
+        it.link.converse(conversation, it.now());
+        REQUIRE(conversation.last == errc::cancelled);
         check_held_until(it, 1, sent + longest);
     }
     {
         hand it{slow};
-        series talk = reader(1);
-        REQUIRE(it.asks(talk));
-        it.pass_until(it.time + 20 * minute + answer_time);
-        REQUIRE(it.asks(talk));
+        series conversation = reader(1);
+        REQUIRE(it.asks(conversation));
+        it.pass_until(it.time + 20 * minute + response_time);
+        REQUIRE(it.asks(conversation));
         std::uint64_t const sent = it.time; // the first owes for a quarter of an hour more
         it.link.cancel(it.now());
-        it.link.converse(talk, it.now());
+        it.link.converse(conversation, it.now());
         check_held_until(it, 1, sent + longest);
     }
     {
         hand it{slow};
-        series talk = reader(1);
-        REQUIRE(it.asks(talk));
-        it.pass_until(it.time + 20 * minute + answer_time);
-        REQUIRE(it.asks(talk));
+        series conversation = reader(1);
+        REQUIRE(it.asks(conversation));
+        it.pass_until(it.time + 20 * minute + response_time);
+        REQUIRE(it.asks(conversation));
         it.time += minute;
-        it.hear(answer_to(read_of(1, 3201)));
-        it.link.converse(talk, it.now());
-        REQUIRE(talk.answered == 1);
+        it.hear(response_to(read_of(1, 3201)));
+        it.link.converse(conversation, it.now());
+        REQUIRE(conversation.answered == 1);
         check_held_until(it, 1, it.time + longest);
     }
 }
@@ -222,16 +217,16 @@ TEST_CASE("rule 19: a held unit is asked nothing new by anybody, whatever it is;
 TEST_CASE("rule 19: a repetition waits, too, where its unit is held meanwhile")
 {
     hand it{patient};
-    series talk = reader(1);
-    REQUIRE(it.asks(talk));
+    series conversation = reader(1);
+    REQUIRE(it.asks(conversation));
     std::uint64_t const until = it.time + waits + 60'000;
     it.link.hold(unit_id{1}, it.now() + microseconds(waits + 60'000));
     it.pass_until(it.time + waits);
-    CHECK_FALSE(it.asks(talk));
+    CHECK_FALSE(it.asks(conversation));
     it.pass_until(until - 1);
-    CHECK_FALSE(it.asks(talk));
+    CHECK_FALSE(it.asks(conversation));
     it.pass(1);
-    CHECK(it.asks(talk));
+    CHECK(it.asks(conversation));
 }
 
 TEST_CASE("rule 19: of a unit's debts and what it is held for the later end counts")
@@ -239,14 +234,13 @@ TEST_CASE("rule 19: of a unit's debts and what it is held for the later end coun
     for (bool const is_hold_longer : {true, false}) {
         INFO((is_hold_longer ? "hold ends later" : "the debt ends later"));
         hand it{patient};
-        series talk = reader(1);
-        REQUIRE(it.asks(talk));
+        series conversation = reader(1);
+        REQUIRE(it.asks(conversation));
         std::uint64_t const owed = it.time + each;
-        std::uint64_t const held =
-            owed + (is_hold_longer ? 10'000 : 0) - (is_hold_longer ? 0 : 10'000);
+        std::uint64_t const held = owed + (is_hold_longer ? 10'000 : 0) - (is_hold_longer ? 0 : 10'000);
         it.link.hold(unit_id{1}, instant{static_cast<std::uint32_t>(held)});
         it.link.cancel(it.now());
-        it.link.converse(talk, it.now());
+        it.link.converse(conversation, it.now());
         check_held_until(it, 1, std::max(owed, held));
     }
     hand it{patient};
@@ -255,8 +249,7 @@ TEST_CASE("rule 19: of a unit's debts and what it is held for the later end coun
     check_held_until(it, 1, it.time + 20'000);
 }
 
-TEST_CASE(
-    "rule 19: a client's one place stands for all units where two are held, until the later end")
+TEST_CASE("rule 19: a client's one place stands for all units where two are held, until the later end")
 {
     for (bool const is_first_later : {false, true}) {
         hand it{patient};
@@ -283,16 +276,15 @@ TEST_CASE("rule 19: a bus has a place for each slot, and the last stands for the
     check_held_until(it, 7, it.time + 20'000);
 }
 
-TEST_CASE(
-    "rule 19: one `advance` ends a request whose time is over, and then the debt that is over, too")
+TEST_CASE("rule 19: one `advance` ends a request whose time is over, and then the debt that is over, too")
 {
     constexpr client_options once{
-        .response_timeout = milliseconds(100), .late_answer = milliseconds(30), .retries = 0};
+        .response_timeout = milliseconds(100), .late_response = milliseconds(30), .retries = 0};
     hand it{once};
-    series talk = reader(1, 2);
-    REQUIRE(it.asks(talk));
+    series conversation = reader(1, 2);
+    REQUIRE(it.asks(conversation));
     it.pass(each);
     CHECK_FALSE(it.is_held(1));
-    CHECK(it.asks(talk));
-    CHECK(talk.last == errc::timed_out);
+    CHECK(it.asks(conversation));
+    CHECK(conversation.last == errc::timed_out);
 }

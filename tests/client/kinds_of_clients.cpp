@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// What the three kinds of clients have room for, and what each of them does with octets and questions at its edges:
+// What the three kinds of clients have room for, and what each of them does with bytes and requests at its edges:
 // docs/engine-rules.md, rules 2, 4, 19 to 21, 26 and 35.
 #include "client/command_desk.hpp"
 
@@ -14,8 +14,7 @@ using namespace rtuwire::test;
 
 namespace {
 
-constexpr client_options once{
-    .response_timeout = milliseconds(100), .late_answer = {}, .retries = 0};
+constexpr client_options once{.response_timeout = milliseconds(100), .late_response = {}, .retries = 0};
 
 template <typename Link> struct hand {
     Link link{office_line, once};
@@ -31,9 +30,9 @@ template <typename Link> struct hand {
         now = now + length;
         link.advance(now);
     }
-    template <typename Talk> bool asks(Talk& talk)
+    template <typename Conversation> bool asks(Conversation& conversation)
     {
-        link.converse(talk, now);
+        link.converse(conversation, now);
         byte_view const frame = link.poll_transmit();
         if (frame.empty()) {
             return false;
@@ -45,7 +44,7 @@ template <typename Link> struct hand {
     }
     void be_answered()
     {
-        link.receive(answer_to(left), now);
+        link.receive(response_to(left), now);
         pass(milliseconds(10));
     }
     frame_bytes left{};
@@ -78,9 +77,9 @@ template <typename Link> bool holds_all_by_two()
 TEST_CASE("a client that commands no motor takes conversations with times as well")
 {
     hand<client> it;
-    timed talk;
-    CHECK(it.asks(talk));
-    CHECK(talk.seen != instant{0});
+    timed conversation;
+    CHECK(it.asks(conversation));
+    CHECK(conversation.seen != instant{0});
 }
 
 TEST_CASE("rule 19: a client has one place for a unit that is held, a second one stands for all")
@@ -96,7 +95,7 @@ TEST_CASE("rule 35: a host's client commands 32 units at once")
     for (unsigned unit = 1; unit <= 33; ++unit) {
         hand_commander one{unit};
         one.note_order_to_run();
-        one.has_question = true;
+        one.has_request = true;
         one.wanted = effect::enabling;
         REQUIRE(it.asks(one) == (unit <= 32));
         if (unit <= 32) {
@@ -107,48 +106,44 @@ TEST_CASE("rule 35: a host's client commands 32 units at once")
     }
 }
 
-TEST_CASE("rule 4: a request of 8 octets leaves room for every answer, one of 9 does not")
+TEST_CASE("rule 4: a request of 8 bytes leaves room for every response, one of 9 does not")
 {
     for (bool const is_longer : {false, true}) {
         hand<client> it;
-        series talk{
-            [=](unsigned) {
-                return is_longer ? framed({3, 0x41, 1, 2, 3, 4, 5}) : framed({3, 0x41, 1, 2, 3, 4});
-            },
-            1};
-        CHECK(it.asks(talk) == not is_longer);
-        CHECK(talk.last == (is_longer ? errc::buffer_too_small : errc::none));
+        series conversation{[=](unsigned) {
+                                return is_longer ? framed({3, 0x41, 1, 2, 3, 4, 5}) : framed({3, 0x41, 1, 2, 3, 4});
+                            },
+                            1};
+        CHECK(it.asks(conversation) == not is_longer);
+        CHECK(conversation.last == (is_longer ? errc::buffer_too_small : errc::none));
     }
 }
 
-TEST_CASE("rule 2: a damaged octet behind the silence that ends an answer is none of it")
+TEST_CASE("rule 2: a damaged byte behind the silence that ends a response is none of it")
 {
     for (std::uint32_t const early : {0U, 1U}) {
         hand<client> it;
-        series talk{[](unsigned) {
-                        return framed({3, 0x41, 1});
-                    },
-                    1}; // only silence ends its answer
-        REQUIRE(it.asks(talk));
+        series conversation{[](unsigned) { return framed({3, 0x41, 1}); }, 1}; // only silence ends its response
+        REQUIRE(it.asks(conversation));
         it.now = it.now + milliseconds(5);
         it.link.receive(framed({3, 0x41, 7}), it.now);
         it.now = it.now + (office_line.frame_end() + office_line.characters(1));
         it.link.receive_error(instant{it.now.microseconds - early});
         it.pass(milliseconds(10));
-        it.link.converse(talk, it.now);
-        CHECK(talk.answered == (early == 0 ? 1 : 0));
+        it.link.converse(conversation, it.now);
+        CHECK(conversation.answered == (early == 0 ? 1 : 0));
     }
 }
 
-TEST_CASE("rule 20: who gives its question up is not told what came of it, also of the first one")
+TEST_CASE("rule 20: who gives its request up is not told what came of it, also of the first one")
 {
     hand<client> it;
-    series talk = reader(3);
-    REQUIRE(it.asks(talk));
-    talk.forget();
+    series conversation = reader(3);
+    REQUIRE(it.asks(conversation));
+    conversation.forget();
     it.be_answered();
-    it.link.converse(talk, it.now);
-    CHECK(talk.number == 0);
+    it.link.converse(conversation, it.now);
+    CHECK(conversation.number == 0);
 }
 
 TEST_CASE("rule 21: who waits for its turn keeps it where it begins anew")
@@ -168,18 +163,17 @@ TEST_CASE("rule 21: who waits for its turn keeps it where it begins anew")
 
 TEST_CASE("rule 26: what begins with no unit's address is noise, also where all units are held")
 {
-    for (unsigned const octet : {247U, 248U, 255U}) {
+    for (unsigned const byte : {247U, 248U, 255U}) {
         hand<basic_client<line_statistics>> it;
         it.link.hold(unit_id{3}, it.now + milliseconds(100));
         it.link.hold(unit_id{4}, it.now + milliseconds(100));
-        it.link.receive(frame_bytes{static_cast<std::byte>(octet)}, it.now);
-        CHECK(it.link.statistics().line()[line_event::late] == (octet == 247 ? 1 : 0));
-        CHECK(it.link.statistics().line()[line_event::noise] == (octet == 247 ? 0 : 1));
+        it.link.receive(frame_bytes{static_cast<std::byte>(byte)}, it.now);
+        CHECK(it.link.statistics().line()[line_event::late] == (byte == 247 ? 1 : 0));
+        CHECK(it.link.statistics().line()[line_event::noise] == (byte == 247 ? 0 : 1));
     }
 }
 
-TEST_CASE(
-    "rule 29: a share of more than 100 percent is one of 100, which leaves nothing to the others")
+TEST_CASE("rule 29: a share of more than 100 percent is one of 100, which leaves nothing to the others")
 {
     for (std::uint8_t const share : {std::uint8_t{100}, std::uint8_t{101}, std::uint8_t{200}}) {
         bus<1> link{office_line, once, {.silent_share = share}};

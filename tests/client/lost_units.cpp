@@ -32,10 +32,10 @@ struct loss {
         return leaves(series{[=](unsigned) { return read_of(unit, 3'201); }, 1});
     }
     /// It comes by twice, for its turn.
-    bool leaves(series talk)
+    bool leaves(series conversation)
     {
-        it.link.converse(talk, it.now());
-        it.link.converse(talk, it.now());
+        it.link.converse(conversation, it.now());
+        it.link.converse(conversation, it.now());
         return it.leaves();
     }
 };
@@ -57,12 +57,12 @@ void check_silence_until(loss& of, unit_id unit, std::uint64_t end)
 {
     of.it.pass_until(end - 1);
     CHECK(of.it.link.is_held(unit));
-    CHECK(of.it.is_lost(unit.octet()));
-    CHECK_FALSE(of.reads(unit.octet()));
+    CHECK(of.it.is_lost(unit.byte()));
+    CHECK_FALSE(of.reads(unit.byte()));
     of.it.pass(1);
     CHECK_FALSE(of.it.link.is_held(unit));
-    CHECK_FALSE(of.it.is_lost(unit.octet()));
-    CHECK(of.reads(unit.octet()));
+    CHECK_FALSE(of.it.is_lost(unit.byte()));
+    CHECK(of.reads(unit.byte()));
 }
 
 } // namespace
@@ -79,7 +79,7 @@ TEST_CASE("rule 40: words that stop it go to a lost unit for 2 s, nothing else d
 }
 
 TEST_CASE("rule 40: silence lasts for the drive's time-out and 1 s from the last request without "
-          "an answer")
+          "a response")
 {
     for (bool const has_word : {false, true}) {
         loss of;
@@ -104,8 +104,7 @@ TEST_CASE("rule 40: who was held back by the silence has a turn when it is over"
     for (bool const is_waiting : {false, true}) {
         loss of;
         command_desk<2>& it = of.it;
-        series other{[](unsigned) { return read_of(3, 3'201); }},
-            third{[](unsigned) { return read_of(4, 3'201); }};
+        series other{[](unsigned) { return read_of(3, 3'201); }}, third{[](unsigned) { return read_of(4, 3'201); }};
         if (is_waiting) {
             it.link.converse(other, it.now());
             REQUIRE_FALSE(it.link.is_busy());
@@ -113,12 +112,11 @@ TEST_CASE("rule 40: who was held back by the silence has a turn when it is over"
         it.pass_until(of.begun + silence);
         it.link.receive(frame_bytes{std::byte{0x55}}, it.now());
         it.link.converse(third, it.now());
-        CHECK(it.link.is_busy() ==
-              not is_waiting); // while others wait, nobody asks before the line is quiet
+        CHECK(it.link.is_busy() == not is_waiting); // while others wait, nobody asks before the line is quiet
     }
 }
 
-TEST_CASE("rule 40: an answer ends the loss at once, the order stays gone")
+TEST_CASE("rule 40: a response ends the loss at once, the order stays gone")
 {
     loss of;
     CHECK(of.it.does(of.one, effect::stopping) == errc::none);
@@ -129,8 +127,7 @@ TEST_CASE("rule 40: an answer ends the loss at once, the order stays gone")
     CHECK(of.it.runs(of.one) == errc::none);
 }
 
-TEST_CASE(
-    "rule 40: every commander of a lost unit is told, also one that comes by for the first time")
+TEST_CASE("rule 40: every commander of a lost unit is told, also one that comes by for the first time")
 {
     command_desk<1> it;
     hand_commander one{3}, late{3}, apart{4};
@@ -144,8 +141,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "rule 40: a stop that begins behind a loss has 2 s for its words, however often it comes by")
+TEST_CASE("rule 40: a stop that begins behind a loss has 2 s for its words, however often it comes by")
 {
     for (bool const is_for_all : {false, true}) {
         loss of;

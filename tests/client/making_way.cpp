@@ -10,15 +10,14 @@ using namespace rtuwire::test;
 
 namespace {
 
-constexpr client_options eager{
-    .response_timeout = milliseconds(100), .late_answer = {}, .retries = 2};
+constexpr client_options eager{.response_timeout = milliseconds(100), .late_response = {}, .retries = 2};
 
 /// A stop of unit 3 that has a word to say.
 struct stop_of_3 : hand_commander {
     stop_of_3() : hand_commander{3}
     {
         note_stop();
-        has_question = true;
+        has_request = true;
         wanted = effect::stopping;
     }
 };
@@ -43,7 +42,7 @@ TEST_CASE("rule 38: while a stop waits for the line nobody else asks, whoever co
         asker.most = 1;
         it.link.converse(asker, it.now());
         REQUIRE(it.leaves());
-        it.hear(answer_to(it.left));
+        it.hear(response_to(it.left));
         it.link.converse(asker, it.now());
         asker.most = 10;
         REQUIRE(asker.answered == 1);
@@ -76,7 +75,7 @@ TEST_CASE("rule 38: where a stop is gone another asks when it comes by for the s
         if (is_last) {
             it.link.converse(other, it.now());
             REQUIRE(it.leaves());
-            it.hear(answer_to(it.left));
+            it.hear(response_to(it.left));
         }
         it.link.receive(frame_bytes{std::byte{0x55}}, it.now());
         it.link.advance(it.now());
@@ -97,15 +96,14 @@ TEST_CASE("rule 38: where a stop is gone another asks when it comes by for the s
     }
 }
 
-TEST_CASE(
-    "rule 38: a stop drops what nobody comes for any more when it is next for the second time")
+TEST_CASE("rule 38: a stop drops what nobody comes for any more when it is next for the second time")
 {
     command_desk<1> it;
     {
         series gone = reader(4);
         it.link.converse(gone, it.now());
         REQUIRE(it.leaves());
-        it.hear(answer_to(it.left));
+        it.hear(response_to(it.left));
     }
     stop_of_3 stop;
     for (unsigned pass = 1; pass <= 3; ++pass) {
@@ -139,8 +137,7 @@ TEST_CASE("rule 38: what is under way for another unit is not repeated when a st
     }
 }
 
-TEST_CASE(
-    "rule 38: a request to the stopped unit is given up unless its answer has begun to arrive")
+TEST_CASE("rule 38: a request to the stopped unit is given up unless its response has begun to arrive")
 {
     for (bool const is_arriving : {false, true}) {
         INFO(is_arriving);
@@ -148,17 +145,17 @@ TEST_CASE(
         series other = reader(3);
         it.link.converse(other, it.now());
         REQUIRE(it.leaves());
-        frame_bytes const answer = answer_to(it.left);
+        frame_bytes const response = response_to(it.left);
         stop_of_3 stop;
         it.time += 5'000;
         if (is_arriving) {
-            it.link.receive(frame_bytes{answer.begin(), answer.begin() + 3}, it.now());
+            it.link.receive(frame_bytes{response.begin(), response.begin() + 3}, it.now());
         }
         it.pass(100);
         it.link.converse(stop, it.now());
         CHECK(it.leaves() == not is_arriving);
         if (is_arriving) {
-            it.link.receive(frame_bytes{answer.begin() + 3, answer.end()}, it.now());
+            it.link.receive(frame_bytes{response.begin() + 3, response.end()}, it.now());
             it.pass(5'000);
         }
         it.link.converse(other, it.now());
@@ -166,13 +163,13 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("rule 38: an answer that is there reaches its asker before the stop says its word")
+TEST_CASE("rule 38: a response that is there reaches its asker before the stop says its word")
 {
     command_desk<1> it;
     series other = reader(3);
     it.link.converse(other, it.now());
     REQUIRE(it.leaves());
-    it.hear(answer_to(it.left));
+    it.hear(response_to(it.left));
     stop_of_3 stop;
     it.link.converse(stop, it.now());
     CHECK_FALSE(it.leaves());
@@ -201,8 +198,7 @@ TEST_CASE("rule 38: a stop's word does not leave before the request that is leav
     CHECK(it.leaves());
 }
 
-TEST_CASE(
-    "rule 40: a request that was given up counts where it had left, and is none that was repeated")
+TEST_CASE("rule 40: a request that was given up counts where it had left, and is none that was repeated")
 {
     for (unsigned const sendings : {0U, 1U, 2U}) {
         for (std::uint8_t tolerated = 0; tolerated < 2; ++tolerated) {
@@ -211,7 +207,7 @@ TEST_CASE(
             hand_commander one{3, tolerated};
             REQUIRE(it.runs(one) == errc::none);
             one.again = repetition::allowed;
-            one.has_question = true;
+            one.has_request = true;
             one.wanted = effect::none;
             it.link.converse(one, it.now());
             for (unsigned i = 0; i < sendings; ++i) {
@@ -228,7 +224,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("rule 40: an answer to a repetition is an answer")
+TEST_CASE("rule 40: a response to a repetition is a response")
 {
     command_desk<1> it{eager};
     hand_commander one{3};
@@ -237,7 +233,7 @@ TEST_CASE("rule 40: an answer to a repetition is an answer")
     REQUIRE(it.says(one, effect::none));
     it.fail(one);
     REQUIRE(it.leaves());
-    it.hear(answer_to(it.left));
+    it.hear(response_to(it.left));
     it.link.converse(one, it.now());
     CHECK(one.told == errc::none);
     CHECK_FALSE(it.is_lost(3));

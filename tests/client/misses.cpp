@@ -8,8 +8,7 @@
 using namespace rtuwire;
 using namespace rtuwire::test;
 
-TEST_CASE(
-    "rule 40: a unit is lost by the first miss beyond those in a row that its commander tolerates")
+TEST_CASE("rule 40: a unit is lost by the first miss beyond those in a row that its commander tolerates")
 {
     for (std::uint8_t tolerated = 0; tolerated < 3; ++tolerated) {
         INFO(unsigned{tolerated});
@@ -22,7 +21,7 @@ TEST_CASE(
                 CHECK(one.told == errc::timed_out);
                 CHECK_FALSE(it.is_lost(3));
             }
-            CHECK(it.does(one, effect::none) == errc::none); // an answer to anything begins anew
+            CHECK(it.does(one, effect::none) == errc::none); // a response to anything begins anew
             one.note_rest();
             it.see(one);
             REQUIRE(it.does(one, effect::resetting) == errc::none);
@@ -48,10 +47,9 @@ TEST_CASE("rule 40: misses before the rest was read are not counted behind it")
     CHECK_FALSE(it.is_lost(3));
 }
 
-TEST_CASE(
-    "rule 40: a request that was repeated counts as a loss at once, and so does any miss behind it")
+TEST_CASE("rule 40: a request that was repeated counts as a loss at once, and so does any miss behind it")
 {
-    command_desk<1> it{{.response_timeout = milliseconds(100), .late_answer = {}, .retries = 1}};
+    command_desk<1> it{{.response_timeout = milliseconds(100), .late_response = {}, .retries = 1}};
     hand_commander one{3, 3};
     REQUIRE(it.runs(one) == errc::none);
     one.again = repetition::allowed;

@@ -8,8 +8,7 @@
 using namespace rtuwire;
 using namespace rtuwire::test;
 
-TEST_CASE(
-    "rule 35: a unit is ordered from a request that enables or resets until its rest was read")
+TEST_CASE("rule 35: a unit is ordered from a request that enables or resets until its rest was read")
 {
     for (effect const what : {effect::enabling, effect::resetting}) {
         command_desk<2> it;
@@ -29,8 +28,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "rule 35: where all places are taken by ordered units another one is not ordered, and is later")
+TEST_CASE("rule 35: where all places are taken by ordered units another one is not ordered, and is later")
 {
     command_desk<2> it;
     hand_commander one{3}, two{4}, three{5};
@@ -140,9 +138,8 @@ TEST_CASE("rule 36: a fault that was read takes older orders to enable, not one 
     CHECK(it.does(one, effect::enabling) == errc::none);
 }
 
-TEST_CASE(
-    "who came by before another read a fault knows of it until that is heeded, and who is new "
-    "knows of none")
+TEST_CASE("who came by before another read a fault knows of it until that is heeded, and who is new "
+          "knows of none")
 {
     command_desk<2> it;
     hand_commander one{3}, other{3}, late{3};
@@ -162,8 +159,7 @@ TEST_CASE(
     CHECK_FALSE(late.was_stopped());
 }
 
-TEST_CASE(
-    "rule 36: nothing is enabled without an order where a fault, a loss or another order came")
+TEST_CASE("rule 36: nothing is enabled without an order where a fault, a loss or another order came")
 {
     for (unsigned const what : {0U, 1U, 2U, 3U}) {
         INFO(what);
@@ -179,16 +175,13 @@ TEST_CASE(
             REQUIRE(it.is_lost(3));
             REQUIRE(it.does(other, effect::stopping) == errc::none);
         }
-        errc const expected = what == 0   ? errc::none
-                              : what == 3 ? errc::unit_lost
-                                          : errc::overruled;
+        errc const expected = what == 0 ? errc::none : what == 3 ? errc::unit_lost : errc::overruled;
         CHECK(it.does(none, effect::enabling) == expected);
         CHECK(it.does(none, effect::enabling) == expected);
     }
 }
 
-TEST_CASE(
-    "rule 36: who came by before another rearranged its unit moves nothing until it has noted it")
+TEST_CASE("rule 36: who came by before another rearranged its unit moves nothing until it has noted it")
 {
     command_desk<1> it;
     hand_commander one{3}, other{3}, late{3};

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// The times in which units are asked nothing new; the echo of a question; what a client does unless told.
+// The times in which units are asked nothing new; the echo of a request; what a client does unless told.
 #include <rtuwire/client/quarantine.hpp>
 
 #include <array>
@@ -8,7 +8,7 @@
 #include "support/proof.hpp"
 
 #include <rtuwire/client/client.hpp>
-#include <rtuwire/client/echo.hpp>
+#include <rtuwire/client/line_echo.hpp>
 #include <rtuwire/client/options.hpp>
 
 using namespace rtuwire;
@@ -45,14 +45,13 @@ constexpr bool holds_all_where_places_are_few()
     held.begin(5, after(300));
     return ok and held.covers(5) and not held.covers(7);
 }
-PROOF("where more units owe an answer than there are places, all are held",
-      holds_all_where_places_are_few)
+PROOF("where more units owe a response than there are places, all are held", holds_all_where_places_are_few)
 
 constexpr bool compares_an_echo()
 {
     constexpr std::array<std::byte, 8> sent{std::byte{1}, std::byte{2}, std::byte{3}, std::byte{4},
                                             std::byte{5}, std::byte{6}, std::byte{7}, std::byte{8}};
-    echo_check echo;
+    line_echo echo;
     bool ok = not echo.is_open() and not echo.is_half(sent.size());
     echo.begin();
     for (std::size_t i = 0; i < sent.size(); ++i) {
@@ -66,14 +65,13 @@ constexpr bool compares_an_echo()
     echo.begin();
     return ok and not echo.take(sent[1], sent) and not echo.is_open();
 }
-PROOF("an echo is open until its last octet or another one, and half from the middle on",
-      compares_an_echo)
+PROOF("an echo is open until its last byte or another one, and half from the middle on", compares_an_echo)
 
-STATIC_CHECK(patience{}.response_timeout == milliseconds(1'000) and patience{}.retries == 2);
-STATIC_CHECK(patience{}.busy_retries == 3 and patience{}.busy_pause == milliseconds(50));
+STATIC_CHECK(retry_policy{}.response_timeout == milliseconds(1'000) and retry_policy{}.retries == 2);
+STATIC_CHECK(retry_policy{}.busy_retries == 3 and retry_policy{}.busy_pause == milliseconds(50));
 STATIC_CHECK(client_options{}.response_timeout == milliseconds(1'000));
 STATIC_CHECK(client_options{}.turnaround == milliseconds(100));
-STATIC_CHECK(client_options{}.late_answer == milliseconds(200) and client_options{}.retries == 2);
-STATIC_CHECK(not client_options{}.has_echo and client_options{}.skip_noise == 0);
+STATIC_CHECK(client_options{}.late_response == milliseconds(200) and client_options{}.retries == 2);
+STATIC_CHECK(not client_options{}.has_line_echo and client_options{}.max_leading_noise == 0);
 
 } // namespace

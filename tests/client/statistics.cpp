@@ -5,21 +5,19 @@
 
 #include <rtuwire/client/client.hpp>
 
-#include "support/far_end.hpp"
+#include "support/manual_unit.hpp"
 #include "support/proof.hpp"
 
 using namespace rtuwire;
-using test::answer_1234;
 using test::read_eta;
+using test::response_1234;
 
 namespace {
 
-using counting_end = test::basic_far_end<basic_client<unit_statistics<2>>>;
+using counting_end = test::basic_manual_unit<basic_client<unit_statistics<2>>>;
 
-constexpr client_options impatient{.response_timeout = milliseconds(50),
-                                   .late_answer = milliseconds(100),
-                                   .retries = 0,
-                                   .skip_noise = 1};
+constexpr client_options impatient{
+    .response_timeout = milliseconds(50), .late_response = milliseconds(100), .retries = 0, .max_leading_noise = 1};
 
 constexpr std::uint32_t of_unit(counting_end const& unit, line_event what)
 {
@@ -45,9 +43,9 @@ constexpr bool sorts_by_kind()
         {errc::uart_error, line_event::crc},
         {errc::wrong_unit, line_event::foreign},
         {errc::wrong_function, line_event::mismatch},
-        {errc::wrong_echo, line_event::mismatch},
+        {errc::response_mismatch, line_event::mismatch},
         {errc::malformed, line_event::mismatch},
-        {errc::echoed, line_event::mismatch},
+        {errc::line_echo, line_event::mismatch},
     };
     for (auto const& [found, counted] : all) {
         if (event_of(found) != counted) {
@@ -63,7 +61,7 @@ constexpr bool counts_good_and_bad()
     counting_end unit{impatient};
     unit.ask(read_eta);
     unit.pass(milliseconds(7));
-    unit.say(answer_1234);
+    unit.say(response_1234);
     bool ok = unit.has(0x1234);
     unit.pass(milliseconds(5));
     unit.ask(read_eta);
@@ -80,35 +78,32 @@ constexpr bool counts_good_and_bad()
     unit.ask(read_eta);
     unit.run(milliseconds(100));
     ok = ok and unit.fault() == errc::timed_out;
-    unit.say(answer_1234); // too late
+    unit.say(response_1234); // too late
     auto const& line = unit.link.statistics().line();
-    return ok and of_unit(unit, line_event::request) == 4 and
-           of_unit(unit, line_event::reply) == 1 and of_unit(unit, line_event::exception) == 1 and
-           unit.link.statistics().unit(1)->by_exception[2] == 1 and
+    return ok and of_unit(unit, line_event::request) == 4 and of_unit(unit, line_event::reply) == 1 and
+           of_unit(unit, line_event::exception) == 1 and unit.link.statistics().unit(1)->by_exception[2] == 1 and
            of_unit(unit, line_event::crc) == 1 and of_unit(unit, line_event::late) == 1 and
            of_unit(unit, line_event::timeout) == 1 and of_unit(unit, line_event::foreign) == 1 and
            of_unit(unit, line_event::noise) == 1 and line[line_event::request] == 4 and
-           line.worst_latency == milliseconds(7) + test::line.characters(answer_1234.size());
+           line.worst_latency == milliseconds(7) + test::line.characters(response_1234.size());
 }
-PROOF("good, bad, late and missing answers are counted, each as what it was", counts_good_and_bad)
+PROOF("good, bad, late and missing responses are counted, each as what it was", counts_good_and_bad)
 
 constexpr bool answers_before_the_reckoned_end()
 {
     counting_end unit{impatient};
-    bool const asked = unit.link.start(request{read_eta}, unit.now).has_value() and
-                       not unit.link.poll_transmit().empty();
+    bool const asked =
+        unit.link.start(request_frame{read_eta}, unit.now).has_value() and not unit.link.poll_transmit().empty();
     unit.link.sent(unit.now + test::line.characters(read_eta.size()));
-    unit.link.receive(answer_1234, unit.now + microseconds(100));
+    unit.link.receive(response_1234, unit.now + microseconds(100));
     auto const& line = unit.link.statistics().line();
-    return asked and unit.has(0x1234) and line[line_event::reply] == 1 and
-           line.worst_latency == duration{};
+    return asked and unit.has(0x1234) and line[line_event::reply] == 1 and line.worst_latency == duration{};
 }
-PROOF("an answer before the reckoned end of its question is one, and took no time",
-      answers_before_the_reckoned_end)
+PROOF("a response before the reckoned end of its request is one, and took no time", answers_before_the_reckoned_end)
 
 constexpr auto damaged = "01 03 02 12 34 B4 33"_hex;
 
-constexpr bool counts_what_follows_an_answer()
+constexpr bool counts_what_follows_an_response()
 {
     counting_end unit{impatient};
     unit.ask(read_eta);
@@ -116,7 +111,7 @@ constexpr bool counts_what_follows_an_answer()
     auto const& line = unit.link.statistics().line();
     return unit.has(0x1234) and line[line_event::noise] == 2 and line[line_event::late] == 0;
 }
-PROOF("octets behind an answer, in one lump with it, are noise", counts_what_follows_an_answer)
+PROOF("bytes behind a response, in one lump with it, are noise", counts_what_follows_an_response)
 
 /// Says something damaged and, after a silence that nobody was told of, what follows.
 constexpr errc damaged_then(counting_end& unit, bool is_cancelled, byte_view rest)
@@ -135,15 +130,11 @@ constexpr bool judges_before_a_lump()
 {
     counting_end waiting{impatient};
     counting_end gone{impatient};
-    auto const crc_of = [](counting_end const& unit) {
-        return unit.link.statistics().line()[line_event::crc];
-    };
-    return damaged_then(waiting, false, answer_1234) == errc::crc_mismatch and
-           crc_of(waiting) == 1 and damaged_then(gone, true, answer_1234) == errc::cancelled and
-           crc_of(gone) == 0;
+    auto const crc_of = [](counting_end const& unit) { return unit.link.statistics().line()[line_event::crc]; };
+    return damaged_then(waiting, false, response_1234) == errc::crc_mismatch and crc_of(waiting) == 1 and
+           damaged_then(gone, true, response_1234) == errc::cancelled and crc_of(gone) == 0;
 }
-PROOF("what a silence ended is judged before the lump behind it, where an answer is awaited",
-      judges_before_a_lump)
+PROOF("what a silence ended is judged before the lump behind it, where a response is awaited", judges_before_a_lump)
 
 constexpr bool counts_noise_of_no_unit()
 {
@@ -165,8 +156,8 @@ constexpr bool has_room_for_two()
     counts.note_exception(static_cast<errc>(12), 7);
     counts.note_exception(static_cast<errc>(11), 7);
     bool const full = counts.unit(9) == nullptr and counts.line()[line_event::request] == 3;
-    bool const other = counts.unit(7)->by_exception[0] == 2 and
-                       counts.unit(7)->by_exception[11] == 1 and counts.unit(4) == nullptr;
+    bool const other =
+        counts.unit(7)->by_exception[0] == 2 and counts.unit(7)->by_exception[11] == 1 and counts.unit(4) == nullptr;
     counts.reset();
     return full and other and counts.unit(3) == nullptr and counts.line()[line_event::request] == 0;
 }
@@ -190,8 +181,8 @@ constexpr bool times_answers_and_refusals_only()
     unit.say("02 03 02 12 34 F1 33"_hex); // another unit's
     unit.say("01 04 02 12 34 B4 47"_hex); // another function's
     auto const& line = unit.link.statistics().line();
-    bool const untimed = line[line_event::foreign] == 1 and line[line_event::mismatch] == 1 and
-                         line.worst_latency == duration{};
+    bool const untimed =
+        line[line_event::foreign] == 1 and line[line_event::mismatch] == 1 and line.worst_latency == duration{};
     unit.run(milliseconds(400));
     static_cast<void>(unit.fault());
     unit.ask(read_eta);
@@ -201,9 +192,9 @@ constexpr bool times_answers_and_refusals_only()
     return untimed and line[line_event::exception] == 1 and line.worst_latency == refused and
            unit.link.statistics().unit(1)->worst_latency == refused;
 }
-PROOF("an answer and a refusal have a latency, and no other frame", times_answers_and_refusals_only)
+PROOF("a response and a refusal have a latency, and no other frame", times_answers_and_refusals_only)
 
-/// How many late answers are counted of a unit that says so after its time, in two parts.
+/// How many late responses are counted of a unit that says so after its time, in two parts.
 constexpr std::uint32_t late_of(std::uint8_t number, byte_view begin, byte_view rest)
 {
     counting_end unit{impatient};
@@ -218,15 +209,14 @@ constexpr std::uint32_t late_of(std::uint8_t number, byte_view begin, byte_view 
                         unit.link.statistics().line()[line_event::noise] == 0;
     return agrees ? own[line_event::late] : 99;
 }
-constexpr bool counts_a_late_answer_once()
+constexpr bool counts_a_late_response_once()
 {
     // The second part begins with the unit's address by chance.
     return late_of(1, "01 03 02"_hex, "01 34 B5 33"_hex) == 1 and
            late_of(246, "F6 03 02"_hex, "F6 34 B5 33"_hex) == 1 and
            late_of(247, "F7 03 02"_hex, "F7 34 B5 33"_hex) == 1;
 }
-PROOF("a late answer of any unit is counted once, in however many parts it comes",
-      counts_a_late_answer_once)
+PROOF("a late response of any unit is counted once, in however many parts it comes", counts_a_late_response_once)
 
 constexpr auto is_busy = "01 83 06 C1 32"_hex;
 
@@ -240,13 +230,10 @@ constexpr bool counts_repetitions()
     return unit.transmissions == 3 and of_unit(unit, line_event::request) == 1 and
            of_unit(unit, line_event::repetition) == 2;
 }
-PROOF("a question that leaves again after a pause and after silence is one question",
-      counts_repetitions)
+PROOF("a request that leaves again after a pause and after silence is one request", counts_repetitions)
 
 // Nothing is counted: nothing is held. Padding may differ.
-static_assert(sizeof(client) + sizeof(line_statistics) <=
-              sizeof(basic_client<line_statistics>) + alignof(client));
-static_assert(sizeof(client) + sizeof(line_statistics) + alignof(client) >=
-              sizeof(basic_client<line_statistics>));
+static_assert(sizeof(client) + sizeof(line_statistics) <= sizeof(basic_client<line_statistics>) + alignof(client));
+static_assert(sizeof(client) + sizeof(line_statistics) + alignof(client) >= sizeof(basic_client<line_statistics>));
 
 } // namespace

@@ -10,14 +10,14 @@ using namespace rtuwire::test;
 
 namespace {
 
-template <typename Desk, typename Talk> void end(Desk& it, Talk& stop)
+template <typename Desk, typename Conversation> void end(Desk& it, Conversation& stop)
 {
     stop.note_stop_over();
     it.see(stop);
     it.pass(1);
 }
 
-template <typename Desk, typename Talk> void begin(Desk& it, Talk& stop)
+template <typename Desk, typename Conversation> void begin(Desk& it, Conversation& stop)
 {
     stop.note_stop();
     it.see(stop);
@@ -177,8 +177,7 @@ TEST_CASE("rule 37: everyone's stop holds all units up to its end, and takes no 
     CHECK(it.runs(one) == errc::overruled);
 }
 
-TEST_CASE(
-    "rule 37: where a unit has no place its stop holds all that have none, and gets the next place")
+TEST_CASE("rule 37: where a unit has no place its stop holds all that have none, and gets the next place")
 {
     command_desk<1> it;
     hand_commander one{3}, stop{4}, again{4}, apart{5};
@@ -237,16 +236,16 @@ TEST_CASE("rule 38: what has not left when a stop comes by is told as overruled 
         command_desk<2> it;
         hand_commander one{3}, stop{is_own ? 3U : 4U};
         one.note_order_to_run();
-        one.has_question = true;
+        one.has_request = true;
         one.wanted = effect::enabling;
         it.link.converse(one, it.now()); // taken, and not fetched yet
         stop.note_stop();
-        stop.has_question = true;
+        stop.has_request = true;
         stop.wanted = effect::stopping;
         it.link.converse(stop, it.now());
         REQUIRE(it.leaves());
         CHECK(it.left == write_of(stop.of, 8'501, 0));
-        it.hear(answer_to(it.left));
+        it.hear(response_to(it.left));
         it.link.converse(one, it.now());
         CHECK(one.told == (is_own ? errc::overruled : errc::cancelled));
     }
@@ -258,13 +257,13 @@ TEST_CASE("rule 38: a stop's own word that is given up is told as cancelled")
     hand_commander one{3}, stop{4};
     for (hand_commander* const each : {&one, &stop}) {
         each->note_stop();
-        each->has_question = true;
+        each->has_request = true;
         each->wanted = effect::stopping;
         it.link.converse(*each, it.now());
     }
     REQUIRE(it.leaves());
     CHECK(it.left == write_of(4, 8'501, 0));
-    it.hear(answer_to(it.left));
+    it.hear(response_to(it.left));
     it.link.converse(one, it.now());
     CHECK(one.told == errc::cancelled);
 }

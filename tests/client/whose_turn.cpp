@@ -10,31 +10,30 @@ using namespace rtuwire::test;
 
 namespace {
 
-constexpr client_options once{
-    .response_timeout = milliseconds(100), .late_answer = milliseconds(30), .retries = 0};
+constexpr client_options once{.response_timeout = milliseconds(100), .late_response = milliseconds(30), .retries = 0};
 
 /// Reads one register of its unit for ever.
-struct plain_talk : series {
-    explicit plain_talk(unsigned of) : series{[=](unsigned) { return read_of(of, 3201); }} {}
+struct plain_asker : series {
+    explicit plain_asker(unsigned of) : series{[=](unsigned) { return read_of(of, 3201); }} {}
 };
 
 /// The same, asked at the last moment.
-struct prompt_talk : plain_talk {
+struct prompt_asker : plain_asker {
     unsigned of;
-    explicit prompt_talk(unsigned which) : plain_talk{which}, of{which} {}
+    explicit prompt_asker(unsigned which) : plain_asker{which}, of{which} {}
     unit_id unit() const { return *unit_id::checked(of); }
 };
 
 /// A line in the hands of the test.
 struct desk : hand_clock<client> {
     desk() : hand_clock{once} {}
-    void be_disturbed() { link.receive(frame_bytes{std::byte{0x55}}, now()); }
+    void on_line_activity() { link.receive(frame_bytes{std::byte{0x55}}, now()); }
 
     /// It comes by; whether its request was taken then.
-    template <typename Talk> bool asks(Talk& talk)
+    template <typename Conversation> bool asks(Conversation& conversation)
     {
-        link.converse(talk, now());
-        return link.is_busy() and link.is_asked_by(talk) and is_new(talk);
+        link.converse(conversation, now());
+        return link.is_busy() and link.is_asked_by(conversation) and is_new(conversation);
     }
     /// What is under way leaves, and its unit answers; the outcome waits to be taken, on a quiet line.
     void be_answered()
@@ -45,17 +44,17 @@ struct desk : hand_clock<client> {
         time += office_line.characters(frame.size()).microseconds;
         link.sent(now());
         time += 5'000;
-        link.receive(answer_to(asked), now());
+        link.receive(response_to(asked), now());
         pass(10'000);
         REQUIRE(link.is_quiet());
     }
 
 private:
-    template <typename Talk> bool is_new(Talk& talk)
+    template <typename Conversation> bool is_new(Conversation& conversation)
     {
-        bool const is_it = last_asked_ != &talk or last_number_ != talk.number;
-        last_asked_ = &talk;
-        last_number_ = talk.number;
+        bool const is_it = last_asked_ != &conversation or last_number_ != conversation.number;
+        last_asked_ = &conversation;
+        last_number_ = conversation.number;
         return is_it;
     }
     void const* last_asked_{nullptr};
@@ -69,10 +68,10 @@ TEST_CASE("rule 22: on a free line a conversation may ask, also before the line 
     for (bool const is_busy : {false, true}) {
         desk it;
         if (is_busy) {
-            it.be_disturbed();
+            it.on_line_activity();
         }
-        plain_talk talk{1};
-        CHECK(it.asks(talk));
+        plain_asker conversation{1};
+        CHECK(it.asks(conversation));
     }
 }
 
@@ -81,8 +80,8 @@ TEST_CASE("rule 22: one that came by while a request was under way waits, a sett
     for (bool const is_settled : {false, true}) {
         INFO((is_settled ? "settled" : "not settled"));
         desk it;
-        plain_talk first{1};
-        plain_talk second{2};
+        plain_asker first{1};
+        plain_asker second{2};
         second.most = is_settled ? 0 : 2;
         REQUIRE(it.asks(first));
         CHECK_FALSE(it.asks(second));
@@ -98,8 +97,8 @@ TEST_CASE("rule 22: one that came by while a request was under way waits, a sett
 TEST_CASE("rule 22: so does one that came by while an outcome was not taken")
 {
     desk it;
-    plain_talk first{1};
-    plain_talk second{2};
+    plain_asker first{1};
+    plain_asker second{2};
     REQUIRE(it.asks(first));
     it.be_answered();
     CHECK_FALSE(it.asks(second));
@@ -108,13 +107,12 @@ TEST_CASE("rule 22: so does one that came by while an outcome was not taken")
     CHECK(it.asks(second));
 }
 
-TEST_CASE(
-    "rule 22: a prompt one that came by on a busy line waits, and so does any that comes by then")
+TEST_CASE("rule 22: a prompt one that came by on a busy line waits, and so does any that comes by then")
 {
     desk it;
-    prompt_talk prompt{1};
-    plain_talk other{2};
-    it.be_disturbed();
+    prompt_asker prompt{1};
+    plain_asker other{2};
+    it.on_line_activity();
     CHECK_FALSE(it.asks(prompt));
     CHECK_FALSE(it.asks(other)); // it might, if nobody waited
     CHECK_FALSE(it.link.is_busy());
@@ -125,11 +123,11 @@ TEST_CASE(
 TEST_CASE("rule 22: the one who asked last makes nobody wait")
 {
     desk it;
-    prompt_talk prompt{1};
-    plain_talk other{2};
+    prompt_asker prompt{1};
+    plain_asker other{2};
     REQUIRE(it.asks(prompt));
     it.be_answered();
-    it.be_disturbed();
+    it.on_line_activity();
     CHECK_FALSE(it.asks(prompt)); // takes its outcome; the line is busy
     CHECK(prompt.answered == 1);
     CHECK(it.asks(other));
@@ -138,8 +136,8 @@ TEST_CASE("rule 22: the one who asked last makes nobody wait")
 TEST_CASE("rule 22: a request that is taken makes that nobody waits")
 {
     desk it;
-    plain_talk first{1};
-    plain_talk second{2};
+    plain_asker first{1};
+    plain_asker second{2};
     REQUIRE(it.asks(first));
     CHECK_FALSE(it.asks(second));
     it.be_answered();
@@ -156,9 +154,9 @@ TEST_CASE("rule 22: one that was held back waits when the time of its unit ends,
     for (bool const is_last : {false, true}) {
         INFO((is_last ? "only the one who asked last was held back" : "another was held back"));
         desk it;
-        plain_talk last{1};
-        plain_talk other{1};
-        plain_talk third{2};
+        plain_asker last{1};
+        plain_asker other{1};
+        plain_asker third{2};
         REQUIRE(it.asks(last));
         it.be_answered();
         it.link.hold(unit_id{1}, it.now() + milliseconds(50));
@@ -168,7 +166,7 @@ TEST_CASE("rule 22: one that was held back waits when the time of its unit ends,
             CHECK_FALSE(it.asks(other));
         }
         it.pass(50'000);
-        it.be_disturbed(); // where others wait, nobody asks before the line is quiet
+        it.on_line_activity(); // where others wait, nobody asks before the line is quiet
         CHECK(it.asks(third) == is_last);
         if (not is_last) {
             it.pass(10'000);
@@ -181,12 +179,12 @@ TEST_CASE("rule 22: one that was held back waits when the time of its unit ends,
 TEST_CASE("rule 23: while others wait, nobody asks before the line is quiet")
 {
     desk it;
-    plain_talk first{1};
-    plain_talk second{2};
+    plain_asker first{1};
+    plain_asker second{2};
     REQUIRE(it.asks(first));
     CHECK_FALSE(it.asks(second));
     it.be_answered();
-    it.be_disturbed();
+    it.on_line_activity();
     CHECK_FALSE(it.asks(first));
     CHECK(first.answered == 1);
     CHECK_FALSE(it.asks(second));
@@ -199,14 +197,13 @@ TEST_CASE("rule 23: while others wait, nobody asks before the line is quiet")
     CHECK(it.asks(second));
 }
 
-TEST_CASE(
-    "rule 23: the one who asked last does not ask, but opens the turn, also where it is settled")
+TEST_CASE("rule 23: the one who asked last does not ask, but opens the turn, also where it is settled")
 {
     for (bool const is_settled : {false, true}) {
         INFO((is_settled ? "settled" : "not settled"));
         desk it;
-        plain_talk last{1};
-        plain_talk other{2};
+        plain_asker last{1};
+        plain_asker other{2};
         last.most = is_settled ? 1 : 2;
         REQUIRE(it.asks(last));
         CHECK_FALSE(it.asks(other));
@@ -219,12 +216,12 @@ TEST_CASE(
 TEST_CASE("rule 23: where the one who asked last is gone, the next asks at its second visit")
 {
     desk it;
-    plain_talk last{1};
-    plain_talk other{2};
+    plain_asker last{1};
+    plain_asker other{2};
     REQUIRE(it.asks(last));
     CHECK_FALSE(it.asks(other));
     it.be_answered();
-    it.be_disturbed();
+    it.on_line_activity();
     it.link.converse(last, it.now()); // takes its outcome, and is seen no more
     REQUIRE(last.answered == 1);
     it.pass(10'000);
@@ -239,9 +236,9 @@ TEST_CASE("rule 23: where the one who asked last is gone, the next asks at its s
 TEST_CASE("rule 21: the next in turn is the first behind the asker that comes by twice")
 {
     desk it;
-    plain_talk before{1};
-    plain_talk asker{2};
-    plain_talk behind{3};
+    plain_asker before{1};
+    plain_asker asker{2};
+    plain_asker behind{3};
     REQUIRE(it.asks(asker));
     CHECK_FALSE(it.asks(behind));
     CHECK_FALSE(it.asks(before)); // the pass after it
@@ -257,9 +254,9 @@ TEST_CASE("rule 21: the next in turn is the first behind the asker that comes by
 TEST_CASE("rule 21: a request that waits is not ended by one who finds its asker missing once")
 {
     desk it;
-    plain_talk away{1};
-    plain_talk other{2};
-    it.be_disturbed();
+    plain_asker away{1};
+    plain_asker other{2};
+    it.on_line_activity();
     REQUIRE(it.asks(away)); // it waits for silence
     it.pass(10'000);
     CHECK_FALSE(it.asks(other));

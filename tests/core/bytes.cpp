@@ -18,7 +18,7 @@ namespace {
 
 constexpr bool writes_no_half_word()
 {
-    test::exact_octets place{1, std::byte{0xA5}};
+    test::exact_bytes place{1, std::byte{0xA5}};
     byte_writer out{place.span()};
     out.u16(0x1234);
     bool const refused = not out.ok() and out.size() == 0 and out.written().empty();
@@ -26,12 +26,11 @@ constexpr bool writes_no_half_word()
     out.bytes({});
     return refused and not out.ok() and out.size() == 0 and place.view()[0] == std::byte{0xA5};
 }
-PROOF("a word of which only half fits is not written, nor is anything afterwards",
-      writes_no_half_word)
+PROOF("a word of which only half fits is not written, nor is anything afterwards", writes_no_half_word)
 
 constexpr bool gives_whole_parts()
 {
-    test::exact_octets place{5};
+    test::exact_bytes place{5};
     byte_writer out{place.span()};
     out.u8(1);
     bool const fits = out.take(3) == place.view().data() + 1 and out.ok() and out.size() == 4;
@@ -40,16 +39,16 @@ constexpr bool gives_whole_parts()
 }
 PROOF("a writer gives a part that fits whole, or none and nothing afterwards", gives_whole_parts)
 
-constexpr bool fills_to_the_last_octet()
+constexpr bool fills_to_the_last_byte()
 {
-    test::exact_octets place{3};
+    test::exact_bytes place{3};
     byte_writer out{place.span()};
     out.u16(0x1'0203);
     out.u8(0x104);
     out.bytes({});
     return out.ok() and out.size() == 3 and same_bytes(out.written(), "02 03 04"_hex);
 }
-PROOF("a writer fills its target to the last octet with the low bits", fills_to_the_last_octet)
+PROOF("a writer fills its target to the last byte with the low bits", fills_to_the_last_byte)
 
 constexpr bool writes_whole_fields_only()
 {
@@ -63,7 +62,7 @@ constexpr bool writes_whole_fields_only()
 }
 PROOF("a field that does not fit is not written, nor any after it", writes_whole_fields_only)
 
-constexpr bool writes_all_octets_or_none()
+constexpr bool writes_all_bytes_or_none()
 {
     std::array<std::byte, 2> place{};
     byte_writer out{place};
@@ -73,7 +72,7 @@ constexpr bool writes_all_octets_or_none()
     again.bytes("07 08"_hex);
     return refused and again.ok() and same_bytes(again.written(), "07 08"_hex);
 }
-PROOF("octets are written all or not at all", writes_all_octets_or_none)
+PROOF("bytes are written all or not at all", writes_all_bytes_or_none)
 
 STATIC_CHECK(not same_bytes("01"_hex, "01 02"_hex));
 STATIC_CHECK(not same_bytes("01 03"_hex, "01 02"_hex));

@@ -22,17 +22,17 @@ STATIC_CHECK(crc16<crc_form::byte_table>(check_text) == 0x4B37);
 STATIC_CHECK(crc16<crc_form::slicing_by_4>(check_text) == 0x4B37);
 STATIC_CHECK(crc16<crc_form::slicing_by_8>(check_text) == 0x4B37);
 STATIC_CHECK(crc16<crc_form::slicing_by_16>(check_text) == 0x4B37);
-STATIC_CHECK(crc16<crc_form::octet_algebra>(check_text) == 0x4B37);
+STATIC_CHECK(crc16<crc_form::byte_algebra>(check_text) == 0x4B37);
 STATIC_CHECK(crc16<crc_form::word_algebra>(check_text) == 0x4B37);
 STATIC_CHECK(crc16<crc_form::host>(check_text) == 0x4B37);
 STATIC_CHECK(crc16<crc_form::carryless>(check_text) == 0x4B37);
 STATIC_CHECK(crc16(check_text) == 0x4B37);
 STATIC_CHECK(crc16(byte_view{}) == 0xFFFF);
 STATIC_CHECK(crc16("02 03 0C 1E 00 04 27 6C"_hex) == 0);
-// Two octets FF are the CRC of nothing, which is why a frame has at least four.
+// Two bytes FF are the CRC of nothing, which is why a frame has at least four.
 STATIC_CHECK(crc16("FF FF"_hex) == 0);
 
-constexpr bool grows_octet_by_octet()
+constexpr bool grows_byte_by_byte()
 {
     running_crc16<> crc;
     for (std::size_t i = 0; i < check_text.size(); ++i) {
@@ -43,15 +43,15 @@ constexpr bool grows_octet_by_octet()
     }
     return crc.value() == 0x4B37;
 }
-PROOF("a running CRC is the CRC of the octets so far", grows_octet_by_octet)
+PROOF("a running CRC is the CRC of the bytes so far", grows_byte_by_byte)
 
 template <crc_form Form> constexpr bool goes_on()
 {
     byte_view const all{check_text};
     for (std::size_t cut = 0; cut <= all.size(); ++cut) {
         running_crc16<Form> crc{crc16(all.first(cut))};
-        for (std::byte const octet : all.subspan(cut)) {
-            crc.add(octet);
+        for (std::byte const byte : all.subspan(cut)) {
+            crc.add(byte);
         }
         if (crc.value() != 0x4B37) {
             return false;
@@ -61,11 +61,10 @@ template <crc_form Form> constexpr bool goes_on()
 }
 constexpr bool goes_on_in_every_form()
 {
-    return goes_on<crc_form::bitwise>() and goes_on<crc_form::nibble_table>() and
-           goes_on<crc_form::byte_table>() and goes_on<crc_form::octet_algebra>() and
-           goes_on<crc_form::word_algebra>();
+    return goes_on<crc_form::bitwise>() and goes_on<crc_form::nibble_table>() and goes_on<crc_form::byte_table>() and
+           goes_on<crc_form::byte_algebra>() and goes_on<crc_form::word_algebra>();
 }
-PROOF("a running CRC goes on from that of the octets before", goes_on_in_every_form)
+PROOF("a running CRC goes on from that of the bytes before", goes_on_in_every_form)
 
 constexpr bool is_zero_over_a_frame()
 {
@@ -83,18 +82,18 @@ constexpr bool is_zero_over_a_frame()
     }
     return true;
 }
-PROOF("over a frame with its CRC, low octet first, the CRC is zero", is_zero_over_a_frame)
+PROOF("over a frame with its CRC, low byte first, the CRC is zero", is_zero_over_a_frame)
 
 constexpr bool sees_every_wrong_bit()
 {
     auto frame = "02 03 0C 1E 00 04 27 6C"_hex;
-    for (std::byte& octet : frame) {
+    for (std::byte& byte : frame) {
         for (unsigned bit = 0; bit < 8; ++bit) {
-            octet ^= std::byte{1} << bit;
+            byte ^= std::byte{1} << bit;
             if (crc16(frame) == 0) {
                 return false;
             }
-            octet ^= std::byte{1} << bit;
+            byte ^= std::byte{1} << bit;
         }
     }
     return crc16(frame) == 0;

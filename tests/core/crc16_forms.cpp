@@ -13,26 +13,26 @@ using namespace rtuwire;
 
 namespace {
 
-template <crc_form... Others> constexpr bool agree(byte_view octets)
+template <crc_form... Others> constexpr bool agree(byte_view bytes)
 {
-    std::uint16_t const bitwise = crc16<crc_form::bitwise>(octets);
-    return ((crc16<Others>(octets) == bitwise) and ...);
+    std::uint16_t const bitwise = crc16<crc_form::bitwise>(bytes);
+    return ((crc16<Others>(bytes) == bitwise) and ...);
 }
 
-constexpr bool all_agree(byte_view octets)
+constexpr bool all_agree(byte_view bytes)
 {
     using enum crc_form;
-    return agree<nibble_table, byte_table, slicing_by_4, slicing_by_8, slicing_by_16, octet_algebra,
-                 word_algebra, host, carryless>(octets);
+    return agree<nibble_table, byte_table, slicing_by_4, slicing_by_8, slicing_by_16, byte_algebra, word_algebra, host,
+                 carryless>(bytes);
 }
 
 constexpr bool agree_up_to(std::size_t most)
 {
     test::random random{11};
     for (std::size_t size = 0; size <= most; ++size) {
-        test::exact_octets octets{size}; // of which none too many is read
-        random.fill(octets.span());
-        if (not all_agree(octets.view())) {
+        test::exact_bytes bytes{size}; // of which none too many is read
+        random.fill(bytes.span());
+        if (not all_agree(bytes.view())) {
             return false;
         }
     }
@@ -49,7 +49,7 @@ STATIC_CHECK(crc16_carryless::is_available);
 // Where nobody chooses: carry-less multiplication if there is any, then by the size of a pointer.
 STATIC_CHECK(default_crc_form == (crc16_carryless::is_available ? crc_form::carryless
                                   : sizeof(void*) == 8          ? crc_form::host
-                                                                : crc_form::octet_algebra));
+                                                                : crc_form::byte_algebra));
 #endif
 
 STATIC_CHECK(crc16_forms::slices_of(crc_form::byte_table) == 1);
@@ -57,17 +57,16 @@ STATIC_CHECK(crc16_forms::slices_of(crc_form::slicing_by_4) == 4);
 STATIC_CHECK(crc16_forms::slices_of(crc_form::slicing_by_8) == 8);
 STATIC_CHECK(crc16_forms::slices_of(crc_form::slicing_by_16) == 16);
 
-/// How often the next octet leads a growing CRC elsewhere than the bits do.
+/// How often the next byte leads a growing CRC elsewhere than the bits do.
 template <crc_form Form>
-std::uint32_t differences(running_crc16<crc_form::bitwise> const& bits,
-                          running_crc16<Form> const& other)
+std::uint32_t differences(running_crc16<crc_form::bitwise> const& bits, running_crc16<Form> const& other)
 {
     std::uint32_t count = 0;
-    for (std::uint32_t octet = 0; octet <= 0xFF; ++octet) {
+    for (std::uint32_t byte = 0; byte <= 0xFF; ++byte) {
         auto after = bits;
         auto after_other = other;
-        after.add(to_byte(octet));
-        after_other.add(to_byte(octet));
+        after.add(to_byte(byte));
+        after_other.add(to_byte(byte));
         count += after.value() != after_other.value() ? 1U : 0U;
     }
     return count;
@@ -76,12 +75,12 @@ std::uint32_t differences(running_crc16<crc_form::bitwise> const& bits,
 template <crc_form Form> std::uint32_t differences_in_every_state()
 {
     std::uint32_t count = 0;
-    for (std::uint32_t two = 0; two <= 0xFFFF; ++two) { // two octets lead to every state
+    for (std::uint32_t two = 0; two <= 0xFFFF; ++two) { // two bytes lead to every state
         running_crc16<crc_form::bitwise> bits;
         running_crc16<Form> other;
-        for (std::uint32_t const octet : {two & 0xFFU, two >> 8U}) {
-            bits.add(to_byte(octet));
-            other.add(to_byte(octet));
+        for (std::uint32_t const byte : {two & 0xFFU, two >> 8U}) {
+            bits.add(to_byte(byte));
+            other.add(to_byte(byte));
         }
         count += differences(bits, other);
     }
@@ -90,23 +89,23 @@ template <crc_form Form> std::uint32_t differences_in_every_state()
 
 } // namespace
 
-TEST_CASE("the forms agree on random octets of every length up to 600") { CHECK(agree_up_to(600)); }
+TEST_CASE("the forms agree on random bytes of every length up to 600") { CHECK(agree_up_to(600)); }
 
-TEST_CASE("the forms agree on octets at any address")
+TEST_CASE("the forms agree on bytes at any address")
 {
     test::random random{12};
-    std::array<std::byte, 96> octets{};
-    random.fill(octets);
+    std::array<std::byte, 96> bytes{};
+    random.fill(bytes);
     for (std::size_t at = 0; at < 16; ++at) {
         for (std::size_t size = 0; size < 80; ++size) {
-            REQUIRE(all_agree(byte_view{octets}.subspan(at, size)));
+            REQUIRE(all_agree(byte_view{bytes}.subspan(at, size)));
         }
     }
 }
 
-TEST_CASE("a growing CRC takes every octet in every state as the bits do")
+TEST_CASE("a growing CRC takes every byte in every state as the bits do")
 {
     CHECK(differences_in_every_state<crc_form::nibble_table>() == 0);
     CHECK(differences_in_every_state<crc_form::byte_table>() == 0);
-    CHECK(differences_in_every_state<crc_form::octet_algebra>() == 0);
+    CHECK(differences_in_every_state<crc_form::byte_algebra>() == 0);
 }

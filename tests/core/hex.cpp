@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Octets as people write them, both ways.
+// Bytes as people write them, both ways.
 #include <rtuwire/core/hex.hpp>
 
 #include <array>
@@ -17,16 +17,16 @@ STATIC_CHECK(""_hex.size() == 0);
 STATIC_CHECK("09 af AF"_hex == std::array{std::byte{0x09}, std::byte{0xAF}, std::byte{0xAF}});
 STATIC_CHECK("FF"_hex[0] == std::byte{0xFF});
 
-std::string shown(byte_view octets, std::size_t room)
+std::string shown(byte_view bytes, std::size_t room)
 {
     std::string text(room, '?');
-    auto const part = to_hex(octets, text);
+    auto const part = to_hex(bytes, text);
     return {part.begin(), part.end()};
 }
 
 } // namespace
 
-TEST_CASE("octets are shown two digits each with a space between")
+TEST_CASE("bytes are shown two digits each with a space between")
 {
     CHECK(shown("02 0C FE"_hex, 8) == "02 0C FE");
     CHECK(shown("02 0C FE"_hex, 100) == "02 0C FE");
@@ -44,7 +44,7 @@ TEST_CASE("what lies behind the text shown stays as it was")
     }
 }
 
-TEST_CASE("octets that do not fit are left out whole")
+TEST_CASE("bytes that do not fit are left out whole")
 {
     CHECK(shown("02 0C FE"_hex, 7) == "02 0C");
     CHECK(shown("02 0C FE"_hex, 4) == "02");

@@ -21,8 +21,7 @@ STATIC_CHECK((-1500_rpm).count() == -1500);
 STATIC_CHECK(std::same_as<decltype(4_kHz)::scale, std::kilo>);
 
 // What each literal is one of, and of what size.
-template <typename Dimension, typename Scale, typename Literal>
-constexpr bool is_one(Literal const& one)
+template <typename Dimension, typename Scale, typename Literal> constexpr bool is_one(Literal const& one)
 {
     return std::same_as<Literal, quantity<Dimension, std::int64_t, Scale>> and one.count() == 1;
 }
@@ -37,8 +36,7 @@ STATIC_CHECK(is_one<dimensionless, std::ratio<1>>(1_raw));
 // Each decimal digit is one, wherever it stands; an apostrophe only parts them.
 STATIC_CHECK((9_Hz).count() == 9 and (19.9_s).count() == 199);
 STATIC_CHECK((1'234'567'890_raw).count() == 1'234'567'890);
-STATIC_CHECK((1'000.25_s).count() == 100'025 and
-             std::same_as<decltype(1'000.25_s)::scale, std::centi>);
+STATIC_CHECK((1'000.25_s).count() == 100'025 and std::same_as<decltype(1'000.25_s)::scale, std::centi>);
 
 // Ten of these steps are a milliampere.
 STATIC_CHECK(truncated_to<tenth_milliamperes>(1_A).count() == 10'000);

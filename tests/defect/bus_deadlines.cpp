@@ -19,14 +19,14 @@ struct steady : asker {
     frame_bytes frame;
 
     explicit steady(unsigned unit) : frame{read_of(unit, 3201)} {}
-    std::optional<request> next() const { return request{frame}; }
+    std::optional<request_frame> next() const { return request_frame{frame}; }
     static void accept(result<response> const&) {}
     static bool settled() { return false; }
 };
 
 /// Not settled, and has nothing to ask.
 struct idle : asker {
-    static std::optional<request> next() { return std::nullopt; }
+    static std::optional<request_frame> next() { return std::nullopt; }
     static void accept(result<response> const&) {}
     static bool settled() { return false; }
 };
@@ -37,34 +37,33 @@ TEST_CASE("the end of a rest is a deadline while a stop of all is not settled")
 {
     bus<1> link{office_line};
     link.set(0, {.least_idle = second});
-    steady talk{1};
+    steady conversation{1};
     idle stop;
     instant now{0xFFFF'0000};
     link.advance(now);
     now = now + second;
     link.advance(now);
-    link.converse(0, talk, now);
+    link.converse(0, conversation, now);
     CHECK(not link.poll_transmit().empty());
     link.sent(now);
     now = now + milliseconds(10);
-    link.receive(answer_to(talk.frame), now);
+    link.receive(response_to(conversation.frame), now);
     link.advance(now);
-    link.converse_first(stop, now);
-    link.converse(0, talk, now);
+    link.run_urgent(stop, now);
+    link.converse(0, conversation, now);
     instant const told = now;
     for (unsigned i = 0; i < 4; ++i) { // the stop has its turn, and nobody is called at once any more
         now = now + milliseconds(100);
         link.advance(now);
-        link.converse_first(stop, now);
-        link.converse(0, talk, now);
+        link.run_urgent(stop, now);
+        link.converse(0, conversation, now);
     }
     CHECK(link.poll_deadline() == deadline{told + second});
 }
 
 TEST_CASE("a slot that never asked holds up no silent unit")
 {
-    bus<2> link{
-        office_line, {.response_timeout = milliseconds(50), .retries = 0}, {.silent_share = 100}};
+    bus<2> link{office_line, {.response_timeout = milliseconds(50), .retries = 0}, {.silent_share = 100}};
     link.set(1, {.longest_gap = second});
     steady dead{1};
     idle other;

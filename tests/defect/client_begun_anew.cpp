@@ -14,10 +14,9 @@ using namespace rtuwire::test;
 
 namespace {
 
-/// Of a unit that says nothing; then it, or where it is one of several all units, is held for a late answer.
+/// Of a unit that says nothing; then it, or where it is one of several all units, is held for a late response.
 constexpr std::uint64_t lost_time = 100'000 + 20'000;
-constexpr client_options once{
-    .response_timeout = milliseconds(100), .late_answer = milliseconds(20), .retries = 0};
+constexpr client_options once{.response_timeout = milliseconds(100), .late_response = milliseconds(20), .retries = 0};
 constexpr std::uint64_t length = 20'000'000;
 
 /// How a conversation that has not ended is begun anew.
@@ -34,28 +33,28 @@ struct company {
 /// One place: its unit is the number of the place, from 1.
 struct place {
     bool is_restless;
-    std::optional<series> talk{};
+    std::optional<series> conversation{};
 
     void fill(unsigned unit)
     {
-        talk.emplace([=](unsigned) { return read_of(unit, 3201); });
-        talk->most = is_restless ? 1 : 0xFFFF'FFFF;
+        conversation.emplace([=](unsigned) { return read_of(unit, 3201); });
+        conversation->most = is_restless ? 1 : 0xFFFF'FFFF;
     }
     void begin_anew(unsigned unit, way how)
     {
         if (how == way::another_in_its_place) {
             fill(unit);
         } else {
-            talk->forget();
-            talk->number = 0;
+            conversation->forget();
+            conversation->number = 0;
         }
     }
 };
 
-void converse(client& link, std::size_t, series& talk, instant now) { link.converse(talk, now); }
-void converse(bus<4>& link, std::size_t index, series& talk, instant now)
+void converse(client& link, std::size_t, series& conversation, instant now) { link.converse(conversation, now); }
+void converse(bus<4>& link, std::size_t index, series& conversation, instant now)
 {
-    link.converse(index, talk, now);
+    link.converse(index, conversation, now);
 }
 
 /// The fewest answers that one of those that last gets.
@@ -69,7 +68,7 @@ template <typename Link> unsigned fewest_answers(company const& of)
     }
     line.heard = [&](frame_bytes const& frame) {
         if (of.answers or not places.at(at(frame, 0) - 1U).is_restless) {
-            line.say(5'000, answer_to(frame));
+            line.say(5'000, response_to(frame));
         }
     };
     line.run(length, [&](instant now) {
@@ -77,18 +76,18 @@ template <typename Link> unsigned fewest_answers(company const& of)
             if (places[i].is_restless) {
                 places[i].begin_anew(static_cast<unsigned>(i + 1), of.how);
             }
-            converse(line.link, i, *places[i].talk, now);
+            converse(line.link, i, *places[i].conversation, now);
         }
     });
     unsigned fewest = 0xFFFF'FFFF;
     for (place const& each : places) {
-        fewest = each.is_restless ? fewest : std::min(fewest, each.talk->answered);
+        fewest = each.is_restless ? fewest : std::min(fewest, each.conversation->answered);
     }
     return fewest;
 }
 
 /// What each of those that last gets at least where nobody is asked twice before everybody was asked once: a
-/// request, its answer and the silences are no 25 ms.
+/// request, its response and the silences are no 25 ms.
 unsigned fair_share(company const& of)
 {
     std::uint64_t round = 0;

@@ -24,19 +24,19 @@ constexpr unsigned few = 2;
 /// A bus whose units from `first_dead` on say nothing; the others answer after 5 ms.
 template <std::size_t Slots> struct office {
     scripted_line<bus<Slots>> line{bus<Slots>{office_line, patient}, office_line};
-    std::vector<series> talks{};
-    std::map<unsigned, unsigned> questions{};
+    std::vector<series> conversations{};
+    std::map<unsigned, unsigned> requests{};
     std::function<bool(unsigned)> is_dead{[](unsigned) { return false; }};
 
     office()
     {
         for (unsigned unit = 1; unit <= Slots; ++unit) {
-            talks.emplace_back([=](unsigned) { return read_of(unit, 3201); });
+            conversations.emplace_back([=](unsigned) { return read_of(unit, 3201); });
         }
         line.heard = [this](frame_bytes const& frame) {
-            ++questions[at(frame, 0)];
+            ++requests[at(frame, 0)];
             if (at(frame, 0) != 0 and not is_dead(at(frame, 0))) {
-                line.say(5'000, answer_to(frame));
+                line.say(5'000, response_to(frame));
             }
         };
     }
@@ -44,7 +44,7 @@ template <std::size_t Slots> struct office {
     void come_by(instant now)
     {
         for (std::size_t i = 0; i < Slots; ++i) {
-            line.link.converse(i, talks[i], now);
+            line.link.converse(i, conversations[i], now);
         }
     }
     void run(std::uint64_t length)
@@ -59,8 +59,7 @@ struct clocked : series {
     instant due;
     bool is_due{false};
 
-    clocked(std::function<frame_bytes(unsigned)> maker, duration every, instant first,
-            unsigned count = 0xFFFF'FFFF)
+    clocked(std::function<frame_bytes(unsigned)> maker, duration every, instant first, unsigned count = 0xFFFF'FFFF)
         : series{std::move(maker), count}, period{every}, due{first}
     {}
     void advance(instant now)
@@ -71,7 +70,7 @@ struct clocked : series {
         }
     }
     deadline poll_deadline() const { return is_due or settled() ? deadline{} : deadline{due}; }
-    std::optional<request> next() { return is_due ? series::next() : std::nullopt; }
+    std::optional<request_frame> next() { return is_due ? series::next() : std::nullopt; }
     void accept(result<response> const& outcome)
     {
         is_due = false;
@@ -87,15 +86,14 @@ template <std::size_t Slots> void probes_all(unsigned first_dead)
     unsigned least = 0xFFFF'FFFF;
     unsigned most = 0;
     for (unsigned unit = first_dead; unit <= Slots; ++unit) {
-        least = std::min(least, it.questions[unit]);
-        most = std::max(most, it.questions[unit]);
+        least = std::min(least, it.requests[unit]);
+        most = std::max(most, it.requests[unit]);
     }
-    INFO(Slots << " slots, dead from unit " << first_dead << " on: " << least << " to " << most
-               << " probes");
+    INFO(Slots << " slots, dead from unit " << first_dead << " on: " << least << " to " << most << " probes");
     CHECK(least > 0);
     CHECK(10 * least >= 8 * most);
     unsigned answered = 0;
-    for (series const& each : it.talks) {
+    for (series const& each : it.conversations) {
         answered += each.answered;
     }
     CHECK(answered > 25'000);
@@ -123,7 +121,7 @@ TEST_CASE("defect: D7 a bus whose units are all silent finds each when it comes 
         is_back = true;
         // Five time-outs of 104 ms at a tenth of the line.
         it.run(6'000'000);
-        CHECK(it.talks[back - 1].answered > 0);
+        CHECK(it.conversations[back - 1].answered > 0);
     }
 }
 
@@ -131,18 +129,18 @@ TEST_CASE("defect: H3 silent units that may not be kept waiting do not wait for 
 {
     office<3> all;
     for (std::size_t slot = 0; slot < 2; ++slot) {
-        all.line.link.set(slot, {.with = {.response_timeout = milliseconds(100), .retries = 1},
-                                 .longest_gap = milliseconds(2'000)});
+        all.line.link.set(
+            slot, {.with = {.response_timeout = milliseconds(100), .retries = 1}, .longest_gap = milliseconds(2'000)});
     }
     std::uint64_t const back = all.line.time() + 60'000'000;
     all.is_dead = [&](unsigned unit) { return unit < 3 and all.line.time() < back; };
     all.run(60'000'000);
-    CHECK(all.questions[1] > 5);
-    CHECK(all.questions[2] > 5);
+    CHECK(all.requests[1] > 5);
+    CHECK(all.requests[2] > 5);
     // They are found within what the share of the silent ones allows: ten time-outs each.
     all.run(30'000'000);
-    CHECK(all.talks[0].answered > 100);
-    CHECK(all.talks[1].answered > 100);
+    CHECK(all.conversations[0].answered > 100);
+    CHECK(all.conversations[1].answered > 100);
 }
 
 TEST_CASE("defect: H5 a silent unit that found no gap is asked when nobody needs one any more")
@@ -154,10 +152,10 @@ TEST_CASE("defect: H5 a silent unit that found no gap is asked when nobody needs
         both.is_dead = [&](unsigned unit) { return unit == silent + 1; };
         both.line.link.set(live, {.with = {.response_timeout = milliseconds(100), .retries = 1},
                                   .longest_gap = milliseconds(200)}); // shorter than a time-out
-        both.talks[live].most = 2'000;
+        both.conversations[live].most = 2'000;
         both.run(60'000'000);
-        CHECK(both.talks[live].answered == 2'000);
-        CHECK(both.questions[static_cast<unsigned>(silent) + 1] > 5);
+        CHECK(both.conversations[live].answered == 2'000);
+        CHECK(both.requests[static_cast<unsigned>(silent) + 1] > 5);
         CHECK(both.line.spinning <= few);
     }
 }
@@ -168,12 +166,12 @@ TEST_CASE("defect: D8 a bus with nothing to do sleeps, whatever slots are in use
         INFO(used << " of 5 slots in use");
         office<5> it;
         it.line.spinning_limit = 10'000;
-        for (series& each : it.talks) {
+        for (series& each : it.conversations) {
             each.most = 3;
         }
         it.line.run(1'000'000, [&](instant now) {
             for (std::size_t i = 0; i < used; ++i) {
-                it.line.link.converse(i, it.talks[i], now);
+                it.line.link.converse(i, it.conversations[i], now);
             }
         });
         CHECK(it.line.spinning <= few);
@@ -182,7 +180,7 @@ TEST_CASE("defect: D8 a bus with nothing to do sleeps, whatever slots are in use
         it.line.restless = 0;
         it.line.run(60'000'000, [&](instant now) {
             for (std::size_t i = 0; i < used; ++i) {
-                it.line.link.converse(i, it.talks[i], now);
+                it.line.link.converse(i, it.conversations[i], now);
             }
         });
         CHECK(it.line.passes - passes <= 1);
@@ -198,30 +196,29 @@ TEST_CASE("defect: D8 a bus whose slots pause, or are silent, sleeps until one o
         INFO(dead << " dead units of 3, 6 slots");
         scripted_line<bus<6>> line{bus<6>{office_line, patient}, office_line};
         line.spinning_limit = 10'000;
-        unsigned questions = 0;
+        unsigned requests = 0;
         line.heard = [&](frame_bytes const& frame) {
-            ++questions;
+            ++requests;
             if (at(frame, 0) > dead) {
-                line.say(5'000, answer_to(frame));
+                line.say(5'000, response_to(frame));
             }
         };
-        std::vector<clocked> talks;
+        std::vector<clocked> conversations;
         for (unsigned unit = 1; unit <= 3; ++unit) {
-            talks.emplace_back([=](unsigned) { return read_of(unit, 3201); }, milliseconds(500),
-                               line.now());
+            conversations.emplace_back([=](unsigned) { return read_of(unit, 3201); }, milliseconds(500), line.now());
         }
         line.run(60'000'000, [&](instant now) {
-            for (std::size_t i = 0; i < talks.size(); ++i) {
-                line.link.converse(i, talks[i], now);
+            for (std::size_t i = 0; i < conversations.size(); ++i) {
+                line.link.converse(i, conversations[i], now);
             }
         });
         CHECK(line.spinning <= few);
-        CHECK(line.restless <= few * questions);
+        CHECK(line.restless <= few * requests);
         for (std::size_t i = dead; i < 3; ++i) {
-            CHECK(talks[i].answered > 100);
+            CHECK(conversations[i].answered > 100);
         }
-        // Each byte that leaves is one pass of this line; beyond them a handful for each question.
-        CHECK(line.passes < questions * (8 + 12) + 200);
+        // Each byte that leaves is one pass of this line; beyond them a handful for each request.
+        CHECK(line.passes < requests * (8 + 12) + 200);
     }
 }
 
@@ -241,8 +238,7 @@ TEST_CASE("defect: D9 a slot that is dropped with its request under way does not
         for (bool const is_replaced : {true, false}) {
             for (std::uint64_t dropped = 0; dropped <= 20'000; dropped += 1'000) {
                 INFO((answers ? "unit answers, " : "unit is dead, ")
-                     << (is_replaced ? "replaced, " : "gone, ") << "dropped after " << dropped
-                     << " us");
+                     << (is_replaced ? "replaced, " : "gone, ") << "dropped after " << dropped << " us");
                 office<3> it;
                 it.is_dead = [&](unsigned unit) { return unit == 1 and not answers; };
                 bool is_dropped = false;
@@ -253,20 +249,20 @@ TEST_CASE("defect: D9 a slot that is dropped with its request under way does not
                         is_dropped = is_dropped or it.line.time() >= it.line.alarm;
                     }
                     if (not is_dropped) {
-                        it.line.link.converse(0, it.talks[0], now);
+                        it.line.link.converse(0, it.conversations[0], now);
                     } else if (is_replaced) {
                         it.line.link.converse(0, another, now);
                     }
-                    it.line.link.converse(1, it.talks[1], now);
-                    it.line.link.converse(2, it.talks[2], now);
+                    it.line.link.converse(1, it.conversations[1], now);
+                    it.line.link.converse(2, it.conversations[2], now);
                 });
                 REQUIRE(is_dropped);
-                CHECK(it.talks[1].answered > 400);
-                CHECK(it.talks[2].answered > 400);
+                CHECK(it.conversations[1].answered > 400);
+                CHECK(it.conversations[2].answered > 400);
                 CHECK(it.line.spinning <= few);
                 if (is_replaced and answers) {
                     CHECK(another.answered > 400);
-                    CHECK(it.talks[0].number <= 1);
+                    CHECK(it.conversations[0].number <= 1);
                 }
             }
         }
@@ -286,14 +282,14 @@ TEST_CASE("defect: D9 the urgent conversation may be dropped with its request un
                 is_dropped = is_dropped or it.line.time() >= it.line.alarm;
             }
             if (not is_dropped) {
-                it.line.link.converse_first(everyone, now);
+                it.line.link.run_urgent(everyone, now);
             }
             it.come_by(now);
         });
         REQUIRE(is_dropped);
         REQUIRE(it.line.departures[0].frame == write_of(0, 8501, 0));
-        CHECK(it.talks[0].answered > 600);
-        CHECK(it.talks[1].answered > 600);
+        CHECK(it.conversations[0].answered > 600);
+        CHECK(it.conversations[1].answered > 600);
     }
 }
 
@@ -303,14 +299,14 @@ TEST_CASE("defect: D10 the urgent conversation's own deadline wakes the bus")
         INFO((others ? "with" : "without") << " conversations that are over");
         office<3> it;
         it.line.spinning_limit = 10'000;
-        for (series& each : it.talks) {
+        for (series& each : it.conversations) {
             each.most = 1;
         }
         std::uint64_t const start = it.line.time();
         clocked urgent{[](unsigned) { return write_of(0, 8501, 0); }, milliseconds(700),
                        it.line.now() + milliseconds(300), 5};
         it.line.run(10'000'000, [&](instant now) {
-            it.line.link.converse_first(urgent, now);
+            it.line.link.run_urgent(urgent, now);
             if (others) {
                 it.come_by(now);
             }

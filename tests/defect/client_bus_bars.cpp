@@ -28,7 +28,7 @@ struct steady : asker {
     unsigned answered{0};
 
     explicit steady(unsigned unit) : frame{read_of(unit, 3201, 10)} {}
-    std::optional<request> next() const { return request{frame}; }
+    std::optional<request_frame> next() const { return request_frame{frame}; }
     void accept(result<response> const& outcome) { answered += outcome ? 1U : 0U; }
     static bool settled() { return false; }
 };
@@ -36,7 +36,7 @@ struct steady : asker {
 /// A line of thirty that only knows frames: no byte of them takes a pass of its own.
 struct hall {
     bus<slots> link{office_line};
-    std::vector<steady> talks{};
+    std::vector<steady> conversations{};
     std::array<std::uint64_t, slots> probes{};
     pattern dead;
     std::uint64_t time{0xFFFF'FFFFU - 5'000'000U};
@@ -44,7 +44,7 @@ struct hall {
     explicit hall(pattern const& of) : dead{of}
     {
         for (unsigned unit = 1; unit <= slots; ++unit) {
-            talks.emplace_back(unit);
+            conversations.emplace_back(unit);
         }
         link.advance(now());
         time += second;
@@ -56,7 +56,7 @@ struct hall {
     {
         link.advance(now());
         for (std::size_t i = 0; i < slots; ++i) {
-            link.converse(i, talks[i], now());
+            link.converse(i, conversations[i], now());
         }
         if (byte_view const frame = link.poll_transmit(); not frame.empty()) {
             frame_bytes const asked{frame.begin(), frame.end()};
@@ -65,15 +65,14 @@ struct hall {
             std::size_t const index = at(asked, 0) - 1U;
             ++probes[index];
             if (not dead[index]) {
-                frame_bytes const said = answer_to(asked);
+                frame_bytes const said = response_to(asked);
                 time += 5'000 + office_line.characters(said.size()).microseconds;
                 link.receive(said, now());
             }
             return;
         }
         deadline const next = link.poll_deadline();
-        std::int64_t const left =
-            next ? static_cast<std::int32_t>(next->microseconds - now().microseconds) : 1'000'000;
+        std::int64_t const left = next ? static_cast<std::int32_t>(next->microseconds - now().microseconds) : 1'000'000;
         time += static_cast<std::uint64_t>(std::max<std::int64_t>(left, 1));
         time = std::min(time, end);
     }
@@ -87,7 +86,7 @@ struct hall {
     unsigned answered() const
     {
         unsigned all = 0;
-        for (steady const& each : talks) {
+        for (steady const& each : conversations) {
             all += each.answered;
         }
         return all;
@@ -137,7 +136,7 @@ figures hour_of(pattern const& dead, double all_alive)
     return found;
 }
 
-/// The time that one silent question takes: its time-out and its longest response.
+/// The time that one silent request takes: its time-out and its longest response.
 std::uint64_t time_out() { return 1'000'000 + office_line.characters(25).microseconds; }
 
 /// How long a unit that comes back at the worst of several moments of a round is not found.
@@ -147,7 +146,7 @@ std::uint64_t found_after(pattern const& dead, std::size_t which, std::uint64_t 
     it.run(900 * second + moment);
     it.dead[which] = false;
     std::uint64_t const start = it.time;
-    while (it.talks[which].answered == 0 and it.time < start + hour) {
+    while (it.conversations[which].answered == 0 and it.time < start + hour) {
         it.pass(start + hour);
     }
     return it.time - start;
@@ -170,16 +169,15 @@ TEST_CASE("defect: D7 in an hour of thirty units each dead one is probed within 
           "nine tenths")
 {
     double const all_alive = answers_of_all_alive();
-    for (std::size_t const count :
-         {std::size_t{1}, std::size_t{5}, std::size_t{15}, std::size_t{29}}) {
+    for (std::size_t const count : {std::size_t{1}, std::size_t{5}, std::size_t{15}, std::size_t{29}}) {
         for (pattern const& dead : patterns_of(count)) {
             std::string places;
             for (bool const each : dead) {
                 places += each ? 'x' : '.';
             }
             figures const found = hour_of(dead, all_alive);
-            INFO(places << " probes " << found.least << " to " << found.most
-                        << " of the mean, live rate " << found.rate);
+            INFO(places << " probes " << found.least << " to " << found.most << " of the mean, live rate "
+                        << found.rate);
             CHECK(found.least >= 0.8);
             CHECK(found.most <= 1.2);
             // The last time-out of the hour is paid behind it.
@@ -191,16 +189,14 @@ TEST_CASE("defect: D7 in an hour of thirty units each dead one is probed within 
 TEST_CASE("defect: D7 a unit that comes back is found within one round of the silent ones")
 {
     constexpr std::uint64_t share = 10;
-    for (std::size_t const count :
-         {std::size_t{1}, std::size_t{5}, std::size_t{15}, std::size_t{29}}) {
+    for (std::size_t const count : {std::size_t{1}, std::size_t{5}, std::size_t{15}, std::size_t{29}}) {
         std::uint64_t const round = count * time_out() * 100 / share;
         for (pattern const& dead : patterns_of(count)) {
             std::uint64_t longest = 0;
             for (std::size_t which = 0; which < slots; ++which) {
                 bool const is_tried = count <= 5 or which % 4 == 0;
                 if (dead[which] and is_tried) {
-                    longest =
-                        std::max(longest, found_after(dead, which, which * 7'777'777 % round));
+                    longest = std::max(longest, found_after(dead, which, which * 7'777'777 % round));
                 }
             }
             INFO(count << " silent, found after " << longest << " us, round " << round << " us");

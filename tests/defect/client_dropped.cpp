@@ -21,9 +21,9 @@ struct careful : asker {
     std::vector<errc> told{};
 
     explicit careful(unsigned unit) : frame{write_of(unit, 8602, 500)} {}
-    std::optional<request> next() const
+    std::optional<request_frame> next() const
     {
-        return settled() ? std::nullopt : std::optional{request{frame, repetition::never}};
+        return settled() ? std::nullopt : std::optional{request_frame{frame, repetition::never}};
     }
     void accept(result<response> const& outcome) { told.push_back(outcome.error()); }
     bool settled() const { return not told.empty(); }
@@ -34,20 +34,21 @@ struct urgent_bus : bus<2> {
     using bus<2>::bus;
 };
 
-template <typename Talk> void converse(client& link, std::size_t, Talk& talk, instant now)
+template <typename Conversation> void converse(client& link, std::size_t, Conversation& conversation, instant now)
 {
-    link.converse(talk, now);
+    link.converse(conversation, now);
 }
-template <typename Talk> void converse(bus<2>& link, std::size_t index, Talk& talk, instant now)
+template <typename Conversation> void converse(bus<2>& link, std::size_t index, Conversation& conversation, instant now)
 {
-    link.converse(index, talk, now);
+    link.converse(index, conversation, now);
 }
-template <typename Talk> void converse(urgent_bus& link, std::size_t index, Talk& talk, instant now)
+template <typename Conversation>
+void converse(urgent_bus& link, std::size_t index, Conversation& conversation, instant now)
 {
     if (index == 0) {
-        link.converse_first(talk, now);
+        link.run_urgent(conversation, now);
     } else {
-        link.converse(index, talk, now);
+        link.converse(index, conversation, now);
     }
 }
 
@@ -61,11 +62,11 @@ struct life {
 template <typename Link> life away_after(std::uint64_t stays, bool answers, bool is_busy_line)
 {
     scripted_line<Link> line{Link{office_line, once}, office_line};
-    careful talk{1};
+    careful conversation{1};
     series other{[](unsigned) { return read_of(2, 3201); }};
     line.heard = [&](frame_bytes const& frame) {
         if (answers or at(frame, 0) != 1) {
-            line.say(5'000, answer_to(frame));
+            line.say(5'000, response_to(frame));
         }
     };
     if (is_busy_line) {
@@ -75,22 +76,21 @@ template <typename Link> life away_after(std::uint64_t stays, bool answers, bool
     line.alarm = start + 1'000'000;
     line.run(2'000'000, [&](instant now) {
         if (line.time() <= start + stays or line.time() >= line.alarm) {
-            converse(line.link, 0, talk, now);
+            converse(line.link, 0, conversation, now);
         }
         if (line.time() > start + stays) {
             converse(line.link, 1, other, now);
         }
     });
-    auto const sent =
-        std::count_if(line.departures.begin(), line.departures.end(),
-                      [&](departure const& each) { return each.frame == talk.frame; });
-    return {talk.told, sent, other.answered};
+    auto const sent = std::count_if(line.departures.begin(), line.departures.end(),
+                                    [&](departure const& each) { return each.frame == conversation.frame; });
+    return {conversation.told, sent, other.answered};
 }
 
 template <typename Link> void is_told_once()
 {
     for (bool const answers : {true, false}) {
-        // Away before the answer, or the time-out, is there.
+        // Away before the response, or the time-out, is there.
         for (std::uint64_t stays = 0; stays <= 12'000; stays += 1'000) {
             INFO((answers ? "answered" : "not answered") << ", away after " << stays << " us");
             life const found = away_after<Link>(stays, answers, false);
@@ -121,20 +121,17 @@ TEST_CASE("defect: A2 a bus tells an asker that was away that its request was dr
     is_told_once<bus<2>>();
 }
 
-TEST_CASE("defect: A2 a bus tells its urgent conversation that was away the same")
-{
-    is_told_once<urgent_bus>();
-}
+TEST_CASE("defect: A2 a bus tells its urgent conversation that was away the same") { is_told_once<urgent_bus>(); }
 
 TEST_CASE("defect: A2 an asker that was away while nobody else came by gets its outcome")
 {
     scripted_line<client> line{client{office_line, once}, office_line};
-    careful talk{1};
-    line.heard = [&](frame_bytes const& frame) { line.say(5'000, answer_to(frame)); };
-    line.run(2'000, [&](instant now) { line.link.converse(talk, now); });
+    careful conversation{1};
+    line.heard = [&](frame_bytes const& frame) { line.say(5'000, response_to(frame)); };
+    line.run(2'000, [&](instant now) { line.link.converse(conversation, now); });
     line.run(1'000'000, [](instant) {});
-    line.run(2'000, [&](instant now) { line.link.converse(talk, now); });
-    CHECK(talk.told == std::vector{errc::none});
+    line.run(2'000, [&](instant now) { line.link.converse(conversation, now); });
+    CHECK(conversation.told == std::vector{errc::none});
     CHECK(line.departures.size() == 1);
 }
 
@@ -144,9 +141,9 @@ namespace {
 template <typename Link> life comes_back_alone(bool is_busy_line)
 {
     scripted_line<Link> line{Link{office_line, once}, office_line};
-    careful talk{1};
+    careful conversation{1};
     series other{[](unsigned) { return read_of(2, 3201); }};
-    line.heard = [&](frame_bytes const& frame) { line.say(5'000, answer_to(frame)); };
+    line.heard = [&](frame_bytes const& frame) { line.say(5'000, response_to(frame)); };
     if (is_busy_line) {
         line.link.receive(frame_bytes{std::byte{0x55}}, line.now());
     }
@@ -154,17 +151,16 @@ template <typename Link> life comes_back_alone(bool is_busy_line)
     bool is_dropped = false;
     line.run(1'000'000, [&](instant now) {
         if (not has_asked or is_dropped) {
-            converse(line.link, 0, talk, now);
+            converse(line.link, 0, conversation, now);
             has_asked = true;
         } else {
             converse(line.link, 1, other, now);
             is_dropped = not line.link.is_busy() or other.number > 0;
         }
     });
-    auto const sent =
-        std::count_if(line.departures.begin(), line.departures.end(),
-                      [&](departure const& each) { return each.frame == talk.frame; });
-    return {talk.told, sent, other.number};
+    auto const sent = std::count_if(line.departures.begin(), line.departures.end(),
+                                    [&](departure const& each) { return each.frame == conversation.frame; });
+    return {conversation.told, sent, other.number};
 }
 
 } // namespace
@@ -184,7 +180,7 @@ TEST_CASE("defect: H1 who is told that its request was dropped asks again, also 
     scripted_line<client> line{client{office_line, once}, office_line};
     series away{[](unsigned number) { return read_of(1, 3201 + number); }, 2};
     series other{[](unsigned) { return read_of(2, 3201); }, 1};
-    line.heard = [&](frame_bytes const& frame) { line.say(5'000, answer_to(frame)); };
+    line.heard = [&](frame_bytes const& frame) { line.say(5'000, response_to(frame)); };
     line.run(2'000, [&](instant now) { line.link.converse(away, now); });
     line.run(1'000'000, [&](instant now) {
         if (line.departures.size() < 2) {
@@ -198,7 +194,7 @@ TEST_CASE("defect: H1 who is told that its request was dropped asks again, also 
         line.link.converse(other, now);
     });
     CHECK(other.answered == 1);
-    CHECK(away.number == 2); // cancelled, and an answer
+    CHECK(away.number == 2); // cancelled, and a response
     CHECK(away.answered == 1);
     CHECK(line.spinning <= 3);
 }
@@ -215,7 +211,7 @@ TEST_CASE("defect: H2 a client that is set up anew in its place gives nobody the
     line.link.converse(before, line.now());
     line.link = client{office_line, once};
     line.link.advance(line.now());
-    line.heard = [&](frame_bytes const& frame) { line.say(5'000, answer_to(frame)); };
+    line.heard = [&](frame_bytes const& frame) { line.say(5'000, response_to(frame)); };
     line.run(1'000'000, [&](instant now) {
         line.link.converse(after, now);
         line.link.converse(before, now);

@@ -5,7 +5,7 @@
 
 #include "support/catch.hpp"
 
-#include <rtuwire/client/echo_probe.hpp>
+#include <rtuwire/client/line_echo_probe.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::test;
@@ -16,35 +16,34 @@ constexpr client_options once{.response_timeout = milliseconds(100), .retries = 
 
 using wire = scripted_line<client>;
 
-/// From the handing over of a frame on: when the whole of it comes back, and when its answer has arrived.
+/// From the handing over of a frame on: when the whole of it comes back, and when its response has arrived.
 struct course {
-    bool has_echo;
+    bool has_line_echo;
     std::uint64_t echo_after;
-    std::uint64_t answer_after; ///< 0 where the unit is gone
+    std::uint64_t response_after; ///< 0 where the unit is gone
 };
 
 /// Runs a conversation of one request on such a line. The echo comes in two parts where `split` is not 0.
-template <typename Talk>
-void run_on(wire& line, Talk& talk, course const& what, std::size_t split = 0)
+template <typename Conversation>
+void run_on(wire& line, Conversation& conversation, course const& what, std::size_t split = 0)
 {
     bool is_said = false;
     line.run(2'000'000, [&](instant now) {
-        line.link.converse(talk, now);
+        line.link.converse(conversation, now);
         if (is_said or line.departures.empty()) {
             return;
         }
         is_said = true;
         departure const& frame = line.departures.front();
-        if (what.has_echo) {
+        if (what.has_line_echo) {
             auto const middle = frame.frame.begin() + static_cast<std::ptrdiff_t>(split);
             if (split != 0) {
-                line.arrive(frame.begin + line.length_of(split) + 10,
-                            {frame.frame.begin(), middle});
+                line.arrive(frame.begin + line.length_of(split) + 10, {frame.frame.begin(), middle});
             }
             line.arrive(frame.begin + what.echo_after, {middle, frame.frame.end()});
         }
-        if (what.answer_after != 0) {
-            line.arrive(frame.begin + what.answer_after, answer_to(frame.frame));
+        if (what.response_after != 0) {
+            line.arrive(frame.begin + what.response_after, response_to(frame.frame));
         }
     });
     REQUIRE(is_said);
@@ -65,11 +64,11 @@ series one(frame_bytes const& frame)
 TEST_CASE("defect: D2 the probe finds an echo that comes while the request leaves or behind it")
 {
     for (std::uint64_t const echo_after : {std::uint64_t{4'000}, while_sending, behind_it}) {
-        for (std::uint64_t const answer_after : {std::uint64_t{0}, answered}) {
-            INFO("echo after " << echo_after << " us, answer after " << answer_after << " us");
+        for (std::uint64_t const response_after : {std::uint64_t{0}, answered}) {
+            INFO("echo after " << echo_after << " us, answer after " << response_after << " us");
             wire line{client{office_line, once}, office_line};
-            echo_probe probe{unit_id{1}};
-            run_on(line, probe, {true, echo_after, answer_after});
+            line_echo_probe probe{unit_id{1}};
+            run_on(line, probe, {true, echo_after, response_after});
             REQUIRE(probe.settled());
             REQUIRE(probe.outcome());
             CHECK(*probe.outcome());
@@ -80,19 +79,18 @@ TEST_CASE("defect: D2 the probe finds an echo that comes while the request leave
 TEST_CASE("defect: D2 the probe finds no echo where there is none")
 {
     wire line{client{office_line, once}, office_line};
-    echo_probe probe{unit_id{1}};
+    line_echo_probe probe{unit_id{1}};
     run_on(line, probe, {false, 0, answered});
     REQUIRE(probe.settled());
     REQUIRE(probe.outcome());
     CHECK_FALSE(*probe.outcome());
     wire dead{client{office_line, once}, office_line};
-    echo_probe nobody{unit_id{1}};
+    line_echo_probe nobody{unit_id{1}};
     run_on(dead, nobody, {false, 0, 0});
     CHECK(nobody.outcome().error() == errc::timed_out);
 }
 
-TEST_CASE(
-    "defect: D2 the echo of a write that comes while it leaves is no success, wherever it is cut")
+TEST_CASE("defect: D2 the echo of a write that comes while it leaves is no success, wherever it is cut")
 {
     frame_bytes const write = write_of(1, 8501, 7);
     for (std::size_t split = 0; split < 8; ++split) {
@@ -102,12 +100,12 @@ TEST_CASE(
             }
             INFO("first part " << split << " bytes, rest after " << echo_after << " us");
             wire line{client{office_line, once}, office_line};
-            series talk = one(write);
-            run_on(line, talk, {true, echo_after, 0}, split);
-            CHECK(talk.number == 1);
-            CHECK(talk.answered == 0);
+            series conversation = one(write);
+            run_on(line, conversation, {true, echo_after, 0}, split);
+            CHECK(conversation.number == 1);
+            CHECK(conversation.answered == 0);
             if (echo_after == while_sending) {
-                CHECK(talk.last == errc::echoed);
+                CHECK(conversation.last == errc::line_echo);
             }
         }
     }
@@ -116,17 +114,17 @@ TEST_CASE(
 TEST_CASE("defect: D2 a write without echo is confirmed by its response alone")
 {
     wire line{client{office_line, once}, office_line};
-    series talk = one(write_of(1, 8501, 7));
-    run_on(line, talk, {false, 0, answered});
-    CHECK(talk.number == 1);
-    CHECK(talk.answered == 1);
+    series conversation = one(write_of(1, 8501, 7));
+    run_on(line, conversation, {false, 0, answered});
+    CHECK(conversation.number == 1);
+    CHECK(conversation.answered == 1);
 }
 
 TEST_CASE("defect: D2 once the probe has found an echo, the line is run with it and a dead unit "
           "stays dead")
 {
     client_options with = once;
-    with.has_echo = true;
+    with.has_line_echo = true;
     for (std::uint64_t const echo_after : {while_sending, behind_it}) {
         wire dead{client{office_line, with}, office_line};
         series stop = one(write_of(1, 8501, 7));

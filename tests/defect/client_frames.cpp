@@ -23,28 +23,26 @@ struct feeding {
     std::size_t lump;
     line_timing timing;
 };
-std::array<feeding, 6> const feedings{feeding{1, office_line},   feeding{3, office_line},
-                                      feeding{256, office_line}, feeding{1, adapter},
-                                      feeding{16, adapter},      feeding{256, adapter}};
+std::array<feeding, 6> const feedings{feeding{1, office_line}, feeding{3, office_line}, feeding{256, office_line},
+                                      feeding{1, adapter},     feeding{16, adapter},    feeding{256, adapter}};
 
 /// What came of a request where the unit says this, in lumps of so many bytes, and then falls silent.
 series asked(frame_bytes const& request, frame_bytes const& said, feeding const& how)
 {
     line_timing const& timing = how.timing;
     scripted_line<host_client> line{host_client{timing, once}, timing};
-    series talk{[&](unsigned) { return request; }, 1};
+    series conversation{[&](unsigned) { return request; }, 1};
     line.heard = [&, lump = how.lump](frame_bytes const&) {
         std::uint64_t const begin = line.time() + 5'000;
         for (std::size_t i = 0; i < said.size(); i += lump) {
             std::size_t const end = std::min(i + lump, said.size());
-            line.arrive(begin + line.length_of(end),
-                        {said.begin() + static_cast<std::ptrdiff_t>(i),
-                         said.begin() + static_cast<std::ptrdiff_t>(end)});
+            line.arrive(begin + line.length_of(end), {said.begin() + static_cast<std::ptrdiff_t>(i),
+                                                      said.begin() + static_cast<std::ptrdiff_t>(end)});
         }
     };
-    line.run(1'000'000, [&](instant now) { line.link.converse(talk, now); });
-    talk.make = {};
-    return talk;
+    line.run(1'000'000, [&](instant now) { line.link.converse(conversation, now); });
+    conversation.make = {};
+    return conversation;
 }
 
 /// A response of function 04 with so many bytes of data, right to its end, whose first `cut` bytes have a right CRC.
@@ -73,10 +71,10 @@ TEST_CASE("defect: D4 a response of a raw function that is cut short by silence 
     REQUIRE(crc16(cut) == 0);
     for (feeding const& how : feedings) {
         INFO("in lumps of " << how.lump);
-        series const talk = asked(request, cut, how);
-        CHECK(talk.number == 1);
-        CHECK(talk.answered == 0);
-        CHECK(talk.last == errc::wrong_length);
+        series const conversation = asked(request, cut, how);
+        CHECK(conversation.number == 1);
+        CHECK(conversation.answered == 0);
+        CHECK(conversation.last == errc::wrong_length);
         CHECK(asked(request, whole, how).answered == 1);
     }
 }
@@ -96,8 +94,7 @@ TEST_CASE("defect: D4 a response without its last byte has no value though its C
     }
 }
 
-TEST_CASE(
-    "defect: D4 a response longer than its own byte count has no value though its CRC is right")
+TEST_CASE("defect: D4 a response longer than its own byte count has no value though its CRC is right")
 {
     frame_bytes const request = framed({1, 4, 0, 0, 0, 6});
     std::vector<unsigned> content{1, 4, 12};
@@ -118,18 +115,18 @@ TEST_CASE("defect: D15 a response that only silence ends has its whole time on a
     for (std::uint64_t begin = 5'000; begin < 100'000; begin += 5'000) {
         INFO("it begins after " << begin << " us");
         scripted_line<host_client> line{host_client{adapter, once}, adapter};
-        series talk{[&](unsigned) { return request; }, 1};
+        series conversation{[&](unsigned) { return request; }, 1};
         line.heard = [&](frame_bytes const& frame) { line.say(begin, frame); };
-        line.run(1'000'000, [&](instant now) { line.link.converse(talk, now); });
-        CHECK(talk.answered == 1);
+        line.run(1'000'000, [&](instant now) { line.link.converse(conversation, now); });
+        CHECK(conversation.answered == 1);
     }
     // And one that never begins is given up within the same time and the silence.
     scripted_line<host_client> line{host_client{adapter, once}, adapter};
     std::uint64_t over = 0;
-    series talk{[&](unsigned) { return request; }, 1};
-    talk.took = [&](unsigned, result<response> const&) { over = line.time(); };
-    line.run(1'000'000, [&](instant now) { line.link.converse(talk, now); });
-    CHECK(talk.last == errc::timed_out);
+    series conversation{[&](unsigned) { return request; }, 1};
+    conversation.took = [&](unsigned, result<response> const&) { over = line.time(); };
+    line.run(1'000'000, [&](instant now) { line.link.converse(conversation, now); });
+    CHECK(conversation.last == errc::timed_out);
     std::uint64_t const taken = over - line.departures.at(0).end;
     CHECK(taken >= 150'000);
     CHECK(taken <= 155'000);
@@ -139,17 +136,14 @@ namespace {
 
 using counting = basic_client<unit_statistics<2>>;
 
-unsigned count_of(counters const* row, line_event what)
-{
-    return row == nullptr ? 0 : (*row)[what];
-}
+unsigned count_of(counters const* row, line_event what) { return row == nullptr ? 0 : (*row)[what]; }
 
 } // namespace
 
 TEST_CASE("defect: D17 noise takes no unit's row")
 {
     scripted_line<counting> line{counting{office_line, once}, office_line};
-    line.heard = [&](frame_bytes const& frame) { line.say(5'000, answer_to(frame)); };
+    line.heard = [&](frame_bytes const& frame) { line.say(5'000, response_to(frame)); };
     for (unsigned noise : {0x37U, 0x51U, 0x63U, 0x75U}) {
         line.say(1'000, {static_cast<std::byte>(noise)});
         line.run(20'000, [](instant) {});
@@ -169,9 +163,9 @@ TEST_CASE("defect: D17 noise during a quarantine is late of nobody, and a late a
     for (unsigned const noise : {0xFFU, 0xF8U, 0x00U, 0x37U}) {
         INFO("noise " << noise);
         scripted_line<counting> line{counting{office_line, once}, office_line};
-        series talk{[](unsigned) { return read_of(1, 3201); }, 1};
-        line.run(110'000, [&](instant now) { line.link.converse(talk, now); });
-        REQUIRE(talk.last == errc::timed_out);
+        series conversation{[](unsigned) { return read_of(1, 3201); }, 1};
+        line.run(110'000, [&](instant now) { line.link.converse(conversation, now); });
+        REQUIRE(conversation.last == errc::timed_out);
         line.say(1'000, {static_cast<std::byte>(noise)});
         line.run(20'000, [](instant) {});
         CHECK(line.link.statistics().line()[line_event::late] == 0);
@@ -180,9 +174,9 @@ TEST_CASE("defect: D17 noise during a quarantine is late of nobody, and a late a
     }
     for (bool const is_whole : {true, false}) {
         scripted_line<counting> line{counting{office_line, once}, office_line};
-        series talk{[](unsigned) { return read_of(1, 3201); }, 1};
-        line.run(110'000, [&](instant now) { line.link.converse(talk, now); });
-        frame_bytes const late = answer_to(read_of(1, 3201));
+        series conversation{[](unsigned) { return read_of(1, 3201); }, 1};
+        line.run(110'000, [&](instant now) { line.link.converse(conversation, now); });
+        frame_bytes const late = response_to(read_of(1, 3201));
         REQUIRE(late.size() == 7);
         if (is_whole) {
             line.say(1'000, late);
@@ -204,12 +198,12 @@ TEST_CASE("defect: (f) a clock that steps back by a microsecond ends no frame")
         for (bool const in_advance : {false, true}) {
             INFO("before byte " << back_at << (in_advance ? " by advance" : ""));
             scripted_line<client> line{client{office_line, once}, office_line};
-            series talk{[](unsigned) { return read_of(1, 3201); }, 1};
-            line.run(2'000, [&](instant now) { line.link.converse(talk, now); });
+            series conversation{[](unsigned) { return read_of(1, 3201); }, 1};
+            line.run(2'000, [&](instant now) { line.link.converse(conversation, now); });
             REQUIRE(line.departures.size() == 1);
             instant now{static_cast<std::uint32_t>(line.departures[0].end)};
             line.link.sent(now);
-            frame_bytes const said = answer_to(read_of(1, 3201));
+            frame_bytes const said = response_to(read_of(1, 3201));
             now = now + milliseconds(5);
             for (std::size_t i = 0; i < said.size(); ++i) {
                 now = i == back_at ? now - microseconds(1)
@@ -220,8 +214,8 @@ TEST_CASE("defect: (f) a clock that steps back by a microsecond ends no frame")
                 line.link.receive(byte_view{said}.subspan(i, 1), now);
                 line.link.advance(now);
             }
-            line.link.converse(talk, now);
-            CHECK(talk.answered == 1);
+            line.link.converse(conversation, now);
+            CHECK(conversation.answered == 1);
         }
     }
 }

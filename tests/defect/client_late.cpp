@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// An answer that comes after its time is never taken for the answer to another request. Each answer carries the
+// A response that comes after its time is never taken for the response to another request. Each answer carries the
 // number of the request that it belongs to, outside of its bytes; the test holds it against the number of the
 // request whose outcome the client says it is.
 #include "client_line.hpp"
@@ -51,18 +51,18 @@ tally of_client(unsigned function, std::uint64_t latency)
     scripted_line<client> line{client{office_line}, office_line};
     slow_unit unit{latency};
     tally found;
-    series talk{[&](unsigned number) { return request_of(function, 1, number); }, 10};
+    series conversation{[&](unsigned number) { return request_of(function, 1, number); }, 10};
     line.heard = [&](frame_bytes const& frame) {
-        frame_bytes const answer = answer_to(frame);
-        line.arrive(unit.answers_at(line.time()) + line.length_of(answer.size()), answer,
-                    static_cast<int>(talk.number));
+        frame_bytes const response = response_to(frame);
+        line.arrive(unit.answers_at(line.time()) + line.length_of(response.size()), response,
+                    static_cast<int>(conversation.number));
     };
-    talk.took = [&](unsigned number, result<response> const& outcome) {
+    conversation.took = [&](unsigned number, result<response> const& outcome) {
         ++found.asked;
         found.answered += outcome ? 1U : 0U;
         found.wrong += outcome and line.last_tag != static_cast<int>(number) ? 1U : 0U;
     };
-    line.run(200'000'000, [&](instant now) { line.link.converse(talk, now); });
+    line.run(200'000'000, [&](instant now) { line.link.converse(conversation, now); });
     return found;
 }
 
@@ -72,33 +72,33 @@ tally of_bus(unsigned function, std::uint64_t latency, unsigned& others)
     scripted_line<bus<2>> line{bus<2>{office_line}, office_line};
     slow_unit unit{latency};
     tally found;
-    series talk{[&](unsigned number) { return request_of(function, 1, number); }, 6};
+    series conversation{[&](unsigned number) { return request_of(function, 1, number); }, 6};
     series other{[&](unsigned number) { return read_of(2, 100 + number % 5U); }};
     line.heard = [&](frame_bytes const& frame) {
-        frame_bytes const answer = answer_to(frame);
+        frame_bytes const response = response_to(frame);
         bool const is_slow = at(frame, 0) == 1;
         std::uint64_t const begin = is_slow ? unit.answers_at(line.time()) : line.time() + 5'000;
-        line.arrive(begin + line.length_of(answer.size()), answer,
-                    static_cast<int>(is_slow ? talk.number : other.number));
+        line.arrive(begin + line.length_of(response.size()), response,
+                    static_cast<int>(is_slow ? conversation.number : other.number));
     };
     auto const judge = [&](unsigned number, result<response> const& outcome) {
         found.wrong += outcome and line.last_tag != static_cast<int>(number) ? 1U : 0U;
     };
-    talk.took = [&](unsigned number, result<response> const& outcome) {
+    conversation.took = [&](unsigned number, result<response> const& outcome) {
         ++found.asked;
         found.answered += outcome ? 1U : 0U;
         judge(number, outcome);
     };
     other.took = judge;
     line.run(60'000'000, [&](instant now) {
-        line.link.converse(0, talk, now);
+        line.link.converse(0, conversation, now);
         line.link.converse(1, other, now);
     });
     others = other.answered;
     return found;
 }
 
-/// An answer that comes while its repetition leaves is lost on two wires.
+/// A response that comes while its repetition leaves is lost on two wires.
 bool is_lost(std::uint64_t latency) { return latency < 1'020; }
 
 } // namespace
@@ -141,15 +141,16 @@ TEST_CASE("defect: D1 the same on a bus, where another unit is asked all the tim
 
 TEST_CASE("defect: D1 a late answer of another unit, damaged so that it seems to be of this one, pays for nothing")
 {
-    client_options const options{.response_timeout = milliseconds(500), .late_answer = milliseconds(100), .retries = 1};
+    client_options const options{
+        .response_timeout = milliseconds(500), .late_response = milliseconds(100), .retries = 1};
     scripted_line<client> line{client{office_line, options}, office_line};
     slow_unit unit{400'000};
-    frame_bytes late = answer_to(read_of(3, 3201, 2));
+    frame_bytes late = response_to(read_of(3, 3201, 2));
     late[0] = std::byte{2};
     unsigned wrong = 0;
     series off{[](unsigned) { return read_of(3, 3201, 2); }, 1};
-    series talk{[](unsigned number) { return read_of(2, 100 + number); }, 4};
-    talk.took = [&](unsigned number, result<response> const& outcome) {
+    series conversation{[](unsigned number) { return read_of(2, 100 + number); }, 4};
+    conversation.took = [&](unsigned number, result<response> const& outcome) {
         wrong += outcome and line.last_tag != static_cast<int>(number) ? 1U : 0U;
     };
     line.heard = [&](frame_bytes const& frame) {
@@ -159,19 +160,19 @@ TEST_CASE("defect: D1 a late answer of another unit, damaged so that it seems to
         if (line.departures.size() == 2) {
             line.say(3'000, late);
         }
-        frame_bytes const answer = answer_to(frame);
-        line.arrive(unit.answers_at(line.time()) + line.length_of(answer.size()), answer,
-                    static_cast<int>(talk.number));
+        frame_bytes const response = response_to(frame);
+        line.arrive(unit.answers_at(line.time()) + line.length_of(response.size()), response,
+                    static_cast<int>(conversation.number));
     };
-    patience const once{.response_timeout = milliseconds(500), .retries = 0};
+    retry_policy const once{.response_timeout = milliseconds(500), .retries = 0};
     line.run(10'000'000, [&](instant now) {
         line.link.converse(off, now, once);
         if (off.settled()) {
-            line.link.converse(talk, now);
+            line.link.converse(conversation, now);
         }
     });
     CHECK(off.last == errc::timed_out);
-    CHECK(talk.number == 4);
-    CHECK(talk.answered >= 3);
+    CHECK(conversation.number == 4);
+    CHECK(conversation.answered >= 3);
     CHECK(wrong == 0);
 }

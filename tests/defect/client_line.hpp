@@ -29,10 +29,7 @@ inline frame_bytes framed(std::vector<unsigned> const& content)
     return frame;
 }
 
-inline unsigned at(frame_bytes const& frame, std::size_t place)
-{
-    return static_cast<unsigned>(frame.at(place));
-}
+inline unsigned at(frame_bytes const& frame, std::size_t place) { return static_cast<unsigned>(frame.at(place)); }
 
 inline unsigned word_at(frame_bytes const& frame, std::size_t place)
 {
@@ -52,7 +49,7 @@ inline frame_bytes write_of(unsigned unit, unsigned address, unsigned value)
 }
 
 /// What an obedient unit says to a request of functions 03, 06, 16, 22 or 23. Each register holds its address.
-inline frame_bytes answer_to(frame_bytes const& asked)
+inline frame_bytes response_to(frame_bytes const& asked)
 {
     std::vector<unsigned> said{at(asked, 0), at(asked, 1)};
     bool const reads = said[1] == 3 or said[1] == 23;
@@ -84,13 +81,13 @@ struct series : asker {
         : make{std::move(maker)}, most{count}
     {}
 
-    std::optional<request> next()
+    std::optional<request_frame> next()
     {
         if (settled()) {
             return std::nullopt;
         }
         frame = make(number);
-        return request{frame};
+        return request_frame{frame};
     }
     void accept(result<response> const& outcome)
     {
@@ -137,8 +134,7 @@ public:
     /// How many in a row end a run.
     unsigned spinning_limit{1'000'000};
 
-    explicit scripted_line(Link const& made, line_timing const& timing)
-        : link{made}, timing_{timing}
+    explicit scripted_line(Link const& made, line_timing const& timing) : link{made}, timing_{timing}
     {
         link.advance(now());
         time_ += 1'000'000;
@@ -147,16 +143,13 @@ public:
 
     std::uint64_t time() const { return time_; }
     instant now() const { return instant{static_cast<std::uint32_t>(time_)}; }
-    std::uint64_t length_of(std::size_t bytes) const
-    {
-        return timing_.characters(bytes).microseconds;
-    }
+    std::uint64_t length_of(std::size_t bytes) const { return timing_.characters(bytes).microseconds; }
 
     /// Bytes that have arrived whole at this time; `tag` then tells whose they were. None: a byte arrived damaged.
     void arrive(std::uint64_t when, frame_bytes const& bytes, int tag = -1)
     {
-        auto const place = std::find_if(arrivals_.begin(), arrivals_.end(),
-                                        [&](arrival const& each) { return each.when > when; });
+        auto const place =
+            std::find_if(arrivals_.begin(), arrivals_.end(), [&](arrival const& each) { return each.when > when; });
         arrivals_.insert(place, {when, bytes, tag});
     }
     /// Bytes whose first one begins this many microseconds from here.
@@ -196,8 +189,7 @@ public:
             overtaken += is_sending() ? 1U : 0U;
             memory_ = frame;
             read_ = 0;
-            departures.push_back(
-                {time_, time_ + length_of(frame.size()), frame_bytes(frame.begin(), frame.end())});
+            departures.push_back({time_, time_ + length_of(frame.size()), frame_bytes(frame.begin(), frame.end())});
         }
         return sleep(end, has_changed);
     }
@@ -220,8 +212,7 @@ private:
             ++read_;
             has_changed = true;
         }
-        if (is_reported_ < departures.size() and not is_sending() and
-            departures.back().end <= time_) {
+        if (is_reported_ < departures.size() and not is_sending() and departures.back().end <= time_) {
             is_reported_ = departures.size();
             has_changed = true;
             if (reports) {
@@ -239,16 +230,14 @@ private:
     {
         std::uint64_t next = end;
         deadline const own = link.poll_deadline();
-        std::int64_t const left =
-            own ? static_cast<std::int32_t>(own->microseconds - now().microseconds) : 0;
+        std::int64_t const left = own ? static_cast<std::int32_t>(own->microseconds - now().microseconds) : 0;
         bool const is_at_once = own and left <= 0;
         bool const is_restless = is_at_once and not has_changed;
         restless += is_restless ? 1U : 0U;
         in_a_row_ = is_restless ? in_a_row_ + 1 : 0;
         spinning = std::max(spinning, in_a_row_);
         if (own) {
-            next =
-                std::min(next, time_ + static_cast<std::uint64_t>(std::max<std::int64_t>(left, 1)));
+            next = std::min(next, time_ + static_cast<std::uint64_t>(std::max<std::int64_t>(left, 1)));
         }
         if (is_sending()) {
             next = std::min(next, std::max(byte_time(), time_ + 1));

@@ -13,23 +13,22 @@ namespace {
 /// What came of a request where so many damaged bytes come just before its response.
 series after_damage(unsigned damaged, std::uint8_t skipped, bool is_own_damaged = false)
 {
-    client_options const once{
-        .response_timeout = milliseconds(100), .retries = 0, .skip_noise = skipped};
+    client_options const once{.response_timeout = milliseconds(100), .retries = 0, .max_leading_noise = skipped};
     scripted_line<client> line{client{office_line, once}, office_line};
-    series talk{[](unsigned) { return read_of(1, 3201); }, 1};
+    series conversation{[](unsigned) { return read_of(1, 3201); }, 1};
     line.heard = [&](frame_bytes const& frame) {
         std::uint64_t when = line.time() + 5'000;
         for (unsigned i = 0; i < damaged; ++i) {
             line.arrive(when += line.length_of(1), {});
         }
-        frame_bytes const answer = answer_to(frame);
-        for (std::size_t i = is_own_damaged ? 1 : 0; i < answer.size(); ++i) {
-            line.arrive(when += line.length_of(1), {answer[i]});
+        frame_bytes const response = response_to(frame);
+        for (std::size_t i = is_own_damaged ? 1 : 0; i < response.size(); ++i) {
+            line.arrive(when += line.length_of(1), {response[i]});
         }
     };
-    line.run(1'000'000, [&](instant now) { line.link.converse(talk, now); });
-    talk.make = {};
-    return talk;
+    line.run(1'000'000, [&](instant now) { line.link.converse(conversation, now); });
+    conversation.make = {};
+    return conversation;
 }
 
 } // namespace
@@ -46,8 +45,8 @@ TEST_CASE("defect: (e) no more damaged bytes are skipped than wanted, and no byt
     CHECK(after_damage(1, 0).answered == 0);
     CHECK(after_damage(3, 2).answered == 0);
     for (std::uint8_t skipped = 0; skipped < 3; ++skipped) {
-        series const talk = after_damage(1, skipped, true);
-        CHECK(talk.number == 1);
-        CHECK(talk.answered == 0);
+        series const conversation = after_damage(1, skipped, true);
+        CHECK(conversation.number == 1);
+        CHECK(conversation.answered == 0);
     }
 }

@@ -10,10 +10,10 @@
 #include <type_traits>
 
 #include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/ask/poller.hpp>
 #include <rtuwire/client/bus.hpp>
-#include <rtuwire/client/poller.hpp>
-#if __has_include(<rtuwire/client/single_question.hpp>)
-#include <rtuwire/client/single_question.hpp>
+#if __has_include(<rtuwire/ask/single_request.hpp>)
+#include <rtuwire/ask/single_request.hpp>
 #endif
 
 using namespace rtuwire;
@@ -27,10 +27,7 @@ constexpr std::uint64_t silence = 2'005; ///< 3.5 characters
 
 using wire = scripted_line<client>;
 
-wire line_of(client_options const& with = once)
-{
-    return wire{client{office_line, with}, office_line};
-}
+wire line_of(client_options const& with = once) { return wire{client{office_line, with}, office_line}; }
 
 series reader(unsigned unit, unsigned address)
 {
@@ -57,7 +54,7 @@ TEST_CASE("defect: D12 a frame that is leaving when it is cancelled leaves whole
         series second = reader(2, 3202);
         line.heard = [&](frame_bytes const& frame) {
             if (at(frame, 0) == 2) {
-                line.say(20'000, answer_to(frame));
+                line.say(20'000, response_to(frame));
             }
         };
         bool is_cancelled = false;
@@ -92,7 +89,7 @@ TEST_CASE("defect: D12 a broadcast that is cancelled keeps its turnaround")
         series next = reader(2, 3202);
         line.heard = [&](frame_bytes const& frame) {
             if (at(frame, 0) == 2) {
-                line.say(20'000, answer_to(frame));
+                line.say(20'000, response_to(frame));
             }
         };
         bool is_cancelled = false;
@@ -159,50 +156,46 @@ TEST_CASE("defect: DMA the bytes of a request are its own until sent, whatever b
           "conversation")
 {
     enum class fate { destroyed, remade, cancelled, begun_anew, disturbed };
-    for (fate const what :
-         {fate::destroyed, fate::remade, fate::cancelled, fate::begun_anew, fate::disturbed}) {
+    for (fate const what : {fate::destroyed, fate::remade, fate::cancelled, fate::begun_anew, fate::disturbed}) {
         for (bool const is_long : {false, true}) {
             frame_bytes const asked = is_long ? long_write(1) : read_of(1, 3201);
             for (std::size_t at_byte = 0; at_byte < asked.size(); ++at_byte) {
                 INFO("fate " << static_cast<int>(what) << " at byte " << at_byte);
                 wire line = line_of();
-                std::optional<series> talk{series{[&](unsigned) { return asked; }, 1}};
+                std::optional<series> conversation{series{[&](unsigned) { return asked; }, 1}};
                 series other = reader(2, 3202);
                 bool is_done = false;
                 line.heard = [&](frame_bytes const& frame) {
                     if (at(frame, 0) == 2) {
-                        line.say(5'000, answer_to(frame));
+                        line.say(5'000, response_to(frame));
                     }
                 };
                 line.run(1'500'000, [&](instant now) {
-                    bool const is_time =
-                        not line.departures.empty() and
-                        line.time() >= line.departures[0].begin + line.length_of(at_byte);
+                    bool const is_time = not line.departures.empty() and
+                                         line.time() >= line.departures[0].begin + line.length_of(at_byte);
                     if (is_time and not is_done) {
                         is_done = true;
                         switch (what) {
                         case fate::destroyed:
-                            std::fill(talk->frame.begin(), talk->frame.end(), std::byte{0xEE});
-                            talk.reset();
+                            std::fill(conversation->frame.begin(), conversation->frame.end(), std::byte{0xEE});
+                            conversation.reset();
                             break;
                         case fate::remade:
-                            std::fill(talk->frame.begin(), talk->frame.end(), std::byte{0xEE});
-                            talk.emplace([](unsigned) { return write_of(3, 1, 2); }, 1U);
+                            std::fill(conversation->frame.begin(), conversation->frame.end(), std::byte{0xEE});
+                            conversation.emplace([](unsigned) { return write_of(3, 1, 2); }, 1U);
                             break;
                         case fate::cancelled: line.link.cancel(now); break;
                         case fate::begun_anew:
-                            talk->forget();
-                            talk->frame.assign(asked.size(), std::byte{0xDD});
-                            talk->make = [](unsigned) { return write_of(3, 1, 2); };
-                            talk->number = 0;
+                            conversation->forget();
+                            conversation->frame.assign(asked.size(), std::byte{0xDD});
+                            conversation->make = [](unsigned) { return write_of(3, 1, 2); };
+                            conversation->number = 0;
                             break;
-                        case fate::disturbed:
-                            line.link.receive(answer_to(read_of(1, 0x1234, 20)), now);
-                            break;
+                        case fate::disturbed: line.link.receive(response_to(read_of(1, 0x1234, 20)), now); break;
                         }
                     }
-                    if (talk) {
-                        line.link.converse(*talk, now);
+                    if (conversation) {
+                        line.link.converse(*conversation, now);
                     }
                     if (is_done) {
                         line.link.converse(other, now);
@@ -215,10 +208,10 @@ TEST_CASE("defect: DMA the bytes of a request are its own until sent, whatever b
                 CHECK(other.answered == 1);
                 if (what == fate::remade or what == fate::begun_anew) {
                     // The new one asks for itself, and has not taken the old one's outcome for its own.
-                    CHECK(talk->number == 1);
-                    bool const has_asked = std::any_of(
-                        line.departures.begin(), line.departures.end(),
-                        [](departure const& each) { return each.frame == write_of(3, 1, 2); });
+                    CHECK(conversation->number == 1);
+                    bool const has_asked =
+                        std::any_of(line.departures.begin(), line.departures.end(),
+                                    [](departure const& each) { return each.frame == write_of(3, 1, 2); });
                     CHECK(has_asked);
                 }
             }
@@ -241,7 +234,7 @@ TEST_CASE("defect: D3 a poller that is begun again while its request is out file
         INFO("begun again after " << begun << " us");
         wire line = line_of();
         poller<two_places> panel{station<atv320::device>{unit_id{1}}};
-        line.heard = [&](frame_bytes const& frame) { line.say(10'000, answer_to(frame)); };
+        line.heard = [&](frame_bytes const& frame) { line.say(10'000, response_to(frame)); };
         std::uint64_t const start = line.time();
         bool is_begun = false;
         line.alarm = start + begun;
@@ -264,9 +257,9 @@ TEST_CASE("defect: D3 a poller that is begun again while its request is out file
 TEST_CASE("defect: (b) an outcome that is read one pass later on a bus is still the own one")
 {
     scripted_line<bus<2>> line{bus<2>{office_line, once}, office_line};
-    line.heard = [&](frame_bytes const& frame) { line.say(5'000, answer_to(frame)); };
-    single_question first{unit_id{1}, read_holding_registers{3201, 2}};
-    single_question second{unit_id{2}, read_holding_registers{8601, 2}};
+    line.heard = [&](frame_bytes const& frame) { line.say(5'000, response_to(frame)); };
+    single_request first{unit_id{1}, read_holding_registers{3201, 2}};
+    single_request second{unit_id{2}, read_holding_registers{8601, 2}};
     line.run(300'000, [&](instant now) {
         line.link.converse(0, first, now);
         line.link.converse(1, second, now);
@@ -283,10 +276,9 @@ TEST_CASE("defect: (b) an outcome that is read one pass later on a bus is still 
     CHECK(u16_at(of_second->pdu(), 4) == 8602);
 }
 
-TEST_CASE(
-    "defect: (b) a loop over the bytes of a response holds them after the response itself is gone")
+TEST_CASE("defect: (b) a loop over the bytes of a response holds them after the response itself is gone")
 {
-    frame_bytes const frame = answer_to(read_of(1, 3201));
+    frame_bytes const frame = response_to(read_of(1, 3201));
     auto const made = [&] { return response{byte_view{frame}.subspan(1, frame.size() - 3)}; };
     unsigned sum = 0;
     for (std::byte const each : made().pdu()) {

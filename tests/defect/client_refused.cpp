@@ -7,8 +7,8 @@
 #include <array>
 #include <optional>
 
+#include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/client/bus.hpp>
-#include <rtuwire/client/single_question.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 
 using namespace rtuwire;
@@ -24,9 +24,9 @@ struct hasty : asker {
     bool is_over{false};
 
     hasty() { REQUIRE(encode_into(frame, unit_id{1}, read_holding_registers{.start = 0, .count = 1})); }
-    std::optional<request> next()
+    std::optional<request_frame> next()
     {
-        return request{byte_view{frame}.first(refusals == 0 ? 2U : frame.size())};
+        return request_frame{byte_view{frame}.first(refusals == 0 ? 2U : frame.size())};
     }
     void accept(result<response> const& outcome)
     {
@@ -66,9 +66,9 @@ template <typename Link, typename ComeBy> bool leaves(Link& link, ComeBy come_by
 TEST_CASE("defect: the next request of a conversation that was refused leaves without anybody waking the loop")
 {
     client link{timing};
-    hasty talk;
-    CHECK(leaves(link, [&](instant now) { link.converse(talk, now); }));
-    CHECK(talk.refusals == 1);
+    hasty conversation;
+    CHECK(leaves(link, [&](instant now) { link.converse(conversation, now); }));
+    CHECK(conversation.refusals == 1);
     bus<2> many{timing};
     hasty slot;
     CHECK(leaves(many, [&](instant now) { many.converse(1, slot, now); }));
@@ -82,7 +82,7 @@ TEST_CASE("defect: a silent share outside of 1 to 100 is the nearer of the two, 
         bus<1> link{timing, {.response_timeout = milliseconds(100), .retries = 0}, {.silent_share = share}};
         instant now{0};
         unsigned asked = 0;
-        single_question ask{unit_id{1}, read_holding_registers{.start = 0, .count = 1}};
+        single_request ask{unit_id{1}, read_holding_registers{.start = 0, .count = 1}};
         // Nobody answers for 30 s.
         for (unsigned pass = 0; pass < 30'000; ++pass) {
             now = now + milliseconds(1);

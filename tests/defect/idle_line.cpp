@@ -28,27 +28,26 @@ constexpr std::array<std::uint64_t, 12> idle_times{
 constexpr client_options once{.response_timeout = milliseconds(100), .retries = 0};
 
 /// How the noise comes.
-enum class noise { none, octets, damaged };
+enum class noise { none, bytes, damaged };
 
-template <typename Link> void converse(Link& link, series& talk, instant now)
+template <typename Link> void converse(Link& link, series& conversation, instant now)
 {
-    link.converse(talk, now);
+    link.converse(conversation, now);
 }
-void converse(bus<2>& link, series& talk, instant now) { link.converse(1, talk, now); }
+void converse(bus<2>& link, series& conversation, instant now) { link.converse(1, conversation, now); }
 
 /// A request is answered, nothing happens for so long, there is noise, and another is answered.
 template <typename Link> void goes_on_after(std::uint64_t idle, noise what)
 {
     INFO("idle for " << idle << " us, noise " << static_cast<int>(what));
     scripted_line<Link> line{Link{office_line, once}, office_line};
-    line.heard = [&](frame_bytes const& frame) { line.say(5'000, answer_to(frame)); };
+    line.heard = [&](frame_bytes const& frame) { line.say(5'000, response_to(frame)); };
     series before{[](unsigned) { return read_of(1, 3201); }, 1};
     line.run(100'000, [&](instant now) { converse(line.link, before, now); });
     REQUIRE(before.answered == 1);
     line.run(idle, [](instant) {});
     if (what != noise::none) {
-        line.say(0, what == noise::octets ? frame_bytes{std::byte{0x55}, std::byte{0xAA}}
-                                          : frame_bytes{});
+        line.say(0, what == noise::bytes ? frame_bytes{std::byte{0x55}, std::byte{0xAA}} : frame_bytes{});
     }
     std::uint64_t const start = line.time();
     series after{[](unsigned) { return read_of(1, 3201); }, 1};
@@ -63,7 +62,7 @@ template <typename Link> void goes_on_after(std::uint64_t idle, noise what)
 TEST_CASE("defect: A3 a client hears and asks after any idle time")
 {
     for (std::uint64_t const idle : idle_times) {
-        for (noise const what : {noise::none, noise::octets, noise::damaged}) {
+        for (noise const what : {noise::none, noise::bytes, noise::damaged}) {
             goes_on_after<client>(idle, what);
             goes_on_after<bus<2>>(idle, what);
         }
@@ -128,12 +127,12 @@ struct sleeping_server {
 TEST_CASE("defect: A3 a server hears and answers after any idle time")
 {
     for (std::uint64_t const idle : idle_times) {
-        for (noise const what : {noise::none, noise::octets, noise::damaged}) {
+        for (noise const what : {noise::none, noise::bytes, noise::damaged}) {
             INFO("idle for " << idle << " us, noise " << static_cast<int>(what));
             sleeping_server it;
             REQUIRE(it.answers());
             it.sleep(idle);
-            if (what == noise::octets) {
+            if (what == noise::bytes) {
                 it.node.receive("55 AA"_hex, it.now());
             } else if (what == noise::damaged) {
                 it.node.receive_error(it.now());
@@ -183,11 +182,11 @@ struct resting_bus {
 
     resting_bus()
     {
-        line.link.set(0, {.with = {.response_timeout = milliseconds(100), .retries = 0},
-                          .least_idle = milliseconds(300)});
+        line.link.set(0,
+                      {.with = {.response_timeout = milliseconds(100), .retries = 0}, .least_idle = milliseconds(300)});
         line.heard = [this](frame_bytes const& frame) {
             if (at(frame, 0) == 1) {
-                line.say(5'000, answer_to(frame));
+                line.say(5'000, response_to(frame));
             }
         };
     }
@@ -206,8 +205,7 @@ TEST_CASE("defect: A3 a bus asks a unit that rested, and one that is silent, aft
 {
     for (std::uint64_t const idle : idle_times) {
         // Nobody comes by from some moment of a rest, and of the time between two probes, on.
-        for (std::uint64_t const ran :
-             {2'000'000U, 2'100'000U, 2'200'000U, 2'300'000U, 2'400'000U}) {
+        for (std::uint64_t const ran : {2'000'000U, 2'100'000U, 2'200'000U, 2'300'000U, 2'400'000U}) {
             INFO("idle for " << idle << " us after " << ran << " us");
             resting_bus it;
             it.run(ran);

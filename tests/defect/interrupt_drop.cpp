@@ -17,7 +17,7 @@ namespace {
 struct counter {
     unsigned bytes{0}, errors{0}, ends{0};
 
-    void receive(byte_view octets, instant) { bytes += static_cast<unsigned>(octets.size()); }
+    void receive(byte_view received, instant) { bytes += static_cast<unsigned>(received.size()); }
     void receive_error(instant) { ++errors; }
     void sent(instant) { ++ends; }
 };

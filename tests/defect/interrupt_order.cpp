@@ -10,11 +10,11 @@
 
 #include "support/catch.hpp"
 
+#include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/client/client.hpp>
-#include <rtuwire/client/single_question.hpp>
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/server/answer_frame.hpp>
 #include <rtuwire/server/bank.hpp>
+#include <rtuwire/server/response_frame.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 
 using namespace rtuwire;
@@ -90,7 +90,7 @@ struct listener {
 };
 
 constexpr auto request = "07 03 0C 81 00 01 D7 14"_hex;
-constexpr auto answer = "07 03 02 06 27 73 FE"_hex;
+constexpr auto response = "07 03 02 06 27 73 FE"_hex;
 
 TEST_CASE("defect: (p) a byte that came in while sending is handed over before sent")
 {
@@ -114,11 +114,11 @@ TEST_CASE("defect: (p) noise while the request leaves does not spoil the answer"
     hardware::reset();
     board::half_duplex_line<hardware, pin> line;
     client link{line_timing{19'200, character_format::even_8_1}, {.retries = 0}};
-    single_question talk{unit_id{7}, read_holding_registers{.start = 3201, .count = 1}};
+    single_request conversation{unit_id{7}, read_holding_registers{.start = 3201, .count = 1}};
     std::uint32_t now = 0;
     auto const pass = [&] {
         line.serve(link, instant{now});
-        link.converse(talk, instant{now});
+        link.converse(conversation, instant{now});
     };
     for (; not hardware::is_requested and now < 20'000; now += 100) {
         pass();
@@ -130,18 +130,18 @@ TEST_CASE("defect: (p) noise while the request leaves does not spoil the answer"
         line.on_interrupt(instant{now});
     }
     REQUIRE(hardware::outgoing == std::vector<std::byte>(request.begin(), request.end()));
-    for (std::byte const each : answer) {
+    for (std::byte const each : response) {
         now += 573;
         hardware::come({&each, 1});
         line.on_interrupt(instant{now});
     }
     // The loop comes round only now.
     pass();
-    REQUIRE(talk.settled());
-    REQUIRE(talk.outcome());
-    byte_view const got = talk.outcome()->pdu();
+    REQUIRE(conversation.settled());
+    REQUIRE(conversation.outcome());
+    byte_view const got = conversation.outcome()->pdu();
     CHECK(std::vector<std::byte>(got.begin(), got.end()) ==
-          std::vector<std::byte>(answer.begin() + 1, answer.end() - 2));
+          std::vector<std::byte>(response.begin() + 1, response.end() - 2));
 }
 
 TEST_CASE("firmware: the driver is enabled from before the first bit to after the last")
@@ -177,8 +177,7 @@ TEST_CASE("firmware: damage reaches the engine in its place")
     hardware::reset();
     board::half_duplex_line<hardware, pin> line;
     listener engine;
-    hardware::incoming = {
-        {std::byte{1}, false, false}, {std::byte{2}, true, false}, {std::byte{3}, false, true}};
+    hardware::incoming = {{std::byte{1}, false, false}, {std::byte{2}, true, false}, {std::byte{3}, false, true}};
     line.on_interrupt(instant{5});
     line.serve(engine, instant{5});
     CHECK(engine.told == "reer");
@@ -198,7 +197,7 @@ struct frame_bench {
         hardware::come(bytes);
         dma::on_interrupt(line);
     }
-    void fall_silent()
+    void on_silence()
     {
         for (int i = 0; i < 6; ++i) {
             dma::on_tick(line);
@@ -221,17 +220,16 @@ TEST_CASE("firmware: a frame comes whole by DMA and is answered in its place")
 {
     frame_bench it;
     word_bank<4> bank;
-    loop_back diagnostics;
+    loopback_only diagnostics;
     it.come(byte_view{short_request}.first(3));
     it.come(byte_view{short_request}.subspan(3));
     CHECK(it.line.poll_frame().size == 0);
     CHECK(it.line.is_served());
-    it.fall_silent();
+    it.on_silence();
     CHECK(not it.line.is_served());
     auto const [place, size] = it.line.poll_frame();
     REQUIRE(size == short_request.size());
-    byte_span const out =
-        answer_frame(place, size, unit_id{1}, bank, server_profile{}, diagnostics);
+    byte_span const out = response_frame(place, size, unit_id{1}, bank, server_profile{}, diagnostics);
     REQUIRE(out.size() == 7);
     it.line.send(out);
     CHECK(hardware::is_enabled);
@@ -242,13 +240,13 @@ TEST_CASE("firmware: a frame comes whole by DMA and is answered in its place")
     CHECK(hardware::is_enabled);
     CHECK(it.line.poll_frame().size == 0);
     hardware::is_idle_now = true;
-    it.fall_silent();
+    it.on_silence();
     CHECK(not hardware::is_enabled);
     CHECK(it.line.poll_frame().size == 0);
     // The next one, in the other place, and the one after it.
     for (int i = 0; i < 4; ++i) {
         it.come(short_request);
-        it.fall_silent();
+        it.on_silence();
         REQUIRE(it.line.poll_frame().size == short_request.size());
         it.line.release();
     }
@@ -260,25 +258,25 @@ TEST_CASE("firmware: damaged, early and late frames are dropped and counted")
     frame_bench it;
     hardware::incoming = {{std::byte{1}, true, false}};
     it.come(short_request);
-    it.fall_silent();
+    it.on_silence();
     CHECK(it.line.poll_frame().size == 0);
     CHECK(it.line.dropped() == 1);
     // While the loop has one, the next is dropped.
     it.come(short_request);
-    it.fall_silent();
+    it.on_silence();
     auto const first = it.line.poll_frame();
     REQUIRE(first.size == short_request.size());
     it.come(request);
-    it.fall_silent();
+    it.on_silence();
     CHECK(it.line.dropped() == 2);
     CHECK(first.place[0] == short_request[0]);
-    // Something is heard before the answer leaves: it does not leave.
+    // Something is heard before the response leaves: it does not leave.
     it.come(byte_view{request}.first(2));
     it.line.send(first.place.first(7));
     CHECK(not hardware::is_enabled);
     CHECK(not hardware::is_requested);
     it.come(byte_view{request}.subspan(2));
-    it.fall_silent();
+    it.on_silence();
     CHECK(it.line.poll_frame().size == request.size());
 }
 

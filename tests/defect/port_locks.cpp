@@ -32,9 +32,8 @@ template <typename Check> int as_a_normal_user(Check check)
     std::fflush(nullptr);
     ::pid_t const child = ::fork();
     if (child == 0) {
-        bool const is_normal =
-            ::geteuid() != 0 or (::setgroups(0, nullptr) == 0 and ::setgid(nobody) == 0 and
-                                 ::setuid(nobody) == 0 and ::geteuid() != 0);
+        bool const is_normal = ::geteuid() != 0 or (::setgroups(0, nullptr) == 0 and ::setgid(nobody) == 0 and
+                                                    ::setuid(nobody) == 0 and ::geteuid() != 0);
         std::_Exit(is_normal ? check() : 99);
     }
     int status = -1;
@@ -54,14 +53,14 @@ public:
         child_ = ::fork();
         if (child_ == 0) {
             int const number = ::open(device.c_str(), O_RDWR | O_NOCTTY);
-            char const answer = number >= 0 ? 'y' : 'n';
-            static_cast<void>(::write(ends[1], &answer, 1) == 1);
+            char const response = number >= 0 ? 'y' : 'n';
+            static_cast<void>(::write(ends[1], &response, 1) == 1);
             for (;;) {
                 ::pause();
             }
         }
-        char answer = 'n';
-        has_device_ = ::read(ends[0], &answer, 1) == 1 and answer == 'y';
+        char response = 'n';
+        has_device_ = ::read(ends[0], &response, 1) == 1 and response == 'y';
         ::close(ends[0]);
         ::close(ends[1]);
     }
@@ -102,16 +101,16 @@ private:
     bool bites() const
     {
         descriptor const lock{::open(device.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC)};
-        bool const is_locked = lock.is_open() and ::ioctl(lock.number(), TIOCEXCL) == 0 and
-                               not is_free(device) and errno == EBUSY;
+        bool const is_locked =
+            lock.is_open() and ::ioctl(lock.number(), TIOCEXCL) == 0 and not is_free(device) and errno == EBUSY;
         return is_locked and ::ioctl(lock.number(), TIOCNXCL) == 0 and is_free(device);
     }
 };
 
-#define EXPECT(...)                                                                                \
-    if (not(__VA_ARGS__)) {                                                                        \
-        std::fprintf(stderr, "%s:%d: not so: %s\n", __FILE__, __LINE__, #__VA_ARGS__);             \
-        return 1;                                                                                  \
+#define EXPECT(...)                                                                                                    \
+    if (not(__VA_ARGS__)) {                                                                                            \
+        std::fprintf(stderr, "%s:%d: not so: %s\n", __FILE__, __LINE__, #__VA_ARGS__);                                 \
+        return 1;                                                                                                      \
     }
 
 int open_and_leave()
@@ -167,8 +166,7 @@ int fail_to_open()
         // Refused when the device is locked already.
         EXPECT(port.open(line.device, {.bits_per_second = 12'345}) == errc::device_setting_refused);
         EXPECT(is_free(line.device));
-        EXPECT(port.open(line.device, {.rs485 = rs485_mode::required}) ==
-               errc::device_setting_refused);
+        EXPECT(port.open(line.device, {.rs485 = rs485_mode::required}) == errc::device_setting_refused);
         EXPECT(is_free(line.device));
     }
     return 0;
@@ -258,25 +256,13 @@ int die()
 
 } // namespace
 
-TEST_CASE("defect: D13 a device is free when its port goes")
-{
-    CHECK(as_a_normal_user(open_and_leave) == 0);
-}
+TEST_CASE("defect: D13 a device is free when its port goes") { CHECK(as_a_normal_user(open_and_leave) == 0); }
 
-TEST_CASE("defect: D13 a device is free when its port is closed")
-{
-    CHECK(as_a_normal_user(open_and_close) == 0);
-}
+TEST_CASE("defect: D13 a device is free when its port is closed") { CHECK(as_a_normal_user(open_and_close) == 0); }
 
-TEST_CASE("defect: D13 a device is free when its port opens another")
-{
-    CHECK(as_a_normal_user(open_again) == 0);
-}
+TEST_CASE("defect: D13 a device is free when its port opens another") { CHECK(as_a_normal_user(open_again) == 0); }
 
-TEST_CASE("defect: D13 a device is free when it could not be opened")
-{
-    CHECK(as_a_normal_user(fail_to_open) == 0);
-}
+TEST_CASE("defect: D13 a device is free when it could not be opened") { CHECK(as_a_normal_user(fail_to_open) == 0); }
 
 TEST_CASE("defect: D13 a failed open takes nothing from the owner of a device")
 {

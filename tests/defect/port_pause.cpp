@@ -20,58 +20,55 @@ namespace {
 
 constexpr line_timing timing{19'200, character_format::even_8_1};
 constexpr read_holding_registers registers{0x0C81, 1};
-constexpr auto answer_of_unit_1 = "01 03 02 12 34 B5 33"_hex;
+constexpr auto response_of_unit_1 = "01 03 02 12 34 B5 33"_hex;
 
 /// A port whose clock jumps to each deadline, and that counts how often it is read. A pass that takes no
 /// time takes 10 us, as a fast host's does.
 struct counted_port {
     instant clock{0xFFFF'0000U};
     unsigned reads{0};
-    bool is_answered{true};
-    bool has_answer{false};
+    bool responds{true};
+    bool has_response{false};
 
     instant now() const { return clock; }
     result<void> write(byte_view, instant)
     {
-        has_answer = is_answered;
+        has_response = responds;
         return {};
     }
     result<byte_span> read(byte_span place, instant until)
     {
         ++reads;
         clock = reached(clock, until) ? clock + microseconds(10) : until;
-        std::size_t const count = has_answer ? answer_of_unit_1.size() : 0;
+        std::size_t const count = has_response ? response_of_unit_1.size() : 0;
         for (std::size_t i = 0; i < count; ++i) {
-            place[i] = answer_of_unit_1[i];
+            place[i] = response_of_unit_1[i];
         }
-        has_answer = false;
+        has_response = false;
         return place.first(count);
     }
 };
 
 /// Asks when something outside says so, here a time that it tells nobody.
-template <typename Port> class question_on_demand : public asker {
+template <typename Port> class request_on_demand : public asker {
 public:
-    question_on_demand(Port const& port, instant at) : port_{port}, at_{at} {}
+    request_on_demand(Port const& port, instant at) : port_{port}, at_{at} {}
 
-    std::optional<request> next() const
-    {
-        return reached(port_.now(), at_) ? asks_.next() : std::nullopt;
-    }
+    std::optional<request_frame> next() const { return reached(port_.now(), at_) ? asks_.next() : std::nullopt; }
     void accept(result<response> const& outcome) { asks_.accept(outcome); }
     bool settled() const { return asks_.settled(); }
     auto outcome() const& { return asks_.outcome(); }
 
 private:
-    single_question<read_holding_registers> asks_{unit_id{1}, registers};
+    single_request<read_holding_registers> asks_{unit_id{1}, registers};
     Port const& port_;
     instant at_;
 };
 
 /// The same, with a deadline that is over all the time.
-template <typename Port> class overdue_question : public question_on_demand<Port> {
+template <typename Port> class overdue_request : public request_on_demand<Port> {
 public:
-    overdue_question(Port const& port, instant at) : question_on_demand<Port>{port, at} {}
+    overdue_request(Port const& port, instant at) : request_on_demand<Port>{port, at} {}
     void advance(instant now) { now_ = now; }
     deadline poll_deadline() const { return now_; }
 
@@ -79,20 +76,20 @@ private:
     instant now_{0};
 };
 
-/// Wants to be asked for its question only when the line is free for its unit.
-class prompt_question : public asker {
+/// Wants to be asked for its request only when the line is free for its unit.
+class prompt_request : public asker {
 public:
-    explicit prompt_question(instant due) : due_{due} {}
+    explicit prompt_request(instant due) : due_{due} {}
 
     unit_id unit() const { return unit_id{1}; }
     void advance(instant) {}
     deadline poll_deadline() const { return due_; }
-    std::optional<request> next() const { return asks_.next(); }
+    std::optional<request_frame> next() const { return asks_.next(); }
     void accept(result<response> const& outcome) { asks_.accept(outcome); }
     bool settled() const { return asks_.settled(); }
 
 private:
-    single_question<read_holding_registers> asks_{unit_id{1}, registers};
+    single_request<read_holding_registers> asks_{unit_id{1}, registers};
     instant due_;
 };
 
@@ -102,10 +99,10 @@ TEST_CASE("defect: (k) a conversation that pauses without a deadline lets the cl
 {
     counted_port port;
     blocking_client line{port, timing};
-    question_on_demand talk{port, port.clock + milliseconds(1'000)};
+    request_on_demand conversation{port, port.clock + milliseconds(1'000)};
     instant const before = port.clock;
-    REQUIRE(line.run(talk));
-    CHECK(talk.outcome());
+    REQUIRE(line.run(conversation));
+    CHECK(conversation.outcome());
     CHECK(port.reads <= 110);
     CHECK((port.clock - before).microseconds < 1'050'000);
 }
@@ -114,23 +111,23 @@ TEST_CASE("defect: (k) a deadline that stays over lets the client sleep")
 {
     counted_port port;
     blocking_client line{port, timing};
-    overdue_question talk{port, port.clock + milliseconds(1'000)};
-    REQUIRE(line.run(talk));
-    CHECK(talk.outcome());
+    overdue_request conversation{port, port.clock + milliseconds(1'000)};
+    REQUIRE(line.run(conversation));
+    CHECK(conversation.outcome());
     CHECK(port.reads <= 110);
 }
 
 TEST_CASE("defect: (k) a unit that may not be asked yet lets the client sleep")
 {
     counted_port port;
-    blocking_client line{port, timing, {.late_answer = milliseconds(2'000), .retries = 0}};
-    port.is_answered = false;
+    blocking_client line{port, timing, {.late_response = milliseconds(2'000), .retries = 0}};
+    port.responds = false;
     CHECK(line.ask(unit_id{1}, registers) == errc::timed_out);
-    port.is_answered = true;
+    port.responds = true;
     port.reads = 0;
     instant const before = port.clock;
-    prompt_question talk{port.clock};
-    REQUIRE(line.run(talk));
+    prompt_request conversation{port.clock};
+    REQUIRE(line.run(conversation));
     CHECK((port.clock - before).microseconds >= 1'900'000);
     CHECK(port.reads <= 300);
 }
@@ -142,17 +139,16 @@ TEST_CASE("defect: (k) a pause costs a host's processor next to nothing")
     posix_serial port;
     REQUIRE(port.open(far.path()));
     blocking_client line{port, timing, {.response_timeout = milliseconds(20), .retries = 0}};
-    question_on_demand talk{port, port.now() + milliseconds(1'000)};
+    request_on_demand conversation{port, port.now() + milliseconds(1'000)};
     rusage before{};
     rusage after{};
     ::getrusage(RUSAGE_SELF, &before);
-    REQUIRE(line.run(talk));
+    REQUIRE(line.run(conversation));
     ::getrusage(RUSAGE_SELF, &after);
     // Each sleep gives the processor up by itself; a loop that spins hardly ever does.
     CHECK(after.ru_nvcsw - before.ru_nvcsw >= 50);
     auto const used = [](rusage const& at) {
-        return (at.ru_utime.tv_sec + at.ru_stime.tv_sec) * 1'000'000 + at.ru_utime.tv_usec +
-               at.ru_stime.tv_usec;
+        return (at.ru_utime.tv_sec + at.ru_stime.tv_sec) * 1'000'000 + at.ru_utime.tv_usec + at.ru_stime.tv_usec;
     };
     CHECK(used(after) - used(before) < 300'000);
 }

@@ -96,14 +96,14 @@ constexpr bool reads_a_mark()
 STATIC_CHECK(reads_a_mark());
 
 constexpr line_timing timing{19'200, character_format::even_8_1};
-constexpr auto question = "01 03 0C 81 00 01 D7 72"_hex;
-constexpr auto answer = "01 03 02 12 34 B5 33"_hex;
+constexpr auto request = "01 03 0C 81 00 01 D7 72"_hex;
+constexpr auto reply = "01 03 02 12 34 B5 33"_hex;
 
 /// A port whose device marks what is damaged, played by hand: each request, or reading at all, lets the next
 /// line of events arrive, byte by byte.
 class marking_port {
 public:
-    std::vector<line_events> script{};
+    std::vector<line_events> procedure{};
     instant clock{0xFFFF'FF00U};
     std::vector<byte_list> sent{};
 
@@ -116,8 +116,8 @@ public:
     }
     void arrive()
     {
-        if (next_ < script.size()) {
-            input_ = as_marked(script[next_++]);
+        if (next_ < procedure.size()) {
+            input_ = as_marked(procedure[next_++]);
         }
     }
     result<byte_span> read(byte_span place, instant until)
@@ -140,8 +140,7 @@ private:
 };
 
 /// A frame, and a damaged byte in front of its byte number `at`.
-template <std::size_t Size>
-line_events with_damage(std::array<std::byte, Size> const& frame, std::size_t at)
+template <std::size_t Size> line_events with_damage(std::array<std::byte, Size> const& frame, std::size_t at)
 {
     line_events events;
     for (std::size_t i = 0; i < Size; ++i) {
@@ -180,26 +179,26 @@ TEST_CASE("defect: (i) a mark that was cut short is an error, and the next byte 
 
 TEST_CASE("defect: (i) an answer with a damaged byte is no answer, wherever it was")
 {
-    for (std::size_t at = 1; at < answer.size(); ++at) {
+    for (std::size_t at = 1; at < reply.size(); ++at) {
         CAPTURE(at);
         marking_port port;
-        port.script = {with_damage(answer, at)};
+        port.procedure = {with_damage(reply, at)};
         blocking_client line{port, timing, {.retries = 0}};
         auto const got = line.ask(unit_id{1}, read_holding_registers{0x0C81, 1});
         CHECK(got == errc::uart_error);
     }
     marking_port port;
-    port.script = {with_damage(answer, answer.size())};
+    port.procedure = {with_damage(reply, reply.size())};
     blocking_client line{port, timing, {.retries = 0}};
     CHECK(line.ask(unit_id{1}, read_holding_registers{0x0C81, 1}));
 }
 
 TEST_CASE("defect: (i) a request with a damaged byte is not served, wherever it was")
 {
-    for (std::size_t at = 0; at <= question.size(); ++at) {
+    for (std::size_t at = 0; at <= request.size(); ++at) {
         CAPTURE(at);
         marking_port port;
-        port.script = {with_damage(question, at)};
+        port.procedure = {with_damage(request, at)};
         server node{unit_id{1}, timing};
         word_bank<16> bank{0x0C81};
         REQUIRE(serve_once(node, port, bank, milliseconds(100)));
@@ -208,7 +207,7 @@ TEST_CASE("defect: (i) a request with a damaged byte is not served, wherever it 
         for (int i = 0; i < 10; ++i) {
             REQUIRE(serve_once(node, port, bank, milliseconds(100)));
         }
-        CHECK(port.sent.size() == (at == question.size() ? 1U : 0U));
+        CHECK(port.sent.size() == (at == request.size() ? 1U : 0U));
     }
 }
 

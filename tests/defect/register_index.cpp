@@ -27,27 +27,22 @@ template <typename T> void consume(T value)
 }
 
 /// Whether this ended the program behind its hook, which was told of a register that is not there.
-bool is_refused(test::end how)
-{
-    return how.is_trap and how.left == static_cast<int>(errc::invalid_address_range);
-}
+bool is_refused(test::end how) { return how.is_trap and how.left == static_cast<int>(errc::invalid_address_range); }
 
 // Above half of the largest index, twice the index is small again.
 constexpr std::size_t wraps = std::numeric_limits<std::size_t>::max() / 2 + 1;
-constexpr std::size_t beyond[]{2,     3,         124,
-                               wraps, wraps + 1, std::numeric_limits<std::size_t>::max()};
+constexpr std::size_t beyond[]{2, 3, 124, wraps, wraps + 1, std::numeric_limits<std::size_t>::max()};
 
 TEST_CASE("defect: no register is read behind the end of an answer")
 {
-    // The octets behind the answer are there, as in a client's memory.
-    constexpr std::array<std::byte, 8> memory{std::byte{3}, std::byte{4}, std::byte{0},
-                                              std::byte{1}, std::byte{0}, std::byte{2},
-                                              std::byte{9}, std::byte{9}};
-    auto const answer = read_holding_registers_response::decode(byte_view{memory}.first(6));
-    REQUIRE(answer);
-    CHECK(test::end_of([&] { consume(answer->registers[told(1)]); }).is_return);
+    // The bytes behind the response are there, as in a client's memory.
+    constexpr std::array<std::byte, 8> memory{std::byte{3}, std::byte{4}, std::byte{0}, std::byte{1},
+                                              std::byte{0}, std::byte{2}, std::byte{9}, std::byte{9}};
+    auto const response = read_holding_registers_response::decode(byte_view{memory}.first(6));
+    REQUIRE(response);
+    CHECK(test::end_of([&] { consume(response->registers[told(1)]); }).is_return);
     for (std::size_t const index : beyond) {
-        CHECK(is_refused(test::end_of([&] { consume(answer->registers[told(index)]); })));
+        CHECK(is_refused(test::end_of([&] { consume(response->registers[told(index)]); })));
     }
     CHECK(is_refused(test::end_of([&] { consume(register_view{}[told(0)]); })));
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A duration that does not fit is the longest one, and no deadline made of it looks as if it were over.
-#include <rtuwire/client/attempts.hpp>
+#include <rtuwire/client/retry_state.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/rtu/line.hpp>
 
@@ -30,12 +30,11 @@ constexpr bool sums_and_multiples()
 {
     duration const most = longest_duration;
     duration const half{most.microseconds / 2 + 1};
-    return most.microseconds == longest_us and most + microseconds(1) == most and
-           half + half == most and half * 2 == most and most * 0xFFFF'FFFFU == most and
+    return most.microseconds == longest_us and most + microseconds(1) == most and half + half == most and
+           half * 2 == most and most * 0xFFFF'FFFFU == most and
            microseconds(0x1'0001) * 0x1'0000 == most and // wraps to 65 536 in 32 bits
-           duration{0xFFFF'FFFF} + duration{2} == most and
-           microseconds(7) * 3 == microseconds(21) and most + duration{} == most and
-           most * 1 == most and most * 0 == duration{};
+           duration{0xFFFF'FFFF} + duration{2} == most and microseconds(7) * 3 == microseconds(21) and
+           most + duration{} == most and most * 1 == most and most * 0 == duration{};
 }
 PROOF("defect: sums and multiples of durations do not wrap", sums_and_multiples)
 
@@ -46,8 +45,7 @@ constexpr bool deadlines_lie_ahead()
         line_timing const line{bits_per_second, character_format::even_8_1};
         for (instant const now : times) {
             if (reached(now, now + line.with_characters(longest_duration, 256)) or
-                line.with_characters(milliseconds(10), 3) !=
-                    milliseconds(10) + line.characters(3)) {
+                line.with_characters(milliseconds(10), 3) != milliseconds(10) + line.characters(3)) {
                 return false;
             }
         }
@@ -59,13 +57,13 @@ PROOF("defect: a deadline of the longest duration lies ahead", deadlines_lie_ahe
 constexpr bool pauses_grow()
 {
     for (duration const first : {milliseconds(50), milliseconds(60'000), longest_duration}) {
-        attempts many;
+        retry_state many;
         many.begin({.busy_retries = 20, .busy_pause = first}, true);
         std::uint64_t expected = first.microseconds;
         for (unsigned i = 0; i < 20; ++i) {
             duration const pause = many.take_pause();
-            bool const is_capped = pause > duration{longest_duration.microseconds / 2} and
-                                   pause <= longest_duration and expected > pause.microseconds;
+            bool const is_capped = pause > duration{longest_duration.microseconds / 2} and pause <= longest_duration and
+                                   expected > pause.microseconds;
             if (pause.microseconds != expected and not is_capped) {
                 return false;
             }
@@ -74,15 +72,14 @@ constexpr bool pauses_grow()
     }
     return true;
 }
-PROOF("defect: the pauses for a busy unit double, but never beyond the longest duration",
-      pauses_grow)
+PROOF("defect: the pauses for a busy unit double, but never beyond the longest duration", pauses_grow)
 
 } // namespace
 
 TEST_CASE("defect: a duration known only when running is the nearest that fits")
 {
-    for (std::int64_t const around : {0LL, 2'100'000LL, 2'100'000'000LL, 5'000'000LL, 4'294'967LL,
-                                      4'294'967'296LL, 9'000'000'000'000'000'000LL}) {
+    for (std::int64_t const around :
+         {0LL, 2'100'000LL, 2'100'000'000LL, 5'000'000LL, 4'294'967LL, 4'294'967'296LL, 9'000'000'000'000'000'000LL}) {
         for (std::int64_t const off : {-1LL, 0LL, 1LL}) {
             INFO(around + off);
             CHECK(is_nearest(around + off));

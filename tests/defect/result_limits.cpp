@@ -32,8 +32,7 @@ plan::snapshot all_are(std::uint16_t word)
 }
 
 /// What a limit is, calculated in another way: by long division of sign and size.
-std::int32_t expected(std::int32_t other, std::int32_t multiplier, std::uint32_t numerator,
-                      std::uint32_t denominator)
+std::int32_t expected(std::int32_t other, std::int32_t multiplier, std::uint32_t numerator, std::uint32_t denominator)
 {
     auto const size = [](std::int64_t n) { return static_cast<std::uint64_t>(n < 0 ? -n : n); };
     bool const is_negative = (other < 0) != (multiplier < 0);
@@ -46,8 +45,7 @@ std::int32_t expected(std::int32_t other, std::int32_t multiplier, std::uint32_t
     std::uint64_t const quotient =
         top / denominator > 0xFFFFU ? most : ((top / denominator) << 32U) + rest / denominator;
     std::uint64_t const kept = quotient < most ? quotient : most;
-    return static_cast<std::int32_t>(is_negative ? -static_cast<std::int64_t>(kept)
-                                                 : static_cast<std::int64_t>(kept));
+    return static_cast<std::int32_t>(is_negative ? -static_cast<std::int64_t>(kept) : static_cast<std::int64_t>(kept));
 }
 
 } // namespace
@@ -66,8 +64,7 @@ TEST_CASE("defect: D6 a limit made of received words does not overflow")
             for (std::uint16_t const numerator : parts) {
                 for (std::uint16_t const denominator : parts) {
                     CAPTURE(other, multiplier, numerator, denominator);
-                    CHECK(bound{text{"A"}, numerator, denominator, text{"B"}}.with(other,
-                                                                                   multiplier) ==
+                    CHECK(bound{literal{"A"}, numerator, denominator, literal{"B"}}.with(other, multiplier) ==
                           expected(other, multiplier, numerator, denominator));
                 }
             }
@@ -98,16 +95,14 @@ TEST_CASE("defect: (c) an amount that does not fit its target is the nearest tha
     for (std::uint32_t i = 0; i <= 0xFFFF; ++i) {
         auto const number = static_cast<std::uint16_t>(i);
         std::uint32_t const tenths = i * 10;
-        REQUIRE(truncated_to<decihertz>(hertz{number}).count() ==
-                (tenths < 0xFFFF ? tenths : 0xFFFF));
+        REQUIRE(truncated_to<decihertz>(hertz{number}).count() == (tenths < 0xFFFF ? tenths : 0xFFFF));
         REQUIRE(truncated_to<hertz>(decihertz{number}).count() == i / 10);
         auto const half = static_cast<std::int16_t>(number);
         std::int32_t const signed_tenths = std::int32_t{half} * 10;
         using narrow = quantity<rotation, std::int16_t, std::deci>;
-        REQUIRE(truncated_to<narrow>(signed_rpm{half}).count() == (signed_tenths > 32'767 ? 32'767
-                                                                   : signed_tenths < -32'768
-                                                                       ? -32'768
-                                                                       : signed_tenths));
+        REQUIRE(truncated_to<narrow>(signed_rpm{half}).count() == (signed_tenths > 32'767    ? 32'767
+                                                                   : signed_tenths < -32'768 ? -32'768
+                                                                                             : signed_tenths));
         REQUIRE(truncated_to<rpm>(signed_rpm{half}).count() == (half < 0 ? 0 : half));
     }
     using many = quantity<frequency, std::int64_t, std::kilo>;

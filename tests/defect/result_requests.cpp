@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <rtuwire/client/conversation.hpp>
+#include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/core/hex.hpp>
 
 #include "support/proof.hpp"
@@ -24,11 +24,11 @@ namespace {
 
 /// Whether a request still has its words behind the expression that made it, in one size and no more.
 template <typename Request, std::size_t Size>
-constexpr bool is_sent_as(Request const& kept, std::array<std::byte, Size> const& octets)
+constexpr bool is_sent_as(Request const& kept, std::array<std::byte, Size> const& bytes)
 {
     Request const moved = kept;
     auto const frame = encode(unit_id{1}, moved);
-    return frame and *frame == octets and frame->capacity() == Size;
+    return frame and *frame == bytes and frame->capacity() == Size;
 }
 
 constexpr bool owns_its_words()
@@ -39,8 +39,7 @@ constexpr bool owns_its_words()
     auto const raw = raw_pdu{static_cast<function_code>(0x41), "0A 0B 0C"_hex};
     return is_sent_as(write, "01 10 00 64 00 02 04 00 01 00 02 24 75"_hex) and
            is_sent_as(both, "01 17 00 03 00 04 00 64 00 01 02 00 07 2D 78"_hex) and
-           is_sent_as(query, "01 08 00 00 A5 37 00 02 1A C4"_hex) and
-           is_sent_as(raw, "01 41 0A 0B 0C 2A CB"_hex);
+           is_sent_as(query, "01 08 00 00 A5 37 00 02 1A C4"_hex) and is_sent_as(raw, "01 41 0A 0B 0C 2A CB"_hex);
 }
 PROOF("defect: a request that is kept owns its words", owns_its_words)
 
@@ -56,56 +55,52 @@ constexpr bool is_made_in_a_function()
 }
 PROOF("defect: a request owns its words also where the block has a name", is_made_in_a_function)
 
-// A block or octets that end with their expression give no view.
+// A block or bytes that end with their expression give no view.
 template <typename T> constexpr bool gives_view = std::is_convertible_v<T, register_view>;
 STATIC_CHECK(gives_view<register_block<2>&>and gives_view<register_block<2> const&>);
 STATIC_CHECK(not gives_view<register_block<2>> and not gives_view<register_block<2> const>);
-using two_octets = std::array<std::byte, 2>;
-STATIC_CHECK(std::is_constructible_v<register_view, two_octets const&>);
-STATIC_CHECK(not std::is_constructible_v<register_view, two_octets>);
-STATIC_CHECK(std::is_constructible_v<raw_pdu<>, function_code, two_octets const&>);
-STATIC_CHECK(not std::is_constructible_v<raw_pdu<>, function_code, two_octets>);
+using two_bytes = std::array<std::byte, 2>;
+STATIC_CHECK(std::is_constructible_v<register_view, two_bytes const&>);
+STATIC_CHECK(not std::is_constructible_v<register_view, two_bytes>);
+STATIC_CHECK(std::is_constructible_v<raw_pdu<>, function_code, two_bytes const&>);
+STATIC_CHECK(not std::is_constructible_v<raw_pdu<>, function_code, two_bytes>);
 
 // A view is a view, and so is what was decoded.
 constexpr register_block lasting{1, 2};
-STATIC_CHECK(std::is_same_v<decltype(write_multiple_registers{100, lasting.view()}),
-                            write_multiple_registers<>>);
-STATIC_CHECK(write_multiple_registers{100, lasting} ==
-             write_multiple_registers{100, lasting.view()});
+STATIC_CHECK(std::is_same_v<decltype(write_multiple_registers{100, lasting.view()}), write_multiple_registers<>>);
+STATIC_CHECK(write_multiple_registers{100, lasting} == write_multiple_registers{100, lasting.view()});
 STATIC_CHECK(write_multiple_registers{100, lasting} != write_multiple_registers{101, lasting});
 
-// What a response shows outlives the response, because the octets are elsewhere.
-constexpr bool shows_octets_of_a_response_that_is_gone()
+// What a response shows outlives the response, because the bytes are elsewhere.
+constexpr bool shows_bytes_of_a_response_that_is_gone()
 {
-    constexpr auto octets = "03 02 12 34"_hex;
-    auto const outcome = [&] { return std::optional{result<response>{response{octets}}}; };
+    constexpr auto bytes = "03 02 12 34"_hex;
+    auto const outcome = [&] { return std::optional{result<response>{response{bytes}}}; };
     unsigned sum = 0;
-    for (std::byte const octet : (*outcome())->pdu()) {
-        sum += to_u8(octet);
+    for (std::byte const byte : (*outcome())->pdu()) {
+        sum += to_u8(byte);
     }
     return sum == 3 + 2 + 0x12 + 0x34;
 }
-PROOF("defect: (b) a loop over a response's PDU needs no response",
-      shows_octets_of_a_response_that_is_gone)
+PROOF("defect: (b) a loop over a response's PDU needs no response", shows_bytes_of_a_response_that_is_gone)
 
 // More words than the function takes are refused as ever.
-STATIC_CHECK(encode(unit_id{1}, write_multiple_registers{0, register_block<124>{}}) ==
-             errc::invalid_quantity);
+STATIC_CHECK(encode(unit_id{1}, write_multiple_registers{0, register_block<124>{}}) == errc::invalid_quantity);
 STATIC_CHECK(encode(unit_id{1}, read_write_multiple_registers{0, 1, 0, register_block<122>{}}) ==
              errc::invalid_quantity);
-STATIC_CHECK(encode(unit_id{1}, diagnostics{subfunction::return_query_data,
-                                            register_block<126>{}}) == errc::invalid_quantity);
-STATIC_CHECK(encode(unit_id{1}, raw_pdu{static_cast<function_code>(0x41),
-                                        std::array<std::byte, 253>{}}) == errc::frame_too_long);
+STATIC_CHECK(encode(unit_id{1}, diagnostics{subfunction::return_query_data, register_block<126>{}}) ==
+             errc::invalid_quantity);
+STATIC_CHECK(encode(unit_id{1}, raw_pdu{static_cast<function_code>(0x41), std::array<std::byte, 253>{}}) ==
+             errc::frame_too_long);
 
 // The value of a result that ends with its expression is as temporary; it may be copied, and named.
 template <typename T> using content_of = decltype(*std::declval<result<T>>());
 template <typename T> using content_of_named = decltype(*std::declval<result<T>&>());
 STATIC_CHECK(std::is_same_v<content_of<fixed_buffer<8>>, fixed_buffer<8>>);
 STATIC_CHECK(std::is_same_v<content_of_named<fixed_buffer<8>>, fixed_buffer<8> const&>);
-STATIC_CHECK(not std::is_constructible_v<request, content_of<fixed_buffer<8>>>);
-STATIC_CHECK(not std::is_constructible_v<request, content_of<std::array<std::byte, 8>>>);
-STATIC_CHECK(std::is_constructible_v<request, content_of_named<fixed_buffer<8>>>);
+STATIC_CHECK(not std::is_constructible_v<request_frame, content_of<fixed_buffer<8>>>);
+STATIC_CHECK(not std::is_constructible_v<request_frame, content_of<std::array<std::byte, 8>>>);
+STATIC_CHECK(std::is_constructible_v<request_frame, content_of_named<fixed_buffer<8>>>);
 STATIC_CHECK(not gives_view<content_of<register_block<2>>>);
 STATIC_CHECK(gives_view<content_of_named<register_block<2>>>);
 
@@ -117,7 +112,6 @@ constexpr bool may_be_kept_by_value()
     byte_view const same = named;
     return copied == same and *encoded() == same and encoded()->size() == 8;
 }
-PROOF("defect: the value of a temporary result may be copied, named and compared",
-      may_be_kept_by_value)
+PROOF("defect: the value of a temporary result may be copied, named and compared", may_be_kept_by_value)
 
 } // namespace

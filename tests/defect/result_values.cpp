@@ -8,13 +8,12 @@
 
 #include "defect/result_values.hpp"
 
-static_assert(RTUWIRE_CHECKED == 1,
-              "reading a value that is not there is caught where there is a system");
+static_assert(RTUWIRE_CHECKED == 1, "reading a value that is not there is caught where there is a system");
 
 void rtuwire::on_missing_value(rtuwire::errc why) noexcept
 {
-    auto const octet = static_cast<unsigned char>(why);
-    if (write(test::last_words, &octet, 1) != 1) {
+    auto const byte = static_cast<unsigned char>(why);
+    if (write(test::last_words, &byte, 1) != 1) {
         _exit(1);
     }
 }

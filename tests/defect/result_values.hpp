@@ -38,24 +38,21 @@ inline std::uint32_t told(std::uint32_t number)
 /// Every way to read a value: one that is there is read, one that is not ends the program behind its hook.
 static void values_are_checked()
 {
-    auto const unit = [](std::uint32_t number) {
-        consume((*unit_id::checked(told(number))).octet());
-    };
+    auto const unit = [](std::uint32_t number) { consume((*unit_id::checked(told(number))).byte()); };
     CHECK(end_of([&] { unit(247); }).is_return);
     end const refused = end_of([&] { unit(248); });
     CHECK(refused.is_trap);
     CHECK(refused.left == static_cast<int>(errc::invalid_unit));
 
     auto const pair = [](errc error) {
-        return told(0) + static_cast<std::uint32_t>(error) == 0
-                   ? result<pair_of_words>{pair_of_words{1, 2}}
-                   : result<pair_of_words>{error};
+        return told(0) + static_cast<std::uint32_t>(error) == 0 ? result<pair_of_words>{pair_of_words{1, 2}}
+                                                                : result<pair_of_words>{error};
     };
     CHECK(end_of([&] { consume(pair(errc::none)->second); }).is_return);
     CHECK(end_of([&] { consume((*pair(errc::none)).first); }).is_return);
-    end const arrow = end_of([&] { consume(pair(errc::timed_out)->second); });
-    CHECK(arrow.is_trap);
-    CHECK(arrow.left == static_cast<int>(errc::timed_out));
+    end const transition_rule = end_of([&] { consume(pair(errc::timed_out)->second); });
+    CHECK(transition_rule.is_trap);
+    CHECK(transition_rule.left == static_cast<int>(errc::timed_out));
     end const star = end_of([&] { consume((*pair(errc::pending)).first); });
     CHECK(star.is_trap);
     CHECK(star.left == static_cast<int>(errc::pending));

@@ -8,7 +8,4 @@
 
 static_assert(RTUWIRE_CHECKED == 1);
 
-TEST_CASE("defect: the value of a failed result is not read, NDEBUG or not")
-{
-    test::values_are_checked();
-}
+TEST_CASE("defect: the value of a failed result is not read, NDEBUG or not") { test::values_are_checked(); }

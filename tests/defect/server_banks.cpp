@@ -13,16 +13,15 @@ using namespace rtuwire;
 namespace {
 
 template <typename Bank, std::size_t Size>
-std::uint32_t exception_to(std::array<std::byte, Size> const& request, Bank& bank,
-                           server_profile const& profile = {})
+std::uint32_t exception_to(std::array<std::byte, Size> const& request, Bank& bank, server_profile const& profile = {})
 {
     std::array<std::byte, max_pdu_size> place{};
     byte_view const response = respond(request, bank, profile, place);
     return response.size() == 2 and to_u8(response[0]) >= 0x80 ? to_u8(response[1]) : 0U;
 }
 
-constexpr reg<plain> first{.code = "FST", .address = 0};
-constexpr reg<plain> last{.code = "LST", .address = 65535};
+constexpr reg<count16> first{.code = "FST", .address = 0};
+constexpr reg<count16> last{.code = "LST", .address = 65535};
 
 constexpr auto read_65530_16 = "03 FF FA 00 10"_hex;
 constexpr auto read_65530_7 = "03 FF FA 00 07"_hex;

@@ -61,35 +61,32 @@ struct exchange {
 
 class traffic {
 public:
-    explicit traffic(std::uint32_t seed) : dice_{seed} {}
+    explicit traffic(std::uint32_t seed) : random_{seed} {}
 
-    numbers& dice() { return dice_; }
+    numbers& random_source() { return random_; }
 
     /// A write to us: the only function the server under test is asked to execute.
     exchange ours(std::uint32_t address, std::uint32_t value)
     {
-        std::vector<std::uint32_t> const bytes{
-            us, 6, address >> 8U, address & 0xFFU, value >> 8U, value & 0xFFU};
+        std::vector<std::uint32_t> const bytes{us, 6, address >> 8U, address & 0xFFU, value >> 8U, value & 0xFFU};
         return {with_crc(bytes), with_crc(bytes)};
     }
 
     /// Any exchange with another unit.
     exchange foreign()
     {
-        std::uint32_t const unit = 2 + dice_.below(last_unit - 1);
-        constexpr std::uint32_t functions[] = {1, 2, 3,  3,  3,  4,  5,  6,
-                                               6, 7, 11, 15, 16, 22, 23, 43};
-        std::uint32_t const function = functions[dice_.below(16)];
+        std::uint32_t const unit = 2 + random_.below(last_unit - 1);
+        constexpr std::uint32_t functions[] = {1, 2, 3, 3, 3, 4, 5, 6, 6, 7, 11, 15, 16, 22, 23, 43};
+        std::uint32_t const function = functions[random_.below(16)];
         std::vector<std::uint32_t> asks{unit, function};
         std::vector<std::uint32_t> says{unit, function};
         // Drives keep their registers at 3201 and 8501: as a byte count, the high byte is a long response.
-        std::uint32_t const address =
-            dice_.happens(50) ? 3201 + dice_.below(8) : dice_.below(0x10000);
-        std::uint32_t const count = 1 + dice_.below(40);
+        std::uint32_t const address = random_.happens(50) ? 3201 + random_.below(8) : random_.below(0x10000);
+        std::uint32_t const count = 1 + random_.below(40);
         if (function == 7) {
             random_bytes(says, 1);
         } else if (function == 11) {
-            word(says, dice_.happens(50) ? 0xFFFF : 0); // busy or ready, then a counter
+            word(says, random_.happens(50) ? 0xFFFF : 0); // busy or ready, then a counter
             random_bytes(says, 2);
         } else if (function == 43) {
             for (std::uint32_t const byte : {0x0EU, 1U, 0U}) {
@@ -106,7 +103,7 @@ public:
             word(asks, address);
             middle(function, count, asks, says);
         }
-        if (function != 43 and dice_.happens(10)) {
+        if (function != 43 and random_.happens(10)) {
             says = {unit, function | 0x80U, 2};
         }
         return {with_crc(asks), with_crc(says)};
@@ -122,7 +119,7 @@ private:
     void random_bytes(std::vector<std::uint32_t>& bytes, std::uint32_t count)
     {
         for (std::uint32_t i = 0; i < count; ++i) {
-            bytes.push_back(dice_.below(256));
+            bytes.push_back(random_.below(256));
         }
     }
 
@@ -131,9 +128,9 @@ private:
     {
         std::size_t const start = bytes.size();
         random_bytes(bytes, count);
-        if (count >= 8 and dice_.happens(30)) {
-            frame const hidden = ours(dice_.below(1000), 0xDEAD).request;
-            std::size_t const at = start + dice_.below(count - 7);
+        if (count >= 8 and random_.happens(30)) {
+            frame const hidden = ours(random_.below(1000), 0xDEAD).request;
+            std::size_t const at = start + random_.below(count - 7);
             for (std::size_t i = 0; i < hidden.size(); ++i) {
                 bytes[at + i] = static_cast<std::uint32_t>(hidden[i]);
             }
@@ -150,15 +147,15 @@ private:
             says.push_back(bytes);
             data(says, bytes);
         } else if (function == 5 or function == 6) {
-            word(asks, function == 5 ? 0xFF00 : dice_.below(0x10000));
+            word(asks, function == 5 ? 0xFF00 : random_.below(0x10000));
             says = asks;
         } else if (function == 22) {
             random_bytes(asks, 4);
             says = asks;
         } else if (function == 23) {
-            std::uint32_t const written = 1 + dice_.below(20);
+            std::uint32_t const written = 1 + random_.below(20);
             word(asks, count);
-            word(asks, dice_.below(0x10000));
+            word(asks, random_.below(0x10000));
             word(asks, written);
             asks.push_back(2 * written);
             data(asks, 2 * written);
@@ -174,7 +171,7 @@ private:
         }
     }
 
-    numbers dice_;
+    numbers random_;
 };
 
 /// Takes every write, and remembers the last.
@@ -199,10 +196,9 @@ struct diary {
 enum class chunks { bytes, frames, pieces };
 
 /// The server on its line, and what it did.
-class party {
+class bus {
 public:
-    party(line_timing const& timing, chunks how)
-        : timing_{timing}, how_{how}, node_{unit_id{us}, timing}
+    bus(line_timing const& timing, chunks how) : timing_{timing}, how_{how}, node_{unit_id{us}, timing}
     {
         pass(milliseconds(1));
         pass(milliseconds(200));
@@ -212,8 +208,7 @@ public:
     {
         instant const end = now_ + length;
         // Wakes when it wants to.
-        for (deadline next = node_.poll_deadline(); next and not reached(*next, end);
-             next = node_.poll_deadline()) {
+        for (deadline next = node_.poll_deadline(); next and not reached(*next, end); next = node_.poll_deadline()) {
             now_ = reached(now_, *next) ? now_ + microseconds(1) : *next;
             turn();
         }
@@ -221,13 +216,13 @@ public:
         turn();
     }
 
-    void hear(frame const& bytes, numbers& dice)
+    void hear(frame const& bytes, numbers& random_source)
     {
         byte_view rest{bytes};
         while (not rest.empty()) {
             std::size_t many = how_ == chunks::bytes ? 1 : rest.size();
             if (how_ == chunks::pieces) {
-                many = 1 + dice.below(static_cast<std::uint32_t>(rest.size()));
+                many = 1 + random_source.below(static_cast<std::uint32_t>(rest.size()));
             }
             now_ = now_ + timing_.characters(many);
             node_.receive(rest.first(many), now_);
@@ -273,7 +268,7 @@ std::string failures_of(line_timing const& timing, chunks how, std::uint32_t see
 {
     constexpr duration gap = milliseconds(5);
     traffic line{seed};
-    party it{timing, how};
+    bus it{timing, how};
     unsigned lost = 0;
     unsigned unanswered = 0;
     unsigned asked = 0;
@@ -281,37 +276,36 @@ std::string failures_of(line_timing const& timing, chunks how, std::uint32_t see
     bool is_unasked = false;
     for (unsigned i = 0; i < total; ++i) {
         it.pass(gap);
-        if (not line.dice().happens(30)) {
+        if (not line.random_source().happens(30)) {
             exchange const other = line.foreign();
-            it.hear(other.request, line.dice());
-            if (not line.dice().happens(25)) {
+            it.hear(other.request, line.random_source());
+            if (not line.random_source().happens(25)) {
                 it.pass(gap);
-                it.hear(other.response, line.dice());
+                it.hear(other.response, line.random_source());
             }
             is_unasked = is_unasked or it.bank().writes != expected;
             expected = it.bank().writes;
             continue;
         }
         ++asked;
-        std::uint32_t const address = line.dice().below(1000);
+        std::uint32_t const address = line.random_source().below(1000);
         exchange const mine = line.ours(address, i & 0xFFFFU);
         static_cast<void>(it.take_said());
-        it.hear(mine.request, line.dice());
+        it.hear(mine.request, line.random_source());
         it.pass(gap);
-        bool const is_done = it.bank().writes == expected + 1 and it.bank().address == address and
-                             it.bank().value == (i & 0xFFFFU);
+        bool const is_done =
+            it.bank().writes == expected + 1 and it.bank().address == address and it.bank().value == (i & 0xFFFFU);
         expected = it.bank().writes;
         lost += is_done ? 0U : 1U;
         unanswered += it.take_said() == mine.response ? 0U : 1U;
     }
-    return std::to_string(asked) + " asked, " + std::to_string(lost) + " lost, " +
-           std::to_string(unanswered) + " not answered" + (is_unasked ? ", unasked writes" : "");
+    return std::to_string(asked) + " asked, " + std::to_string(lost) + " lost, " + std::to_string(unanswered) +
+           " not answered" + (is_unasked ? ", unasked writes" : "");
 }
 
 bool is_clean(std::string const& report)
 {
-    return report.find(" 0 lost, 0 not answered") != std::string::npos and
-           report.find("unasked") == std::string::npos;
+    return report.find(" 0 lost, 0 not answered") != std::string::npos and report.find("unasked") == std::string::npos;
 }
 
 constexpr unsigned exchanges = 20'000;
@@ -338,15 +332,15 @@ TEST_CASE("defect: D11 a unit that misses one response costs no request to us")
     auto const host = line_timing::host(19'200, character_format::even_8_1);
     constexpr duration gap = milliseconds(5);
     traffic line{1};
-    party it{host, chunks::frames};
+    bus it{host, chunks::frames};
     frame const missed = with_crc({2, 3, 0x0C, 0x81, 0, 6});
-    it.hear(missed, line.dice());
+    it.hear(missed, line.random_source());
     unsigned done = 0;
     for (unsigned i = 0; i < 100; ++i) {
         it.pass(gap);
-        it.hear(missed, line.dice()); // never answered
+        it.hear(missed, line.random_source()); // never answered
         it.pass(gap);
-        it.hear(line.ours(1, i).request, line.dice());
+        it.hear(line.ours(1, i).request, line.random_source());
         it.pass(gap);
         done += it.bank().writes == i + 1 ? 1U : 0U;
     }

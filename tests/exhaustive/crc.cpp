@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// The CRC sees every error of up to three bits and every burst of up to 16, in frames of 4 to 256 octets.
+// The CRC sees every error of up to three bits and every burst of up to 16, in frames of 4 to 256 bytes.
 // The CRC is affine, so what an error does to it is the sum of what its bits do alone.
 #include <array>
 #include <bitset>

@@ -34,12 +34,12 @@ struct every_register {
 
 constexpr server_profile profile{};
 
-/// A PDU from its first octets; the rest is zero.
+/// A PDU from its first bytes; the rest is zero.
 struct pdu {
-    std::array<std::byte, max_pdu_size> octets{};
+    std::array<std::byte, max_pdu_size> bytes{};
     std::size_t size{0};
 
-    void u8(std::uint64_t value) { octets[size++] = static_cast<std::byte>(value & 0xFFU); }
+    void u8(std::uint64_t value) { bytes[size++] = static_cast<std::byte>(value & 0xFFU); }
     void u16(std::uint64_t value)
     {
         u8(value >> 8U);
@@ -48,15 +48,15 @@ struct pdu {
     void zeros(std::size_t count) { size += count; }
 };
 
-/// The exception that the server answers with; 0 for a normal answer.
+/// The exception that the server answers with; 0 for a normal response.
 unsigned verdict(pdu& asked)
 {
     every_register bank;
     no_diagnostics none;
-    pdu_place place{asked.octets, asked.size};
+    pdu_buffer place{asked.bytes, asked.size};
     respond_in_place(place, bank, profile, none);
-    bool const is_exception = (to_u8(asked.octets[0]) & 0x80U) != 0;
-    return is_exception ? to_u8(asked.octets[1]) : 0U;
+    bool const is_exception = (to_u8(asked.bytes[0]) & 0x80U) != 0;
+    return is_exception ? to_u8(asked.bytes[1]) : 0U;
 }
 
 bool is_read_right(std::uint64_t header)
@@ -67,9 +67,7 @@ bool is_read_right(std::uint64_t header)
     asked.u8(3);
     asked.u16(address);
     asked.u16(quantity);
-    unsigned const expected = quantity < 1 or quantity > 125 ? 3U
-                              : address + quantity > 65'536  ? 2U
-                                                             : 0U;
+    unsigned const expected = quantity < 1 or quantity > 125 ? 3U : address + quantity > 65'536 ? 2U : 0U;
     return verdict(asked) == expected;
 }
 
@@ -82,7 +80,7 @@ bool is_write_right(std::uint64_t header)
     return verdict(asked) == 0;
 }
 
-/// Case: quantity (16 bits), byte count (8 bits), octets of data (8 bits).
+/// Case: quantity (16 bits), byte count (8 bits), bytes of data (8 bits).
 bool is_block_right(std::uint64_t at)
 {
     std::uint64_t const quantity = at & 0xFFFFU;
@@ -97,12 +95,11 @@ bool is_block_right(std::uint64_t at)
     asked.u16(quantity);
     asked.u8(byte_count);
     asked.zeros(data);
-    bool const is_legal =
-        quantity >= 1 and quantity <= 123 and byte_count == 2 * quantity and data == byte_count;
+    bool const is_legal = quantity >= 1 and quantity <= 123 and byte_count == 2 * quantity and data == byte_count;
     return verdict(asked) == (is_legal ? 0U : 3U);
 }
 
-/// Case: written quantity (16 bits), byte count (8 bits), octets of data (8 bits); one register is read.
+/// Case: written quantity (16 bits), byte count (8 bits), bytes of data (8 bits); one register is read.
 bool is_exchange_right(std::uint64_t at)
 {
     std::uint64_t const quantity = at & 0xFFFFU;
@@ -119,8 +116,7 @@ bool is_exchange_right(std::uint64_t at)
     asked.u16(quantity);
     asked.u8(byte_count);
     asked.zeros(data);
-    bool const is_legal =
-        quantity >= 1 and quantity <= 121 and byte_count == 2 * quantity and data == byte_count;
+    bool const is_legal = quantity >= 1 and quantity <= 121 and byte_count == 2 * quantity and data == byte_count;
     return verdict(asked) == (is_legal ? 0U : 3U);
 }
 
@@ -137,9 +133,7 @@ bool is_exchange_read_right(std::uint64_t header)
     asked.u16(1);
     asked.u8(2);
     asked.u16(0);
-    unsigned const expected = quantity < 1 or quantity > 125 ? 3U
-                              : address + quantity > 65'536  ? 2U
-                                                             : 0U;
+    unsigned const expected = quantity < 1 or quantity > 125 ? 3U : address + quantity > 65'536 ? 2U : 0U;
     return verdict(asked) == expected;
 }
 

@@ -22,12 +22,10 @@ inline std::uint64_t stride_of(int argc, char** argv)
 
 /// Calls `is_right(case)` for all cases below `count` by the stride; says how many were wrong, and returns
 /// whether none was.
-template <typename Right>
-bool holds(char const* what, std::uint64_t count, std::uint64_t stride, Right is_right)
+template <typename Right> bool holds(char const* what, std::uint64_t count, std::uint64_t stride, Right is_right)
 {
     std::atomic<std::uint64_t> wrong{0};
-    unsigned const workers =
-        std::thread::hardware_concurrency() > 0 ? std::thread::hardware_concurrency() : 1U;
+    unsigned const workers = std::thread::hardware_concurrency() > 0 ? std::thread::hardware_concurrency() : 1U;
     auto const work = [&](std::uint64_t first) {
         std::uint64_t mine = 0;
         for (std::uint64_t at = first * stride; at < count; at += stride * workers) {
@@ -42,8 +40,7 @@ bool holds(char const* what, std::uint64_t count, std::uint64_t stride, Right is
     for (std::thread& each : pool) {
         each.join();
     }
-    std::printf("%s: %llu cases, %llu wrong\n", what,
-                static_cast<unsigned long long>((count + stride - 1) / stride),
+    std::printf("%s: %llu cases, %llu wrong\n", what, static_cast<unsigned long long>((count + stride - 1) / stride),
                 static_cast<unsigned long long>(wrong.load()));
     return wrong == 0;
 }

@@ -3,7 +3,7 @@
 // A speed limit that no drive of the family has.
 // EXPECT: value_is_above_the_register_maximum
 #include <rtuwire/altivar/atv12.hpp>
-#include <rtuwire/client/access.hpp>
+#include <rtuwire/ask/access.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

@@ -4,7 +4,7 @@
 // EXPECT: value_is_never_written_to_this_register
 // CASES: 3
 #include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/client/access.hpp>
+#include <rtuwire/ask/access.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A question to everyone, which nobody would answer.
-// EXPECT: a broadcast has no answer, so only a write can be broadcast
+// A request to everyone, which nobody would answer.
+// EXPECT: a broadcast has no response, so only a write can be broadcast
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 
 using namespace rtuwire;

@@ -3,7 +3,7 @@
 // A read in given steps from a device that has no function 03.
 // EXPECT: this device does not implement function 03
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/client/access.hpp>
+#include <rtuwire/ask/access.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -19,9 +19,9 @@ inline constexpr station<writer> deaf{unit_id{3}};
 void act()
 {
 #ifdef REFUSED
-    static_cast<void>(read_in_steps_of<deciseconds, atv320::acc>(deaf));
+    static_cast<void>(read_with_step<deciseconds, atv320::acc>(deaf));
 #else
-    static_cast<void>(read_in_steps_of<deciseconds, atv320::acc>(drive));
+    static_cast<void>(read_with_step<deciseconds, atv320::acc>(drive));
     static_cast<void>(deaf);
 #endif
 }

@@ -3,7 +3,7 @@
 // A write in given steps to a device that has no function 06.
 // EXPECT: this device does not implement function 06
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/client/access.hpp>
+#include <rtuwire/ask/access.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -19,9 +19,9 @@ inline constexpr station<writer> deaf{unit_id{3}};
 void act()
 {
 #ifdef REFUSED
-    static_cast<void>(write_in_steps_of<deciseconds, atv320::acc>(deaf, 1.3_s));
+    static_cast<void>(write_with_step<deciseconds, atv320::acc>(deaf, 1.3_s));
 #else
-    static_cast<void>(write_in_steps_of<deciseconds, atv320::acc>(drive, 1.3_s));
+    static_cast<void>(write_with_step<deciseconds, atv320::acc>(drive, 1.3_s));
     static_cast<void>(deaf);
 #endif
 }

@@ -3,8 +3,8 @@
 // A cycle before all slots of a bus, which would wait for its end.
 // EXPECT: this conversation never ends: no slot would ask behind it
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/cyclic.hpp>
-#include <rtuwire/altivar/stop_everyone.hpp>
+#include <rtuwire/altivar/cyclic/cyclic.hpp>
+#include <rtuwire/altivar/procedure/broadcast_stop.hpp>
 #include <rtuwire/client/bus.hpp>
 
 using namespace rtuwire;
@@ -13,9 +13,9 @@ using namespace rtuwire::altivar;
 void pass(bus<2>& line, station<atv320::device> const& drive, instant now)
 {
 #ifdef REFUSED
-    cyclic talk{drive};
+    cyclic conversation{drive};
 #else
-    stop_everyone talk{drive};
+    broadcast_stop conversation{drive};
 #endif
-    line.converse_first(talk, now);
+    line.run_urgent(conversation, now);
 }

@@ -3,17 +3,17 @@
 // One request that is to write registers which do not follow one another.
 // EXPECT: one request writes registers that follow one another
 // CASES: 3
-#include <rtuwire/client/access.hpp>
+#include <rtuwire/ask/access.hpp>
 
 using namespace rtuwire;
 
-inline constexpr reg<plain> first{.code = "A", .address = 100};
-inline constexpr reg<plain> second{.code = "B", .address = 101};
-inline constexpr reg<plain> third{.code = "C", .address = 102};
-inline constexpr reg<plain> fifth{.code = "E", .address = 104};
+inline constexpr reg<count16> first{.code = "A", .address = 100};
+inline constexpr reg<count16> second{.code = "B", .address = 101};
+inline constexpr reg<count16> third{.code = "C", .address = 102};
+inline constexpr reg<count16> fifth{.code = "E", .address = 104};
 
 struct drive {
-    static constexpr text name{"Drive"};
+    static constexpr literal name{"Drive"};
     using registers = table<first, second, third, fifth>;
     static constexpr unit_range units{1, 247};
     static constexpr device_limits limits{63, 61, 4, 4};

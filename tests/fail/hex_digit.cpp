@@ -8,18 +8,18 @@
 using namespace rtuwire;
 
 #if not defined(REFUSED)
-constexpr auto octets = "02 0F"_hex;
+constexpr auto bytes = "02 0F"_hex;
 #elif REFUSED == 1
-constexpr auto octets = "02 0G"_hex;
+constexpr auto bytes = "02 0G"_hex;
 #elif REFUSED == 2
-constexpr auto octets = "02 0g"_hex;
+constexpr auto bytes = "02 0g"_hex;
 #elif REFUSED == 3
-constexpr auto octets = "02 0@"_hex;
+constexpr auto bytes = "02 0@"_hex;
 #elif REFUSED == 4
-constexpr auto octets = "02 0`"_hex;
+constexpr auto bytes = "02 0`"_hex;
 #elif REFUSED == 5
-constexpr auto octets = "02 0:"_hex;
+constexpr auto bytes = "02 0:"_hex;
 #else
-constexpr auto octets = "02 0/"_hex;
+constexpr auto bytes = "02 0/"_hex;
 #endif
-static_assert(octets.size() == 2);
+static_assert(bytes.size() == 2);

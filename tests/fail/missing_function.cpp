@@ -5,8 +5,8 @@
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/client/access.hpp>
-#include <rtuwire/client/poller.hpp>
+#include <rtuwire/ask/access.hpp>
+#include <rtuwire/ask/poller.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -17,8 +17,8 @@ inline constexpr station<atv28::device> old{unit_id{3}};
 void act()
 {
 #ifdef REFUSED
-    static_cast<void>(exchange<registers<atv28::eta>, atv28::lfr>(old, 50_Hz));
+    static_cast<void>(exchange<contiguous<atv28::eta>, atv28::lfr>(old, 50_Hz));
 #else
-    static_cast<void>(exchange<registers<atv12::nm1>, atv12::nc1>(drive, 6_raw));
+    static_cast<void>(exchange<contiguous<atv12::nm1>, atv12::nc1>(drive, 6_raw));
 #endif
 }

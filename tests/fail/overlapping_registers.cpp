@@ -5,8 +5,8 @@
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/client/access.hpp>
-#include <rtuwire/client/poller.hpp>
+#include <rtuwire/ask/access.hpp>
+#include <rtuwire/ask/poller.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -14,8 +14,8 @@ using namespace rtuwire::altivar;
 inline constexpr station<atv12::device> drive{unit_id{7}};
 inline constexpr station<atv28::device> old{unit_id{3}};
 
-inline constexpr reg<plain> speed{.code = "SPD", .address = 7};
-inline constexpr reg<plain> pressure{.code = "TRQ", .address = 7};
+inline constexpr reg<count16> speed{.code = "SPD", .address = 7};
+inline constexpr reg<count16> pressure{.code = "TRQ", .address = 7};
 
 void act()
 {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// The request of a conversation that is gone, and its octets with it.
+// The request of a conversation that is gone, and its bytes with it.
 // EXPECT: deleted
 // EXPECT: next
-#include <rtuwire/client/single_question.hpp>
+#include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 
 using namespace rtuwire;
@@ -11,11 +11,10 @@ using namespace rtuwire;
 std::size_t asked()
 {
 #ifdef REFUSED
-    auto const question =
-        single_question{unit_id{7}, read_holding_registers{.start = 3201, .count = 1}}.next();
+    auto const request = single_request{unit_id{7}, read_holding_registers{.start = 3201, .count = 1}}.next();
 #else
-    single_question const ask{unit_id{7}, read_holding_registers{.start = 3201, .count = 1}};
-    auto const question = ask.next();
+    single_request const ask{unit_id{7}, read_holding_registers{.start = 3201, .count = 1}};
+    auto const request = ask.next();
 #endif
-    return question->frame().size();
+    return request->frame().size();
 }

@@ -3,7 +3,7 @@
 // A write to a register that its manual reserves.
 // EXPECT: this register is read-only
 #include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/client/access.hpp>
+#include <rtuwire/ask/access.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

@@ -5,8 +5,8 @@
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/client/access.hpp>
-#include <rtuwire/client/poller.hpp>
+#include <rtuwire/ask/access.hpp>
+#include <rtuwire/ask/poller.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

@@ -4,7 +4,7 @@
 // EXPECT: deleted
 // EXPECT: latest
 #include <rtuwire/altivar/atv12.hpp>
-#include <rtuwire/client/poller.hpp>
+#include <rtuwire/ask/poller.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Octets to be written, of a buffer that is gone before anybody writes them.
+// Bytes to be written, of a buffer that is gone before anybody writes them.
 // EXPECT: deleted
 // EXPECT: storage
 #include <rtuwire/core/fixed_buffer.hpp>

@@ -5,8 +5,8 @@
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/client/access.hpp>
-#include <rtuwire/client/poller.hpp>
+#include <rtuwire/ask/access.hpp>
+#include <rtuwire/ask/poller.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -14,7 +14,7 @@ using namespace rtuwire::altivar;
 inline constexpr station<atv12::device> drive{unit_id{7}};
 inline constexpr station<atv28::device> old{unit_id{3}};
 
-inline constexpr reg<plain> after_lsp{.code = "X", .address = 3106};
+inline constexpr reg<count16> after_lsp{.code = "X", .address = 3106};
 struct wide_device : atv12::device {
     using registers = table<atv12::sfr, atv12::tfr, atv12::hsp, atv12::lsp, after_lsp, atv12::nc1>;
 };
@@ -24,10 +24,8 @@ void act()
 {
 #ifdef REFUSED
     static_cast<void>(
-        exchange<registers<atv12::sfr, atv12::tfr, atv12::hsp, atv12::lsp, after_lsp>, atv12::nc1>(
-            wide, 6_raw));
+        exchange<contiguous<atv12::sfr, atv12::tfr, atv12::hsp, atv12::lsp, after_lsp>, atv12::nc1>(wide, 6_raw));
 #else
-    static_cast<void>(
-        exchange<registers<atv12::rfr, atv12::frh, atv12::lcr>, atv12::nc1>(drive, 6_raw));
+    static_cast<void>(exchange<contiguous<atv12::rfr, atv12::frh, atv12::lcr>, atv12::nc1>(drive, 6_raw));
 #endif
 }

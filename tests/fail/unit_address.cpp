@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A unit address that the line does not have: too high, that of everyone, more than an octet.
+// A unit address that the line does not have: too high, that of everyone, more than a byte.
 // EXPECT: a_unit_address_is_1_to_247
 // CASES: 3
 #include <rtuwire/wire/unit_id.hpp>
@@ -16,4 +16,4 @@ constexpr unit_id unit{0};
 #else
 constexpr unit_id unit{256 + 7};
 #endif
-static_assert(unit.octet() > 0);
+static_assert(unit.byte() > 0);

@@ -3,7 +3,7 @@
 // A value of an enumeration that its list does not have.
 // EXPECT: value_has_no_meaning_in_this_register
 #include <rtuwire/altivar/atv12.hpp>
-#include <rtuwire/client/access.hpp>
+#include <rtuwire/ask/access.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A ramp time whose steps another register sets.
-// EXPECT: another register sets this register's steps: name them with write_in_steps_of
+// EXPECT: another register sets this register's steps: name them with write_with_step
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/client/access.hpp>
-#include <rtuwire/client/poller.hpp>
+#include <rtuwire/ask/access.hpp>
+#include <rtuwire/ask/poller.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -21,6 +21,6 @@ void act()
 #ifdef REFUSED
     static_cast<void>(write<atv320::acc>(new_drive, 1.3_s));
 #else
-    static_cast<void>(write_in_steps_of<deciseconds, atv320::acc>(new_drive, 1.3_s));
+    static_cast<void>(write_with_step<deciseconds, atv320::acc>(new_drive, 1.3_s));
 #endif
 }

@@ -3,7 +3,7 @@
 // Ramp times in one block, whose steps another register sets.
 // EXPECT: another register sets this register's steps: name them with restepped
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/client/access.hpp>
+#include <rtuwire/ask/access.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -16,7 +16,6 @@ void act()
     static_cast<void>(write_all<atv320::acc, atv320::dec>(drive, 1.3_s, 2_s));
 #else
     static_cast<void>(
-        write_all<restepped<deciseconds, atv320::acc>, restepped<deciseconds, atv320::dec>>(
-            drive, 1.3_s, 2_s));
+        write_all<restepped<deciseconds, atv320::acc>, restepped<deciseconds, atv320::dec>>(drive, 1.3_s, 2_s));
 #endif
 }

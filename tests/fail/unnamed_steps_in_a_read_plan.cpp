@@ -14,7 +14,6 @@ void act()
 #ifdef REFUSED
     static_cast<void>(read_plan<atv320::device, atv320::eta, atv320::acc>::request_count);
 #else
-    static_cast<void>(
-        read_plan<atv320::device, atv320::eta, restepped<deciseconds, atv320::acc>>::request_count);
+    static_cast<void>(read_plan<atv320::device, atv320::eta, restepped<deciseconds, atv320::acc>>::request_count);
 #endif
 }

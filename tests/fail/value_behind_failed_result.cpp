@@ -8,8 +8,8 @@
 using namespace rtuwire;
 
 #ifdef REFUSED
-constexpr std::uint8_t address = unit_id::checked(0)->octet();
+constexpr std::uint8_t address = unit_id::checked(0)->byte();
 #else
-constexpr std::uint8_t address = unit_id::checked(1)->octet();
+constexpr std::uint8_t address = unit_id::checked(1)->byte();
 #endif
 static_assert(address == 1);

@@ -11,4 +11,4 @@ constexpr unit_id unit = *unit_id::checked(248);
 #else
 constexpr unit_id unit = *unit_id::checked(247);
 #endif
-static_assert(unit.octet() == 247);
+static_assert(unit.byte() == 247);

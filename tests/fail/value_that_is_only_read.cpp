@@ -3,7 +3,7 @@
 // A value that a register shows and does not take.
 // EXPECT: value_is_above_the_register_maximum
 #include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/client/access.hpp>
+#include <rtuwire/ask/access.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

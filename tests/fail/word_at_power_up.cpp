@@ -3,7 +3,7 @@
 // The word that a control register shows at power-up, and that is not to be sent.
 // EXPECT: value_is_never_written_to_this_register
 #include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/client/access.hpp>
+#include <rtuwire/ask/access.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""Builds a firmware example, runs it on an emulated board, and lets somebody talk to it.
+"""Builds a firmware example, runs it on an emulated board, and lets a program ask it.
 
     python3 emulated.py BOARD controller SIMULATE DRIVE    it runs a simulated drive
     python3 emulated.py BOARD server [lossy]               mbpoll and pymodbus ask it

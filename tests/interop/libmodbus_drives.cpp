@@ -32,10 +32,9 @@ int walk(modbus_t* line, int unit, int cmd, int eta)
     for (stage const& each : way) {
         std::uint16_t status = 0;
         bool const is_right = modbus_write_register(line, cmd, each.command) == 1 and
-                              modbus_read_registers(line, eta, 1, &status) == 1 and
-                              (status & each.mask) == each.state;
-        std::printf("%s unit %d: CMD %04X, ETA %04X (%s)\n", is_right ? "ok  " : "FAIL", unit,
-                    unsigned{each.command}, unsigned{status}, modbus_strerror(errno));
+                              modbus_read_registers(line, eta, 1, &status) == 1 and (status & each.mask) == each.state;
+        std::printf("%s unit %d: CMD %04X, ETA %04X (%s)\n", is_right ? "ok  " : "FAIL", unit, unsigned{each.command},
+                    unsigned{status}, modbus_strerror(errno));
         failures += is_right ? 0 : 1;
     }
     return failures;

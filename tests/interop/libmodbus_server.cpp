@@ -10,8 +10,7 @@ int main(int argc, char** argv)
 {
     modbus_t* const line = argc == 2 ? modbus_new_rtu(argv[1], 19'200, 'E', 8, 1) : nullptr;
     modbus_mapping_t* const bank = modbus_mapping_new_start_address(0, 0, 0, 0, 100, 100, 0, 0);
-    if (line == nullptr or bank == nullptr or modbus_set_slave(line, 1) != 0 or
-        modbus_connect(line) != 0) {
+    if (line == nullptr or bank == nullptr or modbus_set_slave(line, 1) != 0 or modbus_connect(line) != 0) {
         std::fprintf(stderr, "libmodbus cannot serve on the device\n");
         return 2;
     }

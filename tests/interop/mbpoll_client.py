@@ -4,7 +4,7 @@
 import subprocess
 import sys
 
-# Verbose: it shows the octets it sends.
+# Verbose: it shows the bytes it sends.
 LINE = ["-v", "-m", "rtu", "-b", "19200", "-P", "even", "-0", "-1", "-o", "0.5"]
 failures = 0
 

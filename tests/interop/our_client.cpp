@@ -32,8 +32,7 @@ void expect(bool is_right, char const* what, errc error)
 void check_registers(blocking_client<posix_serial>& line)
 {
     auto const four = line.ask(unit_id{1}, read_holding_registers{100, 4});
-    expect(four and four->registers[0] == 100 and four->registers[3] == 103, "03 reads",
-           four.error());
+    expect(four and four->registers[0] == 100 and four->registers[3] == 103, "03 reads", four.error());
     auto const many = line.ask(unit_id{1}, read_holding_registers{100, 100});
     expect(many and many->registers[99] == 199, "03 reads a long frame", many.error());
     auto const one = line.ask(unit_id{1}, write_single_register{110, 0xBEEF});
@@ -41,21 +40,17 @@ void check_registers(blocking_client<posix_serial>& line)
     auto const two = line.ask(unit_id{1}, write_multiple_registers{111, register_block{7, 8}});
     expect(two and two->count == 2, "16 writes", two.error());
     auto const back = line.ask(unit_id{1}, read_holding_registers{110, 3});
-    expect(back and back->registers == register_block{0xBEEF, 7, 8}, "all was written",
-           back.error());
-    auto const both =
-        line.ask(unit_id{1}, read_write_multiple_registers{111, 3, 112, register_block{0x1234}});
-    expect(both and both->registers == register_block{7, 0x1234, 113},
-           "23 writes, then reads", both.error());
+    expect(back and back->registers == register_block{0xBEEF, 7, 8}, "all was written", back.error());
+    auto const both = line.ask(unit_id{1}, read_write_multiple_registers{111, 3, 112, register_block{0x1234}});
+    expect(both and both->registers == register_block{7, 0x1234, 113}, "23 writes, then reads", both.error());
 }
 
 void check_exceptions(blocking_client<posix_serial>& line)
 {
     auto const address = line.ask(unit_id{1}, read_holding_registers{60'000, 1});
     expect(address == errc::illegal_data_address, "exception 02", address.error());
-    // A quantity of 0, which only a raw question can ask for.
-    auto const value =
-        line.ask(unit_id{1}, raw_pdu{function_code::read_holding_registers, "00 64 00 00"_hex});
+    // A quantity of 0, which only a raw request can ask for.
+    auto const value = line.ask(unit_id{1}, raw_pdu{function_code::read_holding_registers, "00 64 00 00"_hex});
     expect(value == errc::illegal_data_value, "exception 03", value.error());
     auto const silence = line.ask(unit_id{9}, read_holding_registers{100, 1});
     expect(silence == errc::timed_out, "silence of another unit", silence.error());
@@ -70,32 +65,30 @@ void check_unknown_function(blocking_client<posix_serial>& line)
 void check_identification(blocking_client<posix_serial>& line)
 {
     std::string ids;
-    std::size_t octets = 0;
+    std::size_t bytes = 0;
     unsigned pages = 0;
     std::uint8_t next = vendor_name;
     for (bool more = true; more;) {
-        auto const page =
-            line.ask(unit_id{1}, read_device_identification{identification_access::regular, next});
+        auto const page = line.ask(unit_id{1}, read_device_identification{identification_access::regular, next});
         expect(page.has_value(), "43/14 is answered", page.error());
         if (not page) {
             return;
         }
         for (auto at = page->first(); at; at = page->after(*at)) {
             std::string text;
-            for (std::byte const octet : at->value) {
-                text += static_cast<char>(to_u8(octet));
+            for (std::byte const byte : at->value) {
+                text += static_cast<char>(to_u8(byte));
             }
             std::printf("     object %u: %.20s (%zu)\n", at->id, text.c_str(), text.size());
             ids += std::to_string(at->id) + ' ';
-            octets += text.size();
+            bytes += text.size();
         }
         ++pages;
         more = page->more_follows and page->next_object > next;
         next = page->next_object;
     }
     // What pymodbus_server.py says of itself: 8, 158, 3, 184 and 4 characters.
-    expect(ids == "0 1 2 3 4 " and octets == 357 and pages == 2, "43/14 gives all in two pages",
-           errc::none);
+    expect(ids == "0 1 2 3 4 " and bytes == 357 and pages == 2, "43/14 gives all in two pages", errc::none);
 }
 
 } // namespace
@@ -104,8 +97,7 @@ int main(int argc, char** argv)
 {
     posix_serial port;
     if (argc < 2 or not port.open(argv[1])) {
-        std::fprintf(stderr, "%s\n",
-                     argc < 2 ? "usage: our_client DEVICE [identify]" : port.failure().c_str());
+        std::fprintf(stderr, "%s\n", argc < 2 ? "usage: our_client DEVICE [identify]" : port.failure().c_str());
         return 2;
     }
     blocking_client line{port,

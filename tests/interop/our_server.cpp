@@ -30,8 +30,7 @@ int main(int argc, char** argv)
 {
     posix_serial port;
     if (argc != 2 or not port.open(argv[1])) {
-        std::fprintf(stderr, "%s\n",
-                     argc == 2 ? port.failure().c_str() : "usage: our_server DEVICE");
+        std::fprintf(stderr, "%s\n", argc == 2 ? port.failure().c_str() : "usage: our_server DEVICE");
         return 2;
     }
     word_bank<100> bank{100};

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Writes what our encoders and our server say as capture files for a protocol analyser: once as UDP
 // in raw IPv4, where each function is told apart, once as a recorder of serial lines has it, where the
-// CRC is checked. With "damaged" as second argument one octet of one frame is wrong.
+// CRC is checked. With "damaged" as second argument one byte of one frame is wrong.
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -15,36 +15,35 @@ using namespace rtuwire;
 
 namespace {
 
-using octet_list = std::vector<std::byte>;
+using byte_list = std::vector<std::byte>;
 
 struct pair_of_frames {
-    octet_list request;
-    octet_list answer;
+    byte_list request;
+    byte_list response;
 };
 
-constexpr device_object objects[] = {{vendor_name, "Schneider Electric"},
-                                     {product_code, "ATV310H037N4"},
-                                     {major_minor_revision, "0201"}};
+constexpr device_object objects[] = {
+    {vendor_name, "Schneider Electric"}, {product_code, "ATV310H037N4"}, {major_minor_revision, "0201"}};
 constexpr server_profile profile{.identity = identity_of<objects>};
 
-template <typename Request> pair_of_frames ask(Request const& question)
+template <typename Request> pair_of_frames ask(Request const& request)
 {
-    auto const frame = encode(unit_id{2}, question);
+    auto const frame = encode(unit_id{2}, request);
     word_bank<100> bank{3100};
     static_cast<void>(bank.set(3102, 40));
     std::array<std::byte, max_pdu_size> place{};
     auto const asked = decode_adu(*frame);
     auto const said = raw_pdu<>::decode(respond(asked->pdu(), bank, profile, place));
-    octet_list answer;
+    byte_list response;
     if (said) {
         auto const sent = encode(unit_id{2}, *said);
-        answer.assign(sent->view().begin(), sent->view().end());
+        response.assign(sent->view().begin(), sent->view().end());
     } else {
         auto const refusal = exception_response::decode(respond(asked->pdu(), bank, profile, place));
         auto const sent = encode(unit_id{2}, *refusal);
-        answer.assign(sent->view().begin(), sent->view().end());
+        response.assign(sent->view().begin(), sent->view().end());
     }
-    return {{frame->view().begin(), frame->view().end()}, answer};
+    return {{frame->view().begin(), frame->view().end()}, response};
 }
 
 std::vector<pair_of_frames> conversation_of_all()
@@ -68,12 +67,12 @@ public:
         put({0xA1B2C3D4U, 0x00020004U, 0U, 0U, 65535U, link_type});
     }
 
-    void record(octet_list const& octets)
+    void record(byte_list const& bytes)
     {
-        auto const size = static_cast<std::uint32_t>(octets.size());
+        auto const size = static_cast<std::uint32_t>(bytes.size());
         put({++seconds_, 0U, size, size});
-        for (std::byte const octet : octets) {
-            file_.put(static_cast<char>(to_u8(octet)));
+        for (std::byte const byte : bytes) {
+            file_.put(static_cast<char>(to_u8(byte)));
         }
     }
 
@@ -93,14 +92,14 @@ private:
     std::uint32_t seconds_{0};
 };
 
-octet_list in_front_of(octet_list const& frame, byte_writer const& head)
+byte_list in_front_of(byte_list const& frame, byte_writer const& head)
 {
-    octet_list packet{head.written().begin(), head.written().end()};
+    byte_list packet{head.written().begin(), head.written().end()};
     packet.insert(packet.end(), frame.begin(), frame.end());
     return packet;
 }
 
-octet_list as_udp(octet_list const& frame, bool is_request)
+byte_list as_udp(byte_list const& frame, bool is_request)
 {
     constexpr std::uint32_t server_port = 5020;
     constexpr std::uint32_t client_port = 40'000;
@@ -123,7 +122,7 @@ octet_list as_udp(octet_list const& frame, bool is_request)
     return in_front_of(frame, out);
 }
 
-octet_list as_serial(octet_list const& frame, bool is_request, std::uint32_t seconds)
+byte_list as_serial(byte_list const& frame, bool is_request, std::uint32_t seconds)
 {
     std::array<std::byte, 12> head{};
     byte_writer out{head};
@@ -147,15 +146,15 @@ int main(int argc, char** argv)
     std::string const folder = argv[1];
     auto exchanges = conversation_of_all();
     if (argc > 2) {
-        exchanges[0].answer[4] ^= std::byte{1};
+        exchanges[0].response[4] ^= std::byte{1};
     }
     capture udp{folder + "/udp.pcap", 101};
     capture serial{folder + "/serial.pcap", 250};
     for (pair_of_frames const& each : exchanges) {
         udp.record(as_udp(each.request, true));
-        udp.record(as_udp(each.answer, false));
+        udp.record(as_udp(each.response, false));
         serial.record(as_serial(each.request, true, serial.seconds()));
-        serial.record(as_serial(each.answer, false, serial.seconds()));
+        serial.record(as_serial(each.response, false, serial.seconds()));
     }
     return 0;
 }

@@ -125,8 +125,8 @@ private:
             break;
         }
         said_.say("line of drive %u: requests lost %d, answers lost %d, %u in a million, each %u., the %u.",
-                  how_.drive[unit].address, int{own.lost.requests}, int{own.lost.answers},
-                  own.lost.in_a_million, own.lost.each_nth, own.lost.only_nth);
+                  how_.drive[unit].address, int{own.lost.requests}, int{own.lost.answers}, own.lost.in_a_million,
+                  own.lost.each_nth, own.lost.only_nth);
         base::note_line(unit);
     }
 
@@ -178,7 +178,7 @@ private:
         own.law.note_disturbance(now_, own.drive->state(), false);
         own.drive->power_cycle(at());
         own.is_local = false;
-        own.answer_size = 0;
+        own.response_size = 0;
         own.drive->sent(at());
     }
 
@@ -192,8 +192,8 @@ private:
         everyone_.template emplace<std::monostate>();
         link_ = base::make_link();
         // A drive may still answer what was asked before.
-        duration const longest = microseconds(how_.options.response_timeout.microseconds +
-                                              how_.options.late_answer.microseconds);
+        duration const longest =
+            microseconds(how_.options.response_timeout.microseconds + how_.options.late_response.microseconds);
         for (std::size_t i = 0; i < how_.drives; ++i) {
             link_.hold(*unit_id::checked(how_.drive[i].address), at() + longest);
             nodes_[i]->law.note_restart_of_controller();
@@ -209,7 +209,7 @@ private:
                                                      0x080F, 0x010F, 0x0080, 0x0007};
         std::array<std::byte, 8> frame{};
         unit_id const to = *unit_id::checked(how_.drive[unit].address);
-        altivar::drive_profile const& profile = own.drive->profile();
+        altivar::drive_layout const& profile = own.drive->profile();
         if (chance_.below(3) == 0) {
             counts_.note(event::read_of_another_master);
             static_cast<void>(encode_into(frame, to, read_holding_registers{profile.eta, 1}));
@@ -217,8 +217,8 @@ private:
             counts_.note(event::word_of_another_master);
             bool const is_reference = chance_.below(4) == 0;
             std::uint16_t const address = is_reference ? own.drive->frequency_reference() : profile.cmd;
-            std::uint16_t const word = is_reference ? static_cast<std::uint16_t>(chance_.below(400))
-                                                    : words[chance_.below(9)];
+            std::uint16_t const word =
+                is_reference ? static_cast<std::uint16_t>(chance_.below(400)) : words[chance_.below(9)];
             static_cast<void>(encode_into(frame, to, write_single_register{address, word}));
         }
         base::say_as_another(frame);
@@ -248,8 +248,7 @@ private:
     /// Until every motor has to be without power: where the line is good its ramp is enough.
     moment longest_end() const
     {
-        bool const is_good = how_.end == last_part::each_is_stopped or
-                             how_.end == last_part::everyone_is_stopped;
+        bool const is_good = how_.end == last_part::each_is_stopped or how_.end == last_part::everyone_is_stopped;
         moment longest = 0;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
             longest = std::max<moment>(longest, is_good ? 0 : how_.drive[i].time_out_us());

@@ -10,7 +10,7 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/sim/unit.hpp>
+#include <rtuwire/sim/drive/unit.hpp>
 
 namespace rtuwire::lives {
 
@@ -35,20 +35,16 @@ struct drive_setting {
     model which{model::atv320};
     std::uint8_t address{1};
     std::uint16_t sll{1};
-    std::uint16_t tto{100};       ///< 0.1 s
-    bool is_link_ignored{false};  ///< NTO of an ATV28
-    std::uint16_t ramp{10};       ///< 0.1 s from 0 to 50 Hz
+    std::uint16_t tto{100};      ///< 0.1 s
+    bool is_link_ignored{false}; ///< NTO of an ATV28
+    std::uint16_t ramp{10};      ///< 0.1 s from 0 to 50 Hz
 
     /// Whether a lost link takes the motor's power away.
     bool is_supervised() const
     {
-        return which == model::atv28 ? not is_link_ignored
-                                     : sll != 0 and sll != 4 and sll != 5;
+        return which == model::atv28 ? not is_link_ignored : sll != 0 and sll != 4 and sll != 5;
     }
-    std::uint64_t time_out_us() const
-    {
-        return which == model::atv28 ? 7'000'000U : std::uint64_t{tto} * 100'000U;
-    }
+    std::uint64_t time_out_us() const { return which == model::atv28 ? 7'000'000U : std::uint64_t{tto} * 100'000U; }
 };
 
 class far_drive {
@@ -69,7 +65,7 @@ public:
     virtual void press_stop() = 0;
     virtual void set_local(bool is_local) = 0;
     virtual void power_cycle(instant now) = 0;
-    virtual altivar::drive_profile const& profile() const = 0;
+    virtual altivar::drive_layout const& profile() const = 0;
     virtual std::uint16_t frequency_reference() const = 0;
     virtual std::uint16_t speed_reference() const = 0;
 };
@@ -88,24 +84,21 @@ public:
     void sent(instant at) override { unit_.sent(at); }
     deadline poll_deadline() const override { return unit_.poll_deadline(); }
 
-    cia402::state state() const override { return unit_.inside().chart().state(); }
-    std::int32_t frequency() const override { return unit_.inside().motor().frequency(); }
-    std::uint16_t status() const override { return unit_.inside().word("ETA"); }
+    cia402::state state() const override { return unit_.drive().state_machine().state(); }
+    std::int32_t frequency() const override { return unit_.drive().motor().frequency(); }
+    std::uint16_t status() const override { return unit_.drive().word("ETA"); }
 
-    void trip(std::uint16_t code) override { unit_.inside().inject_fault(code); }
-    void clear_cause() override { unit_.inside().clear_cause(); }
-    void press_stop() override { unit_.inside().press_stop(); }
-    void set_local(bool is_local) override { unit_.inside().set_local(is_local); }
+    void trip(std::uint16_t code) override { unit_.drive().inject_fault(code); }
+    void clear_cause() override { unit_.drive().clear_cause(); }
+    void press_stop() override { unit_.drive().press_stop(); }
+    void set_local(bool is_local) override { unit_.drive().set_local(is_local); }
     void power_cycle(instant now) override
     {
-        unit_.inside().power_cycle(now);
+        unit_.drive().power_cycle(now);
         commission();
     }
-    altivar::drive_profile const& profile() const override { return Device::profile; }
-    std::uint16_t frequency_reference() const override
-    {
-        return Device::frequency_reference.address;
-    }
+    altivar::drive_layout const& profile() const override { return Device::layout; }
+    std::uint16_t frequency_reference() const override { return Device::frequency_reference.address; }
     std::uint16_t speed_reference() const override { return Device::speed_reference.address; }
 
 private:
@@ -115,16 +108,16 @@ private:
         auto const put = [&](std::uint16_t address, std::uint16_t word) {
             if (address != 0) {
                 register_block const value{word};
-                unit_.inside().write(address, value);
+                unit_.drive().write(address, value);
             }
         };
-        altivar::safeguard_layout const& at = Device::profile.safeguards;
+        altivar::safeguard_layout const& at = Device::layout.safeguards;
         put(at.sll, set_.sll);
         put(at.tto, set_.tto);
         if (at.nto != 0 and set_.is_link_ignored) {
-            put(Device::profile.cmi, at.nto);
+            put(Device::layout.cmi, at.nto);
         }
-        std::uint16_t const ramps = Device::profile.direct_control != 0 ? 252 : 9'001; // ACC, then DEC
+        std::uint16_t const ramps = Device::layout.direct_control != 0 ? 252 : 9'001; // ACC, then DEC
         put(ramps, set_.ramp);
         put(static_cast<std::uint16_t>(ramps + 1), set_.ramp);
     }
@@ -133,8 +126,7 @@ private:
     sim::unit<Device> unit_;
 };
 
-inline std::unique_ptr<far_drive> make_drive(drive_setting const& set, line_timing const& line,
-                                             instant now)
+inline std::unique_ptr<far_drive> make_drive(drive_setting const& set, line_timing const& line, instant now)
 {
     return with_device(set.which, [&]<typename Device>(Device) -> std::unique_ptr<far_drive> {
         return std::make_unique<far_drive_of<Device>>(set, line, now);

@@ -32,8 +32,7 @@ public:
     // What the user does.
 
     /// An order to run, in mHz with its sign.
-    void note_order(std::size_t place, moment now, std::int32_t asked, bool is_by_cycle,
-                    bool is_alone)
+    void note_order(std::size_t place, moment now, std::int32_t asked, bool is_by_cycle, bool is_alone)
     {
         if (not has_power_ and not has_order()) {
             most_forward_ = most_reverse_ = 0;
@@ -160,19 +159,19 @@ public:
         }
         return is_enabling and not may ? std::optional{breach::enabled_without_order} : std::nullopt;
     }
-    /// `status` stood in the drive when it made the answer.
-    void note_answer(byte_view frame, moment now, std::uint16_t status)
+    /// `status` stood in the drive when it made the response.
+    void note_response(byte_view frame, moment now, std::uint16_t status)
     {
         unanswered_ = 0;
         bool const is_in_time = now < asked_at_ + how_.options.response_timeout.microseconds;
         note_begin(is_in_time ? asked_function_ : std::uint8_t{0});
-        constexpr std::size_t size_of_one_word = 7; // an older question may have had another one
+        constexpr std::size_t size_of_one_word = 7; // an older request may have had another one
         is_look_ = is_look_ and frame.size() == size_of_one_word;
         // The words of a cycle hold the state, too.
         bool const shows_state = is_look_ or (to_u8(frame[1]) != 16 and frame.size() > size_of_one_word + 1);
         is_key_known_ = shows_state ? (status & altivar::stop_key_bit) != 0 : is_key_known_;
         for (order& each : orders_) {
-            // An answer to who asked in that place before tells the order nothing.
+            // A response to who asked in that place before tells the order nothing.
             each.has_looked = each.has_looked or (is_look_ and each.is_alone and asked_at_ >= each.at);
         }
         is_heard_since_good_ = is_heard_since_good_ or is_good_;
@@ -239,7 +238,7 @@ public:
     bool is_foreign() const { return is_foreign_; }
     bool has_power() const { return has_power_; }
     bool is_lost() const { return unanswered_ >= surely_lost(); }
-    /// Whether the last answer came while the STOP key was shown: one more press looks the same.
+    /// Whether the last response came while the STOP key was shown: one more press looks the same.
     bool is_key_known() const { return is_key_known_; }
 
 private:
@@ -259,8 +258,7 @@ private:
     }
     std::ptrdiff_t number_of_orders() const
     {
-        return std::count_if(orders_.begin(), orders_.end(),
-                             [](order const& each) { return each.is_there; }) +
+        return std::count_if(orders_.begin(), orders_.end(), [](order const& each) { return each.is_there; }) +
                (detached_.is_there ? 1 : 0);
     }
     moment latest_order() const
@@ -294,8 +292,7 @@ private:
     void lose_power(moment now)
     {
         bool const is_by_frame = last_heard_ + 400'000 > now;
-        counts_.note(is_by_frame ? event::motor_stopped_by_order
-                                 : event::motor_stopped_by_its_timeout);
+        counts_.note(is_by_frame ? event::motor_stopped_by_order : event::motor_stopped_by_its_timeout);
         is_orphan_ = false;
         runs_for_another_ = false;
         was_counted_ = false;
@@ -317,14 +314,13 @@ private:
         return was_asked_ or is_foreign_ ? std::nullopt : std::optional{breach::moved_without_order};
     }
 
-    /// Twice as many frames as a loss needs at most: a question and its repetitions, one more where that is tolerated.
+    /// Twice as many frames as a loss needs at most: a request and its repetitions, one more where that is tolerated.
     unsigned surely_lost() const { return 2U * (how_.options.retries + 1U); }
 
-    /// One question with its repetitions, the time that late answers are waited for, and a period.
-    moment attempts() const
+    /// One request with its repetitions, the time that late responses are waited for, and a period.
+    moment retry_state() const
     {
-        moment const once = how_.options.response_timeout.microseconds +
-                            how_.options.late_answer.microseconds +
+        moment const once = how_.options.response_timeout.microseconds + how_.options.late_response.microseconds +
                             11'000'000ULL * 80 / how_.bits_per_second;
         return once * (how_.options.retries + 1U) + 300'000;
     }
@@ -335,14 +331,12 @@ private:
         constexpr moment words = 2'000'000; // how long words that stop may go
         std::int32_t const speed = drive_.frequency();
         constexpr std::int32_t tolerance = 100;
-        bool const is_too_fast =
-            speed > most_forward_ + tolerance or speed < most_reverse_ - tolerance;
+        bool const is_too_fast = speed > most_forward_ + tolerance or speed < most_reverse_ - tolerance;
         if (is_too_fast and not is_foreign_ and not is_orphan_) {
             return breach::too_fast;
         }
         // A quick stop that waits at standstill, and a halt, keep the power.
-        bool const stands =
-            speed == 0 and (is_halting_ or drive_.state() == cia402::state::quick_stop_active);
+        bool const stands = speed == 0 and (is_halting_ or drive_.state() == cia402::state::quick_stop_active);
         moment const by_itself = set_.time_out_us() + ramp();
         bool const is_watched = set_.is_supervised();
         if (died_at_ != 0 and is_watched and now > std::max(died_at_, last_heard_) + by_itself) {
@@ -355,8 +349,8 @@ private:
                 was_counted_ = true;
                 counts_.note(event::unit_lost_while_it_ran);
             }
-            moment const loss = lost_at_ + attempts() + words + attempts();
-            moment const stop = stopped_at_ + words + attempts();
+            moment const loss = lost_at_ + retry_state() + words + retry_state();
+            moment const stop = stopped_at_ + words + retry_state();
             if (now > std::max({loss, stop, last_foreign_}) + by_itself) {
                 return breach::power_after_loss;
             }
@@ -364,8 +358,8 @@ private:
         bool const is_excused = is_foreign_ or is_orphan_ or stands or died_at_ != 0;
         if (not has_order() and not is_excused) {
             bool const was_good = is_good_ and is_heard_since_good_ and last_missed_ < taken_at_;
-            moment const at_once = taken_at_ + attempts() + 1'500'000 + ramp();
-            moment const at_last = taken_at_ + words + 3 * attempts() + by_itself;
+            moment const at_once = taken_at_ + retry_state() + 1'500'000 + ramp();
+            moment const at_last = taken_at_ + words + 3 * retry_state() + by_itself;
             if ((was_good and now > at_once) or (is_watched and now > at_last)) {
                 return breach::power_after_stop;
             }

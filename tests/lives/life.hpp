@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "lives/talks.hpp"
+#include "lives/conversations.hpp"
 #include "lives/wire.hpp"
 
 #include <rtuwire/client/bus.hpp>
@@ -19,14 +19,14 @@ using life_client = drive_client<slots>;
 
 /// A conversation in its place.
 struct slot {
-    talk what{};
+    conversation what{};
     std::size_t unit{0};
     moment began{0};
-    bool has_told{false};     ///< its end was looked at
+    bool has_told{false}; ///< its end was looked at
     bool is_away{false};
     bool asks_again{false};
     bool is_halt{false};
-    std::int32_t asked{0};    ///< mHz, by a change of the reference
+    std::int32_t asked{0}; ///< mHz, by a change of the reference
 };
 
 template <typename Link> class life {
@@ -34,8 +34,7 @@ public:
     static constexpr bool has_slots = std::is_same_v<Link, life_bus>;
 
     life(life_setting const& how, tally& counts, bool prints)
-        : how_{how}, counts_{counts}, chance_{how.seed * 40'503U + 1U}, link_{make_link()},
-          said_{prints}
+        : how_{how}, counts_{counts}, chance_{how.seed * 40'503U + 1U}, link_{make_link()}, said_{prints}
     {
         for (std::size_t i = 0; i < how.drives; ++i) {
             nodes_.push_back(std::make_unique<node>(how_, how_.drive[i], at(), counts));
@@ -94,22 +93,22 @@ protected:
         }
     }
 
-    /// Whether nobody owes an answer, so that another master would speak.
+    /// Whether nobody owes a response, so that another master would speak.
     bool is_line_free() const
     {
         for (auto const& each : nodes_) {
-            if (each->answer_size != 0) {
+            if (each->response_size != 0) {
                 return false;
             }
         }
         return now_ > last_asked_ + how_.options.response_timeout.microseconds +
-                          how_.options.late_answer.microseconds + 50'000 or
+                          how_.options.late_response.microseconds + 50'000 or
                is_answered_;
     }
 
     life_setting how_;
     tally& counts_;
-    sim::dice chance_;
+    sim::random_source chance_;
     Link link_;
     chronicle said_;
     std::vector<std::unique_ptr<node>> nodes_{};
@@ -120,11 +119,8 @@ protected:
     bool is_dead_{false}; ///< the controller
 
 private:
-    std::size_t index_of(node const& which) const
-    {
-        return nodes_[0].get() == &which ? 0U : 1U;
-    }
-    moment time_of(std::size_t octets) const { return octets * 11'000'000ULL / how_.bits_per_second; }
+    std::size_t index_of(node const& which) const { return nodes_[0].get() == &which ? 0U : 1U; }
+    moment time_of(std::size_t bytes) const { return bytes * 11'000'000ULL / how_.bits_per_second; }
 
     void step(moment end)
     {
@@ -140,7 +136,7 @@ private:
         }
         bool is_moved = not is_dead_ and ask();
         for (auto const& each : nodes_) {
-            is_moved = answer(*each) or is_moved;
+            is_moved = response(*each) or is_moved;
         }
         stalls_ = is_moved ? 0 : stalls_;
         if (not is_moved) {
@@ -154,7 +150,7 @@ private:
             [&](auto& all) {
                 if constexpr (not std::is_same_v<std::decay_t<decltype(all)>, std::monostate>) {
                     if constexpr (has_slots) {
-                        link_.converse_first(all, now);
+                        link_.run_urgent(all, now);
                     } else {
                         link_.converse(all, now);
                     }
@@ -164,8 +160,8 @@ private:
                 }
             },
             everyone_);
-        if (std::holds_alternative<a::stop_everyone<1>>(everyone_) or
-            std::holds_alternative<a::stop_everyone<2>>(everyone_)) {
+        if (std::holds_alternative<a::broadcast_stop<1>>(everyone_) or
+            std::holds_alternative<a::broadcast_stop<2>>(everyone_)) {
             if (is_everyone_told_) {
                 everyone_.template emplace<std::monostate>();
                 is_everyone_told_ = false;
@@ -180,14 +176,14 @@ private:
     {
         is_everyone_told_ = true;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
-            if (all.reason(i).how == a::ending::succeeded) {
+            if (all.reason(i).kind == a::outcome_kind::succeeded) {
                 accuse(nodes_[i]->law.told_to_stand(false), i);
             }
         }
     }
 
     void converse(std::size_t, std::monostate, instant) {}
-    template <typename Talk> void converse(std::size_t place, Talk& what, instant now)
+    template <typename Conversation> void converse(std::size_t place, Conversation& what, instant now)
     {
         slot& own = slots_[place];
         if (own.is_away) {
@@ -202,35 +198,34 @@ private:
     }
 
     /// What the user of a conversation is told.
-    template <typename Talk> void hear(std::size_t place, slot& own, Talk& what)
+    template <typename Conversation> void hear(std::size_t place, slot& own, Conversation& what)
     {
         judge& law = of(own).law;
-        if constexpr (is_cyclic<Talk>) {
+        if constexpr (is_cyclic<Conversation>) {
             if (law.has_order_of(place) and not what.control().is_ordered()) {
                 said_.say("the cycle in place %zu dropped its order: %d", place,
-                          static_cast<int>(what.control().reason().how));
+                          static_cast<int>(what.control().reason().kind));
                 law.note_end_of_order(place, now_);
             }
-        } else if constexpr (std::is_same_v<Talk, poll>) {
+        } else if constexpr (std::is_same_v<Conversation, poll>) {
             if (what.settled() and own.asks_again) {
                 what.begin();
             }
         } else if (what.settled() and not own.has_told) {
             own.has_told = true;
-            said_.say("place %zu is told: %d, error %d", place,
-                      static_cast<int>(what.reason().how), static_cast<int>(what.reason().error));
+            said_.say("place %zu is told: %d, error %d", place, static_cast<int>(what.reason().kind),
+                      static_cast<int>(what.reason().error));
             hear_end(place, own, what);
         }
     }
 
-    template <typename Talk> void hear_end(std::size_t place, slot& own, Talk& what)
+    template <typename Conversation> void hear_end(std::size_t place, slot& own, Conversation& what)
     {
         judge& law = of(own).law;
-        bool const is_done = what.reason().how == a::ending::succeeded;
-        if constexpr (is_start<Talk>) {
-            what.running() ? accuse(law.told_to_run(own.began), own.unit)
-                           : law.note_end_of_order(place, now_);
-        } else if constexpr (std::is_same_v<Talk, a::stop>) {
+        bool const is_done = what.reason().kind == a::outcome_kind::succeeded;
+        if constexpr (is_start<Conversation>) {
+            what.running() ? accuse(law.told_to_run(own.began), own.unit) : law.note_end_of_order(place, now_);
+        } else if constexpr (std::is_same_v<Conversation, a::stop>) {
             if (is_done) {
                 accuse(law.told_to_stand(own.is_halt), own.unit);
             }
@@ -255,8 +250,7 @@ private:
         is_answered_ = frame[0] == std::byte{0};
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
             node& each = *nodes_[i];
-            bool const is_meant = frame[0] == std::byte{0} or
-                                  frame[0] == std::byte{how_.drive[i].address};
+            bool const is_meant = frame[0] == std::byte{0} or frame[0] == std::byte{how_.drive[i].address};
             bool const is_lost = is_meant ? each.loses(true, chance_) : each.lost.requests;
             if (is_meant) {
                 said_.frame("->", frame, is_lost ? "  lost" : "", &each);
@@ -270,19 +264,19 @@ private:
     }
 
     /// A drive's answer, where it has one and it is time.
-    bool answer(node& own)
+    bool response(node& own)
     {
-        if (own.answer_size == 0) {
+        if (own.response_size == 0) {
             byte_view const made = own.drive->poll_transmit();
             if (made.empty()) {
                 return false;
             }
-            byte_writer{own.answer}.bytes(made);
-            own.answer_size = made.size();
+            byte_writer{own.response}.bytes(made);
+            own.response_size = made.size();
             own.status = own.drive->status();
             bool const is_late = chance_.happens(how_.late_in_a_million);
-            std::uint32_t const most = how_.options.response_timeout.microseconds +
-                                       how_.options.late_answer.microseconds - 20'000;
+            std::uint32_t const most =
+                how_.options.response_timeout.microseconds + how_.options.late_response.microseconds - 20'000;
             own.leaves_at = now_ + (is_late ? chance_.below(most) : 0);
             if (is_late) {
                 counts_.note(event::late_answers);
@@ -291,7 +285,7 @@ private:
         if (now_ < own.leaves_at) {
             return false;
         }
-        byte_view const frame = byte_view{own.answer}.first(own.answer_size);
+        byte_view const frame = byte_view{own.response}.first(own.response_size);
         now_ += time_of(frame.size());
         said_.now = now_;
         own.drive->sent(at());
@@ -299,7 +293,7 @@ private:
         said_.frame("  <-", frame, is_lost ? "  lost" : "", &own);
         if (not is_lost) {
             link_.receive(frame, at());
-            own.law.note_answer(frame, now_, own.status);
+            own.law.note_response(frame, now_, own.status);
             is_answered_ = true;
         }
         for (auto const& each : nodes_) {
@@ -307,7 +301,7 @@ private:
                 each->drive->receive(frame, at());
             }
         }
-        own.answer_size = 0;
+        own.response_size = 0;
         return true;
     }
 
@@ -326,7 +320,7 @@ private:
         for (auto const& each : nodes_) {
             next.add(each->drive->poll_deadline());
             has_power = has_power or each->law.has_power();
-            if (each->answer_size != 0) {
+            if (each->response_size != 0) {
                 soon = std::min(soon, each->leaves_at);
             }
         }
@@ -346,19 +340,16 @@ private:
     }
 
     static void add_to(earliest&, slot&, std::monostate) {}
-    template <typename Talk> static void add_to(earliest& next, slot& own, Talk& what)
+    template <typename Conversation> static void add_to(earliest& next, slot& own, Conversation& what)
     {
-        if constexpr (timed_conversation<Talk>) {
+        if constexpr (timed_conversation<Conversation>) {
             if (not own.is_away) {
                 next.add(what.poll_deadline());
             }
         }
     }
     static void add_all_to(earliest&, std::monostate) {}
-    template <typename All> static void add_all_to(earliest& next, All& all)
-    {
-        next.add(all.poll_deadline());
-    }
+    template <typename All> static void add_all_to(earliest& next, All& all) { next.add(all.poll_deadline()); }
 
     moment last_asked_{0};
     unsigned stalls_{0};

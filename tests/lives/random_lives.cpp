@@ -32,13 +32,13 @@ bool live(std::uint32_t seed, tally& counts, bool prints)
     if (prints) {
         std::printf("seed %u: %s, %u bit/s, response time-out %.0f ms, %u retries%s\n", seed,
                     how.is_bus ? "bus" : "client", how.bits_per_second,
-                    double(how.options.response_timeout.microseconds) / 1e3,
-                    unsigned{how.options.retries}, how.is_unsupervised ? ", unsupervised" : "");
+                    double(how.options.response_timeout.microseconds) / 1e3, unsigned{how.options.retries},
+                    how.is_unsupervised ? ", unsupervised" : "");
         for (std::size_t i = 0; i < how.drives; ++i) {
             drive_setting const& set = how.drive[i];
-            std::printf("  drive %u: model %u, SLL %u, time-out %.1f s, ramp %.1f s\n",
-                        unsigned{set.address}, static_cast<unsigned>(set.which), unsigned{set.sll},
-                        double(set.time_out_us()) / 1e6, set.ramp / 10.0);
+            std::printf("  drive %u: model %u, SLL %u, time-out %.1f s, ramp %.1f s\n", unsigned{set.address},
+                        static_cast<unsigned>(set.which), unsigned{set.sll}, double(set.time_out_us()) / 1e6,
+                        set.ramp / 10.0);
         }
     }
     return how.is_bus ? live<life_bus>(how, counts, prints) : live<life_client>(how, counts, prints);
@@ -47,8 +47,8 @@ bool live(std::uint32_t seed, tally& counts, bool prints)
 /// Whether everything happened.
 bool print(tally const& counts)
 {
-    std::printf("%lu lives, %lu of them without supervision, %lu frames\n", counts.lives,
-                counts.unsupervised, counts.frames);
+    std::printf("%lu lives, %lu of them without supervision, %lu frames\n", counts.lives, counts.unsupervised,
+                counts.frames);
     bool is_complete = true;
     for (std::size_t i = 0; i < event_count; ++i) {
         std::printf("%10lu %s\n", counts.events[i], event_names[i]);

@@ -10,7 +10,7 @@
 
 #include <rtuwire/client/options.hpp>
 #include <rtuwire/rtu/line.hpp>
-#include <rtuwire/sim/dice.hpp>
+#include <rtuwire/sim/line/random_source.hpp>
 
 namespace rtuwire::lives {
 
@@ -43,7 +43,7 @@ struct life_setting {
     line_timing timing() const { return line_timing{bits_per_second, character_format::even_8_1}; }
 };
 
-inline drive_setting drive_of(sim::dice& chance, std::uint8_t address, bool is_unsupervised)
+inline drive_setting drive_of(sim::random_source& chance, std::uint8_t address, bool is_unsupervised)
 {
     constexpr std::array<std::uint16_t, 5> trips{1, 1, 2, 6, 7};
     constexpr std::array<std::uint16_t, 3> runs_on{0, 4, 5};
@@ -53,17 +53,16 @@ inline drive_setting drive_of(sim::dice& chance, std::uint8_t address, bool is_u
     set.address = address;
     set.sll = is_unsupervised ? runs_on[chance.below(3)] : trips[chance.below(5)];
     set.is_link_ignored = is_unsupervised;
-    set.tto = chance.below(3) == 0 ? static_cast<std::uint16_t>(1 + chance.below(300))
-                                   : times[chance.below(8)];
+    set.tto = chance.below(3) == 0 ? static_cast<std::uint16_t>(1 + chance.below(300)) : times[chance.below(8)];
     set.ramp = static_cast<std::uint16_t>(chance.below(4) == 0 ? 30 : 1 + chance.below(10));
     return set;
 }
 
 inline life_setting setting_of(std::uint32_t seed)
 {
-    sim::dice chance{seed * 2'654'435'761U + 17U};
+    sim::random_source chance{seed * 2'654'435'761U + 17U};
     constexpr std::array<std::uint32_t, 4> rates{9'600, 19'200, 19'200, 115'200};
-    constexpr std::array<std::uint32_t, 4> patience_ms{40, 100, 100, 300};
+    constexpr std::array<std::uint32_t, 4> retry_policy_ms{40, 100, 100, 300};
     life_setting how;
     how.seed = seed;
     how.is_bus = chance.below(2) == 0;
@@ -73,7 +72,7 @@ inline life_setting setting_of(std::uint32_t seed)
         how.drive[i] = drive_of(chance, static_cast<std::uint8_t>(3 + i), how.is_unsupervised);
     }
     how.bits_per_second = rates[chance.below(4)];
-    how.options.response_timeout = milliseconds(patience_ms[chance.below(4)]);
+    how.options.response_timeout = milliseconds(retry_policy_ms[chance.below(4)]);
     how.options.retries = static_cast<std::uint8_t>(chance.below(3));
     how.late_in_a_million = chance.below(4) == 0 ? 50'000 : 0;
     bool const wraps = chance.below(4) == 0;

@@ -85,7 +85,7 @@ protected:
     }
 
     /// Makes a conversation where another one was.
-    template <typename Talk> Talk& put(std::size_t place, std::size_t unit, Talk const& made)
+    template <typename Conversation> Conversation& put(std::size_t place, std::size_t unit, Conversation const& made)
     {
         give_up(place);
         slot& own = slots_[place];
@@ -98,10 +98,10 @@ protected:
                 break;
             }
         }
-        if (not std::is_same_v<Talk, poll>) {
+        if (not std::is_same_v<Conversation, poll>) {
             law_of(unit).note_company(place);
         }
-        auto& what = own.what.template emplace<Talk>(made);
+        auto& what = own.what.template emplace<Conversation>(made);
         own.unit = unit;
         own.began = now_;
         own.has_told = false;
@@ -111,7 +111,7 @@ protected:
         return what;
     }
 
-    static bool looks_at_state(talk const& what)
+    static bool looks_at_state(conversation const& what)
     {
         return std::visit(
             [](auto const& it) {
@@ -144,9 +144,8 @@ protected:
         int const asked = any_reference();
         counts_.note(event::started);
         duration const limit = milliseconds(500 + chance_.below(3'000));
-        with_device(set_of(unit).which, [&]<typename Device>(Device) {
-            put(place, unit, make_start<Device>(set_of(unit), asked, limit));
-        });
+        with_device(set_of(unit).which,
+                    [&]<typename Device>(Device) { put(place, unit, make_start<Device>(set_of(unit), asked, limit)); });
         said_.say("start in place %zu: drive %u at %.1f Hz", place, set_of(unit).address, asked / 2.0);
         note_order(place, asked * 500, false);
     }
@@ -159,11 +158,9 @@ protected:
         int const asked = any_reference();
         counts_.note(event::started_directly);
         put(place, unit,
-            a::atv28::direct_start{station_of<a::atv28::device>(set_of(unit)),
-                                   reference_of<a::atv28::device>(asked), milliseconds(3'000),
-                                   risks_of(set_of(unit))});
-        said_.say("direct start in place %zu: drive %u at %.1f Hz", place, set_of(unit).address,
-                  asked / 2.0);
+            a::atv28::direct_start{station_of<a::atv28::device>(set_of(unit)), reference_of<a::atv28::device>(asked),
+                                   milliseconds(3'000), risks_of(set_of(unit))});
+        said_.say("direct start in place %zu: drive %u at %.1f Hz", place, set_of(unit).address, asked / 2.0);
         note_order(place, asked * 500, false);
     }
 
@@ -180,28 +177,25 @@ protected:
 
     void begin_stop(std::size_t place, std::size_t unit, a::stop_by how)
     {
-        altivar::drive_profile const& profile = nodes_[unit]->drive->profile();
+        altivar::drive_layout const& profile = nodes_[unit]->drive->profile();
         bool const has_none = (how == a::stop_by::dc_injection and profile.dc_injection == 0) or
                               (how == a::stop_by::halt and profile.halt == 0);
         how = has_none ? a::stop_by::ramp : how;
         count_stop(how);
-        auto const known = chance_.below(2) == 0 ? a::word_meaning::unknown
-                                                 : a::word_meaning::drive_profile;
+        auto const known = chance_.below(2) == 0 ? a::word_meaning::unknown : a::word_meaning::cia402;
         with_device(set_of(unit).which, [&]<typename Device>(Device) {
             put(place, unit, a::stop{station_of<Device>(set_of(unit)), how, any_limit(), known});
         });
         slots_[place].is_halt = how == a::stop_by::halt;
-        said_.say("stop in place %zu: drive %u, way %d", place, set_of(unit).address,
-                  static_cast<int>(how));
+        said_.say("stop in place %zu: drive %u, way %d", place, set_of(unit).address, static_cast<int>(how));
         law_of(unit).note_stop(now_, how == a::stop_by::halt);
     }
 
     void begin_cycle(std::size_t place, std::size_t unit)
     {
         counts_.note(event::cycle_begun);
-        with_device(set_of(unit).which, [&]<typename Device>(Device) {
-            put(place, unit, make_cycle<Device>(set_of(unit), chance_));
-        });
+        with_device(set_of(unit).which,
+                    [&]<typename Device>(Device) { put(place, unit, make_cycle<Device>(set_of(unit), chance_)); });
         said_.say("cycle in place %zu: drive %u", place, set_of(unit).address);
     }
 
@@ -223,12 +217,15 @@ protected:
         begin_cycle(first, chance_.below(static_cast<std::uint32_t>(how_.drives)));
     }
 
-    template <typename Talk> bool use(std::size_t, Talk&) { return false; }
+    template <typename Conversation> bool use(std::size_t, Conversation&) { return false; }
     template <typename Device> bool use(std::size_t place, a::cyclic<Device>& loop)
     {
         said_.now = now_;
         switch (chance_.below(8)) {
-        case 0: counts_.note(event::cycle_reset_a_fault); loop.reset_fault(); break;
+        case 0:
+            counts_.note(event::cycle_reset_a_fault);
+            loop.reset_fault();
+            break;
         case 1:
         case 2: stop_cycle(place, loop, any_way()); break;
         default: run(place, loop); break;
@@ -247,11 +244,10 @@ protected:
         }
     }
 
-    template <typename Device>
-    void stop_cycle(std::size_t place, a::cyclic<Device>& loop, a::stop_by how)
+    template <typename Device> void stop_cycle(std::size_t place, a::cyclic<Device>& loop, a::stop_by how)
     {
         counts_.note(event::cycle_stopped);
-        bool const is_halt = how == a::stop_by::halt and Device::profile.halt != 0;
+        bool const is_halt = how == a::stop_by::halt and Device::layout.halt != 0;
         said_.say("stop of the cycle in place %zu, way %d", place, static_cast<int>(how));
         loop.stop(how);
         law_of(slots_[place].unit).note_stop(now_, is_halt);
@@ -263,8 +259,7 @@ protected:
         counts_.note(event::reference_changed);
         with_device(set_of(unit).which, [&]<typename Device>(Device) {
             put(place, unit,
-                a::change_reference{station_of<Device>(set_of(unit)), reference_of<Device>(asked),
-                                    any_limit()});
+                a::change_reference{station_of<Device>(set_of(unit)), reference_of<Device>(asked), any_limit()});
         });
         said_.say("change in place %zu: drive %u to %.1f Hz", place, set_of(unit).address, asked / 2.0);
         slots_[place].asked = asked * 500;
@@ -287,10 +282,9 @@ protected:
     void begin_poll(std::size_t place, std::size_t unit)
     {
         counts_.note(event::polled);
-        altivar::drive_profile const& profile = nodes_[unit]->drive->profile();
+        altivar::drive_layout const& profile = nodes_[unit]->drive->profile();
         std::uint16_t const what = chance_.below(2) == 0 ? profile.rfr : profile.lft;
-        put(place, unit,
-            poll{*unit_id::checked(set_of(unit).address), read_holding_registers{what, 1}});
+        put(place, unit, poll{*unit_id::checked(set_of(unit).address), read_holding_registers{what, 1}});
         slots_[place].asks_again = chance_.below(3) != 0;
         said_.say("poll in place %zu: drive %u", place, set_of(unit).address);
     }
@@ -316,17 +310,15 @@ protected:
     void stop_all()
     {
         counts_.note(event::stopped_everyone);
-        a::everyone_options const options{.freewheel = chance_.below(2) == 0,
-                                          .cuts_short = chance_.below(4) == 0,
-                                          .last_after = milliseconds(400)};
+        a::broadcast_stop_options const options{
+            .freewheel = chance_.below(2) == 0, .cuts_short = chance_.below(4) == 0, .last_after = milliseconds(400)};
         with_device(set_of(0).which, [&]<typename First>(First) {
             auto const first = station_of<First>(set_of(0));
             if (how_.drives == 1) {
-                everyone_.template emplace<a::stop_everyone<1>>(options, first);
+                everyone_.template emplace<a::broadcast_stop<1>>(options, first);
             } else {
                 with_device(set_of(1).which, [&]<typename Second>(Second) {
-                    everyone_.template emplace<a::stop_everyone<2>>(options, first,
-                                                                    station_of<Second>(set_of(1)));
+                    everyone_.template emplace<a::broadcast_stop<2>>(options, first, station_of<Second>(set_of(1)));
                 });
             }
         });

@@ -34,9 +34,9 @@ struct node {
     judge law;
     losses lost{};
     unsigned passed{0};
-    std::array<std::byte, max_adu_size> answer{};
-    std::size_t answer_size{0}; ///< of one that has not left
-    std::uint16_t status{0};    ///< when that was made
+    std::array<std::byte, max_adu_size> response{};
+    std::size_t response_size{0}; ///< of one that has not left
+    std::uint16_t status{0};      ///< when that was made
     moment leaves_at{0};
     bool is_local{false};
 
@@ -44,13 +44,12 @@ struct node {
         : drive{make_drive(set, how.timing(), now)}, law{how, set, *drive, counts}
     {}
 
-    bool loses(bool is_request, sim::dice& chance)
+    bool loses(bool is_request, sim::random_source& chance)
     {
         ++passed;
         bool const is_nth = lost.each_nth != 0 and passed % lost.each_nth == 0;
         bool const is_the_one = lost.only_nth != 0 and --lost.only_nth == 0;
-        return (is_request ? lost.requests : lost.answers) or is_nth or is_the_one or
-               chance.happens(lost.in_a_million);
+        return (is_request ? lost.requests : lost.answers) or is_nth or is_the_one or chance.happens(lost.in_a_million);
     }
 };
 
@@ -59,19 +58,18 @@ struct chronicle {
     bool prints{false};
     moment now{0};
 
-    void frame(char const* way, byte_view octets, char const* fate, node const* of) const
+    void frame(char const* way, byte_view bytes, char const* fate, node const* of) const
     {
         if (not prints) {
             return;
         }
         std::printf("%12.3f ms  %s", double(now) / 1e3, way);
-        for (std::byte const each : octets) {
+        for (std::byte const each : bytes) {
             std::printf(" %02X", to_u8(each));
         }
         std::printf("%s", fate);
         if (of != nullptr) {
-            std::printf("  [state %d, %.1f Hz]", static_cast<int>(of->drive->state()),
-                        of->drive->frequency() / 1e3);
+            std::printf("  [state %d, %.1f Hz]", static_cast<int>(of->drive->state()), of->drive->frequency() / 1e3);
         }
         std::printf("\n");
     }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// What the programs that hold a model against the library share: dice, the clock that wraps, how a difference
+// What the programs that hold a model against the library share: random numbers, the clock that wraps, how a difference
 // is told.
 #pragma once
 
@@ -18,12 +18,10 @@
 
 namespace compare {
 
-/// Repeatable dice.
-class dice {
+/// Random numbers that repeat with their seed.
+class random_source {
 public:
-    explicit dice(std::uint64_t seed)
-        : state_{seed * 0x9E37'79B9'7F4A'7C15U + 0x1234'5678'9ABC'DEFU}
-    {}
+    explicit random_source(std::uint64_t seed) : state_{seed * 0x9E37'79B9'7F4A'7C15U + 0x1234'5678'9ABC'DEFU} {}
     std::uint64_t next()
     {
         state_ += 0x9E37'79B9'7F4A'7C15U;
@@ -35,10 +33,7 @@ public:
     std::uint32_t below(std::uint64_t limit) { return static_cast<std::uint32_t>(next() % limit); }
     bool chance(unsigned percent) { return below(100) < percent; }
     std::uint8_t byte() { return static_cast<std::uint8_t>(next()); }
-    template <typename T> T any(std::initializer_list<T> of)
-    {
-        return of.begin()[below(of.size())];
-    }
+    template <typename T> T any(std::initializer_list<T> of) { return of.begin()[below(of.size())]; }
 
 private:
     std::uint64_t state_;
@@ -48,10 +43,7 @@ private:
 struct clock {
     std::uint32_t start;
 
-    rtuwire::instant at(model::time time) const
-    {
-        return rtuwire::instant{start + static_cast<std::uint32_t>(time)};
-    }
+    rtuwire::instant at(model::time time) const { return rtuwire::instant{start + static_cast<std::uint32_t>(time)}; }
 };
 
 inline rtuwire::byte_view view(model::bytes const& of) { return std::as_bytes(std::span{of}); }
@@ -94,8 +86,7 @@ struct report {
     void same(char const* what, long long engine, long long model)
     {
         if (engine != model and not failed()) {
-            difference = std::string{what} + ": library " + std::to_string(engine) + ", model " +
-                         std::to_string(model);
+            difference = std::string{what} + ": library " + std::to_string(engine) + ", model " + std::to_string(model);
         }
     }
     void same(char const* what, model::bytes const& engine, model::bytes const& model)
@@ -106,24 +97,23 @@ struct report {
     }
 };
 
-/// Runs `COUNT [SEED]` schedules; each is `run(dice, report)`. The exit status.
+/// Runs `COUNT [SEED]` schedules; each is `run(random_source, report)`. The exit status.
 template <typename Run> int main(int argc, char** argv, Run run)
 {
     unsigned long const count = argc > 1 ? std::strtoul(argv[1], nullptr, 0) : 1000;
     unsigned long const first = argc > 2 ? std::strtoul(argv[2], nullptr, 0) : 1;
     for (unsigned long seed = first; seed < first + count; ++seed) {
         report quick;
-        dice rolled{seed};
+        random_source rolled{seed};
         run(rolled, quick);
         if (quick.failed()) {
             report whole{.is_told = true};
-            dice again{seed};
+            random_source again{seed};
             run(again, whole);
             for (std::string const& step : whole.steps) {
                 std::printf("%s\n", step.c_str());
             }
-            std::printf("seed %lu, step %zu: %s\n", seed, whole.steps.size(),
-                        whole.difference.c_str());
+            std::printf("seed %lu, step %zu: %s\n", seed, whole.steps.size(), whole.difference.c_str());
             return 1;
         }
     }

@@ -7,9 +7,9 @@
 #include "compare_schedule.hpp"
 #include "model_bus.hpp"
 
-using compare::dice;
 using compare::line_event;
 using compare::outcome;
+using compare::random_source;
 using compare::report;
 using model::bytes;
 using model::time;
@@ -20,7 +20,7 @@ constexpr std::size_t rows = 3;
 constexpr std::size_t slots = 4;
 constexpr std::size_t first = slots; ///< the place of the conversation that comes before all slots
 
-/// Pauses between its questions, where `pause` is not zero.
+/// Pauses between its requests, where `pause` is not zero.
 struct pacing {
     time pause{0};
     time due{0};
@@ -30,20 +30,20 @@ struct pacing {
 
 /// With the library. The bus is given the base that is of the conversation's kind: with a time of its own or not,
 /// with a unit of its own or not.
-struct plain : compare::engine_talk {
+struct plain : compare::engine_conversation {
     pacing pace{};
     compare::clock shown{0};
     time const* now{nullptr};
     std::uint8_t own_unit{1};
 
-    std::optional<rtuwire::request> next()
+    std::optional<rtuwire::request_frame> next()
     {
         says.is_thinking = pace.is_waiting;
-        return compare::engine_talk::next();
+        return compare::engine_conversation::next();
     }
     void accept(rtuwire::result<rtuwire::response> const& outcome)
     {
-        compare::engine_talk::accept(outcome);
+        compare::engine_conversation::accept(outcome);
         pace.is_waiting = pace.pause > 0;
         pace.due = pace.seen + pace.pause;
     }
@@ -81,18 +81,18 @@ struct timed_prompt : timed, prompt {
     ~timed_prompt() = default;
 };
 
-struct model_talk : model::bus_talk {
-    compare::script says{};
+struct model_conversation : model::bus_conversation {
+    compare::procedure says{};
     pacing pace{};
 
-    std::optional<model::question> next() override
+    std::optional<model::request_frame> next() override
     {
         says.is_thinking = pace.is_waiting;
         bytes const* const frame = says.next();
         if (frame == nullptr) {
             return std::nullopt;
         }
-        return model::question{*frame, says.may_be_repeated};
+        return model::request_frame{*frame, says.may_be_repeated};
     }
     void accept(model::fault error, bytes const& pdu) override
     {
@@ -117,7 +117,7 @@ struct model_talk : model::bus_talk {
 /// One conversation with both; its kind may change when it begins anew.
 struct both {
     timed_prompt engine{};
-    model_talk second{};
+    model_conversation second{};
 
     template <typename Do> void as_its_kind(Do what)
     {
@@ -141,16 +141,14 @@ rtuwire::bus_options library(model::share const& of)
 struct world : compare::schedule {
     rtuwire::bus<slots, rtuwire::unit_statistics<rows>> engine;
     model::bus second;
-    std::vector<both> talks{slots + 1};
+    std::vector<both> conversations{slots + 1};
 
-    world(dice& with, report& to, compare::setting const& as, model::options const& options,
+    world(random_source& with, report& to, compare::setting const& as, model::options const& options,
           model::share const& share)
-        : compare::schedule{with, to, as, options, 5}, engine{compare::timing(as),
-                                                              compare::library(options),
-                                                              library(share)},
-          second{times, options, share, slots}
+        : compare::schedule{with, to, as, options, 5},
+          engine{compare::timing(as), compare::library(options), library(share)}, second{times, options, share, slots}
     {
-        for (both& each : talks) {
+        for (both& each : conversations) {
             clear(each);
         }
     }
@@ -167,23 +165,20 @@ struct world : compare::schedule {
     void check()
     {
         if (told.is_told and not told.failed()) {
-            tell_state(second.poll_deadline(), second.inner.state() + second.state(),
-                       second.inner.request());
+            tell_state(second.poll_deadline(), second.inner.state() + second.state(), second.inner.request());
         }
         compare::same_outcomes(told, engines_outcomes, models_outcomes);
         for (std::size_t i = 0; i < slots; ++i) {
-            told.same(("silent " + std::to_string(i)).c_str(), engine.is_silent(i),
-                      second.is_silent(i));
+            told.same(("silent " + std::to_string(i)).c_str(), engine.is_silent(i), second.is_silent(i));
         }
         same_holds(engine, second.inner);
-        for (both const& each : talks) {
-            told.same(
-                ("how often next was called by " + std::to_string(each.second.says.id)).c_str(),
-                each.engine.says.asked, each.second.says.asked);
+        for (both const& each : conversations) {
+            told.same(("how often next was called by " + std::to_string(each.second.says.id)).c_str(),
+                      each.engine.says.asked, each.second.says.asked);
         }
         compare::same_counts(told, engine.statistics(), second.inner.counted);
-        compare::same_deadline(told, engine.poll_deadline(), second.poll_deadline(),
-                               second.inner.is_woken(), second.inner.ended_at(), now, clock);
+        compare::same_deadline(told, engine.poll_deadline(), second.poll_deadline(), second.inner.is_woken(),
+                               second.inner.ended_at(), now, clock);
     }
 
     void events()
@@ -219,11 +214,11 @@ struct world : compare::schedule {
 
     void begin(std::size_t index)
     {
-        both& one = talks[index];
-        compare::script what = compare::any_script(roll);
+        both& one = conversations[index];
+        compare::procedure what = compare::any_procedure(roll);
         what.id = static_cast<int>(index);
         std::uint8_t const unit = static_cast<std::uint8_t>(index == first ? 0 : 1 + index);
-        for (bytes& each : what.questions) {
+        for (bytes& each : what.requests) {
             if (each.size() >= 4 and roll.chance(85)) {
                 each.resize(each.size() - 2);
                 each[0] = unit;
@@ -239,31 +234,26 @@ struct world : compare::schedule {
         one.engine.says = one.second.says = what;
         one.engine.says.told = engines;
         one.second.says.told = models;
-        bool const is_prompt =
-            roll.chance(25) and what.questions[0].size() >= 4 and what.questions[0][0] != 0;
-        one.second.prompt_unit = is_prompt ? what.questions[0][0] : -1;
-        one.engine.own_unit = is_prompt ? what.questions[0][0] : std::uint8_t{1};
+        bool const is_prompt = roll.chance(25) and what.requests[0].size() >= 4 and what.requests[0][0] != 0;
+        one.second.prompt_unit = is_prompt ? what.requests[0][0] : -1;
+        one.engine.own_unit = is_prompt ? what.requests[0][0] : std::uint8_t{1};
         one.second.is_timed = roll.chance(40);
         one.second.pace.is_waiting = one.engine.pace.is_waiting = false;
         one.second.pace.pause = one.engine.pace.pause =
             one.second.is_timed ? roll.any<time>({0, 20'000, 100'000, 1'000'000}) : 0;
-        told.step("%lld begin %zu: %s, %zu questions%s%s, prompt %d, timed %d, pause %lld",
-                  static_cast<long long>(now), index, compare::hex(what.questions[0]).c_str(),
-                  what.questions.size(), what.is_endless ? " for ever" : "",
-                  what.may_be_repeated ? "" : " once", one.second.prompt_unit, one.second.is_timed,
-                  static_cast<long long>(one.second.pace.pause));
+        told.step("%lld begin %zu: %s, %zu requests%s%s, prompt %d, timed %d, pause %lld", static_cast<long long>(now),
+                  index, compare::hex(what.requests[0]).c_str(), what.requests.size(),
+                  what.is_endless ? " for ever" : "", what.may_be_repeated ? "" : " once", one.second.prompt_unit,
+                  one.second.is_timed, static_cast<long long>(one.second.pace.pause));
     }
     void set(std::size_t index)
     {
-        model::slot_options const as{.with = compare::any_patience(roll, how.response_timeout),
+        model::slot_options const as{.with = compare::any_retry_policy(roll, how.response_timeout),
                                      .least_idle = roll.any<time>({0, 0, 5'000, 50'000, 700'000}),
-                                     .longest_gap =
-                                         roll.any<time>({0, 0, 0, 300'000, 1'000'000, 5'000'000})};
-        told.step("%lld set %zu: R %lld, retries %u, busy %u, idle %lld, gap %lld",
-                  static_cast<long long>(now), index,
-                  static_cast<long long>(as.with.response_timeout), as.with.retries,
-                  as.with.busy_retries, static_cast<long long>(as.least_idle),
-                  static_cast<long long>(as.longest_gap));
+                                     .longest_gap = roll.any<time>({0, 0, 0, 300'000, 1'000'000, 5'000'000})};
+        told.step("%lld set %zu: R %lld, retries %u, busy %u, idle %lld, gap %lld", static_cast<long long>(now), index,
+                  static_cast<long long>(as.with.response_timeout), as.with.retries, as.with.busy_retries,
+                  static_cast<long long>(as.least_idle), static_cast<long long>(as.longest_gap));
         engine.set(index, {.with = compare::library(as.with),
                            .least_idle = compare::length(as.least_idle),
                            .longest_gap = compare::length(as.longest_gap)});
@@ -272,7 +262,7 @@ struct world : compare::schedule {
     void interfere()
     {
         std::size_t const index = roll.below(slots + 1);
-        both& one = talks[index];
+        both& one = conversations[index];
         switch (roll.below(13)) {
         case 0:
             step("cancel");
@@ -285,10 +275,9 @@ struct world : compare::schedule {
             second.inner.cancel(one.second.whose, now);
             break;
         case 2: {
-            auto const unit = static_cast<std::uint8_t>(1 + roll.below(compare::far_end::units));
+            auto const unit = static_cast<std::uint8_t>(1 + roll.below(compare::manual_unit::units));
             time const end = now + roll.below(400'000);
-            told.step("%lld hold %d until %lld", static_cast<long long>(now), unit,
-                      static_cast<long long>(end));
+            told.step("%lld hold %d until %lld", static_cast<long long>(now), unit, static_cast<long long>(end));
             engine.hold(*rtuwire::unit_id::checked(unit), clock.at(end));
             second.inner.hold(unit, end);
             break;
@@ -301,8 +290,8 @@ struct world : compare::schedule {
             std::size_t const to = roll.below(slots);
             told.step("%lld copy %zu to %zu", static_cast<long long>(now), index, to);
             both const copied = one;
-            talks[to] = copied;
-            talks[to].engine.says.id = talks[to].second.says.id = static_cast<int>(to);
+            conversations[to] = copied;
+            conversations[to].engine.says.id = conversations[to].second.says.id = static_cast<int>(to);
             break;
         }
         case 5:
@@ -332,17 +321,17 @@ struct world : compare::schedule {
 
     void converse(std::size_t index)
     {
-        both& one = talks[index];
+        both& one = conversations[index];
         number_step(index == first ? "converse first" : "converse", static_cast<long long>(index));
-        one.as_its_kind([&](auto& talk) {
+        one.as_its_kind([&](auto& conversation) {
             if (index == first) {
-                engine.converse_first(talk, clock.at(now));
+                engine.run_urgent(conversation, clock.at(now));
             } else {
-                engine.converse(index, talk, clock.at(now));
+                engine.converse(index, conversation, clock.at(now));
             }
         });
         if (index == first) {
-            second.converse_first(one.second, now);
+            second.run_urgent(one.second, now);
         } else {
             second.converse(index, one.second, now);
         }
@@ -362,14 +351,14 @@ struct world : compare::schedule {
             second.advance(now);
             check();
         }
-        if (roll.chance(talks[first].second.settled() ? 10 : 95)) {
+        if (roll.chance(conversations[first].second.settled() ? 10 : 95)) {
             converse(first);
         }
         for (std::size_t i = 0; i < slots and not told.failed(); ++i) {
-            if (talks[i].second.settled() and roll.chance(15)) {
+            if (conversations[i].second.settled() and roll.chance(15)) {
                 begin(i);
             }
-            if (roll.chance(talks[i].second.settled() ? 50 : 95)) {
+            if (roll.chance(conversations[i].second.settled() ? 50 : 95)) {
                 converse(i);
             }
         }
@@ -404,7 +393,7 @@ struct world : compare::schedule {
 
 int main(int argc, char** argv)
 {
-    return compare::main(argc, argv, [](dice& roll, report& told) {
+    return compare::main(argc, argv, [](random_source& roll, report& told) {
         compare::setting const as = compare::any_setting(roll);
         model::options how = compare::any_options(roll);
         how.response_timeout = std::min(how.response_timeout, model::longest / 8);

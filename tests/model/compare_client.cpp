@@ -8,9 +8,9 @@
 #include "model_client.hpp"
 
 using compare::both;
-using compare::dice;
 using compare::line_event;
 using compare::outcome;
+using compare::random_source;
 using compare::report;
 using model::bytes;
 using model::time;
@@ -21,24 +21,22 @@ constexpr std::size_t rows = 3;
 constexpr std::size_t slots = 4;
 
 template <std::size_t Places, std::size_t Front>
-using engine_of =
-    rtuwire::basic_client<rtuwire::unit_statistics<rows>, rtuwire::held<rtuwire::line_timing>,
-                          rtuwire::held<rtuwire::client_options>, rtuwire::quarantine<Places>,
-                          Front>;
+using engine_of = rtuwire::basic_client<rtuwire::unit_statistics<rows>, rtuwire::stored<rtuwire::line_timing>,
+                                        rtuwire::stored<rtuwire::client_options>, rtuwire::quarantine<Places>, Front>;
 
 template <typename Engine> struct world : compare::schedule {
     Engine engine;
     model::client second;
     Engine other_engine; ///< of another line, where nothing ever leaves
     model::client other_second;
-    std::vector<both> talks{slots};
+    std::vector<both> conversations{slots};
 
-    world(dice& with, report& to, compare::setting const& as, model::options const& options)
-        : compare::schedule{with, to, as, options, 10},
-          engine{compare::timing(as), compare::library(options)}, second{times, options},
-          other_engine{compare::timing(as), compare::library(options)}, other_second{times, options}
+    world(random_source& with, report& to, compare::setting const& as, model::options const& options)
+        : compare::schedule{with, to, as, options, 10}, engine{compare::timing(as), compare::library(options)},
+          second{times, options}, other_engine{compare::timing(as), compare::library(options)}, other_second{times,
+                                                                                                             options}
     {
-        for (both& each : talks) {
+        for (both& each : conversations) {
             each.engine.says.told = &engines_outcomes;
             each.second.says.told = &models_outcomes;
         }
@@ -53,23 +51,21 @@ template <typename Engine> struct world : compare::schedule {
         told.same("busy", engine.is_busy(), second.is_busy());
         told.same("quiet", engine.is_quiet(), second.line().is_quiet);
         same_holds(engine, second);
-        for (both const& each : talks) {
-            told.same(("asked by " + std::to_string(each.engine.says.id)).c_str(),
-                      engine.is_asked_by(each.engine), second.is_asked_by(each.second.whose));
+        for (both const& each : conversations) {
+            told.same(("asked by " + std::to_string(each.engine.says.id)).c_str(), engine.is_asked_by(each.engine),
+                      second.is_asked_by(each.second.whose));
             told.same("how often next was called", each.engine.says.asked, each.second.says.asked);
         }
         compare::same_counts(told, engine.statistics(), second.counted);
-        compare::same_deadline(told, engine.poll_deadline(), second.poll_deadline(),
-                               second.is_woken(), second.ended_at(), now, clock);
+        compare::same_deadline(told, engine.poll_deadline(), second.poll_deadline(), second.is_woken(),
+                               second.ended_at(), now, clock);
     }
 
     void events()
     {
         while (has_event()) {
             auto const first = line.to_come.begin();
-            time const at = roll.chance(70)   ? first->first
-                            : roll.chance(80) ? now
-                                              : now + roll.below(3'000);
+            time const at = roll.chance(70) ? first->first : roll.chance(80) ? now : now + roll.below(3'000);
             line_event const what = first->second;
             line.to_come.erase(first);
             happen(engine, second, what, at);
@@ -103,21 +99,19 @@ template <typename Engine> struct world : compare::schedule {
 
     void begin(std::size_t index)
     {
-        compare::script what = compare::any_script(roll);
+        compare::procedure what = compare::any_procedure(roll);
         what.id = static_cast<int>(index);
         int const prompt =
-            roll.chance(25) and what.questions[0].size() >= 4 and what.questions[0][0] != 0
-                ? what.questions[0][0]
-                : -1;
-        told.step("%lld begin %zu: %s, %zu questions%s%s, prompt %d", static_cast<long long>(now),
-                  index, compare::hex(what.questions[0]).c_str(), what.questions.size(),
-                  what.is_endless ? " for ever" : "", what.may_be_repeated ? "" : " once", prompt);
-        talks[index].say(what, prompt);
+            roll.chance(25) and what.requests[0].size() >= 4 and what.requests[0][0] != 0 ? what.requests[0][0] : -1;
+        told.step("%lld begin %zu: %s, %zu requests%s%s, prompt %d", static_cast<long long>(now), index,
+                  compare::hex(what.requests[0]).c_str(), what.requests.size(), what.is_endless ? " for ever" : "",
+                  what.may_be_repeated ? "" : " once", prompt);
+        conversations[index].say(what, prompt);
     }
     void interfere()
     {
         std::size_t const index = roll.below(slots);
-        both& one = talks[index];
+        both& one = conversations[index];
         switch (roll.below(14)) {
         case 0:
             step("cancel");
@@ -130,11 +124,9 @@ template <typename Engine> struct world : compare::schedule {
             second.cancel(one.second.whose, now);
             break;
         case 2: {
-            auto const unit = static_cast<std::uint8_t>(1 + roll.below(compare::far_end::units));
-            time const end =
-                now + (roll.chance(5) ? model::longest : time{roll.below(400'000)} - 20'000);
-            told.step("%lld hold %d until %lld", static_cast<long long>(now), unit,
-                      static_cast<long long>(end));
+            auto const unit = static_cast<std::uint8_t>(1 + roll.below(compare::manual_unit::units));
+            time const end = now + (roll.chance(5) ? model::longest : time{roll.below(400'000)} - 20'000);
+            told.step("%lld hold %d until %lld", static_cast<long long>(now), unit, static_cast<long long>(end));
             engine.hold(*rtuwire::unit_id::checked(unit), clock.at(end));
             second.hold(unit, end);
             break;
@@ -151,8 +143,8 @@ template <typename Engine> struct world : compare::schedule {
             std::size_t const to = roll.below(slots);
             told.step("%lld copy %zu to %zu", static_cast<long long>(now), index, to);
             both const copied = one;
-            talks[to] = copied;
-            talks[to].engine.says.id = talks[to].second.says.id = static_cast<int>(to);
+            conversations[to] = copied;
+            conversations[to].engine.says.id = conversations[to].second.says.id = static_cast<int>(to);
             break;
         }
         case 5:
@@ -165,8 +157,7 @@ template <typename Engine> struct world : compare::schedule {
             break;
         case 7:
             number_step("think", static_cast<long long>(index));
-            one.engine.says.is_thinking = one.second.says.is_thinking =
-                not one.second.says.is_thinking;
+            one.engine.says.is_thinking = one.second.says.is_thinking = not one.second.says.is_thinking;
             break;
         case 8: begin(index); break;
         case 9:
@@ -175,8 +166,8 @@ template <typename Engine> struct world : compare::schedule {
             break;
         case 10:
             number_step("at another line", static_cast<long long>(index));
-            other_engine.converse(static_cast<compare::engine_talk&>(one.engine), clock.at(now));
-            other_second.converse(one.second, now, other_second.own_patience(), -1);
+            other_engine.converse(static_cast<compare::engine_conversation&>(one.engine), clock.at(now));
+            other_second.converse(one.second, now, other_second.own_retry_policy(), -1);
             break;
         case 11:
             step("receive nothing");
@@ -190,23 +181,22 @@ template <typename Engine> struct world : compare::schedule {
 
     void converse(std::size_t index)
     {
-        both& one = talks[index];
+        both& one = conversations[index];
         number_step("converse", static_cast<long long>(index));
         if (roll.chance(60)) {
             if (one.is_prompt()) {
                 engine.converse(one.engine, clock.at(now));
             } else {
-                engine.converse(static_cast<compare::engine_talk&>(one.engine), clock.at(now));
+                engine.converse(static_cast<compare::engine_conversation&>(one.engine), clock.at(now));
             }
             second.converse(one.second, now);
         } else {
-            model::patience const with = compare::any_patience(roll, how.response_timeout);
-            rtuwire::patience const same = compare::library(with);
+            model::retry_policy const with = compare::any_retry_policy(roll, how.response_timeout);
+            rtuwire::retry_policy const same = compare::library(with);
             if (one.is_prompt()) {
                 engine.converse(one.engine, clock.at(now), same);
             } else {
-                engine.converse(static_cast<compare::engine_talk&>(one.engine), clock.at(now),
-                                same);
+                engine.converse(static_cast<compare::engine_conversation&>(one.engine), clock.at(now), same);
             }
             second.converse(one.second, now, with);
         }
@@ -229,10 +219,10 @@ template <typename Engine> struct world : compare::schedule {
             check();
         }
         for (std::size_t i = 0; i < slots and not told.failed(); ++i) {
-            if (talks[i].second.settled() and roll.chance(15)) {
+            if (conversations[i].second.settled() and roll.chance(15)) {
                 begin(i);
             }
-            if (roll.chance(talks[i].second.settled() ? 50 : 94)) {
+            if (roll.chance(conversations[i].second.settled() ? 50 : 94)) {
                 converse(i);
             }
         }
@@ -259,7 +249,7 @@ template <typename Engine> struct world : compare::schedule {
 };
 
 template <std::size_t Places, std::size_t Front>
-void schedule(dice& roll, report& told, compare::setting const& as, model::options how)
+void schedule(random_source& roll, report& told, compare::setting const& as, model::options how)
 {
     how.front = Front;
     how.places = Places;
@@ -271,7 +261,7 @@ void schedule(dice& roll, report& told, compare::setting const& as, model::optio
 
 int main(int argc, char** argv)
 {
-    return compare::main(argc, argv, [](dice& roll, report& told) {
+    return compare::main(argc, argv, [](random_source& roll, report& told) {
         compare::setting const as = compare::any_setting(roll);
         model::options const how = compare::any_options(roll);
         switch (roll.below(3)) {

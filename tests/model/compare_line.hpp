@@ -15,23 +15,23 @@ using model::time;
 
 /// Something that happens on the line.
 struct line_event {
-    enum class kind { octets, damage, sent } what;
+    enum class kind { chunk, damage, sent } what;
     model::bytes of{};
 };
 
-class far_end {
+class manual_unit {
 public:
     enum class habit { quick, slow, silent, faulty, busy };
     static constexpr std::uint8_t units = 6;
 
-    far_end(dice& roll, model::line_times const& times, time response, bool is_echoing)
+    manual_unit(random_source& roll, model::line_times const& times, time response, bool is_echoing)
         : roll_{roll}, times_{times}, response_{response}, is_echoing_{is_echoing}
     {
         bool const is_rush = roll.chance(3);
         for (habit& each : habits_) {
-            each = is_rush ? habit::busy
-                           : roll.any({habit::quick, habit::quick, habit::slow, habit::silent,
-                                       habit::faulty, habit::busy});
+            each = is_rush
+                       ? habit::busy
+                       : roll.any({habit::quick, habit::quick, habit::slow, habit::silent, habit::faulty, habit::busy});
         }
     }
 
@@ -49,7 +49,7 @@ public:
             echo(frame, now);
         }
         if (frame.size() >= 4 and frame[0] >= 1 and frame[0] <= units) {
-            answer(frame, end);
+            response(frame, end);
         }
     }
     /// Something that nobody asked for.
@@ -62,13 +62,12 @@ public:
         case 2: {
             bytes noise;
             for (unsigned i = 1 + roll_.below(12); i > 0; --i) {
-                noise.push_back(roll_.chance(30) ? static_cast<std::uint8_t>(1 + roll_.below(units))
-                                                 : roll_.byte());
+                noise.push_back(roll_.chance(30) ? static_cast<std::uint8_t>(1 + roll_.below(units)) : roll_.byte());
             }
             say(noise, at);
             break;
         }
-        default: say(last_answer_, at);
+        default: say(last_response_, at);
         }
     }
 
@@ -84,12 +83,11 @@ private:
             std::size_t const part = roll_.chance(60) ? left : 1 + roll_.below(left);
             auto const from = what.begin() + static_cast<std::ptrdiff_t>(done);
             at += times_.characters(part);
-            to_come.emplace(at, line_event{line_event::kind::octets,
-                                           bytes(from, from + static_cast<std::ptrdiff_t>(part))});
+            to_come.emplace(at,
+                            line_event{line_event::kind::chunk, bytes(from, from + static_cast<std::ptrdiff_t>(part))});
             done += part;
             if (roll_.chance(12)) {
-                at += roll_.below(3) == 0 ? times_.frame_end + roll_.below(3) - 1
-                                          : time{roll_.below(6'000)};
+                at += roll_.below(3) == 0 ? times_.frame_end + roll_.below(3) - 1 : time{roll_.below(6'000)};
             }
             if (roll_.chance(2)) {
                 to_come.emplace(at, line_event{line_event::kind::damage});
@@ -106,13 +104,13 @@ private:
         }
         say(what, now + (roll_.chance(30) ? roll_.below(9'000) : 0));
     }
-    void answer(bytes const& frame, time end)
+    void response(bytes const& frame, time end)
     {
         habit const own = habits_[frame[0]];
         if (own == habit::silent and not roll_.chance(5)) {
             return;
         }
-        bytes said = answer_to(frame);
+        bytes said = response_to(frame);
         unsigned const faults = own == habit::faulty ? 60 : 6;
         if (own == habit::busy and roll_.chance(90)) {
             said = exception(frame, roll_.any<unsigned>({5, 6, 6, 6}));
@@ -123,10 +121,9 @@ private:
         }
         time delay = roll_.chance(80) ? roll_.below(12'000) : -time{roll_.below(3'000)};
         if (own == habit::slow) {
-            delay =
-                static_cast<time>(static_cast<double>(response_) * 0.03 * (3 + roll_.below(98)));
+            delay = static_cast<time>(static_cast<double>(response_) * 0.03 * (3 + roll_.below(98)));
         }
-        last_answer_ = said;
+        last_response_ = said;
         say(said, end + delay);
         if (roll_.chance(3)) {
             say(said, end + delay + times_.characters(said.size()) + roll_.below(20'000));
@@ -136,9 +133,7 @@ private:
     {
         std::size_t const body = said.size() - 2;
         switch (roll_.below(16)) {
-        case 0:
-            said[roll_.below(said.size())] ^= static_cast<std::uint8_t>(1 + roll_.below(255));
-            return said;
+        case 0: said[roll_.below(said.size())] ^= static_cast<std::uint8_t>(1 + roll_.below(255)); return said;
         case 1: said[body] ^= 0x10; return said;
         case 2: said.pop_back(); return said;
         case 3: said.push_back(roll_.chance(50) ? 0 : roll_.byte()); return said;
@@ -173,7 +168,7 @@ private:
         return said;
     }
     /// Without its CRC.
-    bytes answer_to(bytes const& frame)
+    bytes response_to(bytes const& frame)
     {
         bytes said;
         said.reserve(600);
@@ -235,8 +230,7 @@ private:
         said[6] = follows ? static_cast<std::uint8_t>(frame[4] + objects) : 0;
         said[7] = static_cast<std::uint8_t>(objects);
         for (unsigned i = 0; i < objects; ++i) {
-            said.push_back(
-                static_cast<std::uint8_t>(roll_.chance(90) ? frame[4] + i : roll_.byte()));
+            said.push_back(static_cast<std::uint8_t>(roll_.chance(90) ? frame[4] + i : roll_.byte()));
             auto const size = static_cast<std::uint8_t>(roll_.below(5));
             said.push_back(size);
             for (unsigned k = 0; k < size; ++k) {
@@ -245,12 +239,12 @@ private:
         }
     }
 
-    dice& roll_;
+    random_source& roll_;
     model::line_times times_;
     time response_;
     bool is_echoing_;
     habit habits_[units + 1];
-    bytes last_answer_{};
+    bytes last_response_{};
 };
 
 } // namespace compare

@@ -1,33 +1,32 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// What a random schedule of the client and one of the bus have in common: their dice and clock, the line with its
+// What a random schedule of the client and one of the bus have in common: their random numbers and clock, the line with its
 // units, what both engines told, and the steps as they are written down.
 #pragma once
 
 #include <rtuwire/wire/unit_id.hpp>
 
+#include "compare_conversation.hpp"
 #include "compare_line.hpp"
-#include "compare_questions.hpp"
-#include "compare_talk.hpp"
+#include "compare_requests.hpp"
 
 namespace compare {
 
 struct schedule {
-    dice& roll;
+    random_source& roll;
     report& told;
     compare::clock clock;
     model::line_times times;
     model::options how;
-    far_end line;
+    manual_unit line;
     time now{0};
     std::vector<outcome> engines_outcomes{};
     std::vector<outcome> models_outcomes{};
 
-    schedule(dice& with, report& to, setting const& as, model::options const& options,
+    schedule(random_source& with, report& to, setting const& as, model::options const& options,
              unsigned percent_of_echoes)
-        : roll{with}, told{to}, clock{as.start}, times{as.bits, as.bits_by_character, as.end},
-          how{options}, line{with, times, options.response_timeout,
-                             options.has_echo or with.chance(percent_of_echoes)}
+        : roll{with}, told{to}, clock{as.start}, times{as.bits, as.bits_by_character, as.end}, how{options},
+          line{with, times, options.response_timeout, options.has_line_echo or with.chance(percent_of_echoes)}
     {}
 
     void step(char const* what, bytes const& of = {})
@@ -43,25 +42,22 @@ struct schedule {
         told.step("times: character %lld, t3.5 %lld, frame end %lld; R %lld, L %lld, turnaround "
                   "%lld, retries %u, echo %d, skip %u",
                   static_cast<long long>(times.character), static_cast<long long>(times.t3_5),
-                  static_cast<long long>(times.frame_end),
-                  static_cast<long long>(how.response_timeout),
-                  static_cast<long long>(how.late_answer), static_cast<long long>(how.turnaround),
-                  how.retries, how.has_echo, how.skip_noise);
+                  static_cast<long long>(times.frame_end), static_cast<long long>(how.response_timeout),
+                  static_cast<long long>(how.late_response), static_cast<long long>(how.turnaround), how.retries,
+                  how.has_line_echo, how.max_leading_noise);
     }
     /// What the model says of itself, behind the step that led there; only where steps are written down.
     void tell_state(std::optional<time> next, std::string const& state, bytes const& request)
     {
-        told.steps.back() += "  [next " + (next ? std::to_string(*next) : "never") + state +
-                             ", request " + hex(request).substr(0, 24) + "]";
+        told.steps.back() += "  [next " + (next ? std::to_string(*next) : "never") + state + ", request " +
+                             hex(request).substr(0, 24) + "]";
     }
 
     /// The same units are held; one more than there are, which is nobody's.
-    template <typename Engine, typename Model>
-    void same_holds(Engine const& engine, Model const& second)
+    template <typename Engine, typename Model> void same_holds(Engine const& engine, Model const& second)
     {
-        for (std::uint8_t unit = 1; unit <= far_end::units + 1; ++unit) {
-            told.same("held", engine.is_held(*rtuwire::unit_id::checked(unit)),
-                      second.is_held(unit));
+        for (std::uint8_t unit = 1; unit <= manual_unit::units + 1; ++unit) {
+            told.same("held", engine.is_held(*rtuwire::unit_id::checked(unit)), second.is_held(unit));
         }
     }
 
@@ -69,7 +65,7 @@ struct schedule {
     void happen(Engine& engine, Model& second, line_event const& what, time at)
     {
         switch (what.what) {
-        case line_event::kind::octets:
+        case line_event::kind::chunk:
             step("receive", what.of);
             engine.receive(view(what.of), clock.at(now));
             second.receive(what.of, now);
@@ -87,8 +83,7 @@ struct schedule {
     }
     bool has_event() const
     {
-        return not line.to_come.empty() and line.to_come.begin()->first <= now and
-               not told.failed();
+        return not line.to_come.empty() and line.to_come.begin()->first <= now and not told.failed();
     }
     /// When something has to be done, or the line does something.
     std::optional<time> next_of(std::optional<time> deadline) const

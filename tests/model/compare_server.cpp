@@ -6,7 +6,7 @@
 #include "compare.hpp"
 #include "model_server.hpp"
 
-using compare::dice;
+using compare::random_source;
 using compare::report;
 using model::bytes;
 using model::time;
@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint8_t own_unit = 1;
 
 struct world {
-    dice& roll;
+    random_source& roll;
     report& told;
     compare::clock clock;
     model::line_times times;
@@ -34,7 +34,7 @@ struct world {
         return end > 0 ? rtuwire::line_timing::host(bits, even_8_1, compare::length(end))
                        : rtuwire::line_timing{bits, even_8_1};
     }
-    world(dice& with, report& to, std::uint32_t start, std::uint32_t bits, time end)
+    world(random_source& with, report& to, std::uint32_t start, std::uint32_t bits, time end)
         : roll{with}, told{to}, clock{start}, times{bits, 11, end},
           engine{rtuwire::unit_id{own_unit}, timing(bits, end)}, second{own_unit, times}
     {}
@@ -89,16 +89,14 @@ struct world {
             frame[1] |= 0x80;
             frame.push_back(2);
         } else if (asked[1] <= 4 or asked[1] == 23) {
-            auto const count =
-                static_cast<std::uint8_t>(asked[1] <= 2 ? 1 + roll.below(6) : 2 * roll.below(5));
+            auto const count = static_cast<std::uint8_t>(asked[1] <= 2 ? 1 + roll.below(6) : 2 * roll.below(5));
             frame.push_back(count);
             for (unsigned i = 0; i < count; ++i) {
                 frame.push_back(roll.chance(60) ? 0 : roll.byte());
             }
         } else {
             frame.insert(frame.end(), asked.begin() + 2,
-                         asked.begin() + static_cast<std::ptrdiff_t>(
-                                             std::min<std::size_t>(6, asked.size() - 2)));
+                         asked.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(6, asked.size() - 2)));
         }
         return damaged(model::with_crc(frame));
     }
@@ -129,8 +127,7 @@ struct world {
         rtuwire::deadline const next = engine.poll_deadline();
         told.same("whether there is a deadline", next.has_value(), expected.has_value());
         if (next and expected) {
-            told.same("deadline, from now",
-                      static_cast<std::int32_t>(next->microseconds - clock.at(now).microseconds),
+            told.same("deadline, from now", static_cast<std::int32_t>(next->microseconds - clock.at(now).microseconds),
                       *expected - now);
         }
         for (std::uint16_t i = 0; i < model::server::registers; ++i) {
@@ -233,9 +230,8 @@ struct world {
 
     void run()
     {
-        told.step("times: character %lld, t3.5 %lld, frame end %lld",
-                  static_cast<long long>(times.character), static_cast<long long>(times.t3_5),
-                  static_cast<long long>(times.frame_end));
+        told.step("times: character %lld, t3.5 %lld, frame end %lld", static_cast<long long>(times.character),
+                  static_cast<long long>(times.t3_5), static_cast<long long>(times.frame_end));
         advance();
         unsigned const passes = 30 + roll.below(31);
         for (unsigned i = 0; i < passes and not told.failed(); ++i) {
@@ -248,7 +244,7 @@ struct world {
 
 int main(int argc, char** argv)
 {
-    return compare::main(argc, argv, [](dice& roll, report& told) {
+    return compare::main(argc, argv, [](random_source& roll, report& told) {
         std::uint32_t const start =
             roll.chance(70) ? 0U - roll.below(3'000'000) : static_cast<std::uint32_t>(roll.next());
         std::uint32_t const bits = roll.any<std::uint32_t>({4'800, 9'600, 19'200, 38'400, 115'200});

@@ -15,13 +15,13 @@ struct share {
 };
 
 struct slot_options {
-    patience with;
+    retry_policy with;
     time least_idle;
     time longest_gap;
 };
 
 /// A conversation that may pause by itself.
-struct bus_talk : talk {
+struct bus_conversation : conversation {
     bool is_timed{false};
     virtual void advance(time now) = 0;
     virtual std::optional<time> poll_deadline() const = 0;
@@ -31,7 +31,7 @@ class bus {
 public:
     bus(line_times const& times, options const& how, share const& of, std::size_t slots)
         : inner{times, how}, times_{times}, share_{of},
-          slots_(slots, slot{{inner.own_patience(), 0, 0}}), last_probed_{slots - 1}
+          slots_(slots, slot{{inner.own_retry_policy(), 0, 0}}), last_probed_{slots - 1}
     {}
 
     void set(std::size_t index, slot_options const& as) { slots_[index].options = as; }
@@ -53,7 +53,7 @@ public:
         inner.advance(now);
     }
 
-    void converse(std::size_t index, bus_talk& who, time now)
+    void converse(std::size_t index, bus_conversation& who, time now)
     {
         if (index >= slots_.size()) {
             return;
@@ -77,7 +77,7 @@ public:
         }
     }
 
-    void converse_first(bus_talk& who, time now)
+    void run_urgent(bus_conversation& who, time now)
     {
         inner.deliver(who, now);
         if (who.is_timed) {
@@ -87,8 +87,7 @@ public:
         if (who.is_timed) {
             wake_at(urgent_wake_, who.poll_deadline(), now);
         }
-        if (is_urgent_ and
-            inner.ask(who, now, slots_[0].options.with) == client::turn::taken) {
+        if (is_urgent_ and inner.ask(who, now, slots_[0].options.with) == client::turn::taken) {
             asked_at_ = now;
         }
     }
@@ -116,9 +115,8 @@ public:
     {
         std::string out = is_put_off_ ? " put off until " + std::to_string(put_off_until_) : "";
         for (slot const& each : slots_) {
-            out += ", " + std::to_string(each.unit) + (each.has_answered ? " +" : " ?") +
-                   std::to_string(each.failures) + (each.is_here ? "!" : "") +
-                   (each.is_present ? "." : "") +
+            out += ", " + std::to_string(each.unit) + (each.has_responded ? " +" : " ?") +
+                   std::to_string(each.failures) + (each.is_here ? "!" : "") + (each.is_present ? "." : "") +
                    (each.wake ? "@" + std::to_string(*each.wake) : "");
         }
         return out + " last " + std::to_string(last_probed_);
@@ -133,7 +131,7 @@ private:
         slot_options options;
         std::uint8_t unit{0};
         unsigned failures{0};
-        bool has_answered{false};
+        bool has_responded{false};
         time not_before{0};
         time last_request{0};
         bool is_resting{false};
@@ -144,7 +142,7 @@ private:
 
     bool is_silent(slot const& of) const
     {
-        return of.failures >= (of.has_answered ? std::max(share_.silent_after, 1U) : 1U);
+        return of.failures >= (of.has_responded ? std::max(share_.silent_after, 1U) : 1U);
     }
     static void wake_at(std::optional<time>& wake, std::optional<time> at, time now)
     {
@@ -153,10 +151,10 @@ private:
         }
     }
 
-    void ask(std::size_t index, bus_talk& who, time now)
+    void ask(std::size_t index, bus_conversation& who, time now)
     {
         slot& own = slots_[index];
-        patience with = own.options.with;
+        retry_policy with = own.options.with;
         with.retries = is_silent(own) ? 0 : with.retries;
         client::turn const what = inner.ask(who, now, with);
         if (what == client::turn::not_its) {
@@ -167,7 +165,7 @@ private:
             if (own.unit != inner.unit() and inner.unit() != 0) {
                 own.unit = inner.unit();
                 own.failures = 0;
-                own.has_answered = false;
+                own.has_responded = false;
             }
         }
         last_probed_ = is_silent(own) ? index : last_probed_;
@@ -184,13 +182,12 @@ private:
         }
         if (error < 0x80) {
             own.failures = 0;
-            own.has_answered = true;
+            own.has_responded = true;
             return;
         }
         ++own.failures;
         time const cost = on_clock(now - asked_at_);
-        time const addend = std::min<time>(
-            (cost / share_.silent_share + 1) * (100 - share_.silent_share), 600'000'000);
+        time const addend = std::min<time>((cost / share_.silent_share + 1) * (100 - share_.silent_share), 600'000'000);
         time const left = is_put_off_ ? on_clock(put_off_until_ - asked_at_) : 0;
         put_off_until_ = now + std::min<time>(left + addend, 1'800'000'000);
         is_put_off_ = true;
@@ -225,8 +222,7 @@ private:
     }
     bool may_be_probed(slot const& each) const
     {
-        return is_silent(each) and each.is_present and not each.is_resting and
-               not inner.is_held(each.unit);
+        return is_silent(each) and each.is_present and not each.is_resting and not inner.is_held(each.unit);
     }
     /// 31. The clock tells times up to half its range apart.
     bool fits(std::size_t index, time now) const

@@ -6,26 +6,26 @@
 
 #include <string>
 
-#include "model_answer.hpp"
+#include "model_conversation.hpp"
 #include "model_counts.hpp"
 #include "model_debts.hpp"
-#include "model_talk.hpp"
+#include "model_response.hpp"
 
 namespace model {
 
 struct options {
     time response_timeout;
     time turnaround;
-    time late_answer;
+    time late_response;
     unsigned retries;
-    bool has_echo;
-    unsigned skip_noise;
+    bool has_line_echo;
+    unsigned max_leading_noise;
     std::size_t front;  ///< what a request takes of the memory
     std::size_t places; ///< for units that owe something
     std::size_t rows;   ///< for units that are counted
 };
 
-struct patience {
+struct retry_policy {
     time response_timeout;
     unsigned retries;
     unsigned busy_retries;
@@ -34,20 +34,9 @@ struct patience {
 
 class client {
 public:
-    enum class phase {
-        idle,
-        waiting,
-        ready,
-        handed_out,
-        transmitting,
-        awaiting,
-        pausing,
-        turnaround,
-        settled
-    };
+    enum class phase { idle, waiting, ready, handed_out, transmitting, awaiting, pausing, turnaround, settled };
 
-    client(line_times const& times, options const& how)
-        : counted{how.rows}, line_{times}, how_{how}, debts_{how.places}
+    client(line_times const& times, options const& how) : counted{how.rows}, line_{times}, how_{how}, debts_{how.places}
     {}
 
     void receive(bytes const& chunk, time now)
@@ -96,14 +85,14 @@ public:
             return;
         }
         note_sending(at);
-        if (error_ == cancelled or error_ == echoed) {
+        if (error_ == cancelled or error_ == line_echo) {
             settle(error_, at);
             return;
         }
         phase_ = phase::awaiting;
-        until_ = at + answer_time();
+        until_ = at + response_time();
         sent_at_ = at;
-        skips_left_ = how_.skip_noise;
+        skips_left_ = how_.max_leading_noise;
         close_echo();
     }
 
@@ -163,27 +152,24 @@ public:
         return request_;
     }
 
-    void converse(talk& who, time now) { converse(who, now, own_patience()); }
-    void converse(talk& who, time now, patience const& with)
+    void converse(conversation& who, time now) { converse(who, now, own_retry_policy()); }
+    void converse(conversation& who, time now, retry_policy const& with)
     {
         deliver(who, now);
         ask(who, now, with);
     }
     /// The same as a conversation of another kind.
-    void converse(talk& who, time now, patience const& with, int prompt_unit)
+    void converse(conversation& who, time now, retry_policy const& with, int prompt_unit)
     {
         std::swap(who.prompt_unit, prompt_unit);
         converse(who, now, with);
         std::swap(who.prompt_unit, prompt_unit);
     }
-    patience own_patience() const { return {how_.response_timeout, how_.retries, 3, 50'000}; }
+    retry_policy own_retry_policy() const { return {how_.response_timeout, how_.retries, 3, 50'000}; }
 
     /// What a conversation is told when it comes by; none where it is told nothing.
-    std::optional<fault> deliver(talk& who, time now)
-    {
-        return deliver(who, not who.settled(), now);
-    }
-    std::optional<fault> deliver(talk& who, bool wants_turn, time now)
+    std::optional<fault> deliver(conversation& who, time now) { return deliver(who, not who.settled(), now); }
+    std::optional<fault> deliver(conversation& who, bool wants_turn, time now)
     {
         if (turns_.is_lost(who.whose, phase_ == phase::idle)) {
             who.whose.is_due = false;
@@ -194,7 +180,7 @@ public:
         if (phase_ == phase::settled and turns_.is_due(who.whose)) {
             phase_ = phase::idle;
             turns_.given(who.whose);
-            who.accept(error_, answer_);
+            who.accept(error_, response_);
             return error_;
         }
         come_by(who, wants_turn, now);
@@ -202,7 +188,7 @@ public:
     }
 
     enum class turn { not_its, asked_nothing, taken };
-    turn ask(talk& who, time now, patience const& with)
+    turn ask(conversation& who, time now, retry_policy const& with)
     {
         bool const is_last = turns_.is_last(who.whose);
         if (who.settled() and not is_last) {
@@ -219,11 +205,11 @@ public:
             is_held_back_ = is_held_back_ or not is_last;
             return turn::asked_nothing;
         }
-        auto const question = who.next();
-        if (not question) {
+        auto const request = who.next();
+        if (not request) {
             return turn::asked_nothing;
         }
-        bytes const& frame = question->frame;
+        bytes const& frame = request->frame;
         if (not frame.empty() and debts_.covers(frame[0])) {
             is_held_back_ = is_held_back_ or not is_last;
             return turn::asked_nothing;
@@ -233,7 +219,7 @@ public:
             wake(now);
             return turn::asked_nothing;
         }
-        start(*question, now, with);
+        start(*request, now, with);
         turns_.take(who.whose);
         return turn::taken;
     }
@@ -266,19 +252,14 @@ public:
     /// For who reads a schedule.
     std::string state() const
     {
-        auto const number = [](char const* name, time of) {
-            return std::string{name} + std::to_string(of);
-        };
+        auto const number = [](char const* name, time of) { return std::string{name} + std::to_string(of); };
         auto const held = debts_.next();
-        return number(", phase ", static_cast<time>(phase_)) +
-               (line_.is_quiet ? " quiet" : " busy") +
+        return number(", phase ", static_cast<time>(phase_)) + (line_.is_quiet ? " quiet" : " busy") +
                number(" line ", static_cast<time>(line_.at)) + number(" until ", until_) +
-               number(" held until ", held.value_or(-1)) +
-               number(" error ", static_cast<time>(error_)) +
+               number(" held until ", held.value_or(-1)) + number(" error ", static_cast<time>(error_)) +
                number(" unanswered ", sendings_.unanswered) + number(" from ", sendings_.first) +
                number(" to ", sendings_.begun) + number(" echo ", static_cast<time>(echo_at_)) +
-               (is_woken_ ? " woken" : "") + (turns_.others_wait ? " others" : "") +
-               (is_held_back_ ? " back" : "");
+               (is_woken_ ? " woken" : "") + (turns_.others_wait ? " others" : "") + (is_held_back_ ? " back" : "");
     }
     bool is_asked_by(asker const& who) const { return turns_.is_due(who); }
     bool is_busy() const { return phase_ != phase::idle; }
@@ -291,22 +272,15 @@ private:
     /// 21.
     bool is_asker_missing() const
     {
-        return phase_ == phase::settled or
-               (phase_ == phase::waiting and line_.is_quiet and not debts_.covers(unit()));
+        return phase_ == phase::settled or (phase_ == phase::waiting and line_.is_quiet and not debts_.covers(unit()));
     }
     bool is_leaving() const { return phase_ == phase::handed_out or phase_ == phase::transmitting; }
-    bool is_timed() const
-    {
-        return phase_ != phase::idle and phase_ != phase::settled and phase_ != phase::handed_out;
-    }
-    time leaving_time() const
-    {
-        return limited_response() + line_.times.characters(request_.size());
-    }
+    bool is_timed() const { return phase_ != phase::idle and phase_ != phase::settled and phase_ != phase::handed_out; }
+    time leaving_time() const { return limited_response() + line_.times.characters(request_.size()); }
     time limited_response() const { return limited(with_.response_timeout); }
-    time answer_time() const
+    time response_time() const
     {
-        answer_size const size = longest_answer(request_);
+        response_size const size = longest_response(request_);
         return limited(limited_response() + line_.times.characters(size.bytes) +
                        (size.is_final ? 0 : line_.times.frame_end));
     }
@@ -322,10 +296,10 @@ private:
             return frame_too_long;
         }
         std::size_t const room = 256 - (std::max(how_.front, frame.size()) - how_.front);
-        return longest_answer(frame).bytes > room ? buffer_too_small : none;
+        return longest_response(frame).bytes > room ? buffer_too_small : none;
     }
 
-    void start(question const& of, time now, patience const& with)
+    void start(request_frame const& of, time now, retry_policy const& with)
     {
         is_woken_ = false;
         request_ = of.frame;
@@ -337,7 +311,7 @@ private:
         was_sent_ = false;
         may_be_repeated_ = of.may_be_repeated;
         error_ = none;
-        answer_.clear();
+        response_.clear();
         sendings_ = {};
         line_.room = 256 - (std::max(how_.front, request_.size()) - how_.front);
         wait(now);
@@ -349,7 +323,7 @@ private:
         until_ = now + limited_response();
     }
     /// 21, where no outcome is told.
-    void come_by(talk& who, bool wants_turn, time now)
+    void come_by(conversation& who, bool wants_turn, time now)
     {
         if (turns_.is_due(who.whose)) {
             if (phase_ == phase::waiting) {
@@ -389,7 +363,7 @@ private:
     }
 
     /// 22 and 23.
-    bool may_ask(talk& who, bool is_prompt, time now)
+    bool may_ask(conversation& who, bool is_prompt, time now)
     {
         if (not turns_.others_wait and (line_.is_quiet or not is_prompt)) {
             return true;
@@ -434,8 +408,8 @@ private:
         if (is_echo_open()) {
             bool const is_same = compare(byte);
             if (is_same) {
-                if (not how_.has_echo and error_ == echoed) {
-                    settle(echoed, now);
+                if (not how_.has_line_echo and error_ == line_echo) {
+                    settle(line_echo, now);
                 }
                 return true;
             }
@@ -456,11 +430,11 @@ private:
     {
         if (request_[echo_at_] != byte) {
             differ();
-            return how_.has_echo;
+            return how_.has_line_echo;
         }
         ++echo_at_;
-        if (echo_at_ == request_.size() and not how_.has_echo) {
-            error_ = echoed;
+        if (echo_at_ == request_.size() and not how_.has_line_echo) {
+            error_ = line_echo;
             counted.note(a_mismatch, unit());
         }
         return true;
@@ -468,14 +442,14 @@ private:
     /// The transmission is over.
     void close_echo()
     {
-        if (not how_.has_echo and echo_at_ < request_.size() / 2) {
+        if (not how_.has_line_echo and echo_at_ < request_.size() / 2) {
             is_echo_over_ = true;
         }
     }
     void differ()
     {
         is_echo_over_ = true;
-        if (how_.has_echo) {
+        if (how_.has_line_echo) {
             counted.note(a_collision, unit());
             error_ = error_ == none ? collision : error_;
         }
@@ -496,25 +470,25 @@ private:
     /// 3, 9 and 25.
     void judge(bool is_by_silence, time now)
     {
-        if (how_.has_echo and error_ == collision) {
+        if (how_.has_line_echo and error_ == collision) {
             return;
         }
         bytes const& frame = line_.frame;
-        bool const has_size = has_told_size(frame);
+        bool const has_size = matches_size_hint(frame);
         fault found = line_.verdict();
         if (found == none) {
-            found = check_answer(request_, frame);
+            found = check_response(request_, frame);
             if (found == none and is_by_silence and not has_size) {
                 found = wrong_length;
             }
         }
         counted.note_frame(found, unit(), now - sent_at_);
         if (found == none or found < 0x80) {
-            take_answer(found, now);
-        } else if (found == echoed) {
-            settle(echoed, now);
-        } else if ((found == crc_mismatch or found == uart_error) and frame.size() >= 4 and
-                   frame[0] == request_[0] and (frame[1] & 0x7F) == request_[1] and has_size) {
+            take_response(found, now);
+        } else if (found == line_echo) {
+            settle(line_echo, now);
+        } else if ((found == crc_mismatch or found == uart_error) and frame.size() >= 4 and frame[0] == request_[0] and
+                   (frame[1] & 0x7F) == request_[1] and has_size) {
             if (debts_.is_empty()) { // 17
                 sendings_.answered();
             }
@@ -523,7 +497,7 @@ private:
             error_ = found;
         }
     }
-    void take_answer(fault found, time now)
+    void take_response(fault found, time now)
     {
         sendings_.answered();
         if ((found == 5 or found == 6) and busy_left_ > 0) {
@@ -538,16 +512,16 @@ private:
             return;
         }
         if (found == none) {
-            answer_.assign(line_.frame.begin() + 1, line_.frame.end() - 2);
+            response_.assign(line_.frame.begin() + 1, line_.frame.end() - 2);
         }
         if (sendings_.unanswered > 0) { // 18
             debts_.hold(unit(), now + limited(static_cast<time>(sendings_.unanswered) *
-                                              limited(now - sendings_.first + how_.late_answer)));
+                                              limited(now - sendings_.first + how_.late_response)));
             sendings_ = {};
         }
         settle(found, now);
     }
-    void note_sending(time at) { sendings_.left(at, limited(answer_time() + how_.late_answer)); }
+    void note_sending(time at) { sendings_.left(at, limited(response_time() + how_.late_response)); }
 
     void time_out(time now)
     {
@@ -603,7 +577,7 @@ private:
         sendings_ = {};
         error_ = why;
         if (why != none) {
-            answer_.clear();
+            response_.clear();
         }
         phase_ = phase::settled;
     }
@@ -631,9 +605,9 @@ private:
     phase phase_{phase::idle};
     time until_{0};
     bytes request_{};
-    bytes answer_{};
+    bytes response_{};
     fault error_{none};
-    patience with_{};
+    retry_policy with_{};
     unsigned retries_left_{0};
     unsigned busy_left_{0};
     unsigned pauses_{0};

@@ -56,8 +56,7 @@ public:
             each_of(unit, [&](counts& to) { ++to.by_exception[row]; });
         }
         if (what == an_exception or what == a_reply) {
-            each_of(unit,
-                    [&](counts& to) { to.worst_latency = std::max(to.worst_latency, latency); });
+            each_of(unit, [&](counts& to) { to.worst_latency = std::max(to.worst_latency, latency); });
         }
     }
 

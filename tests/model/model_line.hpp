@@ -36,9 +36,9 @@ enum fault : int {
     uart_error,
     wrong_unit,
     wrong_function,
-    wrong_echo,
+    response_mismatch,
     malformed,
-    echoed,
+    line_echo,
     collision,
     timed_out,
     bus_jam,
@@ -79,9 +79,8 @@ struct line_times {
 
     line_times(time bits_per_second, time bits, time host_frame_end)
         : character{(bits * 1'000'000 + bits_per_second - 1) / bits_per_second},
-          t3_5{bits_per_second > 19'200
-                   ? 1750
-                   : (7 * bits * 1'000'000 + 2 * bits_per_second - 1) / (2 * bits_per_second)},
+          t3_5{bits_per_second > 19'200 ? 1750
+                                        : (7 * bits * 1'000'000 + 2 * bits_per_second - 1) / (2 * bits_per_second)},
           frame_end{std::max(t3_5, host_frame_end)}
     {}
     time characters(std::size_t count) const { return character * static_cast<time>(count); }
@@ -89,7 +88,7 @@ struct line_times {
 
 /// The size that a frame's first bytes tell, if it is more than a frame can be as well; none where they do not tell it
 /// yet, or never.
-inline std::optional<std::size_t> told_size(bytes const& frame, bool is_request)
+inline std::optional<std::size_t> size_hint(bytes const& frame, bool is_request)
 {
     std::size_t const n = frame.size();
     auto const counted = [&](std::size_t at, std::size_t base) -> std::optional<std::size_t> {
@@ -160,7 +159,7 @@ struct receiver {
     std::size_t room{256};
     state at{state::unheard};
     bytes frame{};
-    fault trouble{none};
+    fault error{none};
     bool is_known{false}; ///< the clock was seen
     bool is_quiet{false};
     time last{0};
@@ -180,7 +179,7 @@ struct receiver {
     {
         at = state::between;
         frame.clear();
-        trouble = none;
+        error = none;
     }
     /// A byte of a frame. Whether its size tells that it ended.
     bool take(std::uint8_t byte, bool is_request)
@@ -190,11 +189,11 @@ struct receiver {
             at = state::inside;
         }
         if (frame.size() == room) {
-            trouble = trouble == none ? frame_too_long : trouble;
+            error = error == none ? frame_too_long : error;
             return false;
         }
         frame.push_back(byte);
-        return trouble == none and told_size(frame, is_request) == frame.size() and is_whole(frame);
+        return error == none and size_hint(frame, is_request) == frame.size() and is_whole(frame);
     }
     void damage()
     {
@@ -202,13 +201,13 @@ struct receiver {
             begin();
             at = state::inside;
         }
-        trouble = uart_error; // also behind frame_too_long, where rule 3 says otherwise
+        error = uart_error; // also behind frame_too_long, where rule 3 says otherwise
     }
     /// Why what ended is no frame.
     fault verdict() const
     {
-        if (trouble != none) {
-            return trouble;
+        if (error != none) {
+            return error;
         }
         if (frame.size() < 4) {
             return frame_too_short;

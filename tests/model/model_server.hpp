@@ -13,8 +13,8 @@ namespace model {
 /// Unit with words from address 0, without identification.
 class server {
 public:
-    enum class phase { listening, asked, answering, transmitting };
-    static constexpr time answer_limit = 100'000;
+    enum class phase { listening, asked, responding, transmitting };
+    static constexpr time response_limit = 100'000;
     static constexpr std::size_t registers = 16;
 
     server(std::uint8_t unit, line_times const& times) : line_{times}, unit_{unit} {}
@@ -25,7 +25,7 @@ public:
             return;
         }
         for (std::uint8_t const byte : chunk) {
-            if (phase_ == phase::asked or phase_ == phase::answering) {
+            if (phase_ == phase::asked or phase_ == phase::responding) {
                 drop();
             }
             if (phase_ == phase::transmitting) {
@@ -79,8 +79,8 @@ public:
         bytes const pdu(request_.begin() + 1, request_.end() - 2);
         ++cpt[4];
         if (is_listening_only_) {
-            bool const is_restart = pdu.size() == 5 and pdu[0] == 8 and pdu[1] == 0 and
-                                    pdu[2] == 1 and (pdu[3] == 0 or pdu[3] == 0xFF) and pdu[4] == 0;
+            bool const is_restart = pdu.size() == 5 and pdu[0] == 8 and pdu[1] == 0 and pdu[2] == 1 and
+                                    (pdu[3] == 0 or pdu[3] == 0xFF) and pdu[4] == 0;
             if (is_restart and not is_everyone) {
                 cpt.fill(0);
                 is_listening_only_ = false;
@@ -92,9 +92,8 @@ public:
         }
         bytes said;
         bool is_silent = is_everyone;
-        fault const found = is_everyone and pdu[0] != 6 and pdu[0] != 16
-                                ? illegal_function
-                                : respond(pdu, said, is_silent);
+        fault const found =
+            is_everyone and pdu[0] != 6 and pdu[0] != 16 ? illegal_function : respond(pdu, said, is_silent);
         if (found != none) {
             ++cpt[3];
             said = {static_cast<std::uint8_t>(pdu[0] | 0x80), static_cast<std::uint8_t>(found)};
@@ -107,16 +106,16 @@ public:
         response_ = {unit_};
         response_.insert(response_.end(), said.begin(), said.end());
         response_ = with_crc(response_);
-        phase_ = phase::answering;
+        phase_ = phase::responding;
     }
 
     bytes poll_transmit()
     {
-        if (phase_ != phase::answering or not line_.is_quiet) {
+        if (phase_ != phase::responding or not line_.is_quiet) {
             return {};
         }
         phase_ = phase::transmitting;
-        until_ += line_.times.characters(response_.size()) + answer_limit;
+        until_ += line_.times.characters(response_.size()) + response_limit;
         return response_;
     }
 
@@ -181,7 +180,7 @@ private:
         if (is_overrun) {
             ++cpt[8];
         }
-        if (phase_ == phase::asked or phase_ == phase::answering) {
+        if (phase_ == phase::asked or phase_ == phase::responding) {
             line_.at = receiver::state::unheard; // bytes behind it are ignored
         } else if (phase_ == phase::listening) {
             is_open_end_ = false; // the byte belongs to the frame, which is refused
@@ -191,7 +190,7 @@ private:
 
     void drop()
     {
-        if (phase_ == phase::answering) {
+        if (phase_ == phase::responding) {
             ++cpt[5];
         }
         phase_ = phase::listening;
@@ -212,12 +211,11 @@ private:
             }
         }
         bool const by_request = line_.take(byte, true);
-        if (line_.trouble != none) {
+        if (line_.error != none) {
             return;
         }
         bytes const& frame = line_.frame;
-        bool const is_expected = expected_unit_ >= 0 and frame.size() >= 2 and
-                                 frame[0] == expected_unit_ and
+        bool const is_expected = expected_unit_ >= 0 and frame.size() >= 2 and frame[0] == expected_unit_ and
                                  (frame[1] & 0x7F) == expected_function_;
         if (not is_expected) {
             if (by_request) {
@@ -230,8 +228,8 @@ private:
         if (frame.size() >= 5 and frame[1] <= 4 and frame[1] >= 1) {
             may_be_request = frame[4] <= (frame[1] <= 2 ? 7 : 0);
         }
-        auto const request_size = may_be_request ? told_size(frame, true) : std::nullopt;
-        auto const response_size = told_size(frame, false);
+        auto const request_size = may_be_request ? size_hint(frame, true) : std::nullopt;
+        auto const response_size = size_hint(frame, false);
         bool const is_request = by_request and may_be_request;
         bool const is_response = response_size == frame.size() and is_whole(frame);
         if (not is_request and not is_response) {
@@ -242,9 +240,8 @@ private:
             end_frame(false);
             return;
         }
-        bool const is_other_next = frame.size() < 256 and
-                                   ((is_request and response_size == frame.size() + 1) or
-                                    (is_response and request_size == frame.size() + 1));
+        bool const is_other_next = frame.size() < 256 and ((is_request and response_size == frame.size() + 1) or
+                                                           (is_response and request_size == frame.size() + 1));
         if (is_other_next) {
             is_open_end_ = true;
             is_open_response_ = is_response;
@@ -277,7 +274,7 @@ private:
         if (frame[0] == unit_ or frame[0] == 0) {
             request_ = frame;
             phase_ = phase::asked;
-            until_ = line_.last + line_.times.frame_end + answer_limit;
+            until_ = line_.last + line_.times.frame_end + response_limit;
         } else {
             expected_unit_ = frame[0];
             expected_function_ = frame[1];
@@ -287,9 +284,7 @@ private:
     fault respond(bytes const& pdu, bytes& said, bool& is_silent)
     {
         auto const word = [&](std::size_t at) { return 256U * pdu[at] + pdu[at + 1]; };
-        auto const is_inside = [](std::size_t start, std::size_t count) {
-            return start + count <= registers;
-        };
+        auto const is_inside = [](std::size_t start, std::size_t count) { return start + count <= registers; };
         auto const store = [&](std::size_t start, std::size_t count, std::size_t at) {
             for (std::size_t i = 0; i < count; ++i) {
                 words[start + i] = static_cast<std::uint16_t>(word(at + 2 * i));
@@ -323,8 +318,7 @@ private:
             said = pdu;
             return none;
         case 16:
-            if (pdu.size() < 6 or pdu.size() != 6U + pdu[5] or word(3) == 0 or word(3) > 123 or
-                pdu[5] != 2 * word(3)) {
+            if (pdu.size() < 6 or pdu.size() != 6U + pdu[5] or word(3) == 0 or word(3) > 123 or pdu[5] != 2 * word(3)) {
                 return illegal_data_value;
             }
             if (not is_inside(word(1), word(3))) {
@@ -334,8 +328,8 @@ private:
             said.assign(pdu.begin(), pdu.begin() + 5);
             return none;
         case 23:
-            if (pdu.size() < 10 or pdu.size() != 10U + pdu[9] or word(3) == 0 or word(3) > 125 or
-                word(7) == 0 or word(7) > 121 or pdu[9] != 2 * word(7)) {
+            if (pdu.size() < 10 or pdu.size() != 10U + pdu[9] or word(3) == 0 or word(3) > 125 or word(7) == 0 or
+                word(7) > 121 or pdu[9] != 2 * word(7)) {
                 return illegal_data_value;
             }
             if (not is_inside(word(1), word(3)) or not is_inside(word(5), word(7))) {

@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSL-1.0
 // What an attack on the promises of the headers found: orders older than a stop, stops that waited, loops that slept.
 #include "support/catch.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/cyclic.hpp>
-#include <rtuwire/altivar/restore_factory_settings.hpp>
-#include <rtuwire/altivar/start.hpp>
-#include <rtuwire/altivar/stop.hpp>
-#include <rtuwire/altivar/stop_everyone.hpp>
-#include <rtuwire/client/single_question.hpp>
+#include <rtuwire/altivar/cyclic/cyclic.hpp>
+#include <rtuwire/altivar/procedure/broadcast_stop.hpp>
+#include <rtuwire/altivar/procedure/restore_factory_settings.hpp>
+#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -25,11 +25,11 @@ namespace {
 
 constexpr client_options patient{.response_timeout = milliseconds(1'000), .retries = 1};
 
-template <std::size_t Places> struct hall : test::party_line<drive_client<Places>, device> {
+template <std::size_t Places> struct hall : test::simulated_bus<drive_client<Places>, device> {
     station<device> press{unit_id{3}};
     station<device> fan{unit_id{4}};
 
-    hall() : test::party_line<drive_client<Places>, device>{drive_client<Places>{test::party_timing, patient}}
+    hall() : test::simulated_bus<drive_client<Places>, device>{drive_client<Places>{test::bus_timing, patient}}
     {
         this->add(press.unit());
         this->add(fan.unit());
@@ -37,16 +37,14 @@ template <std::size_t Places> struct hall : test::party_line<drive_client<Places
     }
     template <typename Work> void pass(Work work, duration length)
     {
-        this->run(work, [] { return false; }, length);
+        this->run(
+            work, [] { return false; }, length);
     }
-    bool has_power(std::size_t index = 0)
-    {
-        return cia402::has_power(this->drive(index).chart().state());
-    }
+    bool has_power(std::size_t index = 0) { return cia402::has_power(this->drive(index).state_machine().state()); }
     bool is_stop_word()
     {
-        byte_view const frame = this->question();
-        return frame.size() == 8 and frame[1] == std::byte{6} and u16_at(frame, 2) == device::profile.cmd and
+        byte_view const frame = this->request();
+        return frame.size() == 8 and frame[1] == std::byte{6} and u16_at(frame, 2) == device::layout.cmd and
                u16_at(frame, 4) != 0x000F;
     }
 };
@@ -63,7 +61,7 @@ TEST_CASE("motion law: L2 an order that was given before a stop, and comes by be
         it.pass(cycle, milliseconds(1'000));
         REQUIRE(loop.run(900_rpm));
         // A function that stops and waits for it; the cycle does not come by meanwhile.
-        stop_everyone all{it.press};
+        broadcast_stop all{it.press};
         stop rest{it.press};
         it.pass(
             [&](instant at) {
@@ -82,7 +80,7 @@ TEST_CASE("motion law: L2 an order that was given before a stop, and comes by be
         }
         CHECK_FALSE(had_power);
         CHECK_FALSE(loop.control().is_ordered());
-        CHECK(loop.control().reason().how == ending::overruled);
+        CHECK(loop.control().reason().kind == outcome_kind::overruled);
         REQUIRE(loop.run(900_rpm)); // anew
         it.pass(cycle, milliseconds(3'000));
         CHECK(it.has_power());
@@ -96,7 +94,7 @@ TEST_CASE("motion law: L3 a stop with a short limit says its word behind another
         hall<2> it;
         start go{it.press, 40_Hz};
         REQUIRE(it.run(go));
-        single_question off{unit_id{44}, read_holding_registers{3'201, 1}};
+        single_request off{unit_id{44}, read_holding_registers{3'201, 1}};
         it.pass([&](instant at) { it.link().converse(off, at); }, milliseconds(30));
         stop rest{it.press, stop_by::ramp, milliseconds(limit_ms)};
         it.pass(
@@ -106,7 +104,7 @@ TEST_CASE("motion law: L3 a stop with a short limit says its word behind another
             },
             milliseconds(6'000));
         CHECK(rest.settled());
-        CHECK(it.drive(0).chart().state() != state::operation_enabled);
+        CHECK(it.drive(0).state_machine().state() != state::operation_enabled);
     }
 }
 
@@ -124,17 +122,19 @@ TEST_CASE("motion law: L3 a stop does not wait for the pause of another unit tha
             frame.push_back(to_byte(crc >> 8U));
         }
     });
-    single_question busy{it.fan.unit(), read_holding_registers{3'201, 1}};
-    patience const slow{.response_timeout = milliseconds(1'000), .busy_retries = 3, .busy_pause = milliseconds(2'000)};
+    single_request busy{it.fan.unit(), read_holding_registers{3'201, 1}};
+    retry_policy const slow{
+        .response_timeout = milliseconds(1'000), .busy_retries = 3, .busy_pause = milliseconds(2'000)};
     it.pass([&](instant at) { it.link().converse(busy, at, slow); }, milliseconds(100));
     stop rest{it.press};
-    std::size_t const before = it.questions();
+    std::size_t const before = it.requests();
     instant const asked = it.now();
     auto const work = [&](instant at) {
         it.link().converse(busy, at, slow);
         it.link().converse(rest, at);
     };
-    REQUIRE(it.run(work, [&] { return it.questions() != before; }, milliseconds(3'000)));
+    REQUIRE(it.run(
+        work, [&] { return it.requests() != before; }, milliseconds(3'000)));
     CHECK(it.is_stop_word());
     CHECK(it.now() - asked < milliseconds(30));
 }
@@ -151,7 +151,7 @@ TEST_CASE("motion law: L5 settings are not restored of a drive that is being sta
         bool is_written_under_power = false;
         it.disturb([&](std::vector<std::byte>& frame, bool is_request) {
             bool const is_order = is_request and frame[1] == std::byte{6} and
-                                  u16_at(byte_view{frame}, 2) == device::profile.cmi and
+                                  u16_at(byte_view{frame}, 2) == device::layout.cmi and
                                   u16_at(byte_view{frame}, 4) == 1;
             is_written_under_power = is_written_under_power or (is_order and it.has_power());
         });
@@ -179,7 +179,7 @@ TEST_CASE("motion law: L3 a stop that was given up holds its unit where all plac
     REQUIRE(it.run(other));
     start turn{it.fan, 20_Hz};
     REQUIRE(it.run(turn));
-    CHECK(turn.reason().how == ending::overruled);
+    CHECK(turn.reason().kind == outcome_kind::overruled);
     CHECK_FALSE(it.has_power(1));
     stop again{it.fan};
     REQUIRE(it.run(again));
@@ -192,12 +192,12 @@ TEST_CASE("motion law: L5 a stop of everyone that was given up is let go by its 
 {
     hall<2> it;
     {
-        stop_everyone all{it.press, it.fan};
+        broadcast_stop all{it.press, it.fan};
         it.pass([&](instant at) { it.link().converse(all, at); }, milliseconds(3));
     }
     start go{it.press, 40_Hz};
     REQUIRE(it.run(go));
-    CHECK(go.reason().how == ending::overruled);
+    CHECK(go.reason().kind == outcome_kind::overruled);
     it.link().motor_orders().release_all();
     start anew{it.press, 40_Hz};
     REQUIRE(it.run(anew));
@@ -211,7 +211,7 @@ TEST_CASE("motion law: a client without a place for one more order says so")
     REQUIRE(it.run(go));
     start more{it.fan, 20_Hz};
     REQUIRE(it.run(more));
-    CHECK(more.reason().how == ending::no_place);
+    CHECK(more.reason().kind == outcome_kind::no_place);
     CHECK(more.reason().error == errc::too_many_ordered);
     CHECK_FALSE(it.has_power(1));
 }
@@ -232,7 +232,7 @@ TEST_CASE("motion law: a loop that sleeps by a client's deadline alone wakes for
         it.link().converse(rest, now);
         if (byte_view const frame = it.link().poll_transmit(); not frame.empty()) {
             ++words;
-            now = now + test::party_timing.characters(frame.size());
+            now = now + test::bus_timing.characters(frame.size());
             it.link().sent(now);
         }
         if (rest.settled()) {
@@ -263,56 +263,61 @@ TEST_CASE("motion law: L3 a halt that could not look by its limit says the ramp'
         milliseconds(8'000));
     CHECK(is_said);
     CHECK(rest.settled());
-    CHECK(rest.reason().how == ending::silent);
+    CHECK(rest.reason().kind == outcome_kind::silent);
     CHECK(rest.reason().is_other_stop);
 }
 
-TEST_CASE("motion law: settings are restored of a drive that tripped while it was ordered, without a word about the order")
+TEST_CASE(
+    "motion law: settings are restored of a drive that tripped while it was ordered, without a word about the order")
 {
     hall<2> it;
     start go{it.press, 40_Hz};
     REQUIRE(it.run(go));
     it.drive(0).inject_fault(9); // nobody has read it when the settings are asked for
     it.pass([](instant) {}, milliseconds(2'000));
-    REQUIRE(it.drive(0).chart().state() == state::fault);
+    REQUIRE(it.drive(0).state_machine().state() == state::fault);
     restore_factory_settings restore{it.press, losing_control_and_address{}};
     REQUIRE(it.run(restore));
-    CHECK(restore.reason().how == ending::executed_unconfirmed);
-    CHECK_FALSE(it.link().motor_orders().is_ordered(it.press.unit().octet()));
+    CHECK(restore.reason().kind == outcome_kind::executed_unconfirmed);
+    CHECK_FALSE(it.link().motor_orders().is_ordered(it.press.unit().byte()));
 }
 
 TEST_CASE("motion law: L4 a stop that waits for its unit's silence keeps nobody else of a bus from asking")
 {
     constexpr client_options quick{.response_timeout = milliseconds(100), .retries = 1};
-    test::party_line<bus<3>, device> it{bus<3>{test::party_timing, quick}};
+    test::simulated_bus<bus<3>, device> it{bus<3>{test::bus_timing, quick}};
     station<device> const press{unit_id{3}};
     station<device> const fan{unit_id{4}};
     it.add(press.unit());
     it.add(fan.unit());
     start go{press, 40_Hz};
-    REQUIRE(it.run([&](instant at) { it.link().converse(0, go, at); }, [&] { return go.settled(); },
-                   milliseconds(3'000)));
+    REQUIRE(
+        it.run([&](instant at) { it.link().converse(0, go, at); }, [&] { return go.settled(); }, milliseconds(3'000)));
     it.cut(0, true);
     stop rest{press, stop_by::ramp, milliseconds(20'000)};
     auto const wait = [&](instant at) { it.link().converse(2, rest, at); };
-    it.run(wait, [] { return false; }, milliseconds(6'000));
+    it.run(
+        wait, [] { return false; }, milliseconds(6'000));
     REQUIRE_FALSE(rest.settled());
     REQUIRE(it.link().is_ordered(press.unit()));
 
     cyclic<device> loop{fan, {.period = milliseconds(50)}};
     auto const both = [&](instant at) {
         it.link().converse(1, loop, at);
-        wait(at); // behind it: a question of the cycle has not left yet
+        wait(at); // behind it: a request of the cycle has not left yet
     };
     std::size_t const before = it.answers(1);
-    it.run(both, [] { return false; }, milliseconds(2'000));
+    it.run(
+        both, [] { return false; }, milliseconds(2'000));
     CHECK(it.answers(1) - before > 20);
     REQUIRE(loop.run(900_rpm));
-    it.run(both, [] { return false; }, milliseconds(2'000));
+    it.run(
+        both, [] { return false; }, milliseconds(2'000));
     CHECK(loop.control().is_running());
     loop.stop();
-    it.run(both, [] { return false; }, milliseconds(3'000));
-    CHECK_FALSE(cia402::has_power(it.drive(1).chart().state()));
+    it.run(
+        both, [] { return false; }, milliseconds(3'000));
+    CHECK_FALSE(cia402::has_power(it.drive(1).state_machine().state()));
     CHECK_FALSE(rest.settled());
 }
 
@@ -327,13 +332,13 @@ TEST_CASE("motion law: L5 a drive that does not answer does not keep the others 
         REQUIRE(it.run(more));
         std::size_t const dead = is_first ? 0 : 1;
         it.cut(dead, true);
-        stop_everyone all{everyone_options{.limit = milliseconds(10'000)}, it.press, it.fan};
+        broadcast_stop all{broadcast_stop_options{.limit = milliseconds(10'000)}, it.press, it.fan};
         REQUIRE(it.run([&](instant at) { it.link().converse(all, at); },
-                       [&] { return all.reason(1 - dead).how != ending::pending; }, milliseconds(8'000)));
-        CHECK(all.reason(1 - dead).how == ending::succeeded);
-        CHECK(all.reason(dead).how == ending::pending);
+                       [&] { return all.reason(1 - dead).kind != outcome_kind::pending; }, milliseconds(8'000)));
+        CHECK(all.reason(1 - dead).kind == outcome_kind::succeeded);
+        CHECK(all.reason(dead).kind == outcome_kind::pending);
         CHECK_FALSE(it.has_power(1 - dead));
         REQUIRE(it.run(all, milliseconds(9'000))); // its limit ends in the silence
-        CHECK(all.reason(dead).how == ending::silent);
+        CHECK(all.reason(dead).kind == outcome_kind::silent);
     }
 }

@@ -3,19 +3,19 @@
 // What a second attack on the promises of the headers found: reads that were never waited for, stops of units that have
 // no place, a set-up under a start's feet.
 #include "support/catch.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/cyclic.hpp>
-#include <rtuwire/altivar/start.hpp>
-#include <rtuwire/altivar/stop.hpp>
-#include <rtuwire/altivar/stop_everyone.hpp>
-#include <rtuwire/client/poller.hpp>
-#include <rtuwire/client/single_question.hpp>
+#include <rtuwire/altivar/cyclic/cyclic.hpp>
+#include <rtuwire/altivar/procedure/broadcast_stop.hpp>
+#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/ask/poller.hpp>
+#include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/table/read_plan.hpp>
 
 using namespace rtuwire;
@@ -29,11 +29,11 @@ constexpr std::array<station<device>, 3> drives{station<device>{unit_id{3}}, sta
                                                 station<device>{unit_id{5}}};
 
 /// Three drives and a client that commands some of them.
-template <std::size_t Places> struct hall : test::party_line<drive_client<Places>, device> {
-    using base = test::party_line<drive_client<Places>, device>;
-    std::optional<std::byte> mute{}; ///< the unit whose answers are lost
+template <std::size_t Places> struct hall : test::simulated_bus<drive_client<Places>, device> {
+    using base = test::simulated_bus<drive_client<Places>, device>;
+    std::optional<std::byte> mute{}; ///< the unit whose responses are lost
 
-    explicit hall(client_options const& options = patient) : base{drive_client<Places>{test::party_timing, options}}
+    explicit hall(client_options const& options = patient) : base{drive_client<Places>{test::bus_timing, options}}
     {
         for (station<device> const& each : drives) {
             this->add(each.unit());
@@ -47,9 +47,10 @@ template <std::size_t Places> struct hall : test::party_line<drive_client<Places
     }
     template <typename Work> void pass(Work work, duration length)
     {
-        this->run(work, [] { return false; }, length);
+        this->run(
+            work, [] { return false; }, length);
     }
-    bool has_power(std::size_t index) { return cia402::has_power(this->drive(index).chart().state()); }
+    bool has_power(std::size_t index) { return cia402::has_power(this->drive(index).state_machine().state()); }
 
     /// Runs by another controller's words, for half a minute without a request.
     void run_by_another(std::size_t index)
@@ -64,7 +65,7 @@ template <std::size_t Places> struct hall : test::party_line<drive_client<Places
     }
 };
 
-/// How a panel gives its question up before the answer is late.
+/// How a panel gives its request up before the response is late.
 enum class giving_up { begun_anew, cancelled, destroyed };
 
 } // namespace
@@ -83,7 +84,7 @@ TEST_CASE("motion law: L4 reads that nobody waits for do not keep a motor runnin
             it.mute = std::byte{3};
             instant const lost = it.now();
             while (it.has_power(0) and it.now() - lost < milliseconds(60'000)) {
-                single_question look{unit_id{3}, read_holding_registers{3'201, 2}};
+                single_request look{unit_id{3}, read_holding_registers{3'201, 2}};
                 auto const work = [&](instant at) { it.link().converse(look, at); };
                 it.pass(work, milliseconds(each_ms));
                 if (how == giving_up::begun_anew) {
@@ -131,7 +132,7 @@ TEST_CASE("motion law: L3 a unit is not held for ever by another one's stop that
 {
     hall<1> it;
     it.mute = std::byte{4};
-    stop_everyone all{everyone_options{.limit = milliseconds(4'000)}, drives[0], drives[1]};
+    broadcast_stop all{broadcast_stop_options{.limit = milliseconds(4'000)}, drives[0], drives[1]};
     std::optional<start> early{};
     auto const work = [&](instant at) {
         it.link().converse(all, at);
@@ -146,7 +147,7 @@ TEST_CASE("motion law: L3 a unit is not held for ever by another one's stop that
     REQUIRE(early->settled());
     CHECK_FALSE(early->running());
     // The unit that did not answer keeps its place for 31 s; the other one's time-out is held off.
-    single_question look{unit_id{5}, read_holding_registers{3'201, 1}};
+    single_request look{unit_id{5}, read_holding_registers{3'201, 1}};
     it.pass(
         [&](instant at) {
             if (look.settled()) {
@@ -190,19 +191,19 @@ TEST_CASE("motion law: L4 everyone's stop leaves a unit alone that does not answ
 {
     hall<3> it;
     it.mute = std::byte{4};
-    stop_everyone all{everyone_options{.limit = milliseconds(20'000)}, drives[0], drives[1]};
+    broadcast_stop all{broadcast_stop_options{.limit = milliseconds(20'000)}, drives[0], drives[1]};
     instant const begun = it.now();
     instant last = begun;
     duration longest{};
-    std::size_t seen = it.questions();
-    single_question look{unit_id{4}, read_holding_registers{3'201, 1}};
+    std::size_t seen = it.requests();
+    single_request look{unit_id{4}, read_holding_registers{3'201, 1}};
     it.pass(
         [&](instant at) {
-            if (it.questions() != seen and it.question()[0] == std::byte{4}) {
+            if (it.requests() != seen and it.request()[0] == std::byte{4}) {
                 longest = at - last > longest ? at - last : longest;
                 last = at;
             }
-            seen = it.questions();
+            seen = it.requests();
             it.link().converse(all, at);
             if (look.settled()) {
                 look.begin();
@@ -224,7 +225,7 @@ TEST_CASE("motion law: L4 a unit that is left alone keeps its place, whoever els
         REQUIRE(it.run(first));
         stop second{drives[1]};
         start go{drives[1], 30_Hz};
-        single_question look{unit_id{3}, read_holding_registers{3'201, 1}};
+        single_request look{unit_id{3}, read_holding_registers{3'201, 1}};
         bool is_asked = false;
         it.pass(
             [&](instant at) {
@@ -238,7 +239,7 @@ TEST_CASE("motion law: L4 a unit that is left alone keeps its place, whoever els
             },
             milliseconds(20'000));
         CHECK_FALSE(is_asked);
-        CHECK((is_stop ? second.succeeded() : go.reason().how == ending::no_place));
+        CHECK((is_stop ? second.succeeded() : go.reason().kind == outcome_kind::no_place));
     }
 }
 
@@ -248,7 +249,7 @@ TEST_CASE("motion law: L3 everyone is let go by release_all, in whatever part of
         INFO("given up after " << after_ms << " ms");
         hall<2> it;
         {
-            stop_everyone all{drives[0], drives[1]};
+            broadcast_stop all{drives[0], drives[1]};
             it.pass([&](instant at) { it.link().converse(all, at); }, milliseconds(after_ms));
         }
         it.link().release_all();
@@ -262,9 +263,9 @@ TEST_CASE("motion law: L3 everyone is let go by release_all, in whatever part of
 
 TEST_CASE("motion law: L3 a stop that waits for a line to fall silent does not keep its loop from sleeping")
 {
-    drive_client<> link{test::party_timing, patient};
+    drive_client<> link{test::bus_timing, patient};
     stop rest{drives[0]};
-    single_question look{unit_id{4}, read_holding_registers{3'201, 1}};
+    single_request look{unit_id{4}, read_holding_registers{3'201, 1}};
     instant now{0};
     unsigned at_once = 0;
     for (unsigned pass = 0; pass < 5'000; ++pass) { // somebody babbles without an end
@@ -286,16 +287,17 @@ TEST_CASE("motion law: L9 a drive that was looked at once is not said to disobey
     start go{drives[0], 30_Hz};
     REQUIRE(it.run(go));
     it.idle(milliseconds(4'000));
-    stop rest{drives[0], stop_by::ramp, milliseconds(3'000), word_meaning::drive_profile};
+    stop rest{drives[0], stop_by::ramp, milliseconds(3'000), word_meaning::cia402};
     auto const work = [&](instant at) { it.link().converse(rest, at); };
     // The word, the look and one frequency are answered, then nothing any more.
     std::size_t const before = it.answers(0);
-    it.run(work, [&] { return it.answers(0) >= before + 3; }, milliseconds(1'000));
+    it.run(
+        work, [&] { return it.answers(0) >= before + 3; }, milliseconds(1'000));
     REQUIRE(it.answers(0) == before + 3);
     it.mute = std::byte{3};
     it.pass(work, milliseconds(10'000));
     REQUIRE(rest.settled());
-    CHECK(rest.reason().how == ending::unconfirmed);
+    CHECK(rest.reason().kind == outcome_kind::unconfirmed);
 }
 
 TEST_CASE("motion law: L11 an order that a cycle takes behind a stop is carried out, and no other is taken")
@@ -307,7 +309,7 @@ TEST_CASE("motion law: L11 an order that a cycle takes behind a stop is carried 
             hall<2> it;
             cyclic<device> loop{drives[0], {.period = milliseconds(50)}};
             stop rest{drives[0]};
-            stop_everyone all{drives[0], drives[1]};
+            broadcast_stop all{drives[0], drives[1]};
             bool is_stopped = false;
             auto const work = [&](instant at) {
                 if (is_stopped and who == stopped_by::everyone and not all.settled()) {
@@ -328,15 +330,16 @@ TEST_CASE("motion law: L11 an order that a cycle takes behind a stop is carried 
             }
             bool is_taken = false;
             unsigned passes = 0;
-            it.run(work,
-                   [&] {
-                       bool const is_over = who == stopped_by::itself ? not loop.control().is_running()
-                                                                      : rest.settled() or all.settled();
-                       passes += is_over ? 1U : 0U;
-                       is_taken = is_over and passes > waits and loop.run(900_rpm);
-                       return is_taken;
-                   },
-                   milliseconds(10'000));
+            it.run(
+                work,
+                [&] {
+                    bool const is_over =
+                        who == stopped_by::itself ? not loop.control().is_running() : rest.settled() or all.settled();
+                    passes += is_over ? 1U : 0U;
+                    is_taken = is_over and passes > waits and loop.run(900_rpm);
+                    return is_taken;
+                },
+                milliseconds(10'000));
             REQUIRE(is_taken);
             it.pass(work, milliseconds(3'000));
             CHECK(loop.control().is_running());

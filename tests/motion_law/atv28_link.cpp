@@ -3,18 +3,18 @@
 // An ATV28 whose link is released, whose settings are recalled, and that is run by direct words: no terminal and no
 // stray word starts its motor by them.
 #include "support/catch.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-#include <rtuwire/altivar/direct_control.hpp>
-#include <rtuwire/altivar/recall_from_eeprom.hpp>
-#include <rtuwire/altivar/release_link.hpp>
-#include <rtuwire/altivar/save_to_eeprom.hpp>
-#include <rtuwire/altivar/start.hpp>
+#include <rtuwire/altivar/procedure/direct_control.hpp>
+#include <rtuwire/altivar/procedure/recall_from_eeprom.hpp>
+#include <rtuwire/altivar/procedure/release_link.hpp>
+#include <rtuwire/altivar/procedure/save_to_eeprom.hpp>
+#include <rtuwire/altivar/procedure/start.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -27,7 +27,7 @@ constexpr client_options patient{.response_timeout = milliseconds(100), .retries
 constexpr std::uint16_t cmd_at = 400, lfr_at = 401, cmi_at = 402, acc_at = 252;
 
 /// A client and an ATV28, its potentiometer at 30 Hz; all that is written; the n-th frame lost where one is asked for.
-struct bench : test::party_line<drive_client<4>, device> {
+struct bench : test::simulated_bus<drive_client<4>, device> {
     static constexpr station<device> drive{unit_id{3}};
     std::vector<std::pair<std::uint16_t, std::uint16_t>> writes;
     unsigned frames{0};
@@ -35,7 +35,7 @@ struct bench : test::party_line<drive_client<4>, device> {
     bool is_cut_from_it{false};     ///< and all that follow
     bool has_ever_said_more{false}; ///< than 0000, to the drive
 
-    bench() : test::party_line<drive_client<4>, device>{drive_client<4>{test::party_timing, patient}}
+    bench() : test::simulated_bus<drive_client<4>, device>{drive_client<4>{test::bus_timing, patient}}
     {
         add(unit_id{3});
         idle(milliseconds(20));
@@ -45,14 +45,13 @@ struct bench : test::party_line<drive_client<4>, device> {
             if (is_request and frame[1] == std::byte{6}) {
                 writes.emplace_back(u16_at(byte_view{frame}, 2), u16_at(byte_view{frame}, 4));
             }
-            if (lost_frame != 0 and
-                (frames == lost_frame or (is_cut_from_it and frames > lost_frame))) {
+            if (lost_frame != 0 and (frames == lost_frame or (is_cut_from_it and frames > lost_frame))) {
                 frame.clear();
             }
         });
     }
-    sim::drive<device>& far() { return unit(0).inside(); }
-    bool has_power() { return cia402::has_power(far().chart().state()); }
+    sim::drive<device>& far() { return unit(0).drive(); }
+    bool has_power() { return cia402::has_power(far().state_machine().state()); }
     bool is_by_link() { return (far().word("ETI") & 0x4000) != 0; }
     void tell(std::uint16_t address, std::uint16_t word)
     {
@@ -73,12 +72,12 @@ struct bench : test::party_line<drive_client<4>, device> {
         REQUIRE(is_by_link());
         return *this;
     }
-    reason told(auto talk)
+    reason told(auto conversation)
     {
         writes.clear();
         frames = 0;
-        REQUIRE(run(talk));
-        return talk.reason();
+        REQUIRE(run(conversation));
+        return conversation.reason();
     }
 };
 
@@ -100,16 +99,16 @@ TEST_CASE("an ATV28 is released and taken back while it stands")
 {
     bench it;
     it.taken();
-    CHECK(it.told(release_link{it.drive}).how == ending::succeeded);
+    CHECK(it.told(release_link{it.drive}).kind == outcome_kind::succeeded);
     CHECK_FALSE(it.is_by_link());
     it.close(1);
     CHECK(it.has_power());
     // Whoever runs it at its terminals is not cut short.
-    CHECK(it.told(activate_link{it.drive}).how == ending::refused_while_running);
+    CHECK(it.told(activate_link{it.drive}).kind == outcome_kind::refused_while_running);
     CHECK(it.writes.empty());
     it.far().set_input(1, false);
     it.idle(milliseconds(5'000));
-    CHECK(it.told(activate_link{it.drive}).how == ending::succeeded);
+    CHECK(it.told(activate_link{it.drive}).kind == outcome_kind::succeeded);
     CHECK(it.is_by_link());
     it.close(1);
     CHECK_FALSE(it.has_power());
@@ -118,7 +117,7 @@ TEST_CASE("an ATV28 is released and taken back while it stands")
     held.far().hold_stop(true);
     held.close(1);
     REQUIRE_FALSE(held.is_by_link());
-    CHECK(held.told(activate_link{held.drive}).how == ending::succeeded);
+    CHECK(held.told(activate_link{held.drive}).kind == outcome_kind::succeeded);
 }
 
 TEST_CASE("motion law: S29 an ATV28 is not released under a closed run input")
@@ -135,7 +134,7 @@ TEST_CASE("motion law: S29 an ATV28 is not released under a closed run input")
     for (std::size_t const input : {1U, 2U}) {
         bench it;
         it.taken().close(input);
-        CHECK(it.told(release_link{it.drive}).how == ending::run_input_closed);
+        CHECK(it.told(release_link{it.drive}).kind == outcome_kind::run_input_closed);
         CHECK(it.writes.empty());
         CHECK(it.is_by_link());
         CHECK_FALSE(it.has_power());
@@ -146,16 +145,16 @@ TEST_CASE("motion law: S29 an ATV28 that starts although its inputs were open is
 {
     bench it;
     it.taken();
-    release_link talk{it.drive};
+    release_link conversation{it.drive};
     bool is_closed = false;
-    while (not talk.settled()) {
-        it.step([&](instant now) { it.link().converse(talk, now); }, milliseconds(5));
+    while (not conversation.settled()) {
+        it.step([&](instant now) { it.link().converse(conversation, now); }, milliseconds(5));
         if (not is_closed and not it.writes.empty()) {
             is_closed = true;
             it.far().set_input(1, true);
         }
     }
-    CHECK(talk.reason().how == ending::started_by_terminals);
+    CHECK(conversation.reason().kind == outcome_kind::started_by_terminals);
     it.idle(milliseconds(5'000));
     CHECK_FALSE(it.has_power());
     CHECK(it.is_by_link());
@@ -166,16 +165,16 @@ TEST_CASE("an ATV28 is not released while it runs, in a fault, or by a forced-lo
     bench running;
     start go{running.drive, 20_Hz};
     REQUIRE(running.run(go));
-    CHECK(running.told(release_link{running.drive}).how == ending::refused_while_running);
+    CHECK(running.told(release_link{running.drive}).kind == outcome_kind::refused_while_running);
     bench faulty;
     faulty.taken();
     faulty.far().inject_fault(9);
     faulty.idle(milliseconds(500));
-    CHECK(faulty.told(release_link{faulty.drive}).how == ending::in_fault);
+    CHECK(faulty.told(release_link{faulty.drive}).kind == outcome_kind::in_fault);
     bench local;
     local.far().set_local(true);
     local.idle(milliseconds(50));
-    CHECK(local.told(activate_link{local.drive}).how == ending::refused);
+    CHECK(local.told(activate_link{local.drive}).kind == outcome_kind::refused);
     CHECK_FALSE(local.is_by_link());
 }
 
@@ -187,17 +186,17 @@ TEST_CASE("a direct start runs at its reference, either way, and a direct stop l
             bench it;
             constexpr reference<device> forward = 20_Hz, backward = -20_Hz;
             auto const at = is_reverse ? backward : forward;
-            REQUIRE(it.told(direct_start{it.drive, at}).how == ending::succeeded);
+            REQUIRE(it.told(direct_start{it.drive, at}).kind == outcome_kind::succeeded);
             CHECK(it.writes.back() == std::pair<std::uint16_t, std::uint16_t>{cmd_at, 0x800A});
             it.idle(milliseconds(5'000));
             CHECK(it.far().motor().frequency() == (is_reverse ? -20'000 : 20'000));
             reason const rest = it.told(direct_stop{it.drive, how});
-            CHECK(rest.how == ending::succeeded);
+            CHECK(rest.kind == outcome_kind::succeeded);
             CHECK_FALSE(rest.is_other_stop);
             CHECK(it.writes.front().second == (how == direct_stop_by::ramp           ? 0x900A
                                                : how == direct_stop_by::dc_injection ? 0xA00A
                                                                                      : 0xC00A));
-            CHECK(it.far().chart().state() == state::switch_on_disabled);
+            CHECK(it.far().state_machine().state() == state::switch_on_disabled);
         }
     }
 }
@@ -206,32 +205,30 @@ TEST_CASE("an ordinary stop stops a drive that was started directly")
 {
     for (stop_by const how : {stop_by::ramp, stop_by::freewheel, stop_by::quick_stop}) {
         bench it;
-        REQUIRE(it.told(direct_start{it.drive, -20_Hz}).how == ending::succeeded);
+        REQUIRE(it.told(direct_start{it.drive, -20_Hz}).kind == outcome_kind::succeeded);
         it.idle(milliseconds(5'000));
-        CHECK(it.told(stop{it.drive, how}).how == ending::succeeded);
-        CHECK(it.far().chart().state() == state::switch_on_disabled);
+        CHECK(it.told(stop{it.drive, how}).kind == outcome_kind::succeeded);
+        CHECK(it.far().state_machine().state() == state::switch_on_disabled);
         // Nothing stands there that would run it again.
         it.tell(cmd_at, 0x000F);
         CHECK_FALSE(it.has_power());
     }
 }
 
-TEST_CASE(
-    "motion law: S1 a direct start checks the reference that stands in the drive before its word")
+TEST_CASE("motion law: S1 a direct start checks the reference that stands in the drive before its word")
 {
     bench it;
     it.disturb([&](std::vector<std::byte>& frame, bool is_request) {
         it.has_ever_said_more =
-            it.has_ever_said_more or
-            (is_request and frame[1] == std::byte{6} and u16_at(byte_view{frame}, 2) == cmd_at and
-             u16_at(byte_view{frame}, 4) != 0);
+            it.has_ever_said_more or (is_request and frame[1] == std::byte{6} and
+                                      u16_at(byte_view{frame}, 2) == cmd_at and u16_at(byte_view{frame}, 4) != 0);
         // Another master's reference comes right behind ours.
         if (not is_request and frame[1] == std::byte{6} and u16_at(byte_view{frame}, 2) == lfr_at) {
             register_block const value{std::uint16_t{500}};
             static_cast<void>(it.far().write(lfr_at, value));
         }
     });
-    CHECK(it.told(direct_start{it.drive, 10_Hz}).how == ending::not_taken);
+    CHECK(it.told(direct_start{it.drive, 10_Hz}).kind == outcome_kind::not_taken);
     it.idle(milliseconds(1'000));
     CHECK_FALSE(it.has_power());
     CHECK_FALSE(it.has_ever_said_more);
@@ -242,10 +239,10 @@ TEST_CASE("motion law: S22 a drive whose power comes back while it is started di
     unsigned started = 0;
     for (unsigned at = 1; at <= 14; ++at) {
         bench it;
-        direct_start talk{it.drive, 20_Hz};
+        direct_start conversation{it.drive, 20_Hz};
         bool was_off = false;
-        while (not talk.settled()) {
-            it.step([&](instant now) { it.link().converse(talk, now); }, milliseconds(5));
+        while (not conversation.settled()) {
+            it.step([&](instant now) { it.link().converse(conversation, now); }, milliseconds(5));
             if (not was_off and it.frames == at) {
                 was_off = true;
                 it.far().power_cycle(it.now());
@@ -253,8 +250,8 @@ TEST_CASE("motion law: S22 a drive whose power comes back while it is started di
         }
         it.idle(milliseconds(1'000));
         // Told of power or of a stop; never of a run that is none.
-        CHECK(talk.running() == it.has_power());
-        started += talk.running() ? 1U : 0U;
+        CHECK(conversation.running() == it.has_power());
+        started += conversation.running() ? 1U : 0U;
     }
     CHECK(started < 14);
 }
@@ -280,7 +277,7 @@ TEST_CASE("motion law: S17 cut after any of its frames, a direct start leaves th
         reason const how = it.told(direct_start{it.drive, -10_Hz});
         it.idle(milliseconds(5'000));
         INFO(at);
-        CHECK((how.how == ending::succeeded) == it.has_power());
+        CHECK((how.kind == outcome_kind::succeeded) == it.has_power());
     }
 }
 
@@ -289,16 +286,16 @@ TEST_CASE("a direct start is refused where the drive runs, and in local control"
     bench it;
     start go{it.drive, 20_Hz};
     REQUIRE(it.run(go));
-    CHECK(it.told(direct_start{it.drive, 10_Hz}).how == ending::refused_while_running);
+    CHECK(it.told(direct_start{it.drive, 10_Hz}).kind == outcome_kind::refused_while_running);
     CHECK(it.writes.empty());
     bench local;
     local.far().set_local(true);
     local.idle(milliseconds(50));
-    CHECK(local.told(direct_start{local.drive, 10_Hz}).how == ending::local_control);
+    CHECK(local.told(direct_start{local.drive, 10_Hz}).kind == outcome_kind::local_control);
     CHECK(local.writes.empty());
     bench limited;
     auto const above = *setting<lfr>::checked(signed_decihertz{600}); // HSP is 50 Hz
-    CHECK(limited.told(direct_start{limited.drive, above}).how == ending::reference_limited);
+    CHECK(limited.told(direct_start{limited.drive, above}).kind == outcome_kind::reference_limited);
 }
 
 TEST_CASE("a recall brings back what was saved, and is refused where it could move something")
@@ -306,10 +303,10 @@ TEST_CASE("a recall brings back what was saved, and is refused where it could mo
     bench it;
     it.taken();
     it.tell(acc_at, 77);
-    CHECK(it.told(save_to_eeprom{it.drive}).how == ending::succeeded);
+    CHECK(it.told(save_to_eeprom{it.drive}).kind == outcome_kind::succeeded);
     it.tell(acc_at, 99);
     it.tell(cmi_at, 0x4010);
-    CHECK(it.told(recall_from_eeprom{it.drive}).how == ending::succeeded);
+    CHECK(it.told(recall_from_eeprom{it.drive}).kind == outcome_kind::succeeded);
     CHECK(it.far().word("ACC") == 77);
     CHECK(it.writes.front() == std::pair<std::uint16_t, std::uint16_t>{cmi_at, 0x4014});
     CHECK(it.far().word("CMI") == 0x4010);
@@ -318,25 +315,25 @@ TEST_CASE("a recall brings back what was saved, and is refused where it could mo
     supervision_options unwatched;
     unwatched.risks.accept_unsupervised = true;
     reference<device> const slow = 20_Hz;
-    start go{it.drive, slow, heading::forward, milliseconds(3'000), unwatched};
+    start go{it.drive, slow, run_direction::forward, milliseconds(3'000), unwatched};
     REQUIRE(it.run(go));
     REQUIRE(go.running());
     it.tell(acc_at, 99);
-    CHECK(it.told(recall_from_eeprom{it.drive}).how == ending::refused_while_running);
+    CHECK(it.told(recall_from_eeprom{it.drive}).kind == outcome_kind::refused_while_running);
     CHECK(it.far().word("ACC") == 99);
 
     bench closed;
     closed.taken().close(1);
-    CHECK(closed.told(recall_from_eeprom{closed.drive}).how == ending::run_input_closed);
+    CHECK(closed.told(recall_from_eeprom{closed.drive}).kind == outcome_kind::run_input_closed);
     // The stop input of three-wire control, closed as a rule: what is recalled may be two-wire control.
     bench three_wire;
     three_wire.tell(6, 1);
     three_wire.taken().close(1);
-    CHECK(three_wire.told(recall_from_eeprom{three_wire.drive}).how == ending::run_input_closed);
+    CHECK(three_wire.told(recall_from_eeprom{three_wire.drive}).kind == outcome_kind::run_input_closed);
     bench gone;
     gone.taken();
     gone.cut(0, true);
-    CHECK(gone.told(recall_from_eeprom{gone.drive}).how == ending::silent);
+    CHECK(gone.told(recall_from_eeprom{gone.drive}).kind == outcome_kind::silent);
 }
 
 TEST_CASE("a recall gives no other order again, and does not leave its own where the drive did not "
@@ -363,6 +360,6 @@ TEST_CASE("a recall gives no other order again, and does not leave its own where
         }
         is_reading = is_cmi and frame[1] == std::byte{3};
     });
-    CHECK(it.told(recall_from_eeprom{it.drive}).how == ending::not_taken);
+    CHECK(it.told(recall_from_eeprom{it.drive}).kind == outcome_kind::not_taken);
     CHECK(orders == std::vector<std::uint16_t>{0x0004, 0x0000});
 }

@@ -3,7 +3,7 @@
 // What has to be known of a drive before its first order: each drive that would not stop by itself, that somebody
 // else commands or that starts by itself is refused, with the register that says so; and nothing is written.
 #include "support/catch.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <array>
 #include <cstdint>
@@ -13,8 +13,8 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/supervision.hpp>
-#include <rtuwire/client/single_question.hpp>
+#include <rtuwire/altivar/procedure/supervision.hpp>
+#include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -23,18 +23,17 @@ using state = cia402::state;
 namespace {
 
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
-constexpr std::uint16_t sll = 7010, tto = 6005, chcf = 8401, fr1 = 8413, cd1 = 8423, flo = 8431,
-                        atr = 7122, dotd = 8652, cmi_28 = 402, atr_28 = 150, tcc_28 = 6,
-                        inputs_28 = 478, eta = 3201;
+constexpr std::uint16_t sll = 7010, tto = 6005, chcf = 8401, fr1 = 8413, cd1 = 8423, flo = 8431, atr = 7122,
+                        dotd = 8652, cmi_28 = 402, atr_28 = 150, tcc_28 = 6, inputs_28 = 478, eta = 3201;
 
 /// A client, a commissioned drive, and a count of what is written to it.
-template <typename Device> struct checked : test::party_line<drive_client<4>, Device> {
+template <typename Device> struct checked : test::simulated_bus<drive_client<4>, Device> {
     static constexpr station<Device> drive{unit_id{3}};
     unsigned writes{0};
     std::uint16_t missing{0}; ///< the register that the drive does not have
     std::uint16_t asked{0};
 
-    checked() : test::party_line<drive_client<4>, Device>{drive_client<4>{test::party_timing, patient}}
+    checked() : test::simulated_bus<drive_client<4>, Device>{drive_client<4>{test::bus_timing, patient}}
     {
         this->add(unit_id{3});
         this->idle(milliseconds(20));
@@ -49,7 +48,7 @@ template <typename Device> struct checked : test::party_line<drive_client<4>, De
             }
         });
     }
-    sim::drive<Device>& far() { return this->unit(0).inside(); }
+    sim::drive<Device>& far() { return this->unit(0).drive(); }
     void set(std::uint16_t address, std::uint16_t word)
     {
         register_block const value{word};
@@ -60,35 +59,35 @@ template <typename Device> struct checked : test::party_line<drive_client<4>, De
     /// Runs as a controller does that checks nothing; it is silent afterwards.
     void run_anyway(std::uint16_t tenths)
     {
-        single_question contact{drive.unit(), read_holding_registers{Device::profile.eta, 1}};
+        single_request contact{drive.unit(), read_holding_registers{Device::layout.eta, 1}};
         REQUIRE(this->run(contact));
         set(Device::frequency_reference.address, tenths);
         for (std::uint16_t const word : std::array<std::uint16_t, 3>{0x0006, 0x0007, 0x000F}) {
-            set(Device::profile.cmd, word);
+            set(Device::layout.cmd, word);
         }
-        REQUIRE(far().chart().state() == state::operation_enabled);
+        REQUIRE(far().state_machine().state() == state::operation_enabled);
     }
     check_supervision look(supervision_options const& options = {})
     {
-        check_supervision talk{drive, options};
-        REQUIRE(this->run(talk));
+        check_supervision conversation{drive, options};
+        REQUIRE(this->run(conversation));
         CHECK(writes == 0);
-        return talk;
+        return conversation;
     }
 };
 
 /// Whether a drive is refused by `how`, because of the word of one register; and is not where that risk is accepted.
 template <typename Device>
-void refuses(checked<Device>& it, ending how, std::uint16_t address, std::uint16_t word,
+void refuses(checked<Device>& it, outcome_kind how, std::uint16_t address, std::uint16_t word,
              supervision_risks const& risk)
 {
     INFO(std::string(Device::name.begin(), Device::name.end()) << " " << address << " = " << word);
-    check_supervision const talk = it.look();
-    CHECK_FALSE(talk.ready());
-    CHECK(talk.reason().how == how);
-    CHECK(talk.report().address == address);
-    CHECK(talk.report().word == word);
-    CHECK(talk.report().accepted == supervision_risks{});
+    check_supervision const conversation = it.look();
+    CHECK_FALSE(conversation.ready());
+    CHECK(conversation.reason().kind == how);
+    CHECK(conversation.report().address == address);
+    CHECK(conversation.report().word == word);
+    CHECK(conversation.report().accepted == supervision_risks{});
     check_supervision const taken = it.look({.risks = risk});
     CHECK(taken.ready() == (risk != supervision_risks{}));
     CHECK(taken.report().accepted == risk);
@@ -97,8 +96,7 @@ void refuses(checked<Device>& it, ending how, std::uint16_t address, std::uint16
 
 /// Set so, refused so.
 template <typename Device>
-void refuses_when(std::uint16_t address, std::uint16_t word, ending how,
-                  supervision_risks const& risk)
+void refuses_when(std::uint16_t address, std::uint16_t word, outcome_kind how, supervision_risks const& risk)
 {
     checked<Device> it;
     it.set(address, word);
@@ -135,35 +133,34 @@ TEST_CASE("motion law: S19 a commissioned drive is ready, and its time-out is kn
 {
     for_every_drive([]<typename Device>(Device) {
         checked<Device> it;
-        check_supervision const talk = it.look();
-        CHECK(talk.ready());
-        bool const is_28 = Device::profile.direct_control != 0;
-        CHECK(talk.report().period.timeout == milliseconds(is_28 ? 7'000 : 10'000));
-        CHECK(talk.report().words == word_meaning::drive_profile);
-        CHECK(talk.report().accepted == none);
-        CHECK(talk.report().address == 0);
-        CHECK(talk.report().word == 0);
-        CHECK_FALSE(talk.report().has_local_input);
+        check_supervision const conversation = it.look();
+        CHECK(conversation.ready());
+        bool const is_28 = Device::layout.direct_control != 0;
+        CHECK(conversation.report().period.timeout == milliseconds(is_28 ? 7'000 : 10'000));
+        CHECK(conversation.report().words == word_meaning::cia402);
+        CHECK(conversation.report().accepted == none);
+        CHECK(conversation.report().address == 0);
+        CHECK(conversation.report().word == 0);
+        CHECK_FALSE(conversation.report().has_local_input);
     });
 }
 
 TEST_CASE("motion law: S19 a drive that does not watch its link is refused")
 {
     for_later_drives([]<typename Device>(Device) {
-        refuses_when<Device>(sll, 0, ending::unsupervised, unsupervised);
+        refuses_when<Device>(sll, 0, outcome_kind::unsupervised, unsupervised);
         checked<Device> it;
         it.set(sll, 0);
         CHECK(it.look({.risks = unsupervised}).report().period.timeout == duration{});
     });
-    refuses_when<atv28::device>(cmi_28, 0x4000, ending::unsupervised, unsupervised);
+    refuses_when<atv28::device>(cmi_28, 0x4000, outcome_kind::unsupervised, unsupervised);
 }
 
 TEST_CASE("motion law: S19 a drive that runs on without its link is refused")
 {
-    for_later_drives([]<typename Device>(Device) {
-        refuses_when<Device>(sll, 4, ending::runs_on_without_link, running_on);
-    });
-    refuses_when<atv320::device>(sll, 5, ending::runs_on_without_link, running_on);
+    for_later_drives(
+        []<typename Device>(Device) { refuses_when<Device>(sll, 4, outcome_kind::runs_on_without_link, running_on); });
+    refuses_when<atv320::device>(sll, 5, outcome_kind::runs_on_without_link, running_on);
     for (std::uint16_t const stops : std::array<std::uint16_t, 5>{1, 2, 6, 7, 8}) {
         checked<atv320::device> it;
         it.set(sll, stops);
@@ -171,14 +168,13 @@ TEST_CASE("motion law: S19 a drive that runs on without its link is refused")
     }
 }
 
-TEST_CASE(
-    "motion law: S19 a drive whose control word is single bits is refused, whatever is accepted")
+TEST_CASE("motion law: S19 a drive whose control word is single bits is refused, whatever is accepted")
 {
-    refuses_when<atv320::device>(chcf, 3, ending::not_drive_profile, none);
+    refuses_when<atv320::device>(chcf, 3, outcome_kind::not_drive_profile, none);
     checked<atv320::device> it;
     it.set(chcf, 3);
     supervision_risks const all{true, true, true, true, true, true, true};
-    CHECK(it.look({.risks = all}).reason().how == ending::not_drive_profile);
+    CHECK(it.look({.risks = all}).reason().kind == outcome_kind::not_drive_profile);
     CHECK(it.look({.risks = all}).report().words == word_meaning::unknown);
 }
 
@@ -188,7 +184,7 @@ TEST_CASE("motion law: S19 a drive that another channel commands is refused")
         // Together, the reference's channel commands as well, and the status says "local".
         checked<Device> together;
         together.set(fr1, 1);
-        CHECK(together.look().reason().how == ending::other_channel);
+        CHECK(together.look().reason().kind == outcome_kind::other_channel);
         CHECK(together.look().report().address == fr1);
         CHECK(together.look({.risks = other_channel}).ready());
         // Apart, either may be elsewhere.
@@ -196,12 +192,12 @@ TEST_CASE("motion law: S19 a drive that another channel commands is refused")
         command.set(chcf, 2);
         CHECK(command.look().ready());
         command.set(cd1, 1);
-        CHECK(command.look().reason().how == ending::other_channel);
+        CHECK(command.look().reason().kind == outcome_kind::other_channel);
         CHECK(command.look().report().address == cd1);
         checked<Device> reference;
         reference.set(chcf, 2);
         reference.set(fr1, 1);
-        refuses(reference, ending::other_channel, fr1, 1, other_channel);
+        refuses(reference, outcome_kind::other_channel, fr1, 1, other_channel);
         // Together, CD1 counts for nothing.
         checked<Device> without;
         without.set(cd1, 1);
@@ -215,10 +211,10 @@ TEST_CASE("motion law: S19 a drive in local control is refused by its status")
         checked<Device> it;
         it.far().set_local(true);
         it.idle(milliseconds(20));
-        check_supervision const talk = it.look();
-        CHECK(talk.reason().how == ending::local_control);
-        CHECK(talk.report().address == Device::profile.eta);
-        CHECK((talk.report().word & 0x0200) == 0);
+        check_supervision const conversation = it.look();
+        CHECK(conversation.reason().kind == outcome_kind::local_control);
+        CHECK(conversation.report().address == Device::layout.eta);
+        CHECK((conversation.report().word & 0x0200) == 0);
     });
     checked<atv320::device> it;
     it.set(flo, 131);
@@ -226,7 +222,7 @@ TEST_CASE("motion law: S19 a drive in local control is refused by its status")
     CHECK(it.look().report().has_local_input);
     it.far().set_input(3, true);
     it.idle(milliseconds(20));
-    CHECK(it.look().reason().how == ending::local_control);
+    CHECK(it.look().reason().kind == outcome_kind::local_control);
 }
 
 TEST_CASE("motion law: S19 what is not known is refused, and the register named")
@@ -235,14 +231,13 @@ TEST_CASE("motion law: S19 what is not known is refused, and the register named"
         for (std::uint16_t const address : {sll, tto, chcf, fr1}) {
             checked<Device> it;
             it.missing = address;
-            refuses(it, ending::unknown_register, address, 0, unknown);
+            refuses(it, outcome_kind::unknown_register, address, 0, unknown);
             CHECK(it.look().reason().error == errc::illegal_data_address);
         }
         checked<Device> it;
         it.missing = chcf;
-        bool const has_bits = Device::profile.chcf != 0;
-        CHECK(it.look({.risks = unknown}).report().words ==
-              (has_bits ? word_meaning::unknown : word_meaning::drive_profile));
+        bool const has_bits = Device::layout.chcf != 0;
+        CHECK(it.look({.risks = unknown}).report().words == (has_bits ? word_meaning::unknown : word_meaning::cia402));
         it.missing = sll; // a time-out is a time-out
         CHECK(it.look({.risks = unknown}).report().period.timeout == milliseconds(10'000));
         it.missing = flo; // tells nothing that the status does not
@@ -250,7 +245,7 @@ TEST_CASE("motion law: S19 what is not known is refused, and the register named"
     });
     checked<atv320::device> it;
     it.missing = atr;
-    refuses(it, ending::unknown_register, atr, 0, unknown);
+    refuses(it, outcome_kind::unknown_register, atr, 0, unknown);
     it.missing = dotd; // what a stop means, not whether there is one
     CHECK(it.look().ready());
     CHECK(it.look().report().words == word_meaning::unknown);
@@ -264,9 +259,9 @@ TEST_CASE("motion law: S19 a line that fails is not a drive that is ready")
 {
     checked<atv320::device> it;
     it.cut(0, true);
-    check_supervision const talk = it.look({.risks = unknown});
-    CHECK(talk.reason().how == ending::silent);
-    CHECK(talk.reason().error == errc::timed_out);
+    check_supervision const conversation = it.look({.risks = unknown});
+    CHECK(conversation.reason().kind == outcome_kind::silent);
+    CHECK(conversation.reason().error == errc::timed_out);
 }
 
 TEST_CASE("motion law: S19 what is refused runs on for minutes once its controller is gone")
@@ -275,7 +270,7 @@ TEST_CASE("motion law: S19 what is refused runs on for minutes once its controll
         checked<Device> ready;
         ready.run_anyway(400);
         ready.idle(milliseconds(120'000));
-        CHECK(ready.far().chart().state() == state::fault);
+        CHECK(ready.far().state_machine().state() == state::fault);
         CHECK(ready.far().motor().frequency() == 0);
         checked<Device> off;
         off.set(sll, 0);
@@ -286,7 +281,7 @@ TEST_CASE("motion law: S19 what is refused runs on for minutes once its controll
         falls_back.set(sll, 4);
         falls_back.run_anyway(400);
         falls_back.idle(milliseconds(120'000));
-        CHECK(cia402::has_power(falls_back.far().chart().state()));
+        CHECK(cia402::has_power(falls_back.far().state_machine().state()));
     });
     checked<atv320::device> keeps;
     keeps.set(sll, 5);
@@ -305,26 +300,26 @@ TEST_CASE("motion law: S28 a drive that restarts by itself runs again by mere re
 {
     checked<atv320::device> it;
     it.set(atr, 1);
-    refuses(it, ending::restarts_by_itself, atr, 1, automatic_restart);
+    refuses(it, outcome_kind::restarts_by_itself, atr, 1, automatic_restart);
 
     it.run_anyway(400);
     it.idle(milliseconds(15'000)); // past its time-out of 10 s
-    REQUIRE(it.far().chart().state() == state::fault);
+    REQUIRE(it.far().state_machine().state() == state::fault);
     it.writes = 0;
     for (unsigned i = 0; i < 30; ++i) {
-        single_question look{it.drive.unit(), read_holding_registers{eta, 1}};
+        single_request look{it.drive.unit(), read_holding_registers{eta, 1}};
         REQUIRE(it.run(look));
         it.idle(milliseconds(100));
     }
     CHECK(it.writes == 0);
-    CHECK(it.far().chart().state() == state::operation_enabled);
+    CHECK(it.far().state_machine().state() == state::operation_enabled);
     CHECK(it.far().motor().frequency() != 0);
 }
 
 TEST_CASE("motion law: S28 an ATV28 is asked for its ATR, too")
 {
-    refuses_when<atv28::device>(atr_28, 1, ending::restarts_by_itself, automatic_restart);
-    refuses_when<atv28::device>(atr_28, 2, ending::restarts_by_itself, automatic_restart);
+    refuses_when<atv28::device>(atr_28, 1, outcome_kind::restarts_by_itself, automatic_restart);
+    refuses_when<atv28::device>(atr_28, 2, outcome_kind::restarts_by_itself, automatic_restart);
 }
 
 TEST_CASE("motion law: S29 an ATV28 with a closed run input runs after its power came back, and is "
@@ -332,25 +327,24 @@ TEST_CASE("motion law: S29 an ATV28 with a closed run input runs after its power
 {
     for (std::size_t const input : {1U, 2U}) {
         checked<atv28::device> it;
-        single_question takes_over{it.drive.unit(), write_single_register{400, 0}};
+        single_request takes_over{it.drive.unit(), write_single_register{400, 0}};
         REQUIRE(it.run(takes_over));
         it.writes = 0;
         it.far().set_input(input, true);
         it.idle(milliseconds(20));
-        refuses(it, ending::run_input_closed, inputs_28, static_cast<std::uint16_t>(input),
-                closed_input);
+        refuses(it, outcome_kind::run_input_closed, inputs_28, static_cast<std::uint16_t>(input), closed_input);
         CHECK(it.look({.run_inputs = 0}).ready());
         if (input == 1) {
-            CHECK_FALSE(cia402::has_power(it.far().chart().state()));
+            CHECK_FALSE(cia402::has_power(it.far().state_machine().state()));
             it.far().power_cycle(it.now());
             it.idle(milliseconds(100));
-            CHECK(cia402::has_power(it.far().chart().state()));
+            CHECK(cia402::has_power(it.far().state_machine().state()));
         }
     }
     // In three-wire control LI1 is the stop input, closed as a rule.
     checked<atv28::device> it;
     it.set(tcc_28, 1);
-    single_question takes_over{it.drive.unit(), write_single_register{400, 0}};
+    single_request takes_over{it.drive.unit(), write_single_register{400, 0}};
     REQUIRE(it.run(takes_over));
     it.writes = 0;
     it.far().set_input(1, true);
@@ -370,12 +364,12 @@ TEST_CASE("motion law: S36 a time-out that the line cannot keep is refused with 
     // Thirty slots with exchanges of 30 ms, and one dead unit whose time-out is a second.
     duration const gap = longest_gap_of(30, milliseconds(30), milliseconds(1'000));
     CHECK(gap == milliseconds(1'900));
-    check_supervision const talk = it.look({.longest_gap = gap});
-    CHECK(talk.reason().how == ending::timeout_too_short);
-    CHECK(talk.report().period == period_rule{milliseconds(1'000), milliseconds(1'900)});
-    CHECK(talk.report().period.shortest_timeout() == milliseconds(5'700));
-    CHECK(talk.report().address == tto);
-    CHECK(talk.report().word == 10);
+    check_supervision const conversation = it.look({.longest_gap = gap});
+    CHECK(conversation.reason().kind == outcome_kind::timeout_too_short);
+    CHECK(conversation.report().period == period_rule{milliseconds(1'000), milliseconds(1'900)});
+    CHECK(conversation.report().period.shortest_timeout() == milliseconds(5'700));
+    CHECK(conversation.report().address == tto);
+    CHECK(conversation.report().word == 10);
     CHECK(it.look({.risks = {.accept_short_timeout = true}, .longest_gap = gap}).ready());
     it.set(tto, 57);
     CHECK(it.look({.longest_gap = gap}).ready());
@@ -384,6 +378,6 @@ TEST_CASE("motion law: S36 a time-out that the line cannot keep is refused with 
     // 7 s are 7 s.
     checked<atv28::device> old;
     CHECK(old.look({.longest_gap = milliseconds(2'333)}).ready());
-    CHECK(old.look({.longest_gap = milliseconds(2'334)}).reason().how == ending::timeout_too_short);
+    CHECK(old.look({.longest_gap = milliseconds(2'334)}).reason().kind == outcome_kind::timeout_too_short);
     CHECK(old.look({.longest_gap = milliseconds(2'334)}).report().address == 0);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Who commands a drive is set only while it stands and no terminal asks it to run, and read back.
 #include "support/catch.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <array>
 #include <cstdint>
@@ -13,8 +13,8 @@
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/channel.hpp>
-#include <rtuwire/altivar/start.hpp>
+#include <rtuwire/altivar/procedure/channel.hpp>
+#include <rtuwire/altivar/procedure/start.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -26,7 +26,7 @@ constexpr client_options patient{.response_timeout = milliseconds(100), .retries
 constexpr std::uint16_t cmd = 8501, chcf = 8401, fr1 = 8413, cd1 = 8423, flo = 8431, tcc = 11101;
 
 /// A client, a commissioned drive whose analog input asks for 30 Hz, and all that is written to it.
-template <typename Device> struct bench : test::party_line<drive_client<4>, Device> {
+template <typename Device> struct bench : test::simulated_bus<drive_client<4>, Device> {
     static constexpr station<Device> drive{unit_id{3}};
     using settings = channel_settings<Device>;
     using words = std::vector<std::pair<std::uint16_t, std::uint16_t>>;
@@ -35,7 +35,7 @@ template <typename Device> struct bench : test::party_line<drive_client<4>, Devi
     std::uint16_t missing{0};  ///< the register that the drive does not have
     std::uint16_t asked{0};
 
-    bench() : test::party_line<drive_client<4>, Device>{drive_client<4>{test::party_timing, patient}}
+    bench() : test::simulated_bus<drive_client<4>, Device>{drive_client<4>{test::bus_timing, patient}}
     {
         this->add(unit_id{3});
         this->idle(milliseconds(20));
@@ -47,18 +47,18 @@ template <typename Device> struct bench : test::party_line<drive_client<4>, Devi
                 writes.emplace_back(at, u16_at(byte_view{frame}, 4));
             }
             if (not is_request and missing == asked and missing != 0) {
-                seal(frame = {frame[0], frame[1] | std::byte{0x80}, std::byte{2}});
+                append_crc(frame = {frame[0], frame[1] | std::byte{0x80}, std::byte{2}});
             }
         });
     }
-    static void seal(std::vector<std::byte>& frame)
+    static void append_crc(std::vector<std::byte>& frame)
     {
         std::uint16_t const crc = crc16(frame);
         frame.push_back(to_byte(crc));
         frame.push_back(to_byte(crc >> 8U));
     }
-    sim::drive<Device>& far() { return this->unit(0).inside(); }
-    bool has_power() { return cia402::has_power(far().chart().state()); }
+    sim::drive<Device>& far() { return this->unit(0).drive(); }
+    bool has_power() { return cia402::has_power(far().state_machine().state()); }
     void set(std::uint16_t address, std::uint16_t word)
     {
         register_block const value{word};
@@ -74,19 +74,18 @@ template <typename Device> struct bench : test::party_line<drive_client<4>, Devi
     set_channel told(settings const& wanted, terminal_options const& options = {})
     {
         writes.clear();
-        set_channel talk{drive, wanted, options};
-        REQUIRE(this->run(talk));
+        set_channel conversation{drive, wanted, options};
+        REQUIRE(this->run(conversation));
         this->idle(milliseconds(500));
-        return talk;
+        return conversation;
     }
 };
 using bench_320 = bench<atv320::device>;
 using settings_320 = channel_settings<atv320::device>;
 
-constexpr auto apart_by_terminals = settings_320{}
-                                        .with<atv320::chcf>(atv320::channel_mode::sep)
-                                        .with<atv320::cd1>(atv320::command_channel::ter);
-constexpr auto local_by_input_3 = settings_320{}.with<atv320::flo>(plain{131});
+constexpr auto apart_by_terminals =
+    settings_320{}.with<atv320::chcf>(atv320::channel_mode::sep).with<atv320::cd1>(atv320::command_channel::ter);
+constexpr auto local_by_input_3 = settings_320{}.with<atv320::flo>(count16{131});
 
 template <typename Run> void for_later_drives(Run run)
 {
@@ -98,8 +97,7 @@ template <typename Run> void for_later_drives(Run run)
 
 } // namespace
 
-TEST_CASE(
-    "channels are set to Modbus, in an order that has no third channel between, and read back")
+TEST_CASE("channels are set to Modbus, in an order that has no third channel between, and read back")
 {
     for_later_drives([]<typename Device>(Device) {
         INFO(std::string(Device::name.begin(), Device::name.end()));
@@ -108,11 +106,11 @@ TEST_CASE(
         it.set(cd1, 1);
         it.set(fr1, 1);
         it.set(flo, 131);
-        bool const has_inputs = Device::profile.safeguards.inputs != 0;
-        set_channel const talk = it.told(channel_settings<Device>::by_modbus(),
-                                         {.accept_unseen_inputs = not has_inputs});
-        CHECK(talk.succeeded());
-        CHECK(talk.written() == 4);
+        bool const has_inputs = Device::layout.safeguards.inputs != 0;
+        set_channel const conversation =
+            it.told(channel_settings<Device>::by_modbus(), {.accept_unseen_inputs = not has_inputs});
+        CHECK(conversation.succeeded());
+        CHECK(conversation.written() == 4);
         using words = typename bench<Device>::words;
         CHECK(it.writes == words{{cmd, 0}, {fr1, 164}, {cd1, 10}, {chcf, 1}, {flo, 0}});
         start go{it.drive, 20_Hz};
@@ -141,10 +139,10 @@ TEST_CASE("motion law: S29 a channel is not given to terminals that ask to run")
     for (std::size_t const input : {1U, 2U}) {
         bench_320 it;
         it.close(input);
-        set_channel const talk = it.told(apart_by_terminals);
-        CHECK(talk.reason().how == ending::run_input_closed);
-        CHECK(talk.address() == 5202);
-        CHECK(talk.word() == input);
+        set_channel const conversation = it.told(apart_by_terminals);
+        CHECK(conversation.reason().kind == outcome_kind::run_input_closed);
+        CHECK(conversation.address() == 5202);
+        CHECK(conversation.word() == input);
         CHECK(it.writes.empty());
         CHECK_FALSE(it.has_power());
     }
@@ -155,8 +153,7 @@ TEST_CASE("motion law: S29 a channel is not given to terminals that ask to run")
     CHECK_FALSE(it.has_power());
 }
 
-TEST_CASE(
-    "motion law: S29 an input that forces local control is not assigned under a closed run input")
+TEST_CASE("motion law: S29 an input that forces local control is not assigned under a closed run input")
 {
     {
         bench_320 it;
@@ -168,9 +165,9 @@ TEST_CASE(
     bench_320 it;
     it.close(1);
     it.close(3);
-    set_channel const talk = it.told(local_by_input_3);
-    CHECK(talk.reason().how == ending::run_input_closed);
-    CHECK(talk.word() == 5);
+    set_channel const conversation = it.told(local_by_input_3);
+    CHECK(conversation.reason().kind == outcome_kind::run_input_closed);
+    CHECK(conversation.word() == 5);
     CHECK(it.writes.empty());
     CHECK(it.far().word("FLO") == 0);
     CHECK_FALSE(it.has_power());
@@ -185,18 +182,18 @@ TEST_CASE("motion law: S29 where the inputs cannot be seen the risk has to be ta
                                .with<atv310::chcf>(compact::channel_mode::sep)
                                .with<atv310::cd1>(compact::command_channel::ter);
     set_channel const refused = it.told(terminals);
-    CHECK(refused.reason().how == ending::unknown_register);
+    CHECK(refused.reason().kind == outcome_kind::unknown_register);
     CHECK(it.writes.empty());
     CHECK_FALSE(it.has_power());
     set_channel const taken = it.told(terminals, {.accept_unseen_inputs = true});
-    CHECK(taken.reason().how == ending::started_by_terminals);
+    CHECK(taken.reason().kind == outcome_kind::started_by_terminals);
     CHECK(taken.reason().state == state::operation_enabled);
     CHECK(it.writes.back() == std::pair<std::uint16_t, std::uint16_t>{cmd, 0});
     // The same where the drive turns out not to have the register.
     bench_320 other;
     other.missing = 5202;
     set_channel const unseen = other.told(apart_by_terminals);
-    CHECK(unseen.reason().how == ending::unknown_register);
+    CHECK(unseen.reason().kind == outcome_kind::unknown_register);
     CHECK(unseen.address() == 5202);
     CHECK(unseen.word() == 0);
     CHECK(other.told(apart_by_terminals, {.accept_unseen_inputs = true}).succeeded());
@@ -206,16 +203,16 @@ TEST_CASE("motion law: S29 an input closed between two writes stops the set-up b
 {
     bench_320 it;
     bool is_closed = false;
-    set_channel talk{it.drive, apart_by_terminals};
-    while (not talk.settled()) {
-        it.step([&](instant now) { it.link().converse(talk, now); }, milliseconds(5));
-        if (not is_closed and talk.written() == 1) {
+    set_channel conversation{it.drive, apart_by_terminals};
+    while (not conversation.settled()) {
+        it.step([&](instant now) { it.link().converse(conversation, now); }, milliseconds(5));
+        if (not is_closed and conversation.written() == 1) {
             is_closed = true;
             it.far().set_input(1, true);
         }
     }
     CHECK(is_closed);
-    CHECK(talk.reason().how == ending::run_input_closed);
+    CHECK(conversation.reason().kind == outcome_kind::run_input_closed);
     CHECK(it.far().word("CD1") == 1);
     CHECK(it.far().word("CHCF") == 1);
     it.idle(milliseconds(500));
@@ -229,16 +226,15 @@ TEST_CASE("motion law: S29 channels of a drive that runs, or is in fault, stay a
         other.set(fr1, 1);
         other.far().inject_fault(9);
         other.idle(milliseconds(500));
-        set_channel const in_fault =
-            other.told(channel_settings<Device>::by_modbus(), {.accept_unseen_inputs = true});
-        CHECK(in_fault.reason().how == ending::in_fault);
+        set_channel const in_fault = other.told(channel_settings<Device>::by_modbus(), {.accept_unseen_inputs = true});
+        CHECK(in_fault.reason().kind == outcome_kind::in_fault);
         CHECK(in_fault.reason().fault == 9);
         CHECK(other.writes.empty());
     });
     bench_320 it;
     start go{it.drive, 20_Hz};
     REQUIRE(it.run(go));
-    CHECK(it.told(apart_by_terminals).reason().how == ending::refused_while_running);
+    CHECK(it.told(apart_by_terminals).reason().kind == outcome_kind::refused_while_running);
     CHECK(it.writes.empty());
     CHECK(it.has_power());
 }
@@ -266,7 +262,7 @@ TEST_CASE("a setting that reads back otherwise, or is not there, is told by its 
         }
     });
     set_channel const back = it.told(settings_320::by_modbus());
-    CHECK(back.reason().how == ending::not_taken);
+    CHECK(back.reason().kind == outcome_kind::not_taken);
     CHECK(back.address() == fr1);
     CHECK(back.word() == 2);
 
@@ -274,7 +270,7 @@ TEST_CASE("a setting that reads back otherwise, or is not there, is told by its 
     without.set(fr1, 1);
     without.missing = chcf;
     set_channel const missing = without.told(settings_320::by_modbus());
-    CHECK(missing.reason().how == ending::unknown_register);
+    CHECK(missing.reason().kind == outcome_kind::unknown_register);
     CHECK(missing.address() == chcf);
     CHECK(missing.word() == 0);
     CHECK(without.writes.empty());
@@ -297,11 +293,11 @@ TEST_CASE("a write that is refused is told by its register, and nothing of nothi
     it.set(fr1, 1);
     it.disturb([&](std::vector<std::byte>& frame, bool is_request) {
         if (not is_request and frame[1] == std::byte{6} and u16_at(byte_view{frame}, 2) == fr1) {
-            bench_320::seal(frame = {frame[0], std::byte{0x86}, std::byte{4}});
+            bench_320::append_crc(frame = {frame[0], std::byte{0x86}, std::byte{4}});
         }
     });
     set_channel const refused = it.told(settings_320::by_modbus());
-    CHECK(refused.reason().how == ending::refused);
+    CHECK(refused.reason().kind == outcome_kind::refused);
     CHECK(refused.reason().error == errc::server_device_failure);
     CHECK(refused.address() == fr1);
     CHECK(refused.word() == 0);

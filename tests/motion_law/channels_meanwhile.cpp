@@ -3,17 +3,17 @@
 // An order and a set-up of the same drive at once, at each moment of each other: no word goes whose meaning was changed,
 // and no motor loses its power to a set-up.
 #include "support/catch.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <cstdint>
 #include <vector>
 
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/channel.hpp>
-#include <rtuwire/altivar/direct_control.hpp>
-#include <rtuwire/altivar/release_link.hpp>
-#include <rtuwire/altivar/start.hpp>
+#include <rtuwire/altivar/procedure/channel.hpp>
+#include <rtuwire/altivar/procedure/direct_control.hpp>
+#include <rtuwire/altivar/procedure/release_link.hpp>
+#include <rtuwire/altivar/procedure/start.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -21,20 +21,20 @@ using namespace rtuwire::altivar;
 namespace {
 
 constexpr client_options patient{.response_timeout = milliseconds(200), .retries = 1};
-constexpr std::uint16_t cmd = atv320::device::profile.cmd, chcf = 8401, lfr = 8502, io = 3;
+constexpr std::uint16_t cmd = atv320::device::layout.cmd, chcf = 8401, lfr = 8502, io = 3;
 
 /// One drive on a bus, and what was written to it.
-template <typename Device> struct hall : test::party_line<bus<4>, Device> {
-    using base = test::party_line<bus<4>, Device>;
+template <typename Device> struct hall : test::simulated_bus<bus<4>, Device> {
+    using base = test::simulated_bus<bus<4>, Device>;
     station<Device> press{unit_id{3}};
     bool is_io{false};      ///< each bit of the control word is an input of its own
     bool runs_as_io{false}; ///< and one of them was set
 
-    explicit hall(unsigned between_ms) : base{bus<4>{test::party_timing, patient}}
+    explicit hall(unsigned between_ms) : base{bus<4>{test::bus_timing, patient}}
     {
         this->add(unit_id{3});
-        this->link().set(0, {.with = {.response_timeout = milliseconds(200), .retries = 1},
-                             .least_idle = milliseconds(between_ms)});
+        this->link().set(
+            0, {.with = {.response_timeout = milliseconds(200), .retries = 1}, .least_idle = milliseconds(between_ms)});
         this->idle(milliseconds(50));
         this->disturb([this](std::vector<std::byte>& frame, bool is_request) {
             if (not is_request and frame.size() == 8 and frame[1] == std::byte{6}) {
@@ -47,19 +47,20 @@ template <typename Device> struct hall : test::party_line<bus<4>, Device> {
         is_io = is_io or (address == chcf and word == io);
         runs_as_io = runs_as_io or (is_io and address == cmd and (word & 3U) != 0);
     }
-    bool has_power() { return cia402::has_power(this->drive().chart().state()); }
+    bool has_power() { return cia402::has_power(this->drive().state_machine().state()); }
 
     /// The set-up begins so long after the order; both to their ends, and what a motor does afterwards.
-    template <typename Order, typename Arrangement>
-    void run(Order& order, Arrangement& other, std::uint32_t after_ms)
+    template <typename Order, typename Arrangement> void run(Order& order, Arrangement& other, std::uint32_t after_ms)
     {
         auto const alone = [&](instant at) { this->link().converse(0, order, at); };
         auto const both = [&](instant at) {
             alone(at);
             this->link().converse(1, other, at);
         };
-        base::run(alone, [] { return false; }, milliseconds(after_ms));
-        REQUIRE(base::run(both, [&] { return order.settled() and other.settled(); }, milliseconds(60'000)));
+        base::run(
+            alone, [] { return false; }, milliseconds(after_ms));
+        REQUIRE(base::run(
+            both, [&] { return order.settled() and other.settled(); }, milliseconds(60'000)));
     }
 };
 
@@ -74,7 +75,7 @@ TEST_CASE("motion law: L10 no word to run goes behind a set-up that gives the wo
             hall<atv320::device> it{between_ms};
             register_block const backwards{std::uint16_t{0xFE0C}}; // -50 Hz, from before
             REQUIRE(it.drive().write(lfr, backwards) == errc::none);
-            start go{it.press, 30_Hz, heading::forward, milliseconds(8'000)};
+            start go{it.press, 30_Hz, run_direction::forward, milliseconds(8'000)};
             set_channel by_bits{it.press,
                                 channel_settings<atv320::device>{}.with<atv320::chcf>(atv320::channel_mode::io)};
             it.run(go, by_bits, after_ms);

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <rtuwire/client/bus.hpp>
-#include <rtuwire/sim/line.hpp>
-#include <rtuwire/sim/unit.hpp>
+#include <rtuwire/sim/drive/unit.hpp>
+#include <rtuwire/sim/line/line.hpp>
 
 namespace rtuwire::test {
 
@@ -20,7 +20,7 @@ inline constexpr line_timing colliding_timing{colliding_rate, character_format::
 /// One end of the line as the line sees it.
 struct line_node {
     virtual ~line_node() = default;
-    virtual void receive(byte_view octets, instant at) = 0;
+    virtual void receive(byte_view bytes, instant at) = 0;
     virtual void receive_error(instant at) = 0;
     virtual void sent(instant at) = 0;
     virtual void advance(instant now) = 0;
@@ -36,7 +36,7 @@ template <typename Engine> struct engine_node : line_node {
     duration latency{};
 
     explicit engine_node(Engine of) : engine{std::move(of)} {}
-    void receive(byte_view octets, instant at) override { engine.receive(octets, at); }
+    void receive(byte_view bytes, instant at) override { engine.receive(bytes, at); }
     void receive_error(instant at) override { engine.receive_error(at); }
     void sent(instant at) override { engine.sent(at); }
     void advance(instant now) override
@@ -58,10 +58,7 @@ template <typename Engine> struct engine_node : line_node {
         }
         return std::exchange(held_, byte_view{});
     }
-    deadline poll_deadline() const override
-    {
-        return held_.empty() ? engine.poll_deadline() : deadline{leaves_at_};
-    }
+    deadline poll_deadline() const override { return held_.empty() ? engine.poll_deadline() : deadline{leaves_at_}; }
 
 private:
     instant now_{0};
@@ -83,8 +80,8 @@ public:
     /// One more drive; at most seven.
     template <device_type Device> engine_node<sim::unit<Device>>& add(station<Device> const& drive)
     {
-        auto node = std::make_unique<engine_node<sim::unit<Device>>>(
-            sim::unit<Device>{drive.unit(), colliding_timing, now_});
+        auto node =
+            std::make_unique<engine_node<sim::unit<Device>>>(sim::unit<Device>{drive.unit(), colliding_timing, now_});
         auto& added = *node;
         nodes_.push_back(std::move(node));
         return added;
@@ -120,18 +117,18 @@ public:
         }
     }
 
-    template <conversation Talk> void run(Talk& talk, duration most = milliseconds(60'000))
+    template <conversation Conversation> void run(Conversation& conversation, duration most = milliseconds(60'000))
     {
         instant const end = now_ + most;
-        while (not talk.settled() and not reached(now_, end)) {
-            step([&](instant now) { link().converse(talk, now); }, end);
+        while (not conversation.settled() and not reached(now_, end)) {
+            step([&](instant now) { link().converse(conversation, now); }, end);
         }
     }
 
 private:
     void hear()
     {
-        while (auto const heard = wire_.listen(now_)) {
+        while (auto const heard = wire_.receive(now_)) {
             tell(0, link_, *heard);
             for (std::size_t i = 0; i < nodes_.size(); ++i) {
                 tell(static_cast<unsigned>(i + 1), *nodes_[i], *heard);
@@ -140,15 +137,15 @@ private:
     }
 
     /// A talker's receiver is off while it speaks.
-    static void tell(unsigned talker, line_node& node, sim::sound const& heard)
+    static void tell(unsigned sender, line_node& node, sim::character const& heard)
     {
-        if (node.sends_until or heard.is_from(talker)) {
+        if (node.sends_until or heard.is_from(sender)) {
             return;
         }
         if (heard.is_damaged) {
             node.receive_error(heard.at);
         } else {
-            node.receive(byte_view{&heard.octet, 1}, heard.at);
+            node.receive(byte_view{&heard.byte, 1}, heard.at);
         }
     }
 
@@ -160,19 +157,19 @@ private:
         }
     }
 
-    void speak(unsigned talker, line_node& node)
+    void speak(unsigned sender, line_node& node)
     {
         if (node.sends_until) {
             return;
         }
         if (byte_view const frame = node.poll_transmit(); not frame.empty()) {
-            node.sends_until = wire_.talk(talker, frame, now_);
+            node.sends_until = wire_.transmit(sender, frame, now_);
             node.began_at = now_;
-            spoke_at_ = talker == 0 ? now_ : spoke_at_;
-            spoken_ += talker == 0 ? 1U : 0U;
+            spoke_at_ = sender == 0 ? now_ : spoke_at_;
+            spoken_ += sender == 0 ? 1U : 0U;
             for (auto const& each : nodes_) {
                 bool const was_heard = each->sends_until and now_ - each->began_at > colliding_timing.characters(1);
-                spoke_over_ += talker == 0 and was_heard ? 1U : 0U;
+                spoke_over_ += sender == 0 and was_heard ? 1U : 0U;
             }
         }
     }

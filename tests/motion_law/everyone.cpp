@@ -9,9 +9,10 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/cyclic.hpp>
-#include <rtuwire/altivar/start.hpp>
-#include <rtuwire/altivar/stop_everyone.hpp>
+#include <rtuwire/altivar/cyclic/cyclic.hpp>
+#include <rtuwire/altivar/procedure/broadcast_stop.hpp>
+#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -33,24 +34,24 @@ struct hall : test::colliding_line<bus<6>> {
     test::engine_node<sim::unit<atv28::device>>& old;
 
     explicit hall(client_options const& options = patient)
-        : test::colliding_line<bus<6>>{bus<6>{test::colliding_timing, options}}, first{add(press)},
-          second{add(pump)}, old{add(fan)}
+        : test::colliding_line<bus<6>>{bus<6>{test::colliding_timing, options}}, first{add(press)}, second{add(pump)},
+          old{add(fan)}
     {
         pass([](instant) {}, milliseconds(20));
     }
 
-    template <typename Talk> void bring_up(std::size_t slot, Talk& talk)
+    template <typename Conversation> void bring_up(std::size_t slot, Conversation& conversation)
     {
         instant const end = now() + milliseconds(5'000);
-        while (not talk.settled() and not reached(now(), end)) {
-            step([&](instant at) { link().converse(slot, talk, at); }, end);
+        while (not conversation.settled() and not reached(now(), end)) {
+            step([&](instant at) { link().converse(slot, conversation, at); }, end);
         }
-        REQUIRE(talk.running());
+        REQUIRE(conversation.running());
     }
 
     template <typename Node> static bool has_power(Node const& node)
     {
-        return cia402::has_power(node.engine.inside().chart().state());
+        return cia402::has_power(node.engine.drive().state_machine().state());
     }
     bool has_any_power() const { return has_power(first) or has_power(second) or has_power(old); }
 };
@@ -75,10 +76,10 @@ TEST_CASE("motion law: S13 everyone is stopped while a start climbs and a cycle 
             it.link().converse(2, old, at);
         };
         it.pass(work, milliseconds(after_ms));
-        stop_everyone all{press, pump, fan};
+        broadcast_stop all{press, pump, fan};
         it.pass(
             [&](instant at) {
-                it.link().converse_first(all, at);
+                it.link().run_urgent(all, at);
                 work(at);
             },
             milliseconds(20'000));
@@ -92,7 +93,7 @@ TEST_CASE("motion law: S13 everyone is stopped while a start climbs and a cycle 
         // A new order is taken.
         CHECK(loop.run(1'200_rpm));
         it.pass(work, milliseconds(2'000));
-        CHECK(it.second.engine.inside().chart().state() == state::operation_enabled);
+        CHECK(it.second.engine.drive().state_machine().state() == state::operation_enabled);
         ++moments;
     }
     CHECK(moments == 300);
@@ -101,33 +102,33 @@ TEST_CASE("motion law: S13 everyone is stopped while a start climbs and a cycle 
 TEST_CASE("motion law: S14 the broadcast that stops leaves at once behind a question to a unit that is off")
 {
     for (std::uint32_t after_ms = 1; after_ms < 900; after_ms += 30) {
-        INFO("stopped " << after_ms << " ms after the question");
+        INFO("stopped " << after_ms << " ms after the request");
         hall it{slow};
         start go{press, 50_Hz};
         it.bring_up(1, go);
-        single_question question{absent.unit(), read_holding_registers{3'201, 1}};
-        auto const ask = [&](instant at) { it.link().converse(0, question, at); };
+        single_request request{absent.unit(), read_holding_registers{3'201, 1}};
+        auto const ask = [&](instant at) { it.link().converse(0, request, at); };
         it.pass(ask, milliseconds(after_ms));
-        REQUIRE_FALSE(question.settled());
-        stop_everyone all{press, pump, fan};
+        REQUIRE_FALSE(request.settled());
+        broadcast_stop all{press, pump, fan};
         instant const asked = it.now();
         std::size_t const before = it.spoken();
         instant const end = asked + milliseconds(500);
         while (it.spoken() == before and not reached(it.now(), end)) {
             it.step(
                 [&](instant at) {
-                    it.link().converse_first(all, at);
+                    it.link().run_urgent(all, at);
                     ask(at);
                 },
                 end);
         }
         // A request that is leaving leaves whole, and the line is silent for t3.5.
         CHECK(it.spoke_at() - asked < milliseconds(10));
-        it.pass([&](instant at) { it.link().converse_first(all, at); }, milliseconds(400));
+        it.pass([&](instant at) { it.link().run_urgent(all, at); }, milliseconds(400));
         CHECK_FALSE(hall::has_power(it.first));
         // Its asker was told.
         it.pass(ask, milliseconds(20));
-        CHECK(question.outcome().error() == errc::cancelled);
+        CHECK(request.outcome().error() == errc::cancelled);
     }
 }
 
@@ -137,29 +138,29 @@ TEST_CASE("motion law: S14 an answer that is arriving is let in, and one that an
     it.old.latency = milliseconds(300);
     start go{press, 50_Hz};
     it.bring_up(1, go);
-    single_question question{fan.unit(), read_holding_registers{atv28::device::profile.eta, 1}};
-    auto const ask = [&](instant at) { it.link().converse(0, question, at); };
+    single_request request{fan.unit(), read_holding_registers{atv28::device::layout.eta, 1}};
+    auto const ask = [&](instant at) { it.link().converse(0, request, at); };
     for (bool const cuts : {false, true}) {
         INFO("cuts an ATV28 short: " << cuts);
-        question.begin();
+        request.begin();
         it.pass(ask, milliseconds(100));
-        REQUIRE_FALSE(question.settled());
-        stop_everyone all{everyone_options{.cuts_short = cuts}, press, pump, fan};
+        REQUIRE_FALSE(request.settled());
+        broadcast_stop all{broadcast_stop_options{.cuts_short = cuts}, press, pump, fan};
         instant const asked = it.now();
         std::size_t const before = it.spoken();
         instant const end = asked + milliseconds(900);
         while (it.spoken() == before and not reached(it.now(), end)) {
             it.step(
                 [&](instant at) {
-                    it.link().converse_first(all, at);
+                    it.link().run_urgent(all, at);
                     ask(at);
                 },
                 end);
         }
         duration const waited = it.spoke_at() - asked;
         CHECK((waited < milliseconds(10)) == cuts);
-        CHECK(waited < milliseconds(260)); // 300 ms and an answer of 7 octets, of which 100 ms are over
-        it.pass([&](instant at) { it.link().converse_first(all, at); }, milliseconds(8'000));
+        CHECK(waited < milliseconds(260)); // 300 ms and a response of 7 bytes, of which 100 ms are over
+        it.pass([&](instant at) { it.link().run_urgent(all, at); }, milliseconds(8'000));
         CHECK(all.settled());
         CHECK_FALSE(it.has_any_power());
     }
@@ -169,21 +170,21 @@ TEST_CASE("motion law: S14 the broadcast never speaks into an answer that has be
 {
     unsigned arrived = 0;
     for (std::uint32_t after = 0; after < 40; ++after) {
-        INFO(after << " half milliseconds after the question");
+        INFO(after << " half milliseconds after the request");
         hall it{slow};
-        single_question question{pump.unit(), read_holding_registers{3'201, 1}};
-        it.pass([&](instant at) { it.link().converse(0, question, at); }, microseconds(500 * after + 1));
-        stop_everyone all{press, pump};
+        single_request request{pump.unit(), read_holding_registers{3'201, 1}};
+        it.pass([&](instant at) { it.link().converse(0, request, at); }, microseconds(500 * after + 1));
+        broadcast_stop all{press, pump};
         it.pass(
             [&](instant at) {
-                it.link().converse_first(all, at);
-                it.link().converse(0, question, at);
+                it.link().run_urgent(all, at);
+                it.link().converse(0, request, at);
             },
             milliseconds(60));
         CHECK(it.spoke_over() == 0);
-        arrived += question.outcome().has_value() ? 1U : 0U;
+        arrived += request.outcome().has_value() ? 1U : 0U;
     }
-    // The request takes 4.6 ms, the silence behind it 2, the answer 4.
+    // The request takes 4.6 ms, the silence behind it 2, the response 4.
     CHECK(arrived > 10);
     CHECK(arrived < 40);
 }
@@ -200,13 +201,13 @@ TEST_CASE("motion law: S13 a drive that is not among those to stop loses its ord
     start turn{fan, 30_Hz};
     it.bring_up(1, turn);
     // The 8501 of an ATV320 stops the pump as well; what counts is that nothing brings it up again.
-    stop_everyone all{everyone_options{.left_out = atv320::device::profile.cmd}, fan};
+    broadcast_stop all{broadcast_stop_options{.left_out = atv320::device::layout.cmd}, fan};
     bool was_refused = false;
     instant const end = it.now() + milliseconds(20'000);
     while (not all.settled() and not reached(it.now(), end)) {
         it.step(
             [&](instant at) {
-                it.link().converse_first(all, at);
+                it.link().run_urgent(all, at);
                 cycle(at);
                 was_refused = was_refused or not loop.control().is_ordered();
                 if (not all.settled() and not loop.control().is_ordered() and not hall::has_power(it.second)) {
@@ -230,14 +231,14 @@ TEST_CASE("motion law: S38 a family is left out of the broadcasts, and its drive
     it.bring_up(1, go);
     it.bring_up(2, turn);
     // Something else on the line has its register 400, and must not be written there.
-    stop_everyone all{everyone_options{.left_out = atv28::device::profile.cmd}, press, fan};
+    broadcast_stop all{broadcast_stop_options{.left_out = atv28::device::layout.cmd}, press, fan};
     bool writes_400 = false;
     bool writes_8501 = false;
     instant const end = it.now() + milliseconds(20'000);
     while (not all.settled() and not reached(it.now(), end)) {
         it.step(
             [&](instant at) {
-                it.link().converse_first(all, at);
+                it.link().run_urgent(all, at);
                 if (auto const next = all.next(); next and next->frame()[0] == std::byte{0}) {
                     writes_400 = writes_400 or u16_at(next->frame(), 2) == 400;
                     writes_8501 = writes_8501 or u16_at(next->frame(), 2) == 8'501;
@@ -257,7 +258,7 @@ namespace {
 template <typename Device> unsigned broadcast_word(word_meaning known, bool freewheel = false)
 {
     constexpr station<Device> drive{unit_id{3}};
-    stop_everyone all{everyone_options{.freewheel = freewheel, .known = known}, drive};
+    broadcast_stop all{broadcast_stop_options{.freewheel = freewheel, .known = known}, drive};
     all.advance(instant{0});
     auto const told = all.next();
     REQUIRE(told);
@@ -266,10 +267,11 @@ template <typename Device> unsigned broadcast_word(word_meaning known, bool free
 
 } // namespace
 
-TEST_CASE("motion law: L5 everyone is told 0002, or 0000 where an ATV320's words are not known or freewheel is asked for")
+TEST_CASE(
+    "motion law: L5 everyone is told 0002, or 0000 where an ATV320's words are not known or freewheel is asked for")
 {
     CHECK(broadcast_word<atv320::device>(word_meaning::unknown) == 0x0000);
-    CHECK(broadcast_word<atv320::device>(word_meaning::drive_profile) == 0x0002);
+    CHECK(broadcast_word<atv320::device>(word_meaning::cia402) == 0x0002);
     CHECK(broadcast_word<atv12::device>(word_meaning::unknown) == 0x0002);
     CHECK(broadcast_word<atv310::device>(word_meaning::unknown) == 0x0002);
     CHECK(broadcast_word<atv28::device>(word_meaning::unknown) == 0x0002);

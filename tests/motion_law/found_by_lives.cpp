@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSL-1.0
 // What random lives found, each reduced to the few frames that it takes.
 #include "support/catch.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <optional>
 
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/cyclic.hpp>
-#include <rtuwire/altivar/direct_control.hpp>
-#include <rtuwire/altivar/reset_fault.hpp>
-#include <rtuwire/altivar/start.hpp>
-#include <rtuwire/altivar/stop.hpp>
-#include <rtuwire/altivar/stop_everyone.hpp>
-#include <rtuwire/client/single_question.hpp>
+#include <rtuwire/altivar/cyclic/cyclic.hpp>
+#include <rtuwire/altivar/procedure/broadcast_stop.hpp>
+#include <rtuwire/altivar/procedure/direct_control.hpp>
+#include <rtuwire/altivar/procedure/reset_fault.hpp>
+#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -25,12 +25,11 @@ namespace {
 
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
 
-template <typename Device, typename Link = drive_client<2>>
-struct hall : test::party_line<Link, Device> {
+template <typename Device, typename Link = drive_client<2>> struct hall : test::simulated_bus<Link, Device> {
     station<Device> motor{*station<Device>::checked(3)};
     station<Device> other{*station<Device>::checked(4)};
 
-    hall() : test::party_line<Link, Device>{Link{test::party_timing, patient}}
+    hall() : test::simulated_bus<Link, Device>{Link{test::bus_timing, patient}}
     {
         this->add(motor.unit());
         this->add(other.unit());
@@ -45,35 +44,35 @@ struct hall : test::party_line<Link, Device> {
         }
     }
 
-    /// Passes until a question of this function and word at the control word has left; whether it has.
+    /// Passes until a request of this function and word at the control word has left; whether it has.
     template <typename Work> bool pass_until_told(Work work, std::uint16_t word, duration most)
     {
         instant const end = this->now() + most;
-        std::size_t const before = this->questions();
+        std::size_t const before = this->requests();
         while (not reached(this->now(), end)) {
             this->step(work, milliseconds(5));
-            if (this->questions() != before and is_told(word)) {
+            if (this->requests() != before and is_told(word)) {
                 return true;
             }
         }
         return false;
     }
 
-    /// Whether the last question wrote this control word, in whatever way.
+    /// Whether the last request wrote this control word, in whatever way.
     bool is_told(std::uint16_t word)
     {
-        byte_view const frame = this->question();
+        byte_view const frame = this->request();
         if (frame.empty()) {
             return false;
         }
         switch (to_u8(frame[1])) {
-        case 6: return u16_at(frame, 2) == Device::profile.cmd and u16_at(frame, 4) == word;
+        case 6: return u16_at(frame, 2) == Device::layout.cmd and u16_at(frame, 4) == word;
         case 16: return u16_at(frame, 7) == word;
         case 23: return u16_at(frame, 11) == word;
         default: return false;
         }
     }
-    state drive_state() { return this->drive(0).chart().state(); }
+    state drive_state() { return this->drive(0).state_machine().state(); }
     bool has_power() { return cia402::has_power(drive_state()); }
 };
 
@@ -85,10 +84,10 @@ TEST_CASE("motion law: two stops at once are not blocked by an answer that nobod
     hall<device> it;
     start go{it.motor, 40_Hz};
     REQUIRE(it.run(go));
-    std::optional<single_question<read_holding_registers>> poll;
+    std::optional<single_request<read_holding_registers>> poll;
     poll.emplace(it.motor.unit(), read_holding_registers{3'201, 1});
     it.pass([&](instant at) { it.link().converse(*poll, at); }, milliseconds(5));
-    poll.reset(); // its answer comes, and it does not
+    poll.reset(); // its response comes, and it does not
     it.pass([](instant) {}, milliseconds(50));
     stop first{it.motor};
     stop second{it.other};
@@ -112,7 +111,7 @@ TEST_CASE("motion law: a stop of everyone, or of the drive, takes a direct start
             hall<device> it;
             atv28::direct_start go{it.motor, 40_Hz};
             it.pass([&](instant at) { it.link().converse(go, at); }, milliseconds(after_ms));
-            stop_everyone all{it.motor};
+            broadcast_stop all{it.motor};
             stop rest{it.motor};
             bool has_stopped = false;
             bool has_run_again = false;
@@ -126,10 +125,10 @@ TEST_CASE("motion law: a stop of everyone, or of the drive, takes a direct start
                 has_stopped = has_stopped or it.is_told(0x0000) or it.is_told(0x0007);
             };
             instant const end = it.now() + milliseconds(6'000);
-            std::size_t const before = it.questions();
+            std::size_t const before = it.requests();
             while (not reached(it.now(), end)) {
                 it.step(work, milliseconds(20));
-                has_run_again = has_run_again or (it.questions() != before and it.is_told(0x800A));
+                has_run_again = has_run_again or (it.requests() != before and it.is_told(0x800A));
             }
             CHECK_FALSE(has_run_again);
             CHECK_FALSE(it.has_power());
@@ -151,11 +150,12 @@ TEST_CASE("motion law: the STOP key pressed behind a start's first look ends it"
             }
         };
         // The first look was answered, the first word is not there yet: the drive falls from rest to rest.
-        REQUIRE(it.run(work, [&] { return it.answers(0) == 1; }, milliseconds(100)));
+        REQUIRE(it.run(
+            work, [&] { return it.answers(0) == 1; }, milliseconds(100)));
         it.drive(0).press_stop();
         it.pass(work, milliseconds(3'500));
         CHECK_FALSE(it.has_power());
-        CHECK((is_direct ? run.reason().how : go.reason().how) == ending::stuck);
+        CHECK((is_direct ? run.reason().kind : go.reason().kind) == outcome_kind::stuck);
     }
 }
 
@@ -170,16 +170,17 @@ TEST_CASE("motion law: the STOP key that is shown from before does not keep a st
 
 TEST_CASE("motion law: S22 a drive that lost its power behind a word that it answered is not pushed up again")
 {
-    using device = atv28::device; // functions 03 and 16: the answer to the write tells no state
+    using device = atv28::device; // functions 03 and 16: the response to the write tells no state
     hall<device> it;
     cyclic<device> loop{it.motor, {.period = milliseconds(100)}};
     auto const cycle = [&](instant at) { it.link().converse(loop, at); };
     it.pass(cycle, milliseconds(500));
     REQUIRE(loop.run(30_Hz));
-    REQUIRE(it.run(cycle, [&] { return it.drive_state() == state::ready_to_switch_on; },
-                   milliseconds(500)));
+    REQUIRE(it.run(
+        cycle, [&] { return it.drive_state() == state::ready_to_switch_on; }, milliseconds(500)));
     std::size_t const answers = it.answers(0);
-    REQUIRE(it.run(cycle, [&] { return it.answers(0) == answers + 1; }, milliseconds(50)));
+    REQUIRE(it.run(
+        cycle, [&] { return it.answers(0) == answers + 1; }, milliseconds(50)));
     it.drive(0).power_cycle(it.now());
     it.pass(cycle, milliseconds(5'000));
     CHECK_FALSE(it.has_power());
@@ -192,39 +193,40 @@ TEST_CASE("motion law: S22 the same of a start whose next look is lost")
     hall<device> it;
     start go{it.motor, 40_Hz};
     auto const work = [&](instant at) { it.link().converse(go, at); };
-    REQUIRE(it.run(work, [&] { return it.drive_state() == state::ready_to_switch_on; },
-                   milliseconds(500)));
+    REQUIRE(it.run(
+        work, [&] { return it.drive_state() == state::ready_to_switch_on; }, milliseconds(500)));
     std::size_t const answers = it.answers(0);
-    REQUIRE(it.run(work, [&] { return it.answers(0) != answers; }, milliseconds(100)));
+    REQUIRE(it.run(
+        work, [&] { return it.answers(0) != answers; }, milliseconds(100)));
     it.cut(0, true);
     it.pass(work, milliseconds(30));
     it.drive(0).power_cycle(it.now());
     it.cut(0, false);
     it.pass(work, milliseconds(4'000));
     CHECK_FALSE(it.has_power());
-    CHECK(go.reason().how == ending::stuck);
+    CHECK(go.reason().kind == outcome_kind::stuck);
 }
 
 TEST_CASE("motion law: a halt that may not look becomes the ramp within a second")
 {
     using device = atv320::device;
-    // The drive is silent in this slot, so that the slot's next question waits for its turn to be probed.
+    // The drive is silent in this slot, so that the slot's next request waits for its turn to be probed.
     hall<device, bus<2>> it;
     start go{it.motor, 40_Hz};
-    REQUIRE(it.run([&](instant at) { it.link().converse(0, go, at); }, [&] { return go.settled(); },
-                   milliseconds(1'000)));
+    REQUIRE(
+        it.run([&](instant at) { it.link().converse(0, go, at); }, [&] { return go.settled(); }, milliseconds(1'000)));
     bool loses = true;
     it.disturb([&](auto& frame, bool) {
         if (loses) {
             frame.clear();
         }
     });
-    single_question poll{it.motor.unit(), read_holding_registers{3'201, 1}};
+    single_request poll{it.motor.unit(), read_holding_registers{3'201, 1}};
     REQUIRE(it.run([&](instant at) { it.link().converse(1, poll, at); }, [&] { return poll.settled(); },
                    milliseconds(1'000)));
     loses = false;
     REQUIRE(it.has_power());
-    stop rest{it.motor, stop_by::halt, milliseconds(30'000), word_meaning::drive_profile};
+    stop rest{it.motor, stop_by::halt, milliseconds(30'000), word_meaning::cia402};
     auto const work = [&](instant at) { it.link().converse(1, rest, at); };
     CHECK(it.pass_until_told(work, 0x0007, milliseconds(1'100)));
     it.pass(work, milliseconds(4'000));
@@ -238,14 +240,14 @@ TEST_CASE("motion law: who commands a drive does not wait for the health of anot
     using device = atv320::device;
     hall<device, bus<2>> it;
     it.cut(1, true);
-    single_question poll{it.other.unit(), read_holding_registers{3'201, 1}};
+    single_request poll{it.other.unit(), read_holding_registers{3'201, 1}};
     REQUIRE(it.run([&](instant at) { it.link().converse(1, poll, at); }, [&] { return poll.settled(); },
                    milliseconds(1'000)));
     REQUIRE(it.link().is_silent(1));
     stop rest{it.motor, stop_by::halt};
-    std::size_t const before = it.questions();
-    CHECK(it.run([&](instant at) { it.link().converse(1, rest, at); },
-                 [&] { return it.questions() != before; }, milliseconds(50)));
+    std::size_t const before = it.requests();
+    CHECK(it.run([&](instant at) { it.link().converse(1, rest, at); }, [&] { return it.requests() != before; },
+                 milliseconds(50)));
 }
 
 TEST_CASE("motion law: a DC injection gives no power to a drive whose motor stands")
@@ -258,8 +260,7 @@ TEST_CASE("motion law: a DC injection gives no power to a drive whose motor stan
         start go{it.motor, 1_Hz};
         REQUIRE(it.run(go));
         it.pass([](instant) {}, milliseconds(1'000));
-        auto const ramp = single_question{
-            it.motor.unit(), write_single_register{device::profile.cmd, 0x0007}};
+        auto const ramp = single_request{it.motor.unit(), write_single_register{device::layout.cmd, 0x0007}};
         auto told = ramp; // by whoever it is: not a stop that this one would take the drive from
         REQUIRE(it.run(told));
         it.pass([](instant) {}, milliseconds(after_ms));
@@ -309,15 +310,18 @@ TEST_CASE("motion law: L3 a cycle's stop leaves before a look where the command 
     auto const cycle = [&](instant at) { it.link().converse(loop, at); };
     it.pass(cycle, milliseconds(500));
     REQUIRE(loop.run(1'200_rpm));
-    REQUIRE(it.run(cycle, [&] { return it.has_power(); }, milliseconds(1'000)));
-    it.pass(cycle, milliseconds(180)); // the answer is missed, the next step is a look
+    REQUIRE(it.run(
+        cycle, [&] { return it.has_power(); }, milliseconds(1'000)));
+    it.pass(cycle, milliseconds(180)); // the response is missed, the next step is a look
     loop.stop();
-    std::size_t const before = it.questions();
-    REQUIRE(it.run(cycle, [&] { return it.questions() != before; }, milliseconds(500)));
+    std::size_t const before = it.requests();
+    REQUIRE(it.run(
+        cycle, [&] { return it.requests() != before; }, milliseconds(500)));
     CHECK(it.is_told(0x0007));
 }
 
-TEST_CASE("motion law: L3 a cycle that is told to run while it stops somebody else's motor does not enable by a stop word")
+TEST_CASE(
+    "motion law: L3 a cycle that is told to run while it stops somebody else's motor does not enable by a stop word")
 {
     using device = atv28::device;
     hall<device> it;
@@ -325,7 +329,8 @@ TEST_CASE("motion law: L3 a cycle that is told to run while it stops somebody el
     start go{it.motor, 30_Hz};
     auto const cycle = [&](instant at) { it.link().converse(loop, at); };
     it.pass(cycle, milliseconds(500));
-    REQUIRE(it.run(cycle, [&] { return to_u8(it.question()[1]) == 16; }, milliseconds(500)));
+    REQUIRE(it.run(
+        cycle, [&] { return to_u8(it.request()[1]) == 16; }, milliseconds(500)));
     it.pass(cycle, milliseconds(30)); // its next step is a read
     REQUIRE(it.run(go));
     // The cycle finds it running without an order of its own; its stop words get lost.
@@ -336,9 +341,10 @@ TEST_CASE("motion law: L3 a cycle that is told to run while it stops somebody el
     });
     REQUIRE(it.pass_until_told(cycle, 0x0007, milliseconds(500)));
     REQUIRE(loop.run(40_Hz));
-    std::size_t const before = it.questions();
-    REQUIRE(it.run(cycle, [&] { return it.questions() != before; }, milliseconds(500)));
-    CHECK(to_u8(it.question()[1]) == 3); // a look
+    std::size_t const before = it.requests();
+    REQUIRE(it.run(
+        cycle, [&] { return it.requests() != before; }, milliseconds(500)));
+    CHECK(to_u8(it.request()[1]) == 3); // a look
 }
 
 TEST_CASE("motion law: L3 a halt of a cycle looks first, also behind a stop word that was not answered")
@@ -356,8 +362,9 @@ TEST_CASE("motion law: L3 a halt of a cycle looks first, also behind a stop word
     it.cut(0, true); // the motor comes to rest; the cycle's words get lost meanwhile
     it.pass(cycle, milliseconds(1'000));
     loop.stop(stop_by::halt);
-    std::size_t const before = it.questions();
-    it.run(cycle, [&] { return it.questions() != before; }, milliseconds(500));
+    std::size_t const before = it.requests();
+    it.run(
+        cycle, [&] { return it.requests() != before; }, milliseconds(500));
     CHECK_FALSE(it.is_told(0x010F));
 }
 
@@ -389,15 +396,15 @@ TEST_CASE("motion law: L2 a fault that another conversation reset takes an older
     using device = atv320::device;
     hall<device> it;
     start go{it.motor, 40_Hz};
-    REQUIRE(it.run([&](instant at) { it.link().converse(go, at); }, [&] { return it.answers(0) == 2; },
-                   milliseconds(200)));
+    REQUIRE(
+        it.run([&](instant at) { it.link().converse(go, at); }, [&] { return it.answers(0) == 2; }, milliseconds(200)));
     it.drive(0).inject_fault(9);
     it.drive(0).clear_cause();
     reset_fault reset{it.motor}; // the start never sees the fault
     REQUIRE(it.run(reset));
     REQUIRE(reset.succeeded());
     REQUIRE(it.run(go));
-    CHECK(go.reason().how == ending::overruled);
+    CHECK(go.reason().kind == outcome_kind::overruled);
     CHECK_FALSE(it.has_power());
     start again{it.motor, 40_Hz};
     REQUIRE(it.run(again));
@@ -418,7 +425,7 @@ TEST_CASE("motion law: L2 of two orders to run a drive the later one counts")
             it.link().converse(second, at);
         },
         [&] { return first.settled() and second.settled(); }, milliseconds(3'000)));
-    CHECK(first.reason().how == ending::overruled);
+    CHECK(first.reason().kind == outcome_kind::overruled);
     CHECK(second.running());
     it.pass([](instant) {}, milliseconds(3'000));
     CHECK(it.drive(0).motor().frequency() == 10'000);
@@ -430,17 +437,17 @@ TEST_CASE("motion law: L4 a stop that nobody answers is followed by silence, tho
     hall<device> it;
     start go{it.motor, 40_Hz};
     REQUIRE(it.run(go));
-    it.link() = drive_client<2>{test::party_timing, patient}; // switched off and on: it ordered nothing
+    it.link() = drive_client<2>{test::bus_timing, patient}; // switched off and on: it ordered nothing
     it.disturb([&](auto& frame, bool) { frame.clear(); });
     stop rest{it.motor, stop_by::ramp, milliseconds(1'000)};
     REQUIRE(it.run(rest));
-    CHECK(rest.reason().how == ending::silent);
+    CHECK(rest.reason().kind == outcome_kind::silent);
     it.disturb([&](auto& frame, bool is_request) {
         if (not is_request) {
             frame.clear(); // what is asked keeps the drive's time-out from ending
         }
     });
-    single_question look{it.motor.unit(), read_holding_registers{3'201, 1}};
+    single_request look{it.motor.unit(), read_holding_registers{3'201, 1}};
     it.pass(
         [&](instant at) {
             it.link().converse(look, at);

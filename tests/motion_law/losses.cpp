@@ -3,7 +3,7 @@
 // A drive that was ordered to run and does not answer hears words that stop it, or nothing: its own time-out then stops
 // it, whichever direction of the line was lost.
 #include "support/catch.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -13,9 +13,10 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/cyclic.hpp>
-#include <rtuwire/altivar/start.hpp>
-#include <rtuwire/altivar/stop.hpp>
+#include <rtuwire/altivar/cyclic/cyclic.hpp>
+#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/client/bus.hpp>
 
 using namespace rtuwire;
@@ -32,13 +33,13 @@ struct heard_request {
     std::vector<std::byte> frame;
 };
 
-template <typename Device> struct hall : test::party_line<bus<3>, Device> {
+template <typename Device> struct hall : test::simulated_bus<bus<3>, Device> {
     station<Device> drive{*station<Device>::checked(3)};
     bool loses_answers{false};
     bool loses_requests{false};
     std::vector<heard_request> heard{};
 
-    hall() : test::party_line<bus<3>, Device>{bus<3>{test::party_timing, patient}}
+    hall() : test::simulated_bus<bus<3>, Device>{bus<3>{test::bus_timing, patient}}
     {
         this->add(unit_id{3});
         this->disturb([this](auto& frame, bool is_request) {
@@ -59,19 +60,22 @@ template <typename Device> struct hall : test::party_line<bus<3>, Device> {
             this->step(work, end - this->now());
         }
     }
-    bool has_power() { return cia402::has_power(this->test::party_line<bus<3>, Device>::drive(0).chart().state()); }
+    bool has_power()
+    {
+        return cia402::has_power(this->test::simulated_bus<bus<3>, Device>::drive(0).state_machine().state());
+    }
 
     /// After how long the drive stops by itself, as its manual says: TTO, or 7 s of an ATV28.
     duration timeout()
     {
-        auto& far = this->test::party_line<bus<3>, Device>::drive(0);
-        bool const has_tto = Device::profile.cmd == 8'501;
+        auto& far = this->test::simulated_bus<bus<3>, Device>::drive(0);
+        bool const has_tto = Device::layout.cmd == 8'501;
         return has_tto ? milliseconds(100) * far.word("TTO") : milliseconds(7'000);
     }
 
     bool order(cyclic<Device>& loop)
     {
-        if constexpr (cycle_words<Device>::has_scanner) {
+        if constexpr (cycle_layout<Device>::has_scanner) {
             return loop.run(1'200_rpm);
         } else {
             return loop.run(40_Hz);
@@ -104,7 +108,7 @@ TEST_CASE("motion law: S12 a cycle whose answers get lost lets the drive's own t
         hall<Device> it;
         cyclic<Device> loop{it.drive, {.period = milliseconds(100)}};
         // A poll of the same drive goes on beside it, and would keep its watchdog fed.
-        single_question poll{it.drive.unit(), read_holding_registers{Device::profile.eta, 1}};
+        single_request poll{it.drive.unit(), read_holding_registers{Device::layout.eta, 1}};
         auto const work = [&](instant at) {
             it.link().converse(0, loop, at);
             it.link().converse(1, poll, at);
@@ -121,7 +125,7 @@ TEST_CASE("motion law: S12 a cycle whose answers get lost lets the drive's own t
         instant const lost = it.now();
         it.pass(work, milliseconds(600'000));
         CHECK_FALSE(it.has_power());
-        CHECK(loop.control().reason().how == ending::silent);
+        CHECK(loop.control().reason().kind == outcome_kind::silent);
         // Two misses of the cycle, or one of the poll with its repetition, and 2 s of words: then silence.
         duration const until_silence = milliseconds(2'000 + 4 * 130 + 200);
         REQUIRE_FALSE(it.heard.empty());
@@ -131,16 +135,15 @@ TEST_CASE("motion law: S12 a cycle whose answers get lost lets the drive's own t
             last = is_early ? each.at : last;
         }
         REQUIRE(last);
-        auto const next = std::find_if(it.heard.begin(), it.heard.end(), [&](auto const& each) {
-            return each.at - lost >= until_silence;
-        });
+        auto const next = std::find_if(it.heard.begin(), it.heard.end(),
+                                       [&](auto const& each) { return each.at - lost >= until_silence; });
         REQUIRE(next != it.heard.end());
         CHECK(next->at - *last >= it.timeout() + milliseconds(1'000));
         // Between the loss and the silence: nothing but words that stop.
         instant const loss = lost + milliseconds(4 * 130 + 200);
         for (auto const& each : it.heard) {
             if (reached(each.at, loss) and each.at - lost < until_silence) {
-                CHECK(is_stop(each.frame, Device::profile.cmd));
+                CHECK(is_stop(each.frame, Device::layout.cmd));
             }
         }
     });
@@ -150,11 +153,11 @@ TEST_CASE("motion law: S12 a probe of a silent unit does not feed it")
 {
     hall<atv320::device> it;
     start go{it.drive, 40_Hz};
-    REQUIRE(it.run([&](instant at) { it.link().converse(0, go, at); },
-                   [&] { return go.settled(); }, milliseconds(3'000)));
+    REQUIRE(
+        it.run([&](instant at) { it.link().converse(0, go, at); }, [&] { return go.settled(); }, milliseconds(3'000)));
     it.loses_answers = true;
     // The start has ended; only a poll goes on.
-    single_question poll{it.drive.unit(), read_holding_registers{3'201, 1}};
+    single_request poll{it.drive.unit(), read_holding_registers{3'201, 1}};
     it.pass(
         [&](instant at) {
             it.link().converse(1, poll, at);
@@ -195,7 +198,7 @@ TEST_CASE("motion law: L4 a user's stop breaks the silence with its own words, 2
     CHECK(it.heard.front().at - asked < milliseconds(20));
     CHECK(it.heard.back().at - asked < milliseconds(2'150));
     for (auto const& each : it.heard) {
-        CHECK(is_stop(each.frame, atv320::device::profile.cmd));
+        CHECK(is_stop(each.frame, atv320::device::layout.cmd));
     }
 }
 
@@ -219,7 +222,8 @@ TEST_CASE("motion law: L4 an answer to a stop word ends the loss, and the order 
     CHECK(it.has_power());
 }
 
-TEST_CASE("motion law: S7 the two frames lost at a moment of their own: every prefix of a start's answers may be lost for ever")
+TEST_CASE("motion law: S7 the two frames lost at a moment of their own: every prefix of a start's answers may be lost "
+          "for ever")
 {
     for_every_drive([]<typename Device>(Device) {
         INFO(std::string(Device::name.begin(), Device::name.end()));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Orders that stand in a word that is read are not given again when it is written.
 #include "support/catch.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <cstdint>
 #include <string>
@@ -11,8 +11,8 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/save_to_eeprom.hpp>
-#include <rtuwire/client/single_question.hpp>
+#include <rtuwire/altivar/procedure/save_to_eeprom.hpp>
+#include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -24,7 +24,7 @@ constexpr client_options patient{.response_timeout = milliseconds(100), .retries
 template <typename Device> void saves_after_factory_settings()
 {
     INFO(std::string(Device::name.begin(), Device::name.end()));
-    test::party_line<drive_client<4>, Device> it{drive_client<4>{test::party_timing, patient}};
+    test::simulated_bus<drive_client<4>, Device> it{drive_client<4>{test::bus_timing, patient}};
     it.add(unit_id{3});
     it.idle(milliseconds(20));
     constexpr station<Device> drive{unit_id{3}};
@@ -33,7 +33,7 @@ template <typename Device> void saves_after_factory_settings()
     bool is_reading = false;
     std::vector<std::uint16_t> told;
     it.disturb([&](std::vector<std::byte>& frame, bool is_request) {
-        bool const is_cmi = is_request and u16_at(byte_view{frame}, 2) == Device::profile.cmi;
+        bool const is_cmi = is_request and u16_at(byte_view{frame}, 2) == Device::layout.cmi;
         if (is_cmi and frame[1] == std::byte{6}) {
             told.push_back(u16_at(byte_view{frame}, 4));
         }

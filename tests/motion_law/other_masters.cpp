@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A drive that somebody else commands, that loses its power, or that shares its address with another one.
 #include "support/catch.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <vector>
 
@@ -10,9 +10,9 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/cyclic.hpp>
-#include <rtuwire/altivar/start.hpp>
-#include <rtuwire/altivar/stop.hpp>
+#include <rtuwire/altivar/cyclic/cyclic.hpp>
+#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/stop.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -22,25 +22,24 @@ namespace {
 
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
 
-template <typename Device> struct cycling : test::party_line<drive_client<2>, Device> {
-    using base = test::party_line<drive_client<2>, Device>;
+template <typename Device> struct cycling : test::simulated_bus<drive_client<2>, Device> {
+    using base = test::simulated_bus<drive_client<2>, Device>;
     cyclic<Device> loop{*station<Device>::checked(3), {.period = milliseconds(50)}};
 
-    cycling() : base{drive_client<2>{test::party_timing, patient}}
+    cycling() : base{drive_client<2>{test::bus_timing, patient}}
     {
         this->add(unit_id{3});
         this->idle(milliseconds(20));
     }
     void pass(duration length)
     {
-        this->base::run([&](instant at) { this->link().converse(loop, at); }, [] { return false; },
-                        length);
+        this->base::run([&](instant at) { this->link().converse(loop, at); }, [] { return false; }, length);
     }
     sim::drive<Device>& far() { return this->base::drive(0); }
-    state now_in() { return far().chart().state(); }
+    state now_in() { return far().state_machine().state(); }
     bool order()
     {
-        if constexpr (cycle_words<Device>::has_scanner) {
+        if constexpr (cycle_layout<Device>::has_scanner) {
             return loop.run(1'200_rpm);
         } else {
             return loop.run(40_Hz);
@@ -84,11 +83,11 @@ TEST_CASE("motion law: S21 a cycle reports another master's reference and comman
                 for (unsigned moment = 0; moment < 400; ++moment) {
                     if (it.now_in() == state::operation_enabled) {
                         is_reference ? it.write_as_another(Device::frequency_reference.address, 100)
-                                     : it.write_as_another(Device::profile.cmd, 0x080F);
+                                     : it.write_as_another(Device::layout.cmd, 0x080F);
                     }
                     it.pass(milliseconds(7 + i % 3));
                 }
-                reported += it.loop.control().reason().how == ending::overwritten ? 1U : 0U;
+                reported += it.loop.control().reason().kind == outcome_kind::overwritten ? 1U : 0U;
                 CHECK_FALSE(it.loop.control().is_ordered());
             }
             CHECK(reported == tries);
@@ -127,7 +126,8 @@ TEST_CASE("motion law: S22 a drive that loses its power at any moment of a climb
     });
 }
 
-TEST_CASE("motion law: S30 a halted drive whose link is lost and comes back stays where it is, and only an order clears the halt")
+TEST_CASE("motion law: S30 a halted drive whose link is lost and comes back stays where it is, and only an order "
+          "clears the halt")
 {
     cycling<atv320::device> it;
     it.pass(milliseconds(600));
@@ -151,7 +151,7 @@ TEST_CASE("motion law: S30 a halted drive whose link is lost and comes back stay
 TEST_CASE("motion law: S35 of two drives at one address one stops: the stop does not say that both do")
 {
     // Both answer at once, and collide; what arrives is damaged, so that nothing is confirmed.
-    test::party_line<drive_client<2>, atv320::device> it{drive_client<2>{test::party_timing, patient}};
+    test::simulated_bus<drive_client<2>, atv320::device> it{drive_client<2>{test::bus_timing, patient}};
     it.add(unit_id{3});
     it.idle(milliseconds(20));
     start go{station<atv320::device>{unit_id{3}}, 40_Hz};
@@ -165,6 +165,6 @@ TEST_CASE("motion law: S35 of two drives at one address one stops: the stop does
     it.run(rest, milliseconds(60'000));
     REQUIRE(rest.settled());
     CHECK_FALSE(rest.succeeded());
-    CHECK((rest.reason().how == ending::silent or rest.reason().how == ending::unconfirmed));
-    CHECK(it.drive(0).chart().state() != state::operation_enabled); // the word itself arrived
+    CHECK((rest.reason().kind == outcome_kind::silent or rest.reason().kind == outcome_kind::unconfirmed));
+    CHECK(it.drive(0).state_machine().state() != state::operation_enabled); // the word itself arrived
 }

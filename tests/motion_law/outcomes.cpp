@@ -3,7 +3,7 @@
 // An outcome reaches only the conversation that asked: what happened to motors where it did not. Simulated drives,
 // on a line on which time passes; what counts is what the motor does, not what a conversation says of it.
 #include "support/catch.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,12 +13,12 @@
 #include <vector>
 
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/broadcast.hpp>
-#include <rtuwire/altivar/cyclic.hpp>
-#include <rtuwire/altivar/save_to_eeprom.hpp>
-#include <rtuwire/altivar/start.hpp>
-#include <rtuwire/altivar/stop.hpp>
-#include <rtuwire/client/access.hpp>
+#include <rtuwire/altivar/cyclic/cyclic.hpp>
+#include <rtuwire/altivar/procedure/broadcast.hpp>
+#include <rtuwire/altivar/procedure/save_to_eeprom.hpp>
+#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/ask/access.hpp>
 #include <rtuwire/client/bus.hpp>
 
 using namespace rtuwire;
@@ -37,7 +37,7 @@ constexpr std::uint16_t factory_bit = 0x0001;
 struct panel {
     unit_id unit;
     std::uint16_t address;
-    std::optional<single_question<read_holding_registers>> ask{};
+    std::optional<single_request<read_holding_registers>> ask{};
     std::vector<std::uint16_t> values{};
     unsigned failures{0};
     unsigned dropped{0}; ///< it stayed away, and was told so
@@ -61,10 +61,10 @@ struct panel {
 };
 
 /// A client with up to two drives. `Link` may be a bus.
-template <typename Link> struct plant : test::party_line<Link, device> {
-    using base = test::party_line<Link, device>;
+template <typename Link> struct plant : test::simulated_bus<Link, device> {
+    using base = test::simulated_bus<Link, device>;
 
-    explicit plant(std::size_t drives = 1) : base{Link{test::party_timing, patient}}
+    explicit plant(std::size_t drives = 1) : base{Link{test::bus_timing, patient}}
     {
         for (std::size_t i = 0; i < drives; ++i) {
             this->add(*unit_id::checked(static_cast<std::uint32_t>(i + 1)));
@@ -72,22 +72,19 @@ template <typename Link> struct plant : test::party_line<Link, device> {
         this->idle(milliseconds(20));
     }
 
-    std::int32_t hertz(std::size_t index = 0)
-    {
-        return this->drive(index).motor().frequency() / 1'000;
-    }
-    state state_of(std::size_t index = 0) { return this->drive(index).chart().state(); }
+    std::int32_t hertz(std::size_t index = 0) { return this->drive(index).motor().frequency() / 1'000; }
+    state state_of(std::size_t index = 0) { return this->drive(index).state_machine().state(); }
 
     /// One pass in which this is done, and at most so long a sleep.
     template <typename Act> void pass(Act act) { this->step(act, milliseconds(5)); }
 };
 
-/// Lets the request of one conversation leave and its answer come, so that the outcome is there, taken by nobody.
+/// Lets the request of one conversation leave and its response come, so that the outcome is there, taken by nobody.
 template <typename Link, typename ComeBy> void leave_an_outcome(plant<Link>& it, ComeBy come_by)
 {
-    std::size_t const asked = it.questions();
+    std::size_t const asked = it.requests();
     std::size_t const answered = it.answers(0);
-    while (it.questions() == asked) {
+    while (it.requests() == asked) {
         it.pass(come_by);
     }
     for (unsigned i = 0; i < 20; ++i) {
@@ -107,7 +104,7 @@ TEST_CASE("motion law: S1 a poll's answer is not a start's: the motor runs at th
     stop rest{drive};
     REQUIRE(it.run(rest));
     REQUIRE(it.drive().word("LFRD") == 1'400);
-    panel status{drive.unit(), device::profile.eta};
+    panel status{drive.unit(), device::layout.eta};
     leave_an_outcome(it, [&](instant now) { it.link().converse(*status.ask, now); });
     start go{drive, 100_rpm};
     REQUIRE(it.run(go));
@@ -126,7 +123,7 @@ TEST_CASE("motion law: S1 wherever the poll stands when the start begins")
         REQUIRE(it.run(before));
         stop rest{drive};
         REQUIRE(it.run(rest));
-        panel status{drive.unit(), device::profile.eta};
+        panel status{drive.unit(), device::layout.eta};
         for (std::uint32_t i = 0; i < after; ++i) {
             it.pass([&](instant now) { it.link().converse(*status.ask, now); });
         }
@@ -145,13 +142,13 @@ TEST_CASE("motion law: S2 a poll's answer is not a save's: nothing is written to
         INFO("begun " << after << " passes after the poll");
         plant<drive_client<4>> it;
         // A ramp that factory settings would take away.
-        auto ramp = write_in_steps_of<deciseconds, atv320::acc>(drive, 7.7_s);
+        auto ramp = write_with_step<deciseconds, atv320::acc>(drive, 7.7_s);
         REQUIRE(it.run(ramp));
         // Ready to switch on, its status is 0231h: bit 0 is the order for factory settings.
-        single_question get_ready{drive.unit(), write_single_register{device::profile.cmd, 0x0006}};
+        single_request get_ready{drive.unit(), write_single_register{device::layout.cmd, 0x0006}};
         REQUIRE(it.run(get_ready));
         REQUIRE((it.drive().word("ETA") & factory_bit) != 0);
-        panel status{drive.unit(), device::profile.eta};
+        panel status{drive.unit(), device::layout.eta};
         for (std::uint32_t i = 0; i < after; ++i) {
             it.pass([&](instant now) { it.link().converse(*status.ask, now); });
         }
@@ -160,11 +157,10 @@ TEST_CASE("motion law: S2 a poll's answer is not a save's: nothing is written to
         bool const is_over =
             it.run([&](instant now) { it.link().converse(save, now); },
                    [&] {
-                       byte_view const sent = it.question();
-                       bool const is_write = sent.size() == 8 and to_u8(sent[1]) == 6 and
-                                             u16_at(sent, 2) == device::profile.cmi;
-                       wrote_factory =
-                           wrote_factory or (is_write and (u16_at(sent, 4) & factory_bit) != 0);
+                       byte_view const sent = it.request();
+                       bool const is_write =
+                           sent.size() == 8 and to_u8(sent[1]) == 6 and u16_at(sent, 2) == device::layout.cmi;
+                       wrote_factory = wrote_factory or (is_write and (u16_at(sent, 4) & factory_bit) != 0);
                        return save.settled();
                    },
                    milliseconds(60'000));
@@ -183,7 +179,7 @@ TEST_CASE("motion law: S3 a poll's answer is not a stop's: where the line fails 
     REQUIRE(it.run(go));
     it.idle(milliseconds(4'000));
     REQUIRE(it.hertz() == 50);
-    panel fault{drive.unit(), device::profile.lft};
+    panel fault{drive.unit(), device::layout.lft};
     leave_an_outcome(it, [&](instant now) { it.link().converse(*fault.ask, now); });
     it.cut(0, true);
     stop halt{drive, stop_by::ramp, milliseconds(3'000)};
@@ -197,19 +193,18 @@ TEST_CASE("motion law: S3 the same in one slot of a bus")
 {
     plant<bus<2>> it{2};
     start go{drive, 50_Hz};
-    REQUIRE(it.run([&](instant now) { it.link().converse(0, go, now); },
-                   [&] { return go.settled(); }, milliseconds(10'000)));
+    REQUIRE(it.run([&](instant now) { it.link().converse(0, go, now); }, [&] { return go.settled(); },
+                   milliseconds(10'000)));
     it.idle(milliseconds(4'000));
     REQUIRE(it.hertz() == 50);
-    panel fault{drive.unit(), device::profile.lft};
+    panel fault{drive.unit(), device::layout.lft};
     leave_an_outcome(it, [&](instant now) { it.link().converse(0, *fault.ask, now); });
     it.cut(0, true);
     stop halt{drive};
     bool has_ended_while_running = false;
     REQUIRE(it.run([&](instant now) { it.link().converse(0, halt, now); },
                    [&] {
-                       has_ended_while_running =
-                           has_ended_while_running or (halt.succeeded() and it.hertz() != 0);
+                       has_ended_while_running = has_ended_while_running or (halt.succeeded() and it.hertz() != 0);
                        return halt.settled();
                    },
                    milliseconds(60'000)));
@@ -244,7 +239,7 @@ TEST_CASE("motion law: S4 a stop behind a cancelled poll ends with its own outco
         start go{drive, 50_Hz};
         REQUIRE(it.run(go));
         it.idle(milliseconds(3'000));
-        panel status{drive.unit(), device::profile.eta};
+        panel status{drive.unit(), device::layout.eta};
         for (std::uint32_t i = 0; i < after; ++i) {
             it.pass([&](instant now) { it.link().converse(*status.ask, now); });
         }
@@ -286,7 +281,7 @@ namespace {
 /// Asks in a place of the stack that is used for something else at once.
 template <typename Link> [[gnu::noinline]] void ask_and_give_up(plant<Link>& it)
 {
-    single_question local{unit_id{1}, read_holding_registers{3201, 1}};
+    single_request local{unit_id{1}, read_holding_registers{3201, 1}};
     it.link().advance(it.now());
     it.link().converse(local, it.now());
 }
@@ -310,7 +305,7 @@ TEST_CASE("motion law: S6 the question of a function that gave it up leaves as i
     ask_and_give_up(it);
     CHECK(use_the_stack() == 0x5A);
     byte_view const sent = it.link().poll_transmit();
-    single_question const asked{unit_id{1}, read_holding_registers{3201, 1}};
+    single_request const asked{unit_id{1}, read_holding_registers{3201, 1}};
     auto same = asked;
     bool const is_as_asked = sent.empty() or same_bytes(sent, same.next()->frame());
     CHECK(is_as_asked);
@@ -324,13 +319,13 @@ TEST_CASE("motion law: S6 the same where it lived on the heap, and where it wait
             std::array<std::byte, 1> const noise{};
             it.link().receive(noise, it.now());
         }
-        auto talk = std::make_unique<single_question<read_holding_registers>>(
-            unit_id{1}, read_holding_registers{3201, 1});
+        auto conversation =
+            std::make_unique<single_request<read_holding_registers>>(unit_id{1}, read_holding_registers{3201, 1});
         it.link().advance(it.now());
-        it.link().converse(*talk, it.now());
-        byte_view const asked = talk->next()->frame();
+        it.link().converse(*conversation, it.now());
+        byte_view const asked = conversation->next()->frame();
         std::vector<std::byte> const frame{asked.begin(), asked.end()};
-        talk.reset();
+        conversation.reset();
         for (unsigned i = 0; i < 200; ++i) {
             instant const now = it.now() + milliseconds(i);
             it.link().advance(now);
@@ -347,7 +342,7 @@ TEST_CASE("motion law: S6 two conversations that take turns on one client get th
     plant<drive_client<4>> it;
     panel one{drive.unit(), 3201};
     panel other{drive.unit(), 9001};
-    auto ramp = write_in_steps_of<deciseconds, atv320::acc>(drive, 7.7_s);
+    auto ramp = write_with_step<deciseconds, atv320::acc>(drive, 7.7_s);
     REQUIRE(it.run(ramp));
     std::uint16_t const status = it.drive().word("ETA");
     REQUIRE(status != 77);
@@ -366,22 +361,21 @@ TEST_CASE("motion law: S6 two conversations that take turns on one client get th
     CHECK(other.values.size() > 20);
     CHECK(one.failures == 0);
     CHECK(other.failures == 0);
-    bool const is_one_right = std::all_of(one.values.begin(), one.values.end(),
-                                          [&](std::uint16_t value) { return value == status; });
-    bool const is_other_right = std::all_of(other.values.begin(), other.values.end(),
-                                            [&](std::uint16_t value) { return value == 77; });
+    bool const is_one_right =
+        std::all_of(one.values.begin(), one.values.end(), [&](std::uint16_t value) { return value == status; });
+    bool const is_other_right =
+        std::all_of(other.values.begin(), other.values.end(), [&](std::uint16_t value) { return value == 77; });
     CHECK(is_one_right);
     CHECK(is_other_right);
 }
 
-TEST_CASE(
-    "motion law: S15 a slot dropped with its question in flight stops no other, and no drive trips")
+TEST_CASE("motion law: S15 a slot dropped with its question in flight stops no other, and no drive trips")
 {
     for (std::uint32_t after = 1; after <= 20; ++after) {
         INFO("dropped after " << after << " passes");
         plant<bus<3>> it{2};
         cyclic<device> cycle{other_drive};
-        panel status{drive.unit(), device::profile.eta};
+        panel status{drive.unit(), device::layout.eta};
         bool is_ordered = false;
         auto const serve = [&](instant now) {
             it.link().converse(1, cycle, now);
@@ -398,13 +392,13 @@ TEST_CASE(
                 serve(now);
             });
         }
-        std::size_t const before = it.questions();
+        std::size_t const before = it.requests();
         end = it.now() + milliseconds(30'000);
         while (not reached(it.now(), end)) {
             it.pass(serve);
         }
         // One exchange in 100 ms.
-        CHECK(it.questions() - before > 250);
+        CHECK(it.requests() - before > 250);
         CHECK(it.state_of(1) == state::operation_enabled);
         CHECK(it.hertz(1) == 40);
     }
@@ -424,16 +418,16 @@ TEST_CASE("motion law: S15 an urgent broadcast dropped after its frame left stop
         auto everyone = broadcast_freewheel<device>();
         for (std::uint32_t i = 0; i < after; ++i) {
             it.pass([&](instant now) {
-                it.link().converse_first(everyone, now);
+                it.link().run_urgent(everyone, now);
                 serve(now);
             });
         }
-        std::size_t const before = it.questions();
+        std::size_t const before = it.requests();
         end = it.now() + milliseconds(30'000);
         while (not reached(it.now(), end)) {
             it.pass(serve);
         }
-        CHECK(it.questions() - before > 250);
+        CHECK(it.requests() - before > 250);
         CHECK_FALSE(cycle.link_lost());
     }
 }

@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: BSL-1.0
 // A stop is the strongest thing on the line: whatever else is asked of its drive, it goes first, and keeps the drive.
 #include "support/catch.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <optional>
 #include <vector>
 
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/cyclic.hpp>
-#include <rtuwire/altivar/start.hpp>
-#include <rtuwire/altivar/stop.hpp>
+#include <rtuwire/altivar/cyclic/cyclic.hpp>
+#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -24,9 +25,9 @@ constexpr station<device> motor{unit_id{1}};
 constexpr station<device> other{unit_id{2}};
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
 
-struct hall : test::party_line<bus<4>, device> {
+struct hall : test::simulated_bus<bus<4>, device> {
     explicit hall(client_options const& options = patient)
-        : test::party_line<bus<4>, device>{bus<4>{test::party_timing, options}}
+        : test::simulated_bus<bus<4>, device>{bus<4>{test::bus_timing, options}}
     {
         add(motor.unit());
         add(other.unit());
@@ -41,12 +42,12 @@ struct hall : test::party_line<bus<4>, device> {
         }
     }
     bool has_power(std::size_t index = 0) { return cia402::has_power(drive_state(index)); }
-    state drive_state(std::size_t index = 0) { return drive(index).chart().state(); }
+    state drive_state(std::size_t index = 0) { return drive(index).state_machine().state(); }
 };
 
 bool is_stop_word(byte_view frame)
 {
-    return frame.size() == 8 and frame[1] == std::byte{6} and u16_at(frame, 2) == device::profile.cmd;
+    return frame.size() == 8 and frame[1] == std::byte{6} and u16_at(frame, 2) == device::layout.cmd;
 }
 
 } // namespace
@@ -77,10 +78,10 @@ TEST_CASE("motion law: S9 a start that was begun before a stop has ended is not 
 {
     hall it;
     start first{motor, 50_Hz};
-    REQUIRE(it.run([&](instant at) { it.link().converse(0, first, at); },
-                   [&] { return first.settled(); }, milliseconds(3'000)));
+    REQUIRE(it.run([&](instant at) { it.link().converse(0, first, at); }, [&] { return first.settled(); },
+                   milliseconds(3'000)));
     it.pass([](instant) {}, milliseconds(4'000));
-    stop rest{motor, stop_by::quick_stop, milliseconds(30'000), word_meaning::drive_profile};
+    stop rest{motor, stop_by::quick_stop, milliseconds(30'000), word_meaning::cia402};
     it.pass([&](instant at) { it.link().converse(1, rest, at); }, milliseconds(100));
     REQUIRE_FALSE(rest.settled());
     start meanwhile{motor, 30_Hz};
@@ -91,7 +92,7 @@ TEST_CASE("motion law: S9 a start that was begun before a stop has ended is not 
         },
         [&] { return rest.settled() and meanwhile.settled(); }, milliseconds(20'000));
     CHECK(rest.succeeded());
-    CHECK(meanwhile.reason().how == ending::overruled);
+    CHECK(meanwhile.reason().kind == outcome_kind::overruled);
     CHECK_FALSE(it.has_power());
     start behind{motor, 30_Hz};
     it.pass([&](instant at) { it.link().converse(0, behind, at); }, milliseconds(3'000));
@@ -102,14 +103,14 @@ TEST_CASE("motion law: a stop that was destroyed before its end releases nothing
 {
     hall it;
     start go{motor, 50_Hz};
-    REQUIRE(it.run([&](instant at) { it.link().converse(0, go, at); },
-                   [&] { return go.settled(); }, milliseconds(3'000)));
+    REQUIRE(
+        it.run([&](instant at) { it.link().converse(0, go, at); }, [&] { return go.settled(); }, milliseconds(3'000)));
     std::optional<stop> rest{std::in_place, motor};
     it.pass([&](instant at) { it.link().converse(1, *rest, at); }, milliseconds(15));
     rest.reset();
     start again{motor, 50_Hz};
     it.pass([&](instant at) { it.link().converse(0, again, at); }, milliseconds(5'000));
-    CHECK(again.reason().how == ending::overruled);
+    CHECK(again.reason().kind == outcome_kind::overruled);
     it.link().release(motor.unit());
     start behind{motor, 50_Hz};
     it.pass([&](instant at) { it.link().converse(0, behind, at); }, milliseconds(5'000));
@@ -123,7 +124,7 @@ TEST_CASE("motion law: S11 a stop leaves at once to a unit that missed its polls
         std::size_t const slot = misses % 2; // its own, or the one that is held back because its unit is silent
         INFO(misses << " polls were lost, slot " << slot);
         hall it{slow};
-        single_question poll{motor.unit(), read_holding_registers{3'201, 1}};
+        single_request poll{motor.unit(), read_holding_registers{3'201, 1}};
         auto const work = [&](instant at) {
             it.link().converse(0, poll, at);
             if (poll.settled()) {
@@ -135,7 +136,7 @@ TEST_CASE("motion law: S11 a stop leaves at once to a unit that missed its polls
         it.cut(0, false);
         stop rest{motor};
         instant const asked = it.now();
-        while (not is_stop_word(it.question()) and it.now() - asked < milliseconds(5'000)) {
+        while (not is_stop_word(it.request()) and it.now() - asked < milliseconds(5'000)) {
             it.step(
                 [&](instant at) {
                     slot == 1 ? work(at) : void();
@@ -143,7 +144,7 @@ TEST_CASE("motion law: S11 a stop leaves at once to a unit that missed its polls
                 },
                 milliseconds(5));
         }
-        CHECK(is_stop_word(it.question()));
+        CHECK(is_stop_word(it.request()));
         CHECK(it.now() - asked < milliseconds(20));
         it.pass([&](instant at) { it.link().converse(slot, rest, at); }, milliseconds(5'000));
         CHECK(rest.succeeded());
@@ -155,19 +156,17 @@ TEST_CASE("motion law: a stop waits for no more than one answer of another unit,
     constexpr client_options slow{.response_timeout = milliseconds(1'000), .retries = 2};
     for (bool const is_own : {false, true}) {
         for (std::uint32_t after_ms = 5; after_ms < 2'900; after_ms += 65) {
-            INFO(after_ms << " ms after the question, which was to "
-                          << (is_own ? "the drive itself" : "another one"));
+            INFO(after_ms << " ms after the request, which was to " << (is_own ? "the drive itself" : "another one"));
             hall it{slow};
             it.cut(0, is_own);
             it.cut(1, not is_own);
-            single_question question{is_own ? motor.unit() : other.unit(),
-                                     read_holding_registers{3'201, 1}};
-            auto const ask = [&](instant at) { it.link().converse(0, question, at); };
+            single_request request{is_own ? motor.unit() : other.unit(), read_holding_registers{3'201, 1}};
+            auto const ask = [&](instant at) { it.link().converse(0, request, at); };
             it.pass(ask, milliseconds(after_ms));
             it.cut(0, false);
             stop rest{motor};
             instant const asked = it.now();
-            while (not is_stop_word(it.question()) and it.now() - asked < milliseconds(5'000)) {
+            while (not is_stop_word(it.request()) and it.now() - asked < milliseconds(5'000)) {
                 it.step(
                     [&](instant at) {
                         ask(at);
@@ -187,8 +186,8 @@ TEST_CASE("motion law: a stop goes before all that others ask, wherever its slot
         for (std::uint32_t after_ms = 0; after_ms < 40; ++after_ms) {
             INFO("slot " << slot << ", " << after_ms << " ms");
             hall it;
-            std::vector<single_question<read_holding_registers>> polls(
-                3, single_question{other.unit(), read_holding_registers{3'201, 7}});
+            std::vector<single_request<read_holding_registers>> polls(
+                3, single_request{other.unit(), read_holding_registers{3'201, 7}});
             auto const ask = [&](std::size_t at_slot, std::size_t i, instant at) {
                 it.link().converse(at_slot, polls[i], at);
                 if (polls[i].settled()) {
@@ -206,12 +205,12 @@ TEST_CASE("motion law: a stop goes before all that others ask, wherever its slot
                 }
             };
             it.pass(work, milliseconds(100 + after_ms));
-            std::size_t const before = it.questions();
+            std::size_t const before = it.requests();
             rest.emplace(motor);
-            while (not is_stop_word(it.question())) {
+            while (not is_stop_word(it.request())) {
                 it.step(work, milliseconds(5));
             }
-            CHECK(it.questions() - before == 1); // what was under way had left already
+            CHECK(it.requests() - before == 1); // what was under way had left already
         }
     }
 }
@@ -219,7 +218,7 @@ TEST_CASE("motion law: a stop goes before all that others ask, wherever its slot
 TEST_CASE("motion law: a stop that stays away holds up nobody")
 {
     hall it;
-    single_question poll{other.unit(), read_holding_registers{3'201, 1}};
+    single_request poll{other.unit(), read_holding_registers{3'201, 1}};
     unsigned answers = 0;
     for (unsigned i = 0; i < 300; ++i) {
         std::optional<stop> rest{std::in_place, motor};
@@ -249,7 +248,7 @@ TEST_CASE("motion law: S34 a cycle leaves a drive alone that another stop has, a
     REQUIRE(loop.run(1'200_rpm));
     it.pass(cycle, milliseconds(4'000));
     REQUIRE(it.drive_state() == state::operation_enabled);
-    stop rest{motor, stop_by::halt, milliseconds(30'000), word_meaning::drive_profile};
+    stop rest{motor, stop_by::halt, milliseconds(30'000), word_meaning::cia402};
     it.pass(
         [&](instant at) {
             cycle(at);
@@ -258,7 +257,7 @@ TEST_CASE("motion law: S34 a cycle leaves a drive alone that another stop has, a
         milliseconds(10'000));
     // A halt stays in operation: the cycle's own ramp did not take its place while it was under way.
     CHECK(rest.succeeded());
-    CHECK(loop.control().reason().how == ending::overruled);
+    CHECK(loop.control().reason().kind == outcome_kind::overruled);
     CHECK_FALSE(loop.control().is_ordered());
     CHECK(it.drive(0).motor().is_at_rest());
 }

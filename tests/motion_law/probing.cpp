@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSL-1.0
 // A unit that is off beside drives that run: what it costs never lets one of them trip.
 #include "support/catch.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <array>
 #include <cstdint>
 
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/cyclic.hpp>
-#include <rtuwire/client/single_question.hpp>
+#include <rtuwire/altivar/cyclic/cyclic.hpp>
+#include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -21,14 +21,14 @@ namespace {
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
 constexpr std::uint8_t off = 9;
 
-struct hall : test::party_line<bus<5>, device> {
+struct hall : test::simulated_bus<bus<5>, device> {
     std::array<cyclic<device>, 3> loops{cyclic<device>{station<device>{unit_id{1}}},
                                         cyclic<device>{station<device>{unit_id{2}}},
                                         cyclic<device>{station<device>{unit_id{3}}}};
-    single_question<read_holding_registers> poll{unit_id{off}, read_holding_registers{3'201, 1}};
+    single_request<read_holding_registers> poll{unit_id{off}, read_holding_registers{3'201, 1}};
     unsigned probes{0};
 
-    hall() : test::party_line<bus<5>, device>{bus<5>{test::party_timing, patient, {.silent_share = 50}}}
+    hall() : test::simulated_bus<bus<5>, device>{bus<5>{test::bus_timing, patient, {.silent_share = 50}}}
     {
         register_block const one_second{10};
         for (std::uint8_t i = 0; i < 3; ++i) {
@@ -71,7 +71,7 @@ TEST_CASE("motion law: S36 a probe of a unit that is off goes out only where no 
     it.pass(milliseconds(60'000));
     for (std::size_t i = 0; i < it.loops.size(); ++i) {
         INFO(i);
-        CHECK(it.drive(i).chart().state() == state::operation_enabled);
+        CHECK(it.drive(i).state_machine().state() == state::operation_enabled);
         CHECK(it.loops[i].control().is_ordered());
     }
     CHECK(it.probes == 0);

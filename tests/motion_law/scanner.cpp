@@ -3,15 +3,15 @@
 // A scanner that somebody changes beside a cycle: no word reaches a register that it is not meant for, and no word is
 // taken for a status that is none.
 #include "support/catch.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <cstdint>
 #include <vector>
 
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/configure_scanner.hpp>
-#include <rtuwire/altivar/cyclic.hpp>
+#include <rtuwire/altivar/cyclic/cyclic.hpp>
+#include <rtuwire/altivar/procedure/configure_scanner.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -23,17 +23,17 @@ constexpr client_options patient{.response_timeout = milliseconds(100), .retries
 constexpr std::uint16_t nma1 = 12'701, nca1 = 12'721, acc_address = 9'001;
 
 /// A bus, a drive, and a cycle of it.
-template <typename Device> struct bench : test::party_line<bus<3>, Device> {
+template <typename Device> struct bench : test::simulated_bus<bus<3>, Device> {
     static constexpr station<Device> drive{unit_id{3}};
     cyclic<Device> loop{drive, {.period = milliseconds(100)}};
 
-    bench() : test::party_line<bus<3>, Device>{bus<3>{test::party_timing, patient}}
+    bench() : test::simulated_bus<bus<3>, Device>{bus<3>{test::bus_timing, patient}}
     {
         this->add(unit_id{3});
         this->idle(milliseconds(20));
         pass(milliseconds(1'000));
     }
-    sim::drive<Device>& far() { return this->unit(0).inside(); }
+    sim::drive<Device>& far() { return this->unit(0).drive(); }
     void pass(duration length)
     {
         this->run([&](instant now) { this->link().converse(0, loop, now); }, [] { return false; }, length);
@@ -72,9 +72,9 @@ TEST_CASE("motion law: S23 a cycle beside a scanner's configuration writes nothi
     it.pass(milliseconds(5'000));
     CHECK(is_clean);
     CHECK(it.far().word("ACC") == acc);
-    CHECK(it.loop.control().reason().how == ending::misconfigured);
+    CHECK(it.loop.control().reason().kind == outcome_kind::misconfigured);
     CHECK_FALSE(it.loop.run(1'500_rpm));
-    CHECK_FALSE(cia402::has_power(it.far().chart().state()));
+    CHECK_FALSE(cia402::has_power(it.far().state_machine().state()));
 }
 
 TEST_CASE("motion law: S23 a scanner whose first word is no status any more orders nothing")
@@ -88,12 +88,12 @@ TEST_CASE("motion law: S23 a scanner whose first word is no status any more orde
         bool had_power = false;
         for (unsigned moment = 0; moment < 500; ++moment) {
             it.pass(milliseconds(10));
-            had_power = had_power or cia402::has_power(it.far().chart().state());
+            had_power = had_power or cia402::has_power(it.far().state_machine().state());
         }
         CHECK_FALSE(had_power);
         CHECK_FALSE(it.loop.control().is_ordered());
         CHECK_FALSE(it.loop.run(1'500_rpm));
-        CHECK(it.loop.control().reason().how == ending::misconfigured);
+        CHECK(it.loop.control().reason().kind == outcome_kind::misconfigured);
         CHECK(it.loop.link_lost());
         // It is put right, and looked at anew.
         it.write(nma1, 3'201);
@@ -101,7 +101,7 @@ TEST_CASE("motion law: S23 a scanner whose first word is no status any more orde
         CHECK_FALSE(it.loop.link_lost());
         CHECK(it.loop.run(1'500_rpm));
         it.pass(milliseconds(2'000));
-        CHECK(it.far().chart().state() == state::operation_enabled);
+        CHECK(it.far().state_machine().state() == state::operation_enabled);
     }
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("motion law: S23 a command that went elsewhere enables nothing")
     bool had_power = false;
     for (unsigned moment = 0; moment < 500; ++moment) {
         it.pass(milliseconds(10));
-        had_power = had_power or cia402::has_power(it.far().chart().state());
+        had_power = had_power or cia402::has_power(it.far().state_machine().state());
     }
     CHECK_FALSE(had_power);
     CHECK_FALSE(it.loop.control().is_ordered());

@@ -3,13 +3,13 @@
 // How a start ends that fails behind its command to run: it has time to bring the motor to rest, and does it on the ramp.
 #include "support/catch.hpp"
 #include "support/commissioned.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <cstdint>
 #include <vector>
 
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/start.hpp>
+#include <rtuwire/altivar/procedure/start.hpp>
 #include <rtuwire/core/crc16.hpp>
 
 using namespace rtuwire;
@@ -20,13 +20,13 @@ namespace {
 
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 0};
 constexpr station<device> press{unit_id{3}};
-constexpr std::uint16_t cmd = device::profile.cmd;
+constexpr std::uint16_t cmd = device::layout.cmd;
 
 /// A drive and its client, and the control words that were said.
-struct hall : test::party_line<drive_client<>, device> {
+struct hall : test::simulated_bus<drive_client<>, device> {
     std::vector<std::uint16_t> words{};
 
-    hall() : test::party_line<drive_client<>, device>{drive_client<>{test::party_timing, patient}}
+    hall() : test::simulated_bus<drive_client<>, device>{drive_client<>{test::bus_timing, patient}}
     {
         add(press.unit());
         idle(milliseconds(20));
@@ -66,13 +66,13 @@ TEST_CASE("motion law: L9 a start that takes back what it gave is not cut short 
         }
     });
     instant const begun = it.now();
-    start next{press, 40_Hz, heading::forward, limit, test::commissioned()};
+    start next{press, 40_Hz, run_direction::forward, limit, test::commissioned()};
     REQUIRE(it.run(next));
     REQUIRE(was_refused);
     CHECK_FALSE(next.running());
     CHECK(it.now() - begun > limit);
     CHECK(it.drive().motor().frequency() == 0);
-    CHECK(it.drive().chart().state() == cia402::state::switch_on_disabled);
+    CHECK(it.drive().state_machine().state() == cia402::state::switch_on_disabled);
 }
 
 TEST_CASE("motion law: L9 a motor that may run comes to rest on its ramp, also where its command was not answered")
@@ -87,7 +87,7 @@ TEST_CASE("motion law: L9 a motor that may run comes to rest on its ramp, also w
             frame.clear();
         }
     });
-    start go{press, 50_Hz, heading::forward, milliseconds(3'000), test::commissioned()};
+    start go{press, 50_Hz, run_direction::forward, milliseconds(3'000), test::commissioned()};
     REQUIRE(it.run(go));
     REQUIRE(it.words.size() > 3);
     CHECK(it.words[2] == 0x000F);
@@ -110,7 +110,7 @@ TEST_CASE("motion law: L8 a drive that shows later that it runs is not told to s
             frame.push_back(to_byte(crc >> 8U));
         }
     });
-    start go{press, 50_Hz, heading::forward, milliseconds(3'000), test::commissioned()};
+    start go{press, 50_Hz, run_direction::forward, milliseconds(3'000), test::commissioned()};
     REQUIRE(it.run(go));
     CHECK(go.running());
     CHECK(it.words == std::vector<std::uint16_t>{0x0006, 0x0007, 0x000F});

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A start that loses its drive on the way up: one answer may be missing, behind the second in a row nothing is said but
+// A start that loses its drive on the way up: one response may be missing, behind the second in a row nothing is said but
 // words that stop, and then nothing until the drive has stopped by itself.
 #include "support/catch.hpp"
 #include "support/commissioned.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <vector>
 
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/start.hpp>
+#include <rtuwire/altivar/procedure/start.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -18,7 +18,7 @@ namespace {
 
 using device = atv320::device;
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 0};
-constexpr std::uint16_t cmd = device::profile.cmd;
+constexpr std::uint16_t cmd = device::layout.cmd;
 
 /// A request as the drive heard it.
 struct heard_request {
@@ -32,14 +32,14 @@ struct heard_request {
     }
 };
 
-/// A drive that was checked before; the answers to some requests behind the start's first command get lost.
-struct climb : test::party_line<drive_client<2>, device> {
+/// A drive that was checked before; the responses to some requests behind the start's first command get lost.
+struct next_step : test::simulated_bus<drive_client<2>, device> {
     static constexpr station<device> drive{unit_id{3}};
     std::vector<heard_request> heard{};
     bool has_commanded{false};
 
-    explicit climb(std::size_t first_lost, std::size_t lost)
-        : test::party_line<drive_client<2>, device>{drive_client<2>{test::party_timing, patient}}
+    explicit next_step(std::size_t first_lost, std::size_t lost)
+        : test::simulated_bus<drive_client<2>, device>{drive_client<2>{test::bus_timing, patient}}
     {
         add(unit_id{3});
         disturb([=, this](auto& frame, bool is_request) {
@@ -58,7 +58,7 @@ struct climb : test::party_line<drive_client<2>, device> {
 
 start started()
 {
-    return start{climb::drive, 50_Hz, heading::forward, milliseconds(20'000), test::commissioned()};
+    return start{next_step::drive, 50_Hz, run_direction::forward, milliseconds(20'000), test::commissioned()};
 }
 
 } // namespace
@@ -67,7 +67,7 @@ TEST_CASE("motion law: a start bears any one answer that is missing on its way u
 {
     for (std::size_t lost = 0; lost < 8; ++lost) {
         INFO("request " << lost);
-        climb it{lost, 1};
+        next_step it{lost, 1};
         start go = started();
         REQUIRE(it.run(go));
         CHECK(go.succeeded());
@@ -80,11 +80,11 @@ TEST_CASE("motion law: L4 behind two answers in a row that are missing a start s
 {
     for (std::size_t first = 0; first < 6; ++first) {
         INFO("the first one is that of request " << first);
-        climb it{first, 10'000};
+        next_step it{first, 10'000};
         start go = started();
         instant const begin = it.now();
         REQUIRE(it.run(go));
-        CHECK(go.reason().how == ending::silent);
+        CHECK(go.reason().kind == outcome_kind::silent);
         CHECK(it.now() - begin < milliseconds(60'000));
         REQUIRE(it.heard.size() > first + 3);
         instant last_word = it.heard[first + 1].at;

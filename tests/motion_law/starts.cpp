@@ -3,7 +3,7 @@
 // Starts and changes of the reference, cut between any two frames: the motor never turns otherwise than was asked
 // before or is asked now.
 #include "support/catch.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <cstdint>
 #include <string>
@@ -12,9 +12,11 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/change_reference.hpp>
-#include <rtuwire/altivar/start.hpp>
-#include <rtuwire/altivar/stop.hpp>
+#include <rtuwire/altivar/procedure/change_reference.hpp>
+#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/ask/access.hpp>
+#include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -25,15 +27,15 @@ namespace {
 
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
 
-template <typename Device> struct plant : test::party_line<drive_client<4>, Device> {
+template <typename Device> struct plant : test::simulated_bus<drive_client<4>, Device> {
     static constexpr station<Device> drive{unit_id{3}};
 
-    plant() : test::party_line<drive_client<4>, Device>{drive_client<4>{test::party_timing, patient}}
+    plant() : test::simulated_bus<drive_client<4>, Device>{drive_client<4>{test::bus_timing, patient}}
     {
         this->add(unit_id{3});
         this->idle(milliseconds(20));
     }
-    sim::drive<Device>& far() { return this->unit(0).inside(); }
+    sim::drive<Device>& far() { return this->unit(0).drive(); }
     std::int32_t millihertz() { return far().motor().frequency(); }
 
     /// Lets the motor run at a frequency, told by the direction bit or by the sign, as another master may have.
@@ -42,10 +44,10 @@ template <typename Device> struct plant : test::party_line<drive_client<4>, Devi
         auto const word = static_cast<std::uint16_t>((by_bit and hertz < 0 ? -hertz : hertz) * 10);
         std::uint16_t const bit = by_bit and hertz < 0 ? reverse_bit : std::uint16_t{0};
         for (auto const& [address, value] :
-             {std::pair{Device::profile.cmd, std::uint16_t{6}}, std::pair{Device::profile.cmd, std::uint16_t{7}},
+             {std::pair{Device::layout.cmd, std::uint16_t{6}}, std::pair{Device::layout.cmd, std::uint16_t{7}},
               std::pair{Device::frequency_reference.address, word},
-              std::pair{Device::profile.cmd, static_cast<std::uint16_t>(0x000F | bit)}}) {
-            single_question tell{drive.unit(), write_single_register{address, value}};
+              std::pair{Device::layout.cmd, static_cast<std::uint16_t>(0x000F | bit)}}) {
+            single_request tell{drive.unit(), write_single_register{address, value}};
             REQUIRE(this->run(tell));
             REQUIRE(tell.outcome());
         }
@@ -63,10 +65,10 @@ template <typename Run> void for_every_drive(Run run)
     run(atv320::device{});
 }
 
-/// Runs a conversation whose requests are all lost from the n-th on, or only the answers; the frequencies of the
+/// Runs a conversation whose requests are all lost from the n-th on, or only the responses; the frequencies of the
 /// motor, lowest and highest, from then on. False where the conversation ended before.
-template <typename Device, typename Talk>
-bool cut_after(plant<Device>& it, Talk talk, unsigned frames, bool only_answers, std::int32_t& lowest,
+template <typename Device, typename Conversation>
+bool cut_after(plant<Device>& it, Conversation conversation, unsigned frames, bool only_answers, std::int32_t& lowest,
                std::int32_t& highest)
 {
     unsigned passed = 0;
@@ -79,7 +81,7 @@ bool cut_after(plant<Device>& it, Talk talk, unsigned frames, bool only_answers,
     lowest = highest = it.millihertz();
     instant const end = it.now() + milliseconds(8'000);
     while (not reached(it.now(), end)) {
-        it.step([&](instant now) { it.link().converse(talk, now); }, milliseconds(50));
+        it.step([&](instant now) { it.link().converse(conversation, now); }, milliseconds(50));
         lowest = std::min(lowest, it.millihertz());
         highest = std::max(highest, it.millihertz());
     }
@@ -106,7 +108,7 @@ TEST_CASE("motion law: S17 a start that is cut after any frame turns the motor n
                         goes_on = cut_after(it, start{it.drive, 50_Hz}, frames, only_answers, lowest, highest);
                         CHECK(lowest >= std::min(before, 0) * 1'000);
                         CHECK(highest <= 50'000);
-                        goes_on = cut_after(it, start{it.drive, 30_Hz, heading::reverse}, frames, only_answers,
+                        goes_on = cut_after(it, start{it.drive, 30_Hz, run_direction::reverse}, frames, only_answers,
                                             lowest, highest) or
                                   goes_on;
                         CHECK(lowest >= -30'000);
@@ -152,7 +154,7 @@ TEST_CASE("motion law: S22 a drive that is switched off and on while a start cli
                 it.step([&](instant now) { it.link().converse(go, now); }, milliseconds(1));
                 if (not was_off and reached(it.now(), off)) {
                     was_off = true;
-                    ran = it.far().chart().state() == state::operation_enabled;
+                    ran = it.far().state_machine().state() == state::operation_enabled;
                     it.far().power_cycle(it.now());
                 }
             }
@@ -160,10 +162,10 @@ TEST_CASE("motion law: S22 a drive that is switched off and on while a start cli
             ran_before += ran ? 1 : 0;
             // Whoever was switched off before the first command is an ordinary drive.
             if (was_off and not go.succeeded()) {
-                CHECK(it.far().chart().state() != state::operation_enabled);
+                CHECK(it.far().state_machine().state() != state::operation_enabled);
             }
             if (was_off and ran) {
-                CHECK(it.far().chart().state() != state::operation_enabled);
+                CHECK(it.far().state_machine().state() != state::operation_enabled);
             }
         }
         CHECK(ran_before > 0);
@@ -184,13 +186,13 @@ TEST_CASE("motion law: S24 a reference is reached when the drive runs and says s
         CHECK(faster.succeeded());
         CHECK(it.millihertz() == 45'000);
 
-        if constexpr (Device::profile.halt != 0) {
+        if constexpr (Device::layout.halt != 0) {
             stop halt{it.drive, stop_by::halt};
             REQUIRE(it.run(halt));
             REQUIRE(halt.succeeded());
             change_reference standing{it.drive, 20_Hz};
             REQUIRE(it.run(standing));
-            CHECK(standing.reason().how == ending::halted);
+            CHECK(standing.reason().kind == outcome_kind::halted);
             CHECK(it.millihertz() == 0);
         }
     });
@@ -224,11 +226,11 @@ TEST_CASE("motion law: S24 bit 10 that is still the old reference's is not belie
 TEST_CASE("motion law: S27 a negative reference and reverse at once are refused, and nothing is said to the drive")
 {
     plant<atv320::device> it;
-    std::size_t const before = it.questions();
-    start go{it.drive, -50_Hz, heading::reverse};
+    std::size_t const before = it.requests();
+    start go{it.drive, -50_Hz, run_direction::reverse};
     REQUIRE(it.run(go));
-    CHECK(go.reason().how == ending::contradictory);
-    CHECK(it.questions() == before);
+    CHECK(go.reason().kind == outcome_kind::contradictory);
+    CHECK(it.requests() == before);
 }
 
 TEST_CASE("motion law: S31 reference 0 with LSP above 0 keeps the direction that was asked for")
@@ -253,10 +255,10 @@ TEST_CASE("motion law: S32 60 Hz under a limit of 50 Hz is limited, never reache
         it.idle(milliseconds(5'000));
         change_reference over{it.drive, 60_Hz};
         REQUIRE(it.run(over));
-        CHECK(over.reason().how == ending::reference_limited);
+        CHECK(over.reason().kind == outcome_kind::reference_limited);
         CHECK(it.millihertz() <= 50'000);
         start again{it.drive, 60_Hz};
         REQUIRE(it.run(again));
-        CHECK(again.reason().how == ending::reference_limited);
+        CHECK(again.reason().kind == outcome_kind::reference_limited);
     });
 }

@@ -13,7 +13,7 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/sim/drive.hpp>
+#include <rtuwire/sim/drive/drive.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -88,9 +88,8 @@ int shown(std::uint16_t eta)
     }
 }
 
-constexpr std::array<std::uint16_t, 15> words{0x0006, 0x0007, 0x000F, 0x080F, 0x010F,
-                                              0x0000, 0x0002, 0x000B, 0x0080, 0x0086,
-                                              0x0087, 0x008F, 0x0082, 0x0001, 0x000D};
+constexpr std::array<std::uint16_t, 15> words{0x0006, 0x0007, 0x000F, 0x080F, 0x010F, 0x0000, 0x0002, 0x000B,
+                                              0x0080, 0x0086, 0x0087, 0x008F, 0x0082, 0x0001, 0x000D};
 
 template <typename Device> class bench {
 public:
@@ -107,7 +106,7 @@ public:
         REQUIRE(drive_.check_write(address, value) == errc::none);
         REQUIRE(drive_.write(address, value) == errc::none);
     }
-    void command(std::uint16_t word) { tell(Device::profile.cmd, word); }
+    void command(std::uint16_t word) { tell(Device::layout.cmd, word); }
     int state() const { return shown(drive_.word("ETA")); }
 
     /// Takes it there by the words that the manuals' examples use; in 5 and 6 the motor turns.
@@ -161,8 +160,7 @@ template <typename Device> void try_cell(int from, std::uint16_t word, bool leav
     if (not is_right) {
         std::string const name{Device::name.begin(), Device::name.end()};
         char cell[80];
-        std::snprintf(cell, sizeof cell, " %s %d+%04X: %d not %d;", name.c_str(), from,
-                      unsigned{word}, last, goal);
+        std::snprintf(cell, sizeof cell, " %s %d+%04X: %d not %d;", name.c_str(), from, unsigned{word}, last, goal);
         sum.wrong += cell;
     }
 }

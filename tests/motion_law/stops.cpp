@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A stop against a bad line and a drive that refuses: what counts is whether the motor comes to rest.
 #include "support/catch.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <cstdint>
 #include <string>
@@ -11,9 +11,10 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/cyclic.hpp>
-#include <rtuwire/altivar/start.hpp>
-#include <rtuwire/altivar/stop.hpp>
+#include <rtuwire/altivar/cyclic/cyclic.hpp>
+#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -24,13 +25,13 @@ namespace {
 
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
 constexpr duration half_a_minute = milliseconds(30'000);
-constexpr auto known = word_meaning::drive_profile;
+constexpr auto known = word_meaning::cia402;
 
 /// A client and a drive that runs at 50 Hz.
-template <typename Device> struct running : test::party_line<drive_client<4>, Device> {
+template <typename Device> struct running : test::simulated_bus<drive_client<4>, Device> {
     static constexpr station<Device> drive{unit_id{3}};
 
-    running() : test::party_line<drive_client<4>, Device>{drive_client<4>{test::party_timing, patient}}
+    running() : test::simulated_bus<drive_client<4>, Device>{drive_client<4>{test::bus_timing, patient}}
     {
         INFO(std::string(Device::name.begin(), Device::name.end()));
         this->add(unit_id{3});
@@ -42,16 +43,15 @@ template <typename Device> struct running : test::party_line<drive_client<4>, De
         REQUIRE(far().motor().frequency() == 50'000);
     }
 
-    sim::drive<Device>& far() { return this->unit(0).inside(); }
-    bool has_power() { return cia402::has_power(far().chart().state()); }
-    bool stands() { return far().chart().state() == state::switch_on_disabled; }
+    sim::drive<Device>& far() { return this->unit(0).drive(); }
+    bool has_power() { return cia402::has_power(far().state_machine().state()); }
+    bool stands() { return far().state_machine().state() == state::switch_on_disabled; }
 };
 
 /// Whether a frame is a request that writes the control word.
 template <typename Device> bool writes_control(bytes const& frame)
 {
-    return frame.size() == 8 and frame[1] == std::byte{6} and
-           u16_at(byte_view{frame}, 2) == Device::profile.cmd;
+    return frame.size() == 8 and frame[1] == std::byte{6} and u16_at(byte_view{frame}, 2) == Device::layout.cmd;
 }
 
 template <typename Run> void for_every_drive(Run run)
@@ -63,7 +63,7 @@ template <typename Run> void for_every_drive(Run run)
     run(atv320::device{});
 }
 
-/// An answer that becomes an exception, its CRC with it.
+/// A response that becomes an exception, its CRC with it.
 void refuse(bytes& frame, std::uint8_t code)
 {
     frame = {frame[0], frame[1] | std::byte{0x80}, std::byte{code}};
@@ -106,7 +106,7 @@ TEST_CASE("motion law: S7 all answers lost: the stop's word goes again and again
         });
         stop rest{it.drive, stop_by::ramp, milliseconds(20'000)};
         REQUIRE(it.run(rest));
-        CHECK(rest.reason().how == ending::silent);
+        CHECK(rest.reason().kind == outcome_kind::silent);
         CHECK(rest.reason().error == errc::timed_out);
         CHECK(words > 10);
         CHECK_FALSE(it.far().motor().frequency() != 0);
@@ -144,11 +144,8 @@ TEST_CASE("motion law: S7 the word leaves before anything is read; only halt loo
             CHECK(writes_control<Device>(first));
             std::uint16_t const word = u16_at(byte_view{first}, 4);
             // An ATV320 may be in its I/O profile, where 0007 runs and 0002 may.
-            bool const is_blind = Device::profile.chcf != 0;
-            CHECK(word == (is_blind                       ? 0
-                           : mode == stop_by::ramp      ? 7
-                           : mode == stop_by::freewheel ? 0
-                                                        : 2));
+            bool const is_blind = Device::layout.chcf != 0;
+            CHECK(word == (is_blind ? 0 : mode == stop_by::ramp ? 7 : mode == stop_by::freewheel ? 0 : 2));
             CHECK(rest.reason().is_other_stop == (is_blind and mode != stop_by::freewheel));
             CHECK(rest.succeeded());
             CHECK(it.stands());
@@ -165,7 +162,7 @@ TEST_CASE("motion law: S18 after each stop the drive is where no stray word can 
             REQUIRE(it.run(rest));
             REQUIRE(rest.succeeded());
             CHECK_FALSE(rest.reason().is_other_stop);
-            single_question stray{it.drive.unit(), write_single_register{Device::profile.cmd, 0x000F}};
+            single_request stray{it.drive.unit(), write_single_register{Device::layout.cmd, 0x000F}};
             REQUIRE(it.run(stray));
             it.idle(milliseconds(1'000));
             CHECK_FALSE(it.has_power());
@@ -183,14 +180,14 @@ TEST_CASE("motion law: S18 a start that is withdrawn leaves a drive that no stra
         bool was_local = false;
         while (not go.settled()) {
             it.step([&](instant now) { it.link().converse(go, now); }, milliseconds(5));
-            if (not was_local and it.far().chart().state() == state::switched_on) {
+            if (not was_local and it.far().state_machine().state() == state::switched_on) {
                 was_local = true;
                 it.far().press_stop();
             }
         }
         CHECK(was_local);
         CHECK_FALSE(go.succeeded());
-        single_question stray{it.drive.unit(), write_single_register{Device::profile.cmd, 0x000F}};
+        single_request stray{it.drive.unit(), write_single_register{Device::layout.cmd, 0x000F}};
         REQUIRE(it.run(stray));
         it.idle(milliseconds(1'000));
         CHECK_FALSE(it.has_power());
@@ -204,15 +201,19 @@ TEST_CASE("motion law: S34 a stop that is taken and not obeyed says so")
         it.disturb([&](bytes& frame, bool is_request) {
             // A drive that takes its commands from elsewhere: the word arrives as another register's.
             if (is_request and writes_control<Device>(frame)) {
-                frame = {frame[0], std::byte{6}, to_byte(Device::profile.cmd >> 8U),
-                         to_byte(Device::profile.cmd), std::byte{0}, std::byte{0x0F}};
+                frame = {frame[0],     std::byte{6},   to_byte(Device::layout.cmd >> 8U), to_byte(Device::layout.cmd),
+                         std::byte{0}, std::byte{0x0F}};
                 std::uint16_t const crc = crc16(frame);
                 frame.push_back(to_byte(crc));
                 frame.push_back(to_byte(crc >> 8U));
             } else if (not is_request and frame[1] == std::byte{6}) {
-                bool const is_ramp = Device::profile.chcf == 0;
-                frame = {frame[0], std::byte{6}, to_byte(Device::profile.cmd >> 8U),
-                         to_byte(Device::profile.cmd), std::byte{0}, is_ramp ? std::byte{7} : std::byte{0}};
+                bool const is_ramp = Device::layout.chcf == 0;
+                frame = {frame[0],
+                         std::byte{6},
+                         to_byte(Device::layout.cmd >> 8U),
+                         to_byte(Device::layout.cmd),
+                         std::byte{0},
+                         is_ramp ? std::byte{7} : std::byte{0}};
                 std::uint16_t const crc = crc16(frame);
                 frame.push_back(to_byte(crc));
                 frame.push_back(to_byte(crc >> 8U));
@@ -220,7 +221,7 @@ TEST_CASE("motion law: S34 a stop that is taken and not obeyed says so")
         });
         stop rest{it.drive, stop_by::ramp, milliseconds(3'000)};
         REQUIRE(it.run(rest));
-        CHECK(rest.reason().how == ending::stuck);
+        CHECK(rest.reason().kind == outcome_kind::stuck);
         CHECK(rest.reason().state == state::operation_enabled);
     });
 }
@@ -238,8 +239,8 @@ TEST_CASE("motion law: S10 a halt rests in operation, and becomes the ramp where
         });
         stop rest{it.drive, stop_by::halt, half_a_minute, known};
         REQUIRE(it.run(rest));
-        bool const can_halt = Device::profile.halt != 0;
-        CHECK(rest.reason().how == (can_halt ? ending::succeeded : ending::unsupported));
+        bool const can_halt = Device::layout.halt != 0;
+        CHECK(rest.reason().kind == (can_halt ? outcome_kind::succeeded : outcome_kind::unsupported));
         CHECK(rest.reason().is_other_stop == can_halt);
         CHECK(it.has_power() != can_halt);
     });

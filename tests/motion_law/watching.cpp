@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Watching is not commanding: beside another master a watch writes nothing and changes nothing, and tells what is.
 #include "support/catch.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <array>
 #include <cstdint>
@@ -13,7 +13,7 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/watch.hpp>
+#include <rtuwire/altivar/procedure/watch.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -23,13 +23,13 @@ namespace {
 
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
 
-template <typename Device> struct watched : test::party_line<client, Device> {
+template <typename Device> struct watched : test::simulated_bus<client, Device> {
     static constexpr station<Device> drive{unit_id{3}};
     watch<Device> eye{drive, {.period = milliseconds(100)}};
     unsigned requests{0};
     unsigned writes{0};
 
-    watched() : test::party_line<client, Device>{client{test::party_timing, patient}}
+    watched() : test::simulated_bus<client, Device>{client{test::bus_timing, patient}}
     {
         this->add(unit_id{3});
         this->idle(milliseconds(20));
@@ -38,7 +38,7 @@ template <typename Device> struct watched : test::party_line<client, Device> {
             writes += is_request and frame[1] != std::byte{3} ? 1U : 0U;
         });
     }
-    sim::drive<Device>& far() { return this->unit(0).inside(); }
+    sim::drive<Device>& far() { return this->unit(0).drive(); }
 
     /// Another master's word, which does not pass this client.
     void other_master(std::uint16_t address, std::uint16_t word)
@@ -51,13 +51,13 @@ template <typename Device> struct watched : test::party_line<client, Device> {
     {
         other_master(Device::frequency_reference.address, static_cast<std::uint16_t>(tenths));
         for (std::uint16_t const word : std::array<std::uint16_t, 3>{0x0006, 0x0007, 0x000F}) {
-            other_master(Device::profile.cmd, word);
+            other_master(Device::layout.cmd, word);
         }
     }
     void look_for(duration length)
     {
-        static_cast<void>(this->run([this](instant now) { this->link().converse(eye, now); },
-                                    [] { return false; }, length));
+        static_cast<void>(
+            this->run([this](instant now) { this->link().converse(eye, now); }, [] { return false; }, length));
     }
 };
 
@@ -79,18 +79,18 @@ TEST_CASE("motion law: S21 watching writes nothing")
         watched<Device> it;
         it.run_by_other_master(-250);
         it.look_for(milliseconds(5'000));
-        std::uint32_t const taken = it.far().chart().taken();
+        std::uint32_t const taken = it.far().state_machine().taken();
         std::uint16_t const reference = it.far().word("LFR");
         unsigned changes = 0;
         // The other master keeps its word up; the watch looks between, for 20 s.
         for (unsigned i = 0; i < 200; ++i) {
-            it.other_master(Device::profile.cmd, 0x000F);
+            it.other_master(Device::layout.cmd, 0x000F);
             it.look_for(milliseconds(100));
-            changes += it.far().chart().state() != state::operation_enabled ? 1U : 0U;
+            changes += it.far().state_machine().state() != state::operation_enabled ? 1U : 0U;
         }
         CHECK(it.writes == 0);
         CHECK(changes == 0);
-        CHECK(it.far().chart().taken() == taken);
+        CHECK(it.far().state_machine().taken() == taken);
         CHECK(it.far().word("LFR") == reference);
         CHECK(it.far().motor().frequency() == -25'000);
         CHECK(it.requests > 200);
@@ -120,8 +120,8 @@ TEST_CASE("a watch tells of a fault, and keeps what it saw while the line is cut
         CHECK(it.eye.fault() == 9);
         CHECK(it.eye.frequency() == signed_decihertz{0});
         it.far().clear_cause();
-        it.other_master(Device::profile.cmd, 0x0000);
-        it.other_master(Device::profile.cmd, 0x0080);
+        it.other_master(Device::layout.cmd, 0x0000);
+        it.other_master(Device::layout.cmd, 0x0080);
         it.look_for(milliseconds(1'000));
         CHECK(it.eye.fault() == 0);
         std::uint32_t const rounds = it.eye.rounds();
@@ -162,8 +162,7 @@ template <typename Device> struct by_hand {
         wait();
         for (auto const& words : {first, second}) {
             REQUIRE(eye.next());
-            std::vector<std::byte> pdu{std::byte{3},
-                                       to_byte(static_cast<unsigned>(2 * words.size()))};
+            std::vector<std::byte> pdu{std::byte{3}, to_byte(static_cast<unsigned>(2 * words.size()))};
             for (std::uint16_t const word : words) {
                 pdu.push_back(to_byte(word >> 8U));
                 pdu.push_back(to_byte(word));
@@ -234,8 +233,7 @@ TEST_CASE("a watch takes no response of another length")
     watch<atv320::device> eye{station<atv320::device>{unit_id{3}}};
     eye.advance(instant{0});
     REQUIRE(eye.next());
-    std::array<std::byte, 4> const short_pdu{std::byte{3}, std::byte{2}, std::byte{2},
-                                             std::byte{0x37}};
+    std::array<std::byte, 4> const short_pdu{std::byte{3}, std::byte{2}, std::byte{2}, std::byte{0x37}};
     eye.accept(response{short_pdu});
     CHECK(eye.error() == errc::wrong_length);
     CHECK(eye.state() == state::unknown);

@@ -10,7 +10,7 @@ import subprocess
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 TESTS = PROJECT / "tests"
-ROOMS = ["core", "wire", "rtu", "table", "client", "server", "cia402", "altivar", "sim", "scenario", "defect",
+ROOMS = ["core", "wire", "rtu", "table", "ask", "client", "server", "cia402", "altivar", "sim", "scenario", "defect",
          "motion_law"]
 LISTENER = TESTS / "mutation" / "listener.cpp"
 # The port is not portable, threads come in any order, and real time goes on under a debugger as well.

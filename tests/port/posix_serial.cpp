@@ -19,7 +19,7 @@ namespace {
 
 instant soon() { return steady_now() + milliseconds(2'000); }
 
-template <typename From, typename To> void check_all_octets(From& from, To& to)
+template <typename From, typename To> void check_all_bytes(From& from, To& to)
 {
     std::array<std::byte, 256> sent{};
     for (std::size_t i = 0; i < sent.size(); ++i) {
@@ -51,14 +51,14 @@ errc open_error(std::string const& device, serial_settings const& settings = {})
 
 } // namespace
 
-TEST_CASE("all octet values pass unchanged both ways")
+TEST_CASE("all byte values pass unchanged both ways")
 {
     pseudo_terminal far;
     REQUIRE(far.open());
     posix_serial port;
     REQUIRE(port.open(far.path()));
-    check_all_octets(port, far);
-    check_all_octets(far, port);
+    check_all_bytes(port, far);
+    check_all_bytes(far, port);
 }
 
 TEST_CASE("reading ends at its deadline with nothing")
@@ -69,9 +69,9 @@ TEST_CASE("reading ends at its deadline with nothing")
     REQUIRE(port.open(far.path()));
     instant const until = steady_now() + milliseconds(20);
     std::array<std::byte, 8> place{};
-    auto const octets = port.read(place, until);
-    REQUIRE(octets);
-    CHECK(octets->empty());
+    auto const bytes = port.read(place, until);
+    REQUIRE(bytes);
+    CHECK(bytes->empty());
     CHECK(reached(steady_now(), until));
 }
 
@@ -125,8 +125,7 @@ TEST_CASE("bit rate and stop bits are set on the device")
     REQUIRE(look.is_open());
     for (std::uint32_t const rate : {1'200U, 4'800U, 9'600U, 19'200U, 38'400U, 115'200U}) {
         posix_serial port;
-        REQUIRE(
-            port.open(far.path(), {.bits_per_second = rate, .format = character_format::none_8_2}));
+        REQUIRE(port.open(far.path(), {.bits_per_second = rate, .format = character_format::none_8_2}));
         termios line{};
         REQUIRE(::tcgetattr(look.number(), &line) == 0);
         CHECK(::cfgetospeed(&line) == *speed_code(rate));
@@ -138,8 +137,7 @@ TEST_CASE("bit rate and stop bits are set on the device")
 TEST_CASE("control flags are those of the character format")
 {
     CHECK((control_flags(character_format::even_8_1) & (PARENB | PARODD | CSTOPB)) == PARENB);
-    CHECK((control_flags(character_format::odd_8_1) & (PARENB | PARODD | CSTOPB)) ==
-          (PARENB | PARODD));
+    CHECK((control_flags(character_format::odd_8_1) & (PARENB | PARODD | CSTOPB)) == (PARENB | PARODD));
     CHECK((control_flags(character_format::none_8_1) & (PARENB | PARODD | CSTOPB)) == 0);
     CHECK((control_flags(character_format::none_8_2) & (PARENB | PARODD | CSTOPB)) == CSTOPB);
 }
@@ -167,7 +165,7 @@ TEST_CASE("a pseudo-terminal goes on when the program at its far end goes and co
     for (unsigned visit = 0; visit < 3; ++visit) {
         posix_serial port;
         REQUIRE(port.open(far.path()));
-        check_all_octets(port, far);
-        check_all_octets(far, port);
+        check_all_bytes(port, far);
+        check_all_bytes(far, port);
     }
 }

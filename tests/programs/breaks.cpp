@@ -48,11 +48,10 @@ int main(int argc, char** argv)
         return 2;
     }
     stop_motor_before_dying();
-    demonstration<device> demo{
-        port, line_timing::host(19'200, character_format::even_8_1, milliseconds(5)),
-        station_at<device>(*unit, "atv320")};
-    bool const runs = demo.take_command() and demo.start(altivar::heading::forward) and
-                      demo.watch(milliseconds(1'500));
+    demonstration<device> demo{port, line_timing::host(19'200, character_format::even_8_1, milliseconds(5)),
+                               station_at<device>(*unit, "atv320")};
+    bool const runs =
+        demo.take_command() and demo.start(altivar::run_direction::forward) and demo.watch(milliseconds(1'500));
     if (runs) {
         break_by(argv[3]);
     }

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""Serial lines of this test program's own, on which every octet is kept, and what a frame is."""
+"""Serial lines of this test program's own, on which every byte is kept, and what a frame is."""
 import os
 import select
 import threading
@@ -9,26 +9,26 @@ import tty
 SHORTEST, LONGEST = 4, 256
 
 
-def crc(octets):
+def crc(data):
     remainder = 0xFFFF
-    for octet in octets:
-        remainder ^= octet
+    for byte in data:
+        remainder ^= byte
         for _ in range(8):
             remainder = remainder >> 1 ^ (0xA001 if remainder & 1 else 0)
     return remainder
 
 
-def with_crc(octets):
-    return octets + crc(octets).to_bytes(2, "little")
+def with_crc(data):
+    return data + crc(data).to_bytes(2, "little")
 
 
-def are_frames(octets):
+def are_frames(data):
     """Whether these are nothing but whole frames, one behind the other. A CRC over a frame and its CRC is 0."""
-    while octets:
-        ends = [end for end in range(SHORTEST, min(LONGEST, len(octets)) + 1) if crc(octets[:end]) == 0]
+    while data:
+        ends = [end for end in range(SHORTEST, min(LONGEST, len(data)) + 1) if crc(data[:end]) == 0]
         if not ends:
             return False
-        octets = octets[ends[0]:]
+        data = data[ends[0]:]
     return True
 
 
@@ -57,18 +57,18 @@ class Line:
         for number in (self.near, self.kept_open, *self.ends, *([self.far] if self.far else [])):
             os.close(number)
 
-    def say(self, octets):
-        os.write(self.near, octets)
+    def say(self, data):
+        os.write(self.near, data)
 
     def forward(self):
         watched = [self.near, self.ends[0]] + ([self.far] if self.far else [])
         while True:
             ready, _, _ = select.select(watched, [], [])
             if self.near in ready:
-                octets = os.read(self.near, 512)
-                self.heard += octets
+                data = os.read(self.near, 512)
+                self.heard += data
                 if self.far:
-                    os.write(self.far, octets)
+                    os.write(self.far, data)
             if self.far in ready:
                 self.say(os.read(self.far, 512))
             if self.ends[0] in ready:

@@ -17,7 +17,7 @@ import time
 from controller import LIMIT, TTO, UNIT, Checks, Drive, demo, own_group, soon
 from frames import Line, with_crc
 
-PAGE = 4096  # octets: the smallest pipe
+PAGE = 4096  # bytes: the smallest pipe
 PAUSE = 0.5  # s
 LONG_PAUSE = TTO / 10 / 3 + 0.5  # s, more than a third of the drive's time-out
 ETA = {"atv28": 458, "atv320": 3201}
@@ -57,8 +57,8 @@ class Terminal:
 
     def read(self):
         try:
-            while octets := os.read(self.near, 512):
-                self.text += octets
+            while data := os.read(self.near, 512):
+                self.text += data
         except OSError:
             pass
 

@@ -40,11 +40,11 @@ def with_call(program, call):
     return f"{head}{OPEN_PORT}{end};\n{call}static_cast<void>(written);\n{rest}"
 
 
-def answer(near, question, patience=1.0):
+def answer(near, question, limit=1.0):
     """What comes back; asked again, because a server hears nothing before its line was silent once."""
     for _ in range(10):
         os.write(near, with_crc(question))
-        heard, end = b"", time.monotonic() + patience
+        heard, end = b"", time.monotonic() + limit
         while time.monotonic() < end and not heard:
             if select.select([near], [], [], end - time.monotonic())[0]:
                 time.sleep(0.05)

@@ -22,7 +22,7 @@ from controller import LIMIT, UNIT, Checks, Drive, demo, own_group, soon
 
 DYING = ("ABRT", "SEGV", "BUS", "FPE", "ILL")  # too late for a ramp: the motor is left without power
 HEAD_LINES = 17  # the demo's output up to where the motor has turned for a second
-FILE_LIMIT = 900  # octets, likewise
+FILE_LIMIT = 900  # bytes, likewise
 
 
 def end(process, check):

@@ -35,7 +35,7 @@ inline clear(i) {
 }
 
 /* Silence begins: who was giving stop words has not reached the drive. */
-inline fall_silent() {
+inline on_silence() {
     unit.mode = silence; unit.timer = QUIET;
     each = A;
     do
@@ -76,9 +76,9 @@ inline tick() {
 #ifdef ENDLESS_STOP_WORDS
         skip
 #elif defined(NO_SILENCE)
-        fall_silent(); unit.mode = normal; unit.timer = 0; unit.missed = 0
+        on_silence(); unit.mode = normal; unit.timer = 0; unit.missed = 0
 #else
-        fall_silent()
+        on_silence()
 #endif
     :: unit.mode == silence && unit.timer <= 1 -> unit.mode = normal; unit.timer = 0; unit.missed = 0
     fi;

@@ -13,7 +13,7 @@ using namespace rtuwire;
 
 namespace {
 
-/// The largest frame that there is room for behind so many octets.
+/// The largest frame that there is room for behind so many bytes.
 template <std::size_t Front> constexpr std::size_t room_behind(std::size_t kept)
 {
     frame_place<Front> place;
@@ -35,8 +35,7 @@ concept keeps_a_front = requires(Receiver receiver)
 {
     receiver.receive_behind(1);
 };
-template <std::size_t Front>
-using receiver_behind = framer<direction::response, held<line_timing>, Front>;
+template <std::size_t Front> using receiver_behind = framer<direction::response, stored<line_timing>, Front>;
 STATIC_CHECK(keeps_a_front<receiver_behind<1>>and keeps_a_front<receiver_behind<256>>);
 STATIC_CHECK(not keeps_a_front<receiver_behind<0>>);
 

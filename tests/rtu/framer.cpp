@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Frames out of octets and silence.
+// Frames out of bytes and silence.
 #include <rtuwire/rtu/framer.hpp>
 
 #include <array>
@@ -18,11 +18,11 @@ constexpr line_timing line{19'200, character_format::even_8_1};
 constexpr instant start{0xFFFF'FFFFU - 5'000'000U};
 
 /// A framer that has heard silence, and its clock.
-template <direction Way> struct listener {
+template <direction Way> struct listener_of {
     framer<Way> receiver;
     instant now{start};
 
-    explicit constexpr listener(line_timing const& timing = line) : receiver{timing}
+    explicit constexpr listener_of(line_timing const& timing = line) : receiver{timing}
     {
         receiver.advance(now);
         pause(milliseconds(100));
@@ -34,10 +34,10 @@ template <direction Way> struct listener {
         receiver.advance(now);
     }
 
-    constexpr std::size_t hear(byte_view octets)
+    constexpr std::size_t hear(byte_view bytes)
     {
-        now = now + line.characters(octets.size());
-        return receiver.receive(octets, now);
+        now = now + line.characters(bytes.size());
+        return receiver.receive(bytes, now);
     }
 
     /// What ended: none while nothing did.
@@ -47,15 +47,16 @@ template <direction Way> struct listener {
         return frame ? frame->error() : errc::busy;
     }
 
-    /// Whether a frame ended that is these octets.
-    constexpr bool has(byte_view octets)
+    constexpr bool none_yet() { return not receiver.poll_frame(); }
+
+    /// Whether a frame ended that is these bytes.
+    constexpr bool has(byte_view bytes)
     {
         auto const frame = receiver.poll_frame();
         if (not frame or not *frame) {
             return false;
         }
-        return (*frame)->unit() == to_u8(octets[0]) and
-               same_bytes((*frame)->pdu(), octets.subspan(1, octets.size() - 3));
+        return (*frame)->unit() == to_u8(bytes[0]) and same_bytes((*frame)->pdu(), bytes.subspan(1, bytes.size() - 3));
     }
 };
 
@@ -64,36 +65,35 @@ constexpr auto reply = "02 03 08 00 28 02 58 01 F4 00 00 52 B0"_hex;
 
 constexpr bool ends_by_rule()
 {
-    listener<direction::request> ear;
-    bool const early = ear.hear(byte_view{request}.first(7)) == 7 and ear.fault() == errc::busy;
-    return early and ear.hear(byte_view{request}.last(1)) == 1 and ear.has(request) and
-           ear.fault() == errc::busy;
+    listener_of<direction::request> listener;
+    bool const early = listener.hear(byte_view{request}.first(7)) == 7 and listener.none_yet();
+    return early and listener.hear(byte_view{request}.last(1)) == 1 and listener.has(request) and listener.none_yet();
 }
-PROOF("a frame ends with the last octet of its length rule", ends_by_rule)
+PROOF("a frame ends with the last byte of its length rule", ends_by_rule)
 
 constexpr bool leaves_the_rest()
 {
-    listener<direction::response> ear;
+    listener_of<direction::response> listener;
     std::array<std::byte, reply.size() + 1> noisy{};
     byte_writer out{noisy};
     out.bytes(reply);
-    bool const taken = ear.hear(noisy) == reply.size() and ear.has(reply);
+    bool const taken = listener.hear(noisy) == reply.size() and listener.has(reply);
     constexpr auto zero = "00"_hex;
-    bool const noise = ear.hear(zero) == 1 and ear.fault() == errc::busy;
-    ear.pause(line.t3_5());
-    return taken and noise and ear.fault() == errc::frame_too_short;
+    bool const noise = listener.hear(zero) == 1 and listener.none_yet();
+    listener.pause(line.t3_5());
+    return taken and noise and listener.fault() == errc::frame_too_short;
 }
-PROOF("octets behind a frame are no part of it", leaves_the_rest)
+PROOF("bytes behind a frame are no part of it", leaves_the_rest)
 
-// The one-register answer whose last octet is 00 passes the CRC without it too.
+// The one-register answer whose last byte is 00 passes the CRC without it too.
 constexpr bool a_matching_crc_ends_nothing()
 {
     constexpr auto frame = "01 04 02 03 01 78 00"_hex;
-    listener<direction::response> ear;
-    bool const waits = crc16(byte_view{frame}.first(6)) == 0 and
-                       ear.hear(byte_view{frame}.first(6)) == 6 and ear.fault() == errc::busy;
-    ear.hear(byte_view{frame}.last(1));
-    return waits and ear.has(frame);
+    listener_of<direction::response> listener;
+    bool const waits =
+        crc16(byte_view{frame}.first(6)) == 0 and listener.hear(byte_view{frame}.first(6)) == 6 and listener.none_yet();
+    listener.hear(byte_view{frame}.last(1));
+    return waits and listener.has(frame);
 }
 PROOF("a CRC that matches early ends nothing", a_matching_crc_ends_nothing)
 
@@ -101,64 +101,64 @@ constexpr bool damage_waits_for_silence()
 {
     auto damaged = request;
     damaged[3] ^= std::byte{1};
-    listener<direction::request> ear;
-    ear.hear(damaged);
-    bool const waits = ear.fault() == errc::busy;
-    ear.hear(request);
-    bool const still = ear.fault() == errc::busy;
-    ear.pause(line.t3_5());
-    bool const refused = ear.fault() == errc::crc_mismatch;
-    ear.hear(request);
-    return waits and still and refused and ear.has(request);
+    listener_of<direction::request> listener;
+    listener.hear(damaged);
+    bool const waits = listener.none_yet();
+    listener.hear(request);
+    bool const still = listener.none_yet();
+    listener.pause(line.t3_5());
+    bool const refused = listener.fault() == errc::crc_mismatch;
+    listener.hear(request);
+    return waits and still and refused and listener.has(request);
 }
 PROOF("after a wrong CRC only silence starts a new frame", damage_waits_for_silence)
 
 constexpr bool longer_than_its_rule()
 {
-    // Function 06 with one octet too many: as a whole it has a right CRC, and the PDU refuses it.
+    // Function 06 with one byte too many: as a whole it has a right CRC, and the PDU refuses it.
     constexpr auto frame = "01 06 00 01 00 03 00 0A AA"_hex;
-    listener<direction::request> ear;
-    ear.hear(frame);
-    bool const waits = crc16(frame) == 0 and ear.fault() == errc::busy;
-    ear.pause(line.t3_5());
-    return waits and ear.has(frame);
+    listener_of<direction::request> listener;
+    listener.hear(frame);
+    bool const waits = crc16(frame) == 0 and listener.none_yet();
+    listener.pause(line.t3_5());
+    return waits and listener.has(frame);
 }
 PROOF("a frame longer than its rule is whole when silence says so", longer_than_its_rule)
 
 constexpr bool sizes_at_the_edge()
 {
-    std::array<std::byte, 257> octets{};
-    octets[0] = std::byte{1};
-    octets[1] = std::byte{0x41};
-    std::uint16_t const crc = crc16(byte_view{octets}.first(254));
-    octets[254] = to_byte(crc);
-    octets[255] = to_byte(std::uint32_t{crc} >> 8U);
-    listener<direction::request> ear;
-    ear.hear(byte_view{octets}.first(256));
-    ear.pause(line.t3_5());
-    bool const longest = ear.has(byte_view{octets}.first(256));
-    ear.hear(octets);
-    ear.pause(line.t3_5());
-    bool const too_long = ear.fault() == errc::frame_too_long;
-    ear.hear("FF FF"_hex);
-    ear.pause(line.t3_5());
-    return longest and too_long and ear.fault() == errc::frame_too_short;
+    std::array<std::byte, 257> bytes{};
+    bytes[0] = std::byte{1};
+    bytes[1] = std::byte{0x41};
+    std::uint16_t const crc = crc16(byte_view{bytes}.first(254));
+    bytes[254] = to_byte(crc);
+    bytes[255] = to_byte(std::uint32_t{crc} >> 8U);
+    listener_of<direction::request> listener;
+    listener.hear(byte_view{bytes}.first(256));
+    listener.pause(line.t3_5());
+    bool const longest = listener.has(byte_view{bytes}.first(256));
+    listener.hear(bytes);
+    listener.pause(line.t3_5());
+    bool const too_long = listener.fault() == errc::frame_too_long;
+    listener.hear("FF FF"_hex);
+    listener.pause(line.t3_5());
+    return longest and too_long and listener.fault() == errc::frame_too_short;
 }
-PROOF("256 octets are a frame, 257 and 2 are none", sizes_at_the_edge)
+PROOF("256 bytes are a frame, 257 and 2 are none", sizes_at_the_edge)
 
 constexpr bool poison()
 {
-    listener<direction::request> ear;
-    ear.hear(byte_view{request}.first(4));
-    ear.receiver.receive_error(ear.now);
-    ear.hear(byte_view{request}.subspan(4));
-    bool const held = ear.fault() == errc::busy;
-    ear.pause(line.t3_5());
-    bool const refused = ear.fault() == errc::uart_error;
-    ear.hear(request);
-    return held and refused and ear.has(request);
+    listener_of<direction::request> listener;
+    listener.hear(byte_view{request}.first(4));
+    listener.receiver.receive_error(listener.now);
+    listener.hear(byte_view{request}.subspan(4));
+    bool const held = listener.none_yet();
+    listener.pause(line.t3_5());
+    bool const refused = listener.fault() == errc::uart_error;
+    listener.hear(request);
+    return held and refused and listener.has(request);
 }
-PROOF("a damaged octet poisons its frame even if the CRC is right, and no other", poison)
+PROOF("a damaged byte poisons its frame even if the CRC is right, and no other", poison)
 
 constexpr bool power_up()
 {
@@ -172,33 +172,33 @@ constexpr bool power_up()
     receiver.receive(request, now + line.characters(8));
     return deaf and receiver.poll_frame().has_value();
 }
-constexpr bool octets_before_the_clock()
+constexpr bool bytes_before_the_clock()
 {
     framer<direction::request> receiver{line};
-    return receiver.receive(request, start) == 8 and not receiver.poll_frame() and
-           not receiver.is_quiet() and receiver.receive({}, start) == 0;
+    return receiver.receive(request, start) == 8 and not receiver.poll_frame() and not receiver.is_quiet() and
+           receiver.receive({}, start) == 0;
 }
-PROOF("octets before time is known are ignored too", octets_before_the_clock)
+PROOF("bytes before time is known are ignored too", bytes_before_the_clock)
 PROOF("at power-up everything is ignored until the line was silent", power_up)
 
 constexpr bool a_lump_after_silence()
 {
-    listener<direction::request> ear;
-    ear.hear(byte_view{request}.first(3));
-    ear.now = ear.now + milliseconds(20);
-    bool const closed = ear.hear(request) == 0 and ear.fault() == errc::frame_too_short;
-    return closed and ear.receiver.receive(request, ear.now) == 8 and ear.has(request);
+    listener_of<direction::request> listener;
+    listener.hear(byte_view{request}.first(3));
+    listener.now = listener.now + milliseconds(20);
+    bool const closed = listener.hear(request) == 0 and listener.fault() == errc::frame_too_short;
+    return closed and listener.receiver.receive(request, listener.now) == 8 and listener.has(request);
 }
 PROOF("a lump that comes after silence starts a new frame", a_lump_after_silence)
 
-/// A lump of two octets `length` after the last octet of an unfinished frame.
+/// A lump of two bytes `length` after the last byte of an unfinished frame.
 constexpr bool starts_anew_after(duration length)
 {
-    listener<direction::request> ear;
-    ear.hear(byte_view{request}.first(6));
-    ear.now = ear.now + length;
-    ear.receiver.receive(byte_view{request}.last(2), ear.now);
-    return not ear.has(request);
+    listener_of<direction::request> listener;
+    listener.hear(byte_view{request}.first(6));
+    listener.now = listener.now + length;
+    listener.receiver.receive(byte_view{request}.last(2), listener.now);
+    return not listener.has(request);
 }
 constexpr bool the_edge_of_silence()
 {
@@ -210,33 +210,34 @@ PROOF("a lump starts a new frame when its own time and t3.5 have passed", the_ed
 constexpr auto asks_2 = "02 03 0C 81 00 01 D7 41"_hex;
 constexpr auto writes_2 = "02 06 21 35 00 00 93 CB"_hex;
 
-constexpr bool claims()
+constexpr bool looks_addressed_to()
 {
-    listener<direction::response> ear;
-    bool const nobody = not listener<direction::request>{}.receiver.is_overheard();
-    ear.hear("02 03 00"_hex);
-    ear.pause(milliseconds(10));
-    bool const too_short = ear.fault() == errc::frame_too_short and not ear.receiver.claims(asks_2);
-    ear.hear("02 03 00 00"_hex);
-    bool const starts = not ear.receiver.is_at_start();
-    ear.pause(milliseconds(10));
-    return nobody and too_short and starts and ear.fault() == errc::crc_mismatch and
-           ear.receiver.claims(asks_2) and not ear.receiver.claims(writes_2) and
-           ear.receiver.is_at_start();
+    listener_of<direction::response> listener;
+    bool const nobody = not listener_of<direction::request>{}.receiver.is_foreign_response();
+    listener.hear("02 03 00"_hex);
+    listener.pause(milliseconds(10));
+    bool const too_short =
+        listener.fault() == errc::frame_too_short and not listener.receiver.looks_addressed_to(asks_2);
+    listener.hear("02 03 00 00"_hex);
+    bool const starts = not listener.receiver.is_at_start();
+    listener.pause(milliseconds(10));
+    return nobody and too_short and starts and listener.fault() == errc::crc_mismatch and
+           listener.receiver.looks_addressed_to(asks_2) and not listener.receiver.looks_addressed_to(writes_2) and
+           listener.receiver.is_at_start();
 }
-PROOF("what has a frame's size and begins like an answer claims to be one", claims)
+PROOF("what has a frame's size and begins like a response claims to be one", looks_addressed_to)
 
 constexpr bool host_gaps()
 {
     auto const host = line_timing::host(19'200, character_format::even_8_1);
-    listener<direction::request> ear{host};
-    ear.hear(byte_view{request}.first(3));
-    ear.pause(milliseconds(45));
-    ear.hear(byte_view{request}.subspan(3));
-    bool const whole = ear.has(request);
-    ear.hear(byte_view{request}.first(3));
-    ear.pause(milliseconds(50));
-    return whole and ear.fault() == errc::frame_too_short;
+    listener_of<direction::request> listener{host};
+    listener.hear(byte_view{request}.first(3));
+    listener.pause(milliseconds(45));
+    listener.hear(byte_view{request}.subspan(3));
+    bool const whole = listener.has(request);
+    listener.hear(byte_view{request}.first(3));
+    listener.pause(milliseconds(50));
+    return whole and listener.fault() == errc::frame_too_short;
 }
 PROOF("on a host a gap of an adapter does not cut a frame", host_gaps)
 
@@ -251,31 +252,29 @@ constexpr bool deadlines()
     instant const then = start + milliseconds(60'000);
     receiver.receive(byte_view{request}.first(1), then);
     bool const end_of_fragment = receiver.poll_deadline() == deadline{then + line.t3_5()};
-    return none_before_start and first_silence and none_when_quiet and end_of_fragment and
-           not receiver.is_quiet();
+    return none_before_start and first_silence and none_when_quiet and end_of_fragment and not receiver.is_quiet();
 }
 PROOF("a framer wants to be woken only for silence", deadlines)
 
 constexpr bool host_deadlines()
 {
     auto const host = line_timing::host(19'200, character_format::even_8_1);
-    listener<direction::request> ear{host};
-    ear.hear(byte_view{request}.first(3));
-    instant const last = ear.now;
-    bool const to_send = ear.receiver.poll_deadline() == deadline{last + host.t3_5()};
-    ear.pause(host.t3_5());
-    return to_send and ear.receiver.is_quiet() and
-           ear.receiver.poll_deadline() == deadline{last + host.frame_end()};
+    listener_of<direction::request> listener{host};
+    listener.hear(byte_view{request}.first(3));
+    instant const last = listener.now;
+    bool const to_send = listener.receiver.poll_deadline() == deadline{last + host.t3_5()};
+    listener.pause(host.t3_5());
+    return to_send and listener.receiver.is_quiet() and
+           listener.receiver.poll_deadline() == deadline{last + host.frame_end()};
 }
-PROOF("on a host it is woken twice: when somebody may send, and when what it has is all",
-      host_deadlines)
+PROOF("on a host it is woken twice: when somebody may send, and when what it has is all", host_deadlines)
 
 constexpr bool takes_all_of_a_lump()
 {
-    std::array<std::byte, 300> octets{};
-    listener<direction::request> ear;
-    return ear.hear(octets) == octets.size() and ear.fault() == errc::busy;
+    std::array<std::byte, 300> bytes{};
+    listener_of<direction::request> listener;
+    return listener.hear(bytes) == bytes.size() and listener.none_yet();
 }
-PROOF("octets that no frame has room for are taken all the same", takes_all_of_a_lump)
+PROOF("bytes that no frame has room for are taken all the same", takes_all_of_a_lump)
 
 } // namespace

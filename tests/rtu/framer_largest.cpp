@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// The largest frame that there is: 256 octets, which their own byte count tells.
+// The largest frame that there is: 256 bytes, which their own byte count tells.
 #include <rtuwire/rtu/framer.hpp>
 
 #include <array>
@@ -32,8 +32,8 @@ template <std::size_t Size> constexpr std::array<std::byte, Size> file_record()
     return frame;
 }
 
-/// Whether a frame of so many octets ends with its last one, without a silence behind it.
-template <direction Way, std::size_t Size> constexpr bool ends_with_its_last_octet()
+/// Whether a frame of so many bytes ends with its last one, without a silence behind it.
+template <direction Way, std::size_t Size> constexpr bool ends_with_its_last_byte()
 {
     constexpr auto frame = file_record<Size>();
     instant now{0xFFFF'0000U};
@@ -47,15 +47,14 @@ template <direction Way, std::size_t Size> constexpr bool ends_with_its_last_oct
     now = now + line.characters(1);
     static_cast<void>(receiver.receive(byte_view{frame}.last(1), now));
     auto const heard = receiver.poll_frame();
-    return not is_early and heard and *heard and same_bytes((*heard)->octets(), frame);
+    return not is_early and heard and *heard and same_bytes((*heard)->bytes(), frame);
 }
 constexpr bool both_ways()
 {
-    return ends_with_its_last_octet<direction::request, 255>() and
-           ends_with_its_last_octet<direction::response, 255>() and
-           ends_with_its_last_octet<direction::request, 256>() and
-           ends_with_its_last_octet<direction::response, 256>();
+    return ends_with_its_last_byte<direction::request, 255>() and
+           ends_with_its_last_byte<direction::response, 255>() and
+           ends_with_its_last_byte<direction::request, 256>() and ends_with_its_last_byte<direction::response, 256>();
 }
-PROOF("a frame of 256 octets ends with its last one, like any other", both_ways)
+PROOF("a frame of 256 bytes ends with its last one, like any other", both_ways)
 
 } // namespace

@@ -24,7 +24,7 @@ constexpr bool ends_an_open_end()
         framer<direction::request> receiver{timing};
         receiver.advance(start);
         receiver.advance(start + milliseconds(100));
-        receiver.overhear(2, 3);
+        receiver.note_foreign_request(2, 3);
         instant const last = start + milliseconds(200);
         receiver.receive(reply_of_one, last); // a byte 00 might follow, and make it a request
         bool const is_open = not receiver.poll_frame() and not receiver.is_at_start();
@@ -32,9 +32,8 @@ constexpr bool ends_an_open_end()
         bool const stays = not receiver.poll_frame();
         receiver.advance(last + timing.t3_5());
         auto const frame = receiver.poll_frame();
-        bool const ended = frame and *frame and receiver.is_overheard() and receiver.is_at_start();
-        if (not is_open or not stays or not ended or
-            not same_bytes((*frame)->octets(), reply_of_one)) {
+        bool const ended = frame and *frame and receiver.is_foreign_response() and receiver.is_at_start();
+        if (not is_open or not stays or not ended or not same_bytes((*frame)->bytes(), reply_of_one)) {
             return false;
         }
     }
@@ -60,7 +59,6 @@ constexpr bool damage_after_silence()
     duration const least = line.frame_end() + line.characters(1);
     return begins_a_frame(least) and not begins_a_frame(duration{least.microseconds - 1});
 }
-PROOF("damage is of a new frame where it comes an octet behind the silence that ended the last",
-      damage_after_silence)
+PROOF("damage is of a new frame where it comes a byte behind the silence that ended the last", damage_after_silence)
 
 } // namespace

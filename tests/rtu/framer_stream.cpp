@@ -22,25 +22,24 @@ namespace {
 
 constexpr line_timing line{19'200, character_format::even_8_1};
 
-using octet_list = std::vector<std::byte>;
+using byte_list = std::vector<std::byte>;
 
-template <typename P> void append(octet_list& stream, P const& value)
+template <typename P> void append(byte_list& stream, P const& value)
 {
     auto const frame = encode(unit_id{17}, value);
     REQUIRE(frame);
     stream.insert(stream.end(), frame->view().begin(), frame->view().end());
 }
 
-octet_list glued_frames(direction way, unsigned count)
+byte_list glued_frames(direction way, unsigned count)
 {
     test::random random{42};
-    octet_list stream;
+    byte_list stream;
     for (unsigned i = 0; i < count; ++i) {
         std::array<std::byte, 242> data{};
         random.fill(data);
         auto const address = static_cast<std::uint16_t>(random.next());
-        register_view const values{
-            byte_view{data}.first(2 + 2 * random.below(i % 16 == 0 ? 120 : 8))};
+        register_view const values{byte_view{data}.first(2 + 2 * random.below(i % 16 == 0 ? 120 : 8))};
         auto const start = static_cast<std::uint16_t>(address / 2);
         bool const asks = way == direction::request;
         switch (random.below(5)) {
@@ -90,10 +89,10 @@ template <direction Way> struct tally {
         receiver.advance(instant{1'000'000});
     }
 
-    void hear(byte_view octets)
+    void hear(byte_view bytes)
     {
-        while (not octets.empty()) {
-            octets = octets.subspan(receiver.receive(octets, instant{1'000'000}));
+        while (not bytes.empty()) {
+            bytes = bytes.subspan(receiver.receive(bytes, instant{1'000'000}));
             auto const frame = receiver.poll_frame();
             if (not frame) {
                 continue;
@@ -103,8 +102,8 @@ template <direction Way> struct tally {
                 continue;
             }
             ++frames;
-            for (std::byte const octet : (*frame)->pdu()) {
-                content.add(octet);
+            for (std::byte const byte : (*frame)->pdu()) {
+                content.add(byte);
             }
         }
     }
@@ -143,8 +142,7 @@ template <direction Way> void check_every_split()
     for (unsigned round = 0; round < 200; ++round) {
         tally<Way> chunked;
         for (std::size_t at = 0; at < stream.size();) {
-            std::size_t const size =
-                std::min<std::size_t>(1 + random.below(64), stream.size() - at);
+            std::size_t const size = std::min<std::size_t>(1 + random.below(64), stream.size() - at);
             chunked.hear(byte_view{stream}.subspan(at, size));
             at += size;
         }
@@ -154,12 +152,6 @@ template <direction Way> void check_every_split()
 
 } // namespace
 
-TEST_CASE("any split of 1000 glued requests yields the same frames")
-{
-    check_every_split<direction::request>();
-}
+TEST_CASE("any split of 1000 glued requests yields the same frames") { check_every_split<direction::request>(); }
 
-TEST_CASE("any split of 1000 glued responses yields the same frames")
-{
-    check_every_split<direction::response>();
-}
+TEST_CASE("any split of 1000 glued responses yields the same frames") { check_every_split<direction::response>(); }

@@ -11,7 +11,7 @@ namespace {
 
 /// Counts what it is given.
 struct tally {
-    constexpr void receive(byte_view octets, instant) { bytes += octets.size(); }
+    constexpr void receive(byte_view received, instant) { bytes += received.size(); }
     constexpr void receive_error(instant at)
     {
         ++errors;
@@ -47,8 +47,8 @@ constexpr bool tells_a_drop_at(instant start)
     line.deliver_to(seen, start + tick); // makes room, and does not come to the drop
     line.receive(some, dropped + tick);
     line.deliver_to(seen, dropped + tick);
-    return seen.bytes == 7 and seen.errors == 1 and seen.last_error == dropped and
-           line.overflows() == 1 and line.is_empty();
+    return seen.bytes == 7 and seen.errors == 1 and seen.last_error == dropped and line.overflows() == 1 and
+           line.is_empty();
 }
 constexpr bool tells_a_drop_whenever()
 {
@@ -75,8 +75,7 @@ constexpr bool tells_the_next_one_after_an_hour()
     line.deliver_to(seen, dropped + tick);
     return first and seen.errors == 2 and seen.last_error == dropped and line.overflows() == 2;
 }
-PROOF("interrupt queue: a drop an hour after the last one is told, too",
-      tells_the_next_one_after_an_hour)
+PROOF("interrupt queue: a drop an hour after the last one is told, too", tells_the_next_one_after_an_hour)
 
 // A place takes 6 bytes, up to the capacity of which a position still is one byte.
 STATIC_CHECK(sizeof(interrupt_queue<128>) - sizeof(interrupt_queue<64>) == 64 * 6);

@@ -51,10 +51,7 @@ struct server_notebook : notebook {
     constexpr void receive_overrun(instant at) { note({'o', at.microseconds}); }
 };
 
-constexpr std::byte operator""_b(unsigned long long value)
-{
-    return std::byte{static_cast<std::uint8_t>(value)};
-}
+constexpr std::byte operator""_b(unsigned long long value) { return std::byte{static_cast<std::uint8_t>(value)}; }
 
 constexpr bool keeps_order_and_times()
 {
@@ -67,9 +64,9 @@ constexpr bool keeps_order_and_times()
     line.receive_overrun(instant{31});
     line.receive(0x13_b, instant{40});
     line.deliver_to(seen, instant{50});
-    return seen.count == 6 and seen.got(0, 10, 0x11) and seen.got(1, 20, 0x12) and
-           seen.is(2, 's', 25) and seen.is(3, 'e', 30) and seen.is(4, 'e', 31) and
-           seen.got(5, 40, 0x13) and line.is_empty() and line.overflows() == 0;
+    return seen.count == 6 and seen.got(0, 10, 0x11) and seen.got(1, 20, 0x12) and seen.is(2, 's', 25) and
+           seen.is(3, 'e', 30) and seen.is(4, 'e', 31) and seen.got(5, 40, 0x13) and line.is_empty() and
+           line.overflows() == 0;
 }
 PROOF("interrupt queue: events keep their order and their times", keeps_order_and_times)
 
@@ -82,8 +79,7 @@ constexpr bool tells_overruns_apart()
     line.deliver_to(seen, instant{5});
     return seen.count == 2 and seen.is(0, 'e', 1) and seen.is(1, 'o', 2);
 }
-PROOF("interrupt queue: an overrun goes to a call of its own where there is one",
-      tells_overruns_apart)
+PROOF("interrupt queue: an overrun goes to a call of its own where there is one", tells_overruns_apart)
 
 constexpr bool lumps_stay_whole()
 {
@@ -98,8 +94,7 @@ constexpr bool lumps_stay_whole()
     line.receive("01 02 03 04 05 06 07 08"_hex, instant{90});
     line.receive(0x09_b, instant{91});
     line.deliver_to(seen, instant{100});
-    return seen.count == 2 and seen.lines[0] == notebook::line{'r', 90, 8, 0x01_b, 0x08_b} and
-           seen.got(1, 91, 0x09);
+    return seen.count == 2 and seen.lines[0] == notebook::line{'r', 90, 8, 0x01_b, 0x08_b} and seen.got(1, 91, 0x09);
 }
 PROOF("interrupt queue: bytes of one interrupt arrive in one piece, others apart", lumps_stay_whole)
 
@@ -116,8 +111,7 @@ constexpr bool waits_for_its_time()
     line.deliver_to(seen, instant{1});
     return is_early and is_half and seen.count == 2 and seen.got(1, 1, 0x12) and line.is_empty();
 }
-PROOF("interrupt queue: what is later than the loop's time waits, across the wrap of the clock",
-      waits_for_its_time)
+PROOF("interrupt queue: what is later than the loop's time waits, across the wrap of the clock", waits_for_its_time)
 
 /// A queue of 8 with its 6 places for bytes filled at the times 1 to 6.
 struct full_queue {
@@ -146,17 +140,15 @@ constexpr bool drop_is_told_where_it_was()
     full.line.receive(0x13_b, instant{8}); // dropped
     bool const has_news = not full.line.is_empty();
     full.line.deliver_to(full.seen, instant{10});
-    bool const is_told = full.seen.count == 7 and full.seen.is(6, 'e', 10) and
-                         full.line.overflows() == 1 and full.line.is_empty();
+    bool const is_told =
+        full.seen.count == 7 and full.seen.is(6, 'e', 10) and full.line.overflows() == 1 and full.line.is_empty();
     // It is not told again: not in the next pass, and not before the next byte.
     full.line.deliver_to(full.seen, instant{11});
     full.line.receive(0x14_b, instant{20});
     full.line.deliver_to(full.seen, instant{21});
-    return has_news and is_told and full.seen.count == 8 and full.seen.got(7, 20, 0x14) and
-           full.line.overflows() == 1;
+    return has_news and is_told and full.seen.count == 8 and full.seen.got(7, 20, 0x14) and full.line.overflows() == 1;
 }
-PROOF("interrupt queue: a drop at the end is told as a receive error of now, once",
-      drop_is_told_where_it_was)
+PROOF("interrupt queue: a drop at the end is told as a receive error of now, once", drop_is_told_where_it_was)
 
 constexpr bool drop_stands_between()
 {
@@ -196,8 +188,7 @@ constexpr bool errors_are_not_dropped_silently()
     full.line.deliver_to(full.seen, instant{10});
     return full.seen.count == 7 and full.seen.is(6, 'e', 10);
 }
-PROOF("interrupt queue: a receive error without a place is told as a drop",
-      errors_are_not_dropped_silently)
+PROOF("interrupt queue: a receive error without a place is told as a drop", errors_are_not_dropped_silently)
 
 constexpr bool sent_has_a_place()
 {
@@ -206,11 +197,10 @@ constexpr bool sent_has_a_place()
     full.line.sent(instant{8});
     full.line.receive(0x13_b, instant{9}); // dropped
     full.line.deliver_to(full.seen, instant{10});
-    return full.seen.count == 9 and full.seen.is(6, 'e', 7) and full.seen.is(7, 's', 8) and
-           full.seen.is(8, 'e', 10) and full.line.overflows() == 2;
+    return full.seen.count == 9 and full.seen.is(6, 'e', 7) and full.seen.is(7, 's', 8) and full.seen.is(8, 'e', 10) and
+           full.line.overflows() == 2;
 }
-PROOF("interrupt queue: sent has a place when nothing else has, with what was dropped before it",
-      sent_has_a_place)
+PROOF("interrupt queue: sent has a place when nothing else has, with what was dropped before it", sent_has_a_place)
 
 constexpr bool two_sent_have_places()
 {
@@ -220,11 +210,9 @@ constexpr bool two_sent_have_places()
     full.line.sent(instant{9});            // the place for the drop is taken
     full.line.receive(0x13_b, instant{9}); // dropped
     full.line.deliver_to(full.seen, instant{10});
-    return full.seen.count == 9 and full.seen.is(6, 's', 7) and full.seen.is(7, 's', 9) and
-           full.seen.is(8, 'e', 10);
+    return full.seen.count == 9 and full.seen.is(6, 's', 7) and full.seen.is(7, 's', 9) and full.seen.is(8, 'e', 10);
 }
-PROOF("interrupt queue: two transmissions that nobody took note of have places",
-      two_sent_have_places)
+PROOF("interrupt queue: two transmissions that nobody took note of have places", two_sent_have_places)
 
 constexpr bool runs_round()
 {

@@ -54,8 +54,7 @@ public:
     void receive(byte_view bytes, instant at)
     {
         event const each = event_at(at.microseconds);
-        auto const place =
-            static_cast<std::uint8_t>(std::to_integer<std::uint8_t>(bytes[0]) - each.first);
+        auto const place = static_cast<std::uint8_t>(std::to_integer<std::uint8_t>(bytes[0]) - each.first);
         // A lump that was cut by a drop goes on in a second call.
         if (at.microseconds == last_ and rest_ > 0) {
             expect(place >= each.size - rest_);

@@ -12,8 +12,8 @@ namespace {
 constexpr auto e = character_format::even_8_1;
 constexpr auto n1 = character_format::none_8_1;
 
-constexpr bool lasts(std::uint32_t rate, character_format format, std::uint32_t character,
-                     std::uint32_t t1_5, std::uint32_t t3_5)
+constexpr bool lasts(std::uint32_t rate, character_format format, std::uint32_t character, std::uint32_t t1_5,
+                     std::uint32_t t3_5)
 {
     line_timing const line{rate, format};
     return line.characters(1) == microseconds(character) and line.t1_5() == microseconds(t1_5) and

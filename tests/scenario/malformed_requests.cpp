@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Requests on which other stacks failed, each whole, octet by octet, and glued to a good one.
+// Requests on which other stacks failed, each whole, byte by byte, and glued to a good one.
 #include <rtuwire/server/server.hpp>
 
+#include "support/byte_list.hpp"
 #include "support/catch.hpp"
-#include "support/octets.hpp"
 
 #include <rtuwire/core/hex.hpp>
 
 using namespace rtuwire;
+using test::byte_list;
+using test::bytes_of;
 using test::glued;
-using test::octets;
-using test::octets_of;
 
 namespace {
 
@@ -43,9 +43,9 @@ struct watched_bank {
     }
 };
 
-/// What has to come of a request: an exception, a normal answer, or nothing.
+/// What has to come of a request: an exception, a normal response, or nothing.
 constexpr int silence = -1;
-constexpr int answer = 0;
+constexpr int response = 0;
 
 struct row {
     char const* id;
@@ -60,7 +60,7 @@ constexpr row rows[] = {
     {"S02", "01 03 00 00 00 7E C5 EA", 3},
     {"S03", "01 03 00 01 FF FF 15 BA", 3},
     {"S04", "01 01 00 00 07 D1 FE 66", 1},
-    {"S06", "01 03 FF FF 00 01 84 2E", answer},
+    {"S06", "01 03 FF FF 00 01 84 2E", response},
     {"S07", "01 10 00 00 00 7B 06 00 01 00 02 00 03 3C 03", 3},
     {"S09", "01 0F 00 00 07 B0 06 FF FF FF FF FF FF 5F B5", 1},
     {"S10", "01 0F 00 00 00 08 02 FF FF E5 30", 1},
@@ -87,7 +87,7 @@ constexpr row rows[] = {
 };
 
 constexpr auto good = "01 03 00 00 00 01 84 0A"_hex;
-constexpr auto good_answer = "01 03 02 00 00 B8 44"_hex;
+constexpr auto good_response = "01 03 02 00 00 B8 44"_hex;
 
 struct unit_1 {
     server node{unit_id{1}, line, profile};
@@ -107,12 +107,11 @@ struct unit_1 {
         node.serve(bank, now);
     }
 
-    /// What it answers to octets that come in lumps of a size.
-    octets answer_to(byte_view heard, std::size_t lump)
+    /// What it answers to bytes that come in lumps of a size.
+    byte_list response_to(byte_view heard, std::size_t lump)
     {
-        octets said;
-        for (; not heard.empty();
-             heard = heard.subspan(lump < heard.size() ? lump : heard.size())) {
+        byte_list said;
+        for (; not heard.empty(); heard = heard.subspan(lump < heard.size() ? lump : heard.size())) {
             byte_view const some = heard.first(lump < heard.size() ? lump : heard.size());
             now = now + line.characters(some.size());
             node.receive(some, now);
@@ -128,12 +127,12 @@ struct unit_1 {
     }
 };
 
-bool is_expected(octets const& said, row const& of)
+bool is_expected(byte_list const& said, row const& of)
 {
     if (of.expected == silence) {
         return said.empty();
     }
-    if (of.expected == answer) {
+    if (of.expected == response) {
         return said.size() > 5 and to_u8(said[1]) < 0x80;
     }
     return said.size() == 5 and to_u8(said[1]) >= 0x80 and to_u8(said[2]) == of.expected;
@@ -141,16 +140,16 @@ bool is_expected(octets const& said, row const& of)
 
 } // namespace
 
-TEST_CASE("every malformed request gets its answer, whole and octet by octet")
+TEST_CASE("every malformed request gets its response, whole and byte by byte")
 {
     for (row const& each : rows) {
-        octets const frame = octets_of(each.frame);
+        byte_list const frame = bytes_of(each.frame);
         for (std::size_t const lump : {std::size_t{300}, std::size_t{1}}) {
             INFO(each.id << " in lumps of " << lump);
             unit_1 unit;
-            CHECK(is_expected(unit.answer_to(frame, lump), each));
+            CHECK(is_expected(unit.response_to(frame, lump), each));
             CHECK(unit.bank.writes == each.writes);
-            CHECK(unit.answer_to(good, lump).size() == good_answer.size());
+            CHECK(unit.response_to(good, lump).size() == good_response.size());
         }
     }
 }
@@ -158,19 +157,19 @@ TEST_CASE("every malformed request gets its answer, whole and octet by octet")
 TEST_CASE("glued to a good request it does no harm, and the next one is answered")
 {
     for (row const& each : rows) {
-        octets const frame = octets_of(each.frame);
+        byte_list const frame = bytes_of(each.frame);
         INFO(each.id);
         unit_1 behind;
-        octets const said = behind.answer_to(glued(frame, good), 300);
-        CHECK((said.empty() or is_expected(said, each) or same_bytes(said, good_answer)));
+        byte_list const said = behind.response_to(glued(frame, good), 300);
+        CHECK((said.empty() or is_expected(said, each) or same_bytes(said, good_response)));
         CHECK(behind.bank.writes <= each.writes);
-        CHECK(behind.answer_to(good, 300).size() == good_answer.size());
+        CHECK(behind.response_to(good, 300).size() == good_response.size());
 
         unit_1 before;
-        octets good_one{good.begin(), good.end()};
+        byte_list good_one{good.begin(), good.end()};
         // The request that came last is the one that counts.
-        CHECK(is_expected(before.answer_to(glued(good_one, frame), 300), each));
+        CHECK(is_expected(before.response_to(glued(good_one, frame), 300), each));
         CHECK(before.bank.writes == each.writes);
-        CHECK(before.answer_to(good, 300).size() == good_answer.size());
+        CHECK(before.response_to(good, 300).size() == good_response.size());
     }
 }

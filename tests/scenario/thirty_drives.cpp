@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSL-1.0
 // Thirty drives on one line of 19 200 bit/s: how close the bus comes to what the wire allows, and what
 // three silent drives cost the others.
-#include <rtuwire/altivar/cyclic.hpp>
+#include <rtuwire/altivar/cyclic/cyclic.hpp>
 
 #include <vector>
 
 #include "support/catch.hpp"
-#include "support/party_line.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <rtuwire/altivar/atv320.hpp>
 
@@ -19,15 +19,14 @@ namespace {
 constexpr std::size_t drives = 30;
 constexpr client_options patient{.response_timeout = milliseconds(50), .retries = 1};
 
-struct hall : test::party_line<bus<drives>, atv320::device> {
+struct hall : test::simulated_bus<bus<drives>, atv320::device> {
     std::vector<cyclic<atv320::device>> loops;
 
-    hall() : test::party_line<bus<drives>, atv320::device>{bus<drives>{test::party_timing, patient}}
+    hall() : test::simulated_bus<bus<drives>, atv320::device>{bus<drives>{test::bus_timing, patient}}
     {
         for (std::uint32_t unit = 1; unit <= drives; ++unit) {
             add(*unit_id::checked(unit));
-            loops.emplace_back(*station<atv320::device>::checked(unit),
-                               cyclic_options{.period = milliseconds(1)});
+            loops.emplace_back(*station<atv320::device>::checked(unit), cyclic_options{.period = milliseconds(1)});
         }
         idle(milliseconds(20));
         run_for(milliseconds(15'000)); // each is looked at and checked before its first exchange
@@ -60,10 +59,10 @@ struct hall : test::party_line<bus<drives>, atv320::device> {
     }
 };
 
-/// A cycle of one drive: 21 octets asked, t3.5 until the drive answers, 13 octets, t3.5.
-constexpr std::uint32_t cycle_us = test::party_timing.characters(21).microseconds +
-                                   test::party_timing.characters(13).microseconds +
-                                   2 * test::party_timing.t3_5().microseconds;
+/// A cycle of one drive: 21 bytes asked, t3.5 until the drive answers, 13 bytes, t3.5.
+constexpr std::uint32_t cycle_us = test::bus_timing.characters(21).microseconds +
+                                   test::bus_timing.characters(13).microseconds +
+                                   2 * test::bus_timing.t3_5().microseconds;
 
 } // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A whole transaction as a constant expression: request octets, server, answer octets, decoded value,
+// A whole transaction as a constant expression: request bytes, server, answer bytes, decoded value,
 // for each function; and many at run time in random chunks.
 #include <rtuwire/rtuwire.hpp>
 
@@ -24,25 +24,25 @@ struct line_of_two {
     word_bank<64> bank{3100};
     instant now{0xFFFF'FFFFU - 50'000U};
     test::random chunks{1};
-    std::array<std::byte, max_pdu_size> answer{};
+    std::array<std::byte, max_pdu_size> received{};
 
-    template <typename End> constexpr void carry(byte_view octets, End& to)
+    template <typename End> constexpr void carry(byte_view bytes, End& to)
     {
-        while (not octets.empty()) {
-            std::size_t const size = 1 + chunks.below(static_cast<std::uint32_t>(octets.size()));
+        while (not bytes.empty()) {
+            std::size_t const size = 1 + chunks.below(static_cast<std::uint32_t>(bytes.size()));
             now = now + line.characters(size);
-            to.receive(octets.first(size), now);
-            octets = octets.subspan(size);
+            to.receive(bytes.first(size), now);
+            bytes = bytes.subspan(size);
         }
     }
 
-    template <conversation Talk> constexpr void run(Talk& talk)
+    template <conversation Conversation> constexpr void run(Conversation& conversation)
     {
-        for (unsigned step = 0; step < 200 and not talk.settled(); ++step) {
+        for (unsigned step = 0; step < 200 and not conversation.settled(); ++step) {
             link.advance(now);
             node.advance(now);
             node.serve(bank, now);
-            link.converse(talk, now);
+            link.converse(conversation, now);
             if (byte_view const asked = link.poll_transmit(); not asked.empty()) {
                 carry(asked, node);
                 link.sent(now);
@@ -55,17 +55,16 @@ struct line_of_two {
         }
     }
 
-    template <typename Request>
-    constexpr result<typename Request::response> ask(Request const& question)
+    template <typename Request> constexpr result<typename Request::response> ask(Request const& request)
     {
-        single_question talk{unit_id{2}, question};
-        run(talk);
-        if (not talk.outcome()) {
-            return talk.outcome().error();
+        single_request conversation{unit_id{2}, request};
+        run(conversation);
+        if (not conversation.outcome()) {
+            return conversation.outcome().error();
         }
-        byte_view const pdu = talk.outcome()->pdu();
-        byte_writer{answer}.bytes(pdu);
-        return response{byte_view{answer}.first(pdu.size())}.template to<Request>();
+        byte_view const pdu = conversation.outcome()->pdu();
+        byte_writer{received}.bytes(pdu);
+        return response{byte_view{received}.first(pdu.size())}.template to<Request>();
     }
 };
 
@@ -73,8 +72,8 @@ constexpr bool reads()
 {
     line_of_two both;
     static_cast<void>(both.bank.set(3103, 600));
-    auto const answer = both.ask(read_holding_registers{3102, 4});
-    return answer and answer->registers.size() == 4 and answer->registers[1] == 600;
+    auto const response = both.ask(read_holding_registers{3102, 4});
+    return response and response->registers.size() == 4 and response->registers[1] == 600;
 }
 PROOF("function 03: a register's value arrives", reads)
 
@@ -88,33 +87,32 @@ PROOF("function 06: a register's value is written", writes)
 constexpr bool writes_several()
 {
     line_of_two both;
-    auto const answer = both.ask(write_multiple_registers{3104, register_block{20, 30}});
-    return answer and answer->count == 2 and both.bank.get(3105) == 30;
+    auto const response = both.ask(write_multiple_registers{3104, register_block{20, 30}});
+    return response and response->count == 2 and both.bank.get(3105) == 30;
 }
 PROOF("function 16: several values are written", writes_several)
 
 constexpr bool exchanges()
 {
     line_of_two both;
-    auto const answer = both.ask(read_write_multiple_registers{3104, 2, 3105, register_block{7}});
-    return answer and answer->registers[1] == 7 and both.bank.get(3105) == 7;
+    auto const response = both.ask(read_write_multiple_registers{3104, 2, 3105, register_block{7}});
+    return response and response->registers[1] == 7 and both.bank.get(3105) == 7;
 }
 PROOF("function 23: values are written, then read", exchanges)
 
 constexpr bool loops_back()
 {
     line_of_two both;
-    auto const answer =
-        both.ask(diagnostics{subfunction::return_query_data, register_block{0xA537}});
-    return answer and answer->data[0] == 0xA537;
+    auto const response = both.ask(diagnostics{subfunction::return_query_data, register_block{0xA537}});
+    return response and response->data[0] == 0xA537;
 }
 PROOF("function 08: what is sent comes back", loops_back)
 
 constexpr bool identifies()
 {
     line_of_two both;
-    auto const answer = both.ask(read_device_identification{});
-    return answer and answer->count == 3 and answer->find(product_code)->size() == 11;
+    auto const response = both.ask(read_device_identification{});
+    return response and response->count == 3 and response->find(product_code)->size() == 11;
 }
 PROOF("function 43: a unit says who it is", identifies)
 
@@ -137,8 +135,8 @@ TEST_CASE("ten thousand transactions in random chunks all give the right value")
         auto const address = static_cast<std::uint16_t>(3100 + random.below(64));
         auto const value = static_cast<std::uint16_t>(random.next());
         bool const written = both.ask(write_single_register{address, value}).has_value();
-        auto const answer = both.ask(read_holding_registers{address, 1});
-        wrong += written and answer and answer->registers[0] == value ? 0U : 1U;
+        auto const response = both.ask(read_holding_registers{address, 1});
+        wrong += written and response and response->registers[0] == value ? 0U : 1U;
     }
     CHECK(wrong == 0);
 }

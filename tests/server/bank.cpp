@@ -30,15 +30,14 @@ STATIC_CHECK(at_the_end.check_read(0, 1) == errc::illegal_data_address);
 constexpr bool set_and_get()
 {
     word_bank<4> bank{100};
-    bool const set =
-        bank.set(103, 7).has_value() and bank.set(104, 7) == errc::illegal_data_address;
+    bool const set = bank.set(103, 7).has_value() and bank.set(104, 7) == errc::illegal_data_address;
     return set and bank.get(103) == 7 and bank.get(104) == 0 and bank.get(99) == 0;
 }
 PROOF("a word is set and got only where there is one", set_and_get)
 
 constexpr bool writes_no_word_more()
 {
-    // Behind the two words there is no third, in the octets nor at the end of the bank.
+    // Behind the two words there is no third, in the bytes nor at the end of the bank.
     constexpr register_block two{0x1234, 0x5678};
     word_bank<4> bank{100};
     static_cast<void>(bank.set(102, 7));
@@ -53,9 +52,9 @@ constexpr bool reads_into_what_has_room()
     word_bank<4> bank{100};
     std::array<std::byte, 7> place{};
     byte_writer out{place};
-    return bank.read(100, 3, out) == errc::none and
-           bank.read(100, 1, out) == errc::server_device_failure and out.size() == 6;
+    return bank.read(100, 3, out) == errc::none and bank.read(100, 1, out) == errc::server_device_failure and
+           out.size() == 6;
 }
-PROOF("words that no answer has room for are a failure of the unit", reads_into_what_has_room)
+PROOF("words that no response has room for are a failure of the unit", reads_into_what_has_room)
 
 } // namespace

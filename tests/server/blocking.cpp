@@ -16,8 +16,8 @@ using namespace rtuwire;
 namespace {
 
 constexpr line_timing timing{19'200, character_format::even_8_1};
-constexpr auto question = "07 03 00 64 00 01 C5 B3"_hex;
-constexpr auto answer = "07 03 02 12 34 3D 33"_hex;
+constexpr auto request = "07 03 00 64 00 01 C5 B3"_hex;
+constexpr auto response = "07 03 02 12 34 3D 33"_hex;
 
 /// Has a request ready, or nothing, and a clock that jumps to what is waited for.
 struct played_port {
@@ -29,10 +29,10 @@ struct played_port {
     errc write_error{errc::none};
 
     [[nodiscard]] instant now() const { return clock; }
-    result<void> write(byte_view octets, instant until)
+    result<void> write(byte_view bytes, instant until)
     {
         for_writing = until - clock;
-        sent.assign(octets.begin(), octets.end());
+        sent.assign(bytes.begin(), bytes.end());
         return write_error == errc::none ? result<void>{} : result<void>{write_error};
     }
     result<byte_span> read(byte_span place, instant until)
@@ -60,11 +60,11 @@ struct station_of_one {
 
     /// Until the line was silent for long enough: a server that starts listens first.
     void settle() { static_cast<void>(pass(milliseconds(50))); }
-    result<void> pass(duration patience) { return serve_once(node, port, bank, patience); }
+    result<void> pass(duration time_limit) { return serve_once(node, port, bank, time_limit); }
     /// One pass takes the request in, the next one answers when the line has been silent behind it.
     result<void> is_asked()
     {
-        port.input.assign(question.begin(), question.end());
+        port.input.assign(request.begin(), request.end());
         static_cast<void>(pass(milliseconds(50)));
         return pass(milliseconds(50));
     }
@@ -79,7 +79,7 @@ TEST_CASE("a request that lies in the port is answered behind a silence, and may
     instant const before = it.port.clock;
     CHECK(it.is_asked());
     CHECK(it.port.clock - before == timing.t3_5());
-    CHECK(it.port.sent == std::vector<std::byte>(answer.begin(), answer.end()));
+    CHECK(it.port.sent == std::vector<std::byte>(response.begin(), response.end()));
     CHECK(it.port.for_writing == milliseconds(1'000));
 }
 

@@ -54,25 +54,24 @@ struct quiet_bank : talkative_bank {
     }
 };
 
-/// A request where its answer comes.
+/// A request where its response comes.
 struct in_place {
-    std::array<std::byte, max_pdu_size> octets{};
-    pdu_place pdu{octets, 0};
+    std::array<std::byte, max_pdu_size> bytes{};
+    pdu_buffer pdu{bytes, 0};
 
     explicit in_place(byte_view request)
     {
-        byte_writer{octets}.bytes(request);
+        byte_writer{bytes}.bytes(request);
         pdu.size = request.size();
     }
 };
 
-template <typename Bank, std::size_t Size>
-std::uint32_t exception_to(std::array<std::byte, Size> const& pdu)
+template <typename Bank, std::size_t Size> std::uint32_t exception_to(std::array<std::byte, Size> const& pdu)
 {
     Bank bank;
     std::array<std::byte, max_pdu_size> place{};
-    auto const answer = respond(pdu, bank, profile, place);
-    return answer.size() == 2 and to_u8(answer[0]) >= 0x80 ? to_u8(answer[1]) : 0U;
+    auto const response = respond(pdu, bank, profile, place);
+    return response.size() == 2 and to_u8(response[0]) >= 0x80 ? to_u8(response[1]) : 0U;
 }
 
 struct unit_1 {
@@ -105,7 +104,7 @@ TEST_CASE("a bank that fails is exception 04, one that refuses is its word")
     CHECK(exception_to<word_bank<4>>("2B 0E 01"_hex) == 3);
 }
 
-TEST_CASE("a damaged byte between an answer's readiness and its start delays it")
+TEST_CASE("a damaged byte between a response's readiness and its start delays it")
 {
     unit_1 unit;
     unit.node.receive(read_1, unit.now);
@@ -133,8 +132,7 @@ TEST_CASE("bytes behind a damaged one drop the request and are ignored until the
     CHECK(unit.node.is_asked());
 }
 
-TEST_CASE(
-    "a damaged octet while it answers is noise, and one before the line was silent is nothing")
+TEST_CASE("a damaged byte while it answers is noise, and one before the line was silent is nothing")
 {
     unit_1 unit;
     unit.node.receive(read_1, unit.now);
@@ -158,11 +156,11 @@ TEST_CASE("a counting server loops back too")
     serial_diagnostics counts;
     in_place looped{loop};
     in_place short_loop{short_one};
-    REQUIRE(counts.answer(looped.pdu) == errc::none);
+    REQUIRE(counts.response(looped.pdu) == errc::none);
     CHECK(same_bytes(looped.pdu.view(), loop));
-    CHECK(counts.answer(short_loop.pdu) == errc::illegal_data_value);
+    CHECK(counts.response(short_loop.pdu) == errc::illegal_data_value);
     in_place reserved{reserved_5};
-    CHECK(counts.answer(reserved.pdu) == errc::illegal_function);
+    CHECK(counts.response(reserved.pdu) == errc::illegal_function);
 }
 
 TEST_CASE("a unit that is told to be silent hears no restart that is not one")
@@ -170,7 +168,7 @@ TEST_CASE("a unit that is told to be silent hears no restart that is not one")
     serial_diagnostics counts;
     auto const is_silent = [&counts](byte_view request) {
         in_place heard{request};
-        return counts.answer(heard.pdu) == errc::none and heard.pdu.size == 0;
+        return counts.response(heard.pdu) == errc::none and heard.pdu.size == 0;
     };
     REQUIRE(is_silent(listen_only));
     REQUIRE(counts.is_listen_only());
@@ -182,7 +180,7 @@ TEST_CASE("a unit that is told to be silent hears no restart that is not one")
     CHECK_FALSE(counts.is_listen_only());
 }
 
-TEST_CASE("an answer in this unit's name, or to nobody's question, is not obeyed")
+TEST_CASE("a response in this unit's name, or to nobody's request, is not obeyed")
 {
     for (auto const& foreign : {refusal_of_1, refusal_of_2}) {
         unit_1 unit;
@@ -196,7 +194,7 @@ TEST_CASE("an answer in this unit's name, or to nobody's question, is not obeyed
     }
 }
 
-TEST_CASE("an answer that does not get onto the line in time is dropped")
+TEST_CASE("a response that does not get onto the line in time is dropped")
 {
     unit_1 unit;
     unit.node.receive(read_1, unit.now);
@@ -229,5 +227,5 @@ TEST_CASE("a stream that starts at an object of another category starts anew")
 {
     in_place heard{basic_from_80};
     REQUIRE(write_identification(heard.pdu, identity_of<vendor_and_more>) == errc::none);
-    CHECK(to_u8(heard.octets[7]) == vendor_name);
+    CHECK(to_u8(heard.bytes[7]) == vendor_name);
 }

@@ -13,44 +13,42 @@ using namespace rtuwire;
 
 namespace {
 
-constexpr device_object drive[] = {{vendor_name, "Schneider Electric"},
-                                   {product_code, "ATV310H037N4"},
-                                   {major_minor_revision, "0201"}};
+constexpr device_object drive[] = {
+    {vendor_name, "Schneider Electric"}, {product_code, "ATV310H037N4"}, {major_minor_revision, "0201"}};
 
-struct answer {
+struct response {
     std::array<std::byte, max_pdu_size> place{};
     errc wrong{errc::busy};
     std::size_t size{0};
 
-    constexpr byte_view octets() const { return byte_view{place}.first(size); }
+    constexpr byte_view bytes() const { return byte_view{place}.first(size); }
 };
 
-constexpr answer answer_to(device_objects const& objects, byte_view request)
+constexpr response response_to(device_objects const& objects, byte_view request)
 {
-    answer given;
+    response given;
     byte_writer{given.place}.bytes(request);
-    pdu_place pdu{given.place, request.size()};
+    pdu_buffer pdu{given.place, request.size()};
     given.wrong = write_identification(pdu, objects);
     given.size = given.wrong == errc::none ? pdu.size : 0;
     return given;
 }
 
-constexpr answer ask(device_objects const& objects, identification_access access,
-                     std::uint8_t object = 0)
+constexpr response ask(device_objects const& objects, identification_access access, std::uint8_t object = 0)
 {
-    std::array<std::byte, read_device_identification::max_size> octets{};
-    byte_writer request{octets};
+    std::array<std::byte, read_device_identification::max_size> bytes{};
+    byte_writer request{bytes};
     read_device_identification{access, object}.write(request);
-    return answer_to(objects, octets);
+    return response_to(objects, bytes);
 }
 
 constexpr bool manual_example()
 {
     auto const given = ask(identity_of<drive>, identification_access::basic);
     constexpr auto head = "2B 0E 01 81 00 00 03 00 12 53 63 68 6E 65"_hex;
-    auto const page = device_identification::decode(given.octets());
-    return given.size == std::size_t{47} and same_bytes(given.octets().first(head.size()), head) and
-           page and page->find(product_code)->size() == 12 and not page->more_follows;
+    auto const page = device_identification::decode(given.bytes());
+    return given.size == std::size_t{47} and same_bytes(given.bytes().first(head.size()), head) and page and
+           page->find(product_code)->size() == 12 and not page->more_follows;
 }
 PROOF("three objects of a drive are one page", manual_example)
 
@@ -58,30 +56,26 @@ constexpr bool single_objects()
 {
     auto const one = ask(identity_of<drive>, identification_access::single, major_minor_revision);
     auto const none = ask(identity_of<drive>, identification_access::single, 7);
-    return same_bytes(one.octets(), "2B 0E 04 81 00 00 01 02 04 30 32 30 31"_hex) and
+    return same_bytes(one.bytes(), "2B 0E 04 81 00 00 01 02 04 30 32 30 31"_hex) and
            none.wrong == errc::illegal_data_address;
 }
 PROOF("a single object is given alone, an unknown one is exception 02", single_objects)
 
-constexpr errc refusal_of(byte_view request)
-{
-    return answer_to(identity_of<drive>, request).wrong;
-}
+constexpr errc refusal_of(byte_view request) { return response_to(identity_of<drive>, request).wrong; }
 STATIC_CHECK(refusal_of("2B"_hex) == errc::illegal_data_value);
 STATIC_CHECK(refusal_of("2B 0D"_hex) == errc::illegal_function);
 STATIC_CHECK(refusal_of("2B 0E 01"_hex) == errc::illegal_data_value);
 STATIC_CHECK(refusal_of("2B 0E 00 00"_hex) == errc::illegal_data_value);
 STATIC_CHECK(refusal_of("2B 0E 05 00"_hex) == errc::illegal_data_value);
 STATIC_CHECK(refusal_of("2B 0E 04 00"_hex) == errc::none);
-STATIC_CHECK(ask(identity_of<drive>, identification_access::single, vendor_name).size ==
-             7 + 2 + 18);
+STATIC_CHECK(ask(identity_of<drive>, identification_access::single, vendor_name).size == 7 + 2 + 18);
 
 constexpr bool unknown_start()
 {
     auto const whole = ask(identity_of<drive>, identification_access::basic, 0);
     auto const other = ask(identity_of<drive>, identification_access::basic, 9);
     auto const later = ask(identity_of<drive>, identification_access::basic, 2);
-    return same_bytes(whole.octets(), other.octets()) and later.size == std::size_t{13};
+    return same_bytes(whole.bytes(), other.bytes()) and later.size == std::size_t{13};
 }
 PROOF("a stream starts where it is asked to, or at the first object", unknown_start)
 
@@ -109,7 +103,7 @@ constexpr bool known_at_run_time()
 {
     auto const objects = device_objects::from(written);
     auto const given = ask(*objects, identification_access::basic);
-    return same_bytes(given.octets(), "2B 0E 01 81 00 00 03 00 02 76 65 01 00 02 01 72"_hex);
+    return same_bytes(given.bytes(), "2B 0E 01 81 00 00 03 00 02 76 65 01 00 02 01 72"_hex);
 }
 PROOF("objects that are known only at run time leave as they stand", known_at_run_time)
 
@@ -122,8 +116,8 @@ STATIC_CHECK(count_in(identification_access::basic) == 3);
 STATIC_CHECK(count_in(identification_access::regular) == 4);
 STATIC_CHECK(count_in(identification_access::extended) == 5);
 
-constexpr text long_text{"0123456789012345678901234567890123456789012345678901234567890123456789"
-                         "01234567890123456789"};
+constexpr literal long_text{"0123456789012345678901234567890123456789012345678901234567890123456789"
+                            "01234567890123456789"};
 constexpr device_object many[] = {{0, long_text}, {1, long_text}, {2, long_text}, {3, "url"}};
 
 constexpr bool pages()
@@ -132,8 +126,8 @@ constexpr bool pages()
     std::uint8_t next = 0;
     for (unsigned round = 0; round < 5; ++round) {
         auto const given = ask(identity_of<many>, identification_access::regular, next);
-        auto const page = device_identification::decode(given.octets());
-        if (not page or given.octets().size() > max_pdu_size) {
+        auto const page = device_identification::decode(given.bytes());
+        if (not page or given.bytes().size() > max_pdu_size) {
             return false;
         }
         for (auto at = page->first(); at; at = page->after(*at)) {
@@ -156,20 +150,19 @@ constexpr device_object largest[] = {{0, longest}, {1, "p"}};
 
 constexpr bool refuses_what_no_page_holds()
 {
-    std::array<std::byte, 300> octets{};
-    octets[1] = to_byte(device_objects::max_text_size);
-    bool const fits = device_objects::from(byte_view{octets}.first(2 + 244)).has_value();
-    octets[1] = to_byte(device_objects::max_text_size + 1);
-    return fits and device_objects::from(byte_view{octets}.first(2 + 245)) == errc::malformed;
+    std::array<std::byte, 300> bytes{};
+    bytes[1] = to_byte(device_objects::max_text_size);
+    bool const fits = device_objects::from(byte_view{bytes}.first(2 + 244)).has_value();
+    bytes[1] = to_byte(device_objects::max_text_size + 1);
+    return fits and device_objects::from(byte_view{bytes}.first(2 + 245)) == errc::malformed;
 }
 PROOF("a text longer than a page is refused before it is served", refuses_what_no_page_holds)
 
 constexpr bool fills_a_page()
 {
     auto const given = ask(identity_of<largest>, identification_access::basic);
-    return given.size == max_pdu_size and to_u8(given.place[4]) == 0xFF and
-           to_u8(given.place[5]) == 1 and to_u8(given.place[6]) == 1 and
-           to_u8(given.place[8]) == 244;
+    return given.size == max_pdu_size and to_u8(given.place[4]) == 0xFF and to_u8(given.place[5]) == 1 and
+           to_u8(given.place[6]) == 1 and to_u8(given.place[8]) == 244;
 }
 PROOF("an object of 244 characters fills a page", fills_a_page)
 

@@ -33,14 +33,14 @@ template <typename Server = counting_server> struct counted {
         node.serve(bank, now);
     }
 
-    constexpr void hear(byte_view octets)
+    constexpr void hear(byte_view bytes)
     {
-        now = now + line.characters(octets.size());
-        node.receive(octets, now);
+        now = now + line.characters(bytes.size());
+        node.receive(bytes, now);
         pass(line.t3_5());
     }
 
-    /// What it answers to a PDU for a unit; the octets are valid until the next.
+    /// What it answers to a PDU for a unit; the bytes are valid until the next.
     constexpr byte_view ask(byte_view pdu, std::uint8_t unit = 1)
     {
         std::array<std::byte, max_adu_size> frame{};
@@ -51,28 +51,28 @@ template <typename Server = counting_server> struct counted {
         out.u8(crc & 0xFFU);
         out.u8(std::uint32_t{crc} >> 8U);
         hear(out.written());
-        byte_view const answer = node.poll_transmit();
-        if (not answer.empty()) {
+        byte_view const response = node.poll_transmit();
+        if (not response.empty()) {
             node.sent(now);
         }
         pass(line.t3_5());
-        return answer;
+        return response;
     }
 
     /// The word that a sub-function returns.
     constexpr std::uint16_t word(std::uint8_t what)
     {
         std::array<std::byte, 5> const pdu{std::byte{8}, std::byte{0}, std::byte{what}};
-        byte_view const answer = ask(pdu);
-        bool const is_normal = answer.size() == 8 and answer[1] == std::byte{8};
-        return is_normal ? u16_at(answer, 4) : nothing;
+        byte_view const response = ask(pdu);
+        bool const is_normal = response.size() == 8 and response[1] == std::byte{8};
+        return is_normal ? u16_at(response, 4) : nothing;
     }
 
     constexpr bool is_refused(byte_view pdu, errc code)
     {
-        byte_view const answer = ask(pdu);
-        return answer.size() == 5 and answer[1] == std::byte{0x88} and
-               to_u8(answer[2]) == static_cast<std::uint8_t>(code);
+        byte_view const response = ask(pdu);
+        return response.size() == 5 and response[1] == std::byte{0x88} and
+               to_u8(response[2]) == static_cast<std::uint8_t>(code);
     }
 };
 
@@ -90,29 +90,28 @@ constexpr bool counts()
     unit.node.receive_overrun(unit.now);
     unit.pass(milliseconds(5));
     ok = ok and unit.bank.get(0) == 7;
-    return ok and unit.word(0x0B) == 8 and unit.word(0x0C) == 2 and unit.word(0x0D) == 2 and
-           unit.word(0x0E) == 10 and unit.word(0x0F) == 2 and unit.word(0x10) == 0 and
-           unit.word(0x11) == 0 and unit.word(0x12) == 1 and unit.word(0x02) == 0;
+    return ok and unit.word(0x0B) == 8 and unit.word(0x0C) == 2 and unit.word(0x0D) == 2 and unit.word(0x0E) == 10 and
+           unit.word(0x0F) == 2 and unit.word(0x10) == 0 and unit.word(0x11) == 0 and unit.word(0x12) == 1 and
+           unit.word(0x02) == 0;
 }
 PROOF("messages, errors, exceptions, requests and silences are counted", counts)
 
-constexpr auto question = "03 00 00 00 01"_hex;
+constexpr auto request = "03 00 00 00 01"_hex;
 
-constexpr bool counts_questions_to_everyone()
+constexpr bool counts_requests_to_everyone()
 {
     counted<> unit;
-    bool const is_silent = unit.ask(question, 0).empty();
+    bool const is_silent = unit.ask(request, 0).empty();
     return is_silent and unit.word(0x0D) == 1 and unit.word(0x0F) == 1;
 }
-PROOF("a question to everyone is an exception that nobody hears", counts_questions_to_everyone)
+PROOF("a request to everyone is an exception that nobody hears", counts_requests_to_everyone)
 
 constexpr bool clears()
 {
     counted<> unit;
     unit.node.receive_overrun(unit.now);
     unit.pass(milliseconds(5));
-    bool ok = unit.word(0x12) == 1 and unit.word(0x14) == 0 and unit.word(0x12) == 0 and
-              unit.word(0x0C) == 1;
+    bool ok = unit.word(0x12) == 1 and unit.word(0x14) == 0 and unit.word(0x12) == 0 and unit.word(0x0C) == 1;
     ok = ok and unit.word(0x0A) == 0 and unit.word(0x0C) == 0 and unit.word(0x0B) == 2;
     return ok and unit.word(0x01) == 0 and unit.word(0x0B) == 1;
 }
@@ -139,8 +138,7 @@ constexpr bool only_listens()
     bool ok = unit.ask("08 00 04 00 00"_hex).empty();
     ok = ok and unit.ask("06 00 00 00 07"_hex).empty() and unit.bank.get(0) == 0;
     ok = ok and unit.ask("06 00 00 00 07"_hex, 0).empty() and unit.bank.get(0) == 0;
-    ok = ok and unit.word(0x0B) == nothing and unit.word(0x0A) == nothing and
-         unit.ask("08 00 01 12 34"_hex).empty();
+    ok = ok and unit.word(0x0B) == nothing and unit.word(0x0A) == nothing and unit.ask("08 00 01 12 34"_hex).empty();
     ok = ok and unit.ask("08 00 01 FF 00"_hex).empty();
     ok = ok and unit.word(0x0B) == 1;
     static_cast<void>(unit.ask("06 00 00 00 07"_hex));
@@ -155,8 +153,8 @@ constexpr auto listen_only = "08 00 04 00 00"_hex;
 constexpr bool loops_back()
 {
     counted<server> unit;
-    byte_view const answer = unit.ask(query);
-    bool ok = answer.size() == 8 and same_bytes(answer.subspan(1, query.size()), query);
+    byte_view const response = unit.ask(query);
+    bool ok = response.size() == 8 and same_bytes(response.subspan(1, query.size()), query);
     ok = ok and unit.is_refused(bus_messages, errc::illegal_function);
     return ok and unit.is_refused(listen_only, errc::illegal_function);
 }
@@ -208,11 +206,11 @@ constexpr bool counts_kinds_of_refusal()
     unit.note_exception(errc::negative_acknowledge);
     unit.note_exception(errc::server_device_busy);
     unit.note_exception(errc::server_device_busy);
-    auto const counted = [&unit](byte_view request, std::uint16_t count) {
-        std::array<std::byte, max_pdu_size> octets{};
-        byte_writer{octets}.bytes(request);
-        pdu_place pdu{octets, request.size()};
-        return unit.answer(pdu) == errc::none and u16_at(pdu.view(), 3) == count;
+    auto const counted = [&unit](byte_view asked, std::uint16_t count) {
+        std::array<std::byte, max_pdu_size> bytes{};
+        byte_writer{bytes}.bytes(asked);
+        pdu_buffer pdu{bytes, asked.size()};
+        return unit.response(pdu) == errc::none and u16_at(pdu.view(), 3) == count;
     };
     return counted(naks, 1) and counted(busies, 2) and counted(exceptions, 3);
 }

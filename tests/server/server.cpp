@@ -32,22 +32,22 @@ struct unit_1 {
         node.serve(bank, now);
     }
 
-    constexpr void hear(byte_view octets)
+    constexpr void hear(byte_view bytes)
     {
-        now = now + line.characters(octets.size());
-        node.receive(octets, now);
+        now = now + line.characters(bytes.size());
+        node.receive(bytes, now);
         pass({});
     }
 
-    /// Whether it answers these octets after t3.5, and listens again.
-    constexpr bool says(byte_view octets)
+    /// Whether it answers these bytes after t3.5, and listens again.
+    constexpr bool says(byte_view bytes)
     {
         if (not node.poll_transmit().empty()) {
             return false;
         }
         pass(line.t3_5());
         byte_view const frame = node.poll_transmit();
-        bool const right = same_bytes(frame, octets);
+        bool const right = same_bytes(frame, bytes);
         now = now + line.characters(frame.size());
         node.sent(now);
         pass(line.t3_5());
@@ -85,19 +85,18 @@ constexpr bool sleeps_between_requests()
 }
 PROOF("between requests a server has no deadline; in one it has", sleeps_between_requests)
 
-template <std::size_t Size> constexpr bool is_ignored(std::array<std::byte, Size> const& octets)
+template <std::size_t Size> constexpr bool is_ignored(std::array<std::byte, Size> const& bytes)
 {
     unit_1 unit;
-    unit.hear(octets);
+    unit.hear(bytes);
     bool const silent = unit.is_silent() and unit.bank.get(1) == 0;
     unit.hear(write_3);
     return silent and unit.says(write_3);
 }
 constexpr bool silent_on()
 {
-    return is_ignored("02 06 00 01 00 03 98 38"_hex) and
-           is_ignored("01 06 00 01 00 03 98 0C"_hex) and is_ignored("01 83 02 C0 F1"_hex) and
-           is_ignored("FF 03 00 00 00 01 91 D4"_hex) and
+    return is_ignored("02 06 00 01 00 03 98 38"_hex) and is_ignored("01 06 00 01 00 03 98 0C"_hex) and
+           is_ignored("01 83 02 C0 F1"_hex) and is_ignored("FF 03 00 00 00 01 91 D4"_hex) and
            is_ignored("00 03 00 00 00 01 85 DB"_hex) and is_ignored("FF FF"_hex) and
            is_ignored("02 03 00 01 FF FF 15 89"_hex) and is_ignored("01 03"_hex);
 }
@@ -112,16 +111,16 @@ constexpr bool broadcast_write()
 PROOF("a broadcast write is obeyed in silence", broadcast_write)
 
 constexpr auto read_by_nine = "09 03 00 00 00 01 85 42"_hex;
-constexpr auto answer_of_nine = "09 03 02 00 00 59 85"_hex;
+constexpr auto response_of_nine = "09 03 02 00 00 59 85"_hex;
 
 constexpr bool moves_to_another_address()
 {
     unit_1 unit;
     unit.hear(write_3);
-    unit.node.listen_as(unit_id{9}); // the answer that waits still has the old one
+    unit.node.listen_as(unit_id{9}); // the response that waits still has the old one
     bool const answered = unit.says(write_3);
     unit.hear(read_by_nine);
-    bool const moved = unit.says(answer_of_nine);
+    bool const moved = unit.says(response_of_nine);
     unit.hear(read_1);
     return answered and moved and unit.is_silent();
 }
@@ -157,8 +156,7 @@ constexpr bool power_up()
     node.advance(instant{5});
     node.receive(write_3, instant{5});
     node.serve(bank, instant{5});
-    return not node.is_asked() and bank.get(1) == 0 and
-           node.poll_deadline() == deadline{instant{5} + line.t3_5()};
+    return not node.is_asked() and bank.get(1) == 0 and node.poll_deadline() == deadline{instant{5} + line.t3_5()};
 }
 PROOF("at power-up nothing is obeyed before the line was silent", power_up)
 
@@ -170,7 +168,7 @@ constexpr bool poisoned()
     unit.hear(byte_view{write_3}.subspan(3));
     return unit.is_silent() and unit.bank.get(1) == 0;
 }
-PROOF("a request with a damaged octet is not obeyed even if its CRC is right", poisoned)
+PROOF("a request with a damaged byte is not obeyed even if its CRC is right", poisoned)
 
 constexpr bool the_last_request_counts()
 {

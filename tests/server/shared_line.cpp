@@ -42,27 +42,27 @@ struct two_units {
         other.serve(others, now);
     }
 
-    constexpr void hear(byte_view octets)
+    constexpr void hear(byte_view bytes)
     {
-        now = now + line.characters(octets.size());
-        ours.receive(octets, now);
+        now = now + line.characters(bytes.size());
+        ours.receive(bytes, now);
         pass({});
     }
-    template <pdu Question> constexpr void hear(unit_id unit, Question const& question)
+    template <pdu Request> constexpr void hear(unit_id unit, Request const& request)
     {
-        auto const frame = *encode(unit, question);
+        auto const frame = *encode(unit, request);
         hear(frame);
     }
 
-    /// A question to unit 2, and its answer.
-    template <pdu Question> constexpr void between_others(Question const& question)
+    /// A request to unit 2, and its response.
+    template <pdu Request> constexpr void between_others(Request const& request)
     {
-        auto const frame = *encode(unit_id{2}, question);
+        auto const frame = *encode(unit_id{2}, request);
         hear(frame);
         other.receive(frame, now);
         pass(line.t3_5());
-        byte_view const answer = other.poll_transmit();
-        hear(answer);
+        byte_view const response = other.poll_transmit();
+        hear(response);
         other.sent(now);
     }
 
@@ -100,10 +100,10 @@ constexpr bool not_from_the_data()
 {
     // Unit 2 holds a whole request to unit 1.
     constexpr auto request = encode(unit_id{1}, write_single_register{1, 3});
-    byte_view const octets = *request;
+    byte_view const bytes = *request;
     two_units it;
     for (std::size_t i = 0; i < 4; ++i) {
-        static_cast<void>(it.others.set(static_cast<std::uint16_t>(i), u16_at(octets, 2 * i)));
+        static_cast<void>(it.others.set(static_cast<std::uint16_t>(i), u16_at(bytes, 2 * i)));
     }
     it.between_others(read_holding_registers{0, 4});
     bool const heeds_not = it.bank.get(1) == 0;
@@ -111,17 +111,16 @@ constexpr bool not_from_the_data()
 }
 PROOF("another unit's answer that holds a request to us is no request", not_from_the_data)
 
-constexpr bool not_after_a_lost_question()
+constexpr bool not_after_a_lost_request()
 {
-    constexpr auto answer = "02 03 08 01 06 00 01 00 03 98 0B DA 98"_hex;
+    constexpr auto response = "02 03 08 01 06 00 01 00 03 98 0B DA 98"_hex;
     two_units it;
-    it.hear(answer); // its question was not heard
-    bool const is_deaf = not it.obeys(3);
+    it.hear(response); // its request was not heard
+    bool const is_listen_only = not it.obeys(3);
     it.pass(line.frame_end());
-    return is_deaf and it.obeys(4);
+    return is_listen_only and it.obeys(4);
 }
-PROOF("an answer without its question silences the ear until the line is quiet",
-      not_after_a_lost_question)
+PROOF("a response without its request silences the ear until the line is quiet", not_after_a_lost_request)
 
 /// The pause of a client between its frames: far from the silence that ends a frame on a host.
 constexpr duration pause = milliseconds(5);
@@ -129,12 +128,12 @@ constexpr duration pause = milliseconds(5);
 constexpr bool never_answered()
 {
     two_units it;
-    auto const question = *encode(unit_id{2}, read_holding_registers{0, 4});
+    auto const request = *encode(unit_id{2}, read_holding_registers{0, 4});
     bool ok = true;
     for (std::uint16_t i = 1; i <= 3; ++i) {
-        it.hear(question);
+        it.hear(request);
         it.pass(pause);
-        it.hear(question); // the client's second try
+        it.hear(request); // the client's second try
         it.pass(pause);
         it.hear(unit_id{2}, read_holding_registers{3201, 6}); // another, of the same function
         it.pass(pause);
@@ -161,8 +160,7 @@ constexpr bool repeated_then_answered()
     it.pass(pause);
     return ok and it.obeys(2);
 }
-PROOF("a question that is repeated and then answered keeps nobody from hearing",
-      repeated_then_answered)
+PROOF("a request that is repeated and then answered keeps nobody from hearing", repeated_then_answered)
 
 /// Frames whose first part has a right CRC as well, because the last byte is 00 (bus-faults rule 7): the
 /// first 8 of 9 bytes could be a request, or the first 4 of 5.
@@ -173,12 +171,12 @@ constexpr auto status_that_ends_with_00 = "04 07 42 B2 00"_hex;
 constexpr auto request_that_ends_with_00 = "04 03 02 00 00 74 44 00"_hex;
 constexpr auto one_word_of_4 = "04 03 02 00 00 74 44"_hex;
 
-constexpr bool hears_behind(byte_view question, byte_view answer, duration before, duration behind)
+constexpr bool hears_behind(byte_view request, byte_view response, duration before, duration behind)
 {
     two_units it;
-    it.hear(question);
+    it.hear(request);
     it.pass(before);
-    it.hear(answer);
+    it.hear(response);
     it.pass(behind);
     return it.obeys(1);
 }
@@ -190,8 +188,7 @@ constexpr bool ends_with_00()
         for (duration const behind : {duration{}, pause}) {
             ok = ok and hears_behind(asks_for_two, two_that_end_with_00, before, behind);
             ok = ok and hears_behind(asks_for_status, status_that_ends_with_00, before, behind);
-            ok = ok and
-                 hears_behind(request_that_ends_with_00, request_that_ends_with_00, before, behind);
+            ok = ok and hears_behind(request_that_ends_with_00, request_that_ends_with_00, before, behind);
             ok = ok and hears_behind(request_that_ends_with_00, one_word_of_4, before, behind);
             ok = ok and hears_behind(asks_for_two, asks_for_two, before, behind);
             ok = ok and hears_behind(asks_for_status, asks_for_status, before, behind);
@@ -199,8 +196,7 @@ constexpr bool ends_with_00()
     }
     return ok;
 }
-PROOF("a response whose last byte is 00 ends whole, and so does a request in its place",
-      ends_with_00)
+PROOF("a response whose last byte is 00 ends whole, and so does a request in its place", ends_with_00)
 
 constexpr bool broadcast_behind()
 {
@@ -220,25 +216,25 @@ PROOF("a byte 00 after a silence of t3.5 begins a broadcast", broadcast_behind)
 constexpr bool broadcast_glued()
 {
     // As the start of a response it would be 17 bytes long: it ends here, and no byte behind it is its own.
-    auto const question = *encode(unit_id{2}, read_holding_registers{3201, 6});
+    auto const request = *encode(unit_id{2}, read_holding_registers{3201, 6});
     two_units it;
-    it.hear(question);
-    it.hear(question);
+    it.hear(request);
+    it.hear(request);
     bool const ends = not it.ours.poll_deadline();
     it.hear("00 06 00 01 00 03 99 DA"_hex);
     return ends and it.bank.get(1) == 3;
 }
 PROOF("a repeated request ends at once where the response would be far longer", broadcast_glued)
 
-constexpr bool damaged_answer()
+constexpr bool damaged_response()
 {
     two_units it;
     it.hear(unit_id{2}, read_holding_registers{0, 4});
     it.hear("02 03 08 01 06 00 01 00 03 98 0B DA 99"_hex);
-    bool const is_deaf = not it.obeys(3);
+    bool const is_listen_only = not it.obeys(3);
     it.pass(line.frame_end());
-    return is_deaf and it.obeys(4);
+    return is_listen_only and it.obeys(4);
 }
-PROOF("after a damaged answer only silence opens the ear", damaged_answer)
+PROOF("after a damaged response only silence opens the ear", damaged_response)
 
 } // namespace

@@ -17,17 +17,14 @@ enum class lamp : std::uint16_t {};
 
 } // namespace
 
-template <>
-inline constexpr auto rtuwire::enumerators<valve> = rtuwire::name_list<valve>({{1, "closed"},
-                                                                               {4, "open"}});
+template <> inline constexpr auto rtuwire::enumerators<valve> = rtuwire::name_list<valve>({{1, "closed"}, {4, "open"}});
 
 namespace {
 
-constexpr reg<decihertz> setpoint{
-    .code = "SET", .address = 10, .min = 100, .max = 600, .factory = 500};
+constexpr reg<decihertz> setpoint{.code = "SET", .address = 10, .min = 100, .max = 600, .factory = 500};
 constexpr reg<signed_rpm> speed{.code = "SPD", .address = 11, .min = -1500, .max = 1500};
 constexpr reg<decihertz> actual{.code = "ACT", .address = 12, .mode = access::read_only};
-constexpr reg<plain> apart{.code = "APT", .address = 65535};
+constexpr reg<count16> apart{.code = "APT", .address = 65535};
 using pump_bank = bank<setpoint, speed, actual, apart>;
 
 STATIC_CHECK(register_bank<pump_bank>);
@@ -39,8 +36,7 @@ STATIC_CHECK(pump_bank{}.check_read(65535, 1) == errc::none);
 STATIC_CHECK(pump_bank{}.check_read(65535, 2) == errc::illegal_data_address);
 
 template <std::size_t Asked, std::size_t Answered>
-constexpr bool answers(std::array<std::byte, Asked> const& request,
-                       std::array<std::byte, Answered> const& expected,
+constexpr bool answers(std::array<std::byte, Asked> const& request, std::array<std::byte, Answered> const& expected,
                        std::uint16_t setpoint_after)
 {
     pump_bank registers;
@@ -87,8 +83,7 @@ constexpr bool takes_written()
 {
     pump_bank registers;
     registers.set<actual>(decihertz{7});
-    bool const own =
-        not registers.take_written<actual>() and registers.get<actual>() == decihertz{7};
+    bool const own = not registers.take_written<actual>() and registers.get<actual>() == decihertz{7};
     constexpr register_block values{200};
     static_cast<void>(registers.write(10, values));
     return own and registers.take_written<setpoint>() and not registers.take_written<setpoint>() and
@@ -103,12 +98,11 @@ constexpr bool writes_and_reads_all()
 {
     pump_bank registers;
     register_view const two{two_words};
-    bool ok = registers.get<actual>() == decihertz{0} and registers.get<apart>() == plain{0} and
-              registers.check_write(10, two) == errc::none and
-              registers.write(10, two) == errc::none;
-    ok = ok and registers.get<setpoint>() == decihertz{500} and
-         registers.get<speed>() == signed_rpm{-100} and registers.take_written<setpoint>() and
-         registers.take_written<speed>() and not registers.take_written<actual>();
+    bool ok = registers.get<actual>() == decihertz{0} and registers.get<apart>() == count16{0} and
+              registers.check_write(10, two) == errc::none and registers.write(10, two) == errc::none;
+    ok = ok and registers.get<setpoint>() == decihertz{500} and registers.get<speed>() == signed_rpm{-100} and
+         registers.take_written<setpoint>() and registers.take_written<speed>() and
+         not registers.take_written<actual>();
     std::array<std::byte, 6> place{};
     byte_writer out{place};
     ok = ok and registers.read(10, 3, out) == errc::none;
@@ -121,13 +115,11 @@ constexpr bool the_last_address()
     // Behind it there is neither a register nor a byte: the compiler refuses what reaches for them.
     pump_bank registers;
     register_view const one{full_word};
-    bool const ok = registers.check_write(65535, one) == errc::none and
-                    registers.write(65535, one) == errc::none and
-                    registers.get<apart>() == plain{65535};
+    bool const ok = registers.check_write(65535, one) == errc::none and registers.write(65535, one) == errc::none and
+                    registers.get<apart>() == count16{65535};
     std::array<std::byte, 2> place{};
     byte_writer out{place};
-    return ok and registers.read(65535, 1, out) == errc::none and
-           same_bytes(out.written(), full_word);
+    return ok and registers.read(65535, 1, out) == errc::none and same_bytes(out.written(), full_word);
 }
 PROOF("a register without limits takes any word, at the last address too", the_last_address)
 

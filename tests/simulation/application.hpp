@@ -15,8 +15,7 @@ namespace rtuwire::simulation {
 
 class application final : public program, public witness {
 public:
-    application(setting const& how, tally& counts)
-        : link_{engine_for(how)}, world_{how, counts, *link_, *this}
+    application(setting const& how, tally& counts) : link_{engine_for(how)}, world_{how, counts, *link_, *this}
     {
         for (unsigned i = 0; i < how.conversations; ++i) {
             seats_.emplace_back().present[0].emplace(*this);
@@ -27,14 +26,13 @@ public:
     journal const& events() { return world_.all().events; }
 
     /// A time with faults, and one without. Whether nothing was wrong so far.
-    bool live(unsigned questions)
+    bool live(unsigned inquiries)
     {
-        left_ = questions;
+        left_ = inquiries;
         act_at_ = world_.now() + 1;
         world_.wake();
         moment const limit = world_.now() + 4'000'000'000U;
-        while ((left_ > 0 or is_anything_open()) and world_.now() < limit and
-               not world_.has_fault()) {
+        while ((left_ > 0 or is_anything_open()) and world_.now() < limit and not world_.has_fault()) {
             world_.step(limit);
         }
         return not world_.has_fault() and recovers();
@@ -45,8 +43,7 @@ public:
     {
         left_ = ~0U;
         world_.wake();
-        moment const cost = (how().response_timeout() + world_.times().characters(40)) *
-                            (how().options.retries + 1U);
+        moment const cost = (how().response_timeout() + world_.times().characters(40)) * (how().options.retries + 1U);
         moment const from = world_.now() + 12 * how().units * cost;
         run_until(from);
         silent_time_ = 0;
@@ -73,7 +70,7 @@ private:
         moment begin_at{0};
         moment away_until{0};
         unsigned failures{0};
-        bool has_answered{false};
+        bool has_responded{false};
         bool is_health_known{true}; ///< not where an outcome was dropped
 
         conversation_on_trial& here() { return *present[at]; }
@@ -81,15 +78,9 @@ private:
 
     setting const& how() const { return world_.how(); }
     void accuse(fault what) { world_.all().accuse(what, world_.now()); }
-    void note(char const* what, std::uint32_t question)
-    {
-        world_.all().events.note(world_.now(), what, question);
-    }
-    std::uint32_t below(moment limit)
-    {
-        return world_.dice().below(static_cast<std::uint32_t>(limit));
-    }
-    question& question_of(seat& at) { return world_.all().questions[at.here().question]; }
+    void note(char const* what, std::uint32_t inquiry) { world_.all().events.note(world_.now(), what, inquiry); }
+    std::uint32_t below(moment limit) { return world_.random_source().below(static_cast<std::uint32_t>(limit)); }
+    inquiry& inquiry_of(seat& at) { return world_.all().inquiries[at.here().inquiry]; }
 
     void run_until(moment end)
     {
@@ -130,50 +121,48 @@ private:
 
     void given(conversation_on_trial& by) override
     {
-        question& of = world_.all().questions[by.question];
+        inquiry& of = world_.all().inquiries[by.inquiry];
         seat const& at = seats_[turn_];
         of.is_health_known = not how().is_bus or at.is_health_known;
-        bool const is_silent =
-            at.failures >= bus_options{}.silent_after or (at.failures != 0 and not at.has_answered);
+        bool const is_silent = at.failures >= bus_options{}.silent_after or (at.failures != 0 and not at.has_responded);
         of.is_first_try_only = how().is_bus and at.is_health_known and is_silent;
-        world_.verdicts().given(by.question, world_.now());
+        world_.verdicts().given(by.inquiry, world_.now());
     }
 
     void accepted(conversation_on_trial& by, result<response> const& outcome) override
     {
         moment const now = world_.now();
         note("outcome for conversation", static_cast<std::uint32_t>(turn_));
-        bool const is_own =
-            world_.verdicts().accepts(by.question, by.wants and by.was_given, outcome, now);
+        bool const is_own = world_.verdicts().accepts(by.inquiry, by.wants and by.was_given, outcome, now);
         by.wants = by.was_given = false;
         if (not is_own) {
             return;
         }
-        bool const is_answered = outcome.has_value() or is_exception(outcome.error());
+        bool const has_response = outcome.has_value() or is_exception(outcome.error());
         bool const is_cancelled = outcome.error() == errc::cancelled;
         tally& counts = world_.all().counts();
-        ++counts.questions;
-        ++(is_answered ? counts.answered : is_cancelled ? counts.given_up : counts.failed);
+        ++counts.inquiries;
+        ++(has_response ? counts.answered : is_cancelled ? counts.given_up : counts.failed);
         seat& at = seats_[turn_];
-        question const& of = world_.all().questions[by.question];
-        if (how().measures_share and not is_answered) {
+        inquiry const& of = world_.all().inquiries[by.inquiry];
+        if (how().measures_share and not has_response) {
             silent_time_ += now - of.given;
             ++unanswered_[of.request[0] - 1U];
         }
-        note_health(at, of, is_answered, is_cancelled);
-        last_is_good_ = is_answered;
+        note_health(at, of, has_response, is_cancelled);
+        last_is_good_ = has_response;
         at.begin_at = now + time_to_think();
         world_.wake();
     }
 
     /// What a bus should know of a slot's unit; of a broadcast it learns nothing.
-    static void note_health(seat& at, question const& of, bool is_answered, bool is_cancelled)
+    static void note_health(seat& at, inquiry const& of, bool has_response, bool is_cancelled)
     {
         if (of.is_broadcast()) {
             return;
         }
-        at.has_answered = at.has_answered or is_answered;
-        if (is_answered) {
+        at.has_responded = at.has_responded or has_response;
+        if (has_response) {
             at.failures = 0;
             at.is_health_known = true;
         } else if (is_cancelled) {
@@ -183,7 +172,7 @@ private:
         }
     }
 
-    /// Half of all questions follow at once.
+    /// Half of all requests follow at once.
     moment time_to_think()
     {
         if (how().measures_share) {
@@ -195,7 +184,7 @@ private:
         return below(below(2) == 0 ? 20'000 : how().response_timeout());
     }
 
-    // --- questions --------------------------------------------------------------------------------
+    // --- requests --------------------------------------------------------------------------------
 
     void begin(std::size_t index)
     {
@@ -206,8 +195,8 @@ private:
         if (not how().measures_share and not world_.is_calm() and below(25) == 0) {
             unit = 0;
         }
-        question& of = world_.all().questions.add(++question_number_);
-        of.id = question_number_;
+        inquiry& of = world_.all().inquiries.add(++inquiry_number_);
+        of.id = inquiry_number_;
         of.begun = world_.now();
         of.may_repeat = is_plain or below(8) != 0;
         of.request = make_request(unit);
@@ -227,7 +216,7 @@ private:
         if (kind < 4) {
             made = frame{unit, 3}.word(start).word(count);
         } else if (kind < 6) {
-            made = frame{unit, 6}.word(start).word(question_number_ & 0xFFFFU);
+            made = frame{unit, 6}.word(start).word(inquiry_number_ & 0xFFFFU);
         } else if (kind < 8) {
             made = frame{unit, 16}.word(start).word(count).byte(2 * count);
             add_words(made, count);
@@ -235,7 +224,7 @@ private:
             made = frame{unit, 23}.word(start).word(count).word(start).word(2).byte(4);
             add_words(made, 2);
         } else {
-            made = frame{unit, 8}.word(0).word(question_number_ & 0xFFFFU);
+            made = frame{unit, 8}.word(0).word(inquiry_number_ & 0xFFFFU);
             add_words(made, below(3));
         }
         return made.close();
@@ -243,7 +232,7 @@ private:
     void add_words(frame& to, unsigned count) const
     {
         for (unsigned i = 0; i < count; ++i) {
-            to.word((question_number_ + 7U * i) & 0xFFFFU);
+            to.word((inquiry_number_ + 7U * i) & 0xFFFFU);
         }
     }
 
@@ -260,7 +249,7 @@ private:
         return next;
     }
 
-    /// A question is due; and now and then somebody cancels, leaves, or comes back.
+    /// A request is due; and now and then somebody cancels, leaves, or comes back.
     void act() override
     {
         world_.wake();
@@ -287,8 +276,7 @@ private:
     void misuse(std::size_t index)
     {
         seat& at = seats_[index];
-        bool const is_current =
-            at.here().wants and world_.verdicts().is_current(at.here().question);
+        bool const is_current = at.here().wants and world_.verdicts().is_current(at.here().inquiry);
         std::size_t const other = below(seats_.size());
         switch (below(5)) {
         case 0: // destroyed; another in the same place
@@ -304,38 +292,37 @@ private:
             }
             break;
         case 2: // moved to another place
-            note("moved", at.here().question);
+            note("moved", at.here().inquiry);
             at.present[1 - at.at].emplace(std::move(at.here()));
             at.present[at.at].reset();
             at.at = 1 - at.at;
             break;
         case 3: // two change places; on a bus each slot is one unit's
             if (not how().is_bus and other != index) {
-                note("changes places", at.here().question);
+                note("changes places", at.here().inquiry);
                 std::swap(at.here(), seats_[other].here());
-                bool const is_away =
-                    at.away_until > world_.now() or seats_[other].away_until > world_.now();
-                question& under_way = world_.all().questions[world_.verdicts().current()];
+                bool const is_away = at.away_until > world_.now() or seats_[other].away_until > world_.now();
+                inquiry& under_way = world_.all().inquiries[world_.verdicts().current()];
                 under_way.was_away = under_way.was_away or is_away;
             }
             break;
         default: // nobody serves it for a while
-            note("away", at.here().question);
-            at.away_until = world_.now() + below(below(2) == 0 ? how().response_timeout() / 8
-                                                               : 3 * how().response_timeout());
-            question_of(at).was_away = question_of(at).was_away or is_current;
+            note("away", at.here().inquiry);
+            at.away_until =
+                world_.now() + below(below(2) == 0 ? how().response_timeout() / 8 : 3 * how().response_timeout());
+            inquiry_of(at).was_away = inquiry_of(at).was_away or is_current;
             break;
         }
     }
 
     void give_up(seat& at, bool is_current, char const* how_so)
     {
-        note(how_so, at.here().question);
+        note(how_so, at.here().inquiry);
         if (not at.here().wants) {
             return;
         }
         ++world_.all().counts().given_up;
-        ++world_.all().counts().questions;
+        ++world_.all().counts().inquiries;
         at.here().give_up();
         at.is_health_known = false;
         if (is_current) {
@@ -343,7 +330,7 @@ private:
         }
     }
 
-    /// How long a question may wait for its outcome: for the others' and their debts, on a bus also for
+    /// How long a request may wait for its outcome: for the others' and their debts, on a bus also for
     /// its turn among the silent.
     moment longest_wait() const
     {
@@ -352,13 +339,13 @@ private:
 
     void check_end(seat& at)
     {
-        moment const since = std::max(question_of(at).begun, at.away_until);
+        moment const since = std::max(inquiry_of(at).begun, at.away_until);
         if (at.here().wants and world_.now() > since + longest_wait() + 10'000'000) {
             accuse(fault::never_ended);
         }
     }
 
-    /// The line is good again: each conversation's next question succeeds within a bound.
+    /// The line is good again: each conversation's next request succeeds within a bound.
     bool recovers()
     {
         world_.calm_down();
@@ -386,7 +373,7 @@ private:
     std::array<unsigned, setting::most_units> unanswered_{};
     moment act_at_{never};
     moment silent_time_{0};
-    std::uint32_t question_number_{0};
+    std::uint32_t inquiry_number_{0};
     std::size_t turn_{0};
     unsigned left_{0};
     bool last_is_good_{false};

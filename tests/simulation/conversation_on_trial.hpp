@@ -40,7 +40,7 @@ public:
         if (wants) {
             forget();
         }
-        question = number;
+        inquiry = number;
         request_ = request;
         again_ = may_repeat ? repetition::allowed : repetition::never;
         wants = true;
@@ -48,14 +48,14 @@ public:
     }
 
     /// May be called again before the request is taken: the client copies it only then.
-    std::optional<request> next()
+    std::optional<request_frame> next()
     {
         if (not wants) {
             return std::nullopt;
         }
         was_given = true;
         witness_->given(*this);
-        return request{request_.view(), again_};
+        return request_frame{request_.view(), again_};
     }
     void give_up()
     {
@@ -65,7 +65,7 @@ public:
     void accept(result<response> const& outcome) { witness_->accepted(*this, outcome); }
     bool settled() const { return not wants; }
 
-    std::uint32_t question{0};
+    std::uint32_t inquiry{0};
     bool wants{false};
     bool was_given{false};
 
@@ -107,10 +107,7 @@ protected:
 template <typename Client> class one_client final : public engine_of<Client> {
 public:
     using engine_of<Client>::engine_of;
-    void converse(std::size_t, conversation_on_trial& with, instant now) override
-    {
-        this->engine_.converse(with, now);
-    }
+    void converse(std::size_t, conversation_on_trial& with, instant now) override { this->engine_.converse(with, now); }
 };
 
 class one_bus final : public engine_of<bus<setting::most_conversations>> {

@@ -92,8 +92,7 @@ private:
 
 inline bool same(bytes_view left, bytes_view right)
 {
-    return left.size() == right.size() and
-           (left.empty() or std::memcmp(left.data(), right.data(), left.size()) == 0);
+    return left.size() == right.size() and (left.empty() or std::memcmp(left.data(), right.data(), left.size()) == 0);
 }
 
 /// What a register holds at the time of a transmission: the first two words of a read are the
@@ -103,8 +102,7 @@ inline std::uint16_t word_of(std::uint32_t transmission, std::size_t index)
     if (index < 2) {
         return static_cast<std::uint16_t>(index == 0 ? transmission >> 16U : transmission);
     }
-    std::uint32_t mixed =
-        (transmission + static_cast<std::uint32_t>(index) * 0x10001U) * 0x9E37'79B1U;
+    std::uint32_t mixed = (transmission + static_cast<std::uint32_t>(index) * 0x10001U) * 0x9E37'79B1U;
     mixed ^= mixed >> 15U;
     return static_cast<std::uint16_t>(mixed * 0x85EB'CA77U >> 16U);
 }
@@ -150,7 +148,7 @@ inline frame exception_to(frame const& request, unsigned code)
 }
 
 /// Whether a response could be one to this request by all that it repeats (AP 6, 7).
-inline bool could_answer(frame const& request, frame const& response)
+inline bool could_response(frame const& request, frame const& response)
 {
     if (response[0] != request[0] or (response[1] & 0x7FU) != request[1]) {
         return false;

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include <rtuwire/client/conversation.hpp>
+#include <rtuwire/ask/conversation.hpp>
 
 #include "records.hpp"
 
@@ -27,20 +27,18 @@ struct arrival {
 
 class judge {
 public:
-    judge(setting const& how, line_times const& times, records& all)
-        : how_{how}, times_{times}, all_{all}
-    {}
+    judge(setting const& how, line_times const& times, records& all) : how_{how}, times_{times}, all_{all} {}
 
     std::uint32_t current() const { return current_; }
-    bool is_current(std::uint32_t question) const { return question == current_; }
+    bool is_current(std::uint32_t inquiry) const { return inquiry == current_; }
 
     // --- requests ---------------------------------------------------------------------------------
 
-    /// A conversation gave its question to the client.
+    /// A conversation gave its request to the client.
     void given(std::uint32_t number, moment now)
     {
         current_ = number;
-        question& of = all_.questions[number];
+        inquiry& of = all_.inquiries[number];
         ++of.round;
         of.sent = of.pauses = 0;
         of.was_away = of.was_cancelled = of.is_unsure = false;
@@ -55,7 +53,7 @@ public:
     std::uint32_t sends(bytes_view bytes, moment now)
     {
         check_line(now);
-        question& of = all_.questions[current_];
+        inquiry& of = all_.inquiries[current_];
         if (of.id != current_ or not same(of.request.view(), bytes)) {
             all_.events.note(now, "client sends", 0, bytes);
             all_.accuse(fault::alien_bytes, now);
@@ -80,7 +78,7 @@ public:
     void leaves(moment end)
     {
         all_.transmissions[last_].end = own_end_ = end;
-        was_broadcast_ = all_.questions[current_].is_broadcast();
+        was_broadcast_ = all_.inquiries[current_].is_broadcast();
     }
 
     /// The client is told that it has left.
@@ -97,7 +95,7 @@ public:
     void hears_echo(moment now) { last_heard_ = now; }
 
     /// The echo is not what was sent: what the client makes of a response then is its own affair.
-    void echo_is_spoiled() { all_.questions[current_].is_unsure = true; }
+    void echo_is_spoiled() { all_.inquiries[current_].is_unsure = true; }
 
     /// A character of somebody else's was.
     void hears(arrival& of, bool is_first, bool is_last, moment now)
@@ -109,7 +107,7 @@ public:
         }
         ++bytes_since_told_;
         // A response that only silence ends, and more within that silence: nobody can part them.
-        if (due_ != 0 and all_.questions[current_].request[1] == 8) {
+        if (due_ != 0 and all_.inquiries[current_].request[1] == 8) {
             due_ = 0;
         }
         if (is_last) {
@@ -125,22 +123,22 @@ public:
     {
         all_.events.note(now, outcome.has_value() ? "accepts a value" : "accepts an error",
                          static_cast<unsigned>(outcome.error()));
-        question& of = all_.questions[number];
+        inquiry& of = all_.inquiries[number];
         if (outcome.error() == errc::cancelled and of.id == number and number != current_) {
             all_.events.note(now, "is told that it was dropped", number);
             return false;
         }
         if (not was_given or number != current_ or of.id != number) {
-            all_.events.note(now, "its question", number);
+            all_.events.note(now, "its request", number);
             all_.accuse(fault::unasked, now);
             return false;
         }
-        bool const is_answered = outcome.has_value() or is_exception(outcome.error());
+        bool const has_response = outcome.has_value() or is_exception(outcome.error());
         if (of.is_broadcast()) {
             if (outcome.has_value() and of.sent != 1) {
                 all_.accuse(fault::too_few, now);
             }
-        } else if (is_answered) {
+        } else if (has_response) {
             judge_response(of, outcome, now);
         } else {
             judge_failure(of, outcome.error(), now);
@@ -150,20 +148,20 @@ public:
         return true;
     }
 
-    /// Nobody waits for the question under way any more.
+    /// Nobody waits for the request under way any more.
     void given_up()
     {
-        all_.questions[current_].was_away = true;
+        all_.inquiries[current_].was_away = true;
         due_ = 0;
         is_under_way_ = false;
     }
     void cancelled()
     {
-        all_.questions[current_].was_cancelled = true;
+        all_.inquiries[current_].was_cancelled = true;
         due_ = 0;
     }
 
-    moment longest_response(question const& of) const
+    moment longest_response(inquiry const& of) const
     {
         return how_.response_timeout() + times_.characters(response_size(of.request));
     }
@@ -190,26 +188,26 @@ private:
         }
     }
 
-    /// A late answer of function 06 that comes while its request is sent again is an echo, as far as the client can know.
+    /// A late response of function 06 that comes while its request is sent again is an echo, as far as the client can know.
     void note_look_alike(arrival const& of)
     {
-        question& asked = all_.questions[current_];
+        inquiry& asked = all_.inquiries[current_];
         asked.is_unsure = asked.is_unsure or (is_under_way_ and same(asked.request.view(), of.content.view()));
     }
 
-    unsigned most_transmissions(question const& of) const
+    unsigned most_transmissions(inquiry const& of) const
     {
         bool const is_once = not of.may_repeat or of.is_first_try_only or of.is_broadcast();
         return 1U + (is_once ? 0U : how_.options.retries) + of.pauses;
     }
     /// Where several responses came in one lump, the client may have taken another one as "busy".
-    unsigned most_unsure(question const& of) const
+    unsigned most_unsure(inquiry const& of) const
     {
-        return of.is_unsure ? patience{}.busy_retries - of.pauses : 0U;
+        return of.is_unsure ? retry_policy{}.busy_retries - of.pauses : 0U;
     }
 
     /// A request goes out again: whether the time was right.
-    void check_repetition(question& of, moment now)
+    void check_repetition(inquiry& of, moment now)
     {
         bool const was_busy = take_busy(of, now);
         if (due_ != 0) {
@@ -221,19 +219,18 @@ private:
     }
 
     /// Whether the last transmission was answered by "busy"; holds the pause against its time.
-    bool take_busy(question& of, moment now)
+    bool take_busy(inquiry& of, moment now)
     {
         if (candidates_.empty()) {
             return false;
         }
         arrival const& first = candidates_.front();
-        bool const is_busy =
-            first.content[1] != of.request[1] and (first.content[2] == 5 or first.content[2] == 6);
+        bool const is_busy = first.content[1] != of.request[1] and (first.content[2] == 5 or first.content[2] == 6);
         of.is_unsure = of.is_unsure or not first.is_in_time or not first.is_clean;
-        if (not is_busy or not of.may_repeat or of.pauses >= patience{}.busy_retries) {
+        if (not is_busy or not of.may_repeat or of.pauses >= retry_policy{}.busy_retries) {
             return false;
         }
-        moment const pause = moment{patience{}.busy_pause.microseconds} << of.pauses;
+        moment const pause = moment{retry_policy{}.busy_pause.microseconds} << of.pauses;
         ++of.pauses;
         due_ = 0;
         if (not of.is_unsure and now < first.last_at + pause) {
@@ -243,7 +240,7 @@ private:
     }
 
     /// Whether a request without any response was given its time, and not much more.
-    void check_waited(question const& of, bool is_repetition, moment now)
+    void check_waited(inquiry const& of, bool is_repetition, moment now)
     {
         if (told_at_ == never or bytes_since_told_ != 0 or of.is_broadcast()) {
             return;
@@ -263,8 +260,8 @@ private:
     void has_arrived(arrival& of, moment now)
     {
         of.is_whole = of.is_whole and of.heard == of.content.size();
-        all_.events.note(now, of.is_whole ? "client hears" : "client hears it spoiled",
-                         of.origin.transmission, of.content.view());
+        all_.events.note(now, of.is_whole ? "client hears" : "client hears it spoiled", of.origin.transmission,
+                         of.content.view());
         if (told_at_ == never or of.first_at < told_at_) {
             note_look_alike(of);
             return;
@@ -273,8 +270,8 @@ private:
             ++all_.counts().spoiled;
             return;
         }
-        question const& asked = all_.questions[current_];
-        if (not could_answer(asked.request, of.content)) {
+        inquiry const& asked = all_.inquiries[current_];
+        if (not could_response(asked.request, of.content)) {
             return;
         }
         if (std::uint32_t& follows = beyond_up_to(asked); of.origin.chain <= follows) {
@@ -290,36 +287,31 @@ private:
 
     static bool is_content(arrival const& of, result<response> const& outcome)
     {
-        return outcome.has_value()
-                   ? same(outcome->pdu(), of.content.view().subspan(1, of.content.size() - 3))
-                   : static_cast<unsigned>(outcome.error()) == of.content[2];
+        return outcome.has_value() ? same(outcome->pdu(), of.content.view().subspan(1, of.content.size() - 3))
+                                   : static_cast<unsigned>(outcome.error()) == of.content[2];
     }
 
-    bool is_to(arrival const& of, question const& asked)
+    bool is_to(arrival const& of, inquiry const& asked)
     {
         transmission const& answered = all_.transmissions[of.origin.transmission];
-        return answered.number == of.origin.transmission and answered.question == asked.id and
+        return answered.number == of.origin.transmission and answered.inquiry == asked.id and
                answered.round == asked.round;
     }
 
-    std::uint32_t& beyond_up_to(question const& of)
-    {
-        return beyond_up_to_[of.request[0] % beyond_up_to_.size()];
-    }
+    std::uint32_t& beyond_up_to(inquiry const& of) { return beyond_up_to_[of.request[0] % beyond_up_to_.size()]; }
 
-    question const& answered_by(arrival const& of)
+    inquiry const& answered_by(arrival const& of)
     {
-        return all_.questions[all_.transmissions[of.origin.transmission].question];
+        return all_.inquiries[all_.transmissions[of.origin.transmission].inquiry];
     }
 
     /// The response that was taken. A loop that comes late sees the outcome after more has arrived:
     /// where the same bytes came twice, it was the right one then.
-    arrival const* taken(question const& of, result<response> const& outcome)
+    arrival const* taken(inquiry const& of, result<response> const& outcome)
     {
         arrival const* found = nullptr;
         for (arrival const& each : candidates_) {
-            bool const is_right_already =
-                how_.pass_late_most > 0 and found != nullptr and is_to(*found, of);
+            bool const is_right_already = how_.pass_late_most > 0 and found != nullptr and is_to(*found, of);
             if (is_content(each, outcome) and not is_right_already) {
                 found = &each;
             }
@@ -327,7 +319,7 @@ private:
         return found;
     }
 
-    void judge_response(question& of, result<response> const& outcome, moment now)
+    void judge_response(inquiry& of, result<response> const& outcome, moment now)
     {
         if (candidates_.empty()) {
             ++all_.counts().by_chance;
@@ -343,24 +335,23 @@ private:
             all_.counts().late_accepted += got->origin.transmission != last_ ? 1U : 0U;
             return;
         }
-        // Whatever took longer than this, no rule of time can tell from a response to the next question;
-        // and once one passed, the queue that its unit has then comes one question late.
+        // Whatever took longer than this, no rule of time can tell from a response to the next request;
+        // and once one passed, the queue that its unit has then comes one request late.
         std::uint32_t& follows = beyond_up_to(of);
         moment const took = got->last_at - got->origin.could_begin;
         bool const is_beyond = got->origin.is_late_chain or got->origin.chain <= follows or
-                               took > longest_response(answered_by(*got)) + how_.late_answer();
-        all_.events.note(now,
-                         is_beyond ? "beyond the rule: took the answer to" : "took the answer to",
+                               took > longest_response(answered_by(*got)) + how_.late_response();
+        all_.events.note(now, is_beyond ? "beyond the rule: took the response to" : "took the response to",
                          got->origin.transmission);
         if (is_beyond and not how_.has_constant_latency) {
             ++all_.counts().beyond_rule;
             follows = last_;
         } else {
-            all_.accuse(fault::wrong_answer, now);
+            all_.accuse(fault::foreign_response, now);
         }
     }
 
-    void judge_failure(question& of, errc error, moment now)
+    void judge_failure(inquiry& of, errc error, moment now)
     {
         if (error == errc::cancelled or of.was_cancelled or of.was_away) {
             return;
@@ -384,12 +375,12 @@ private:
     setting const& how_;
     line_times const& times_;
     records& all_;
-    std::vector<arrival> candidates_{}; ///< what could be the answer, since the client was told
+    std::vector<arrival> candidates_{};           ///< what could be the response, since the client was told
     std::array<std::uint32_t, 8> beyond_up_to_{}; ///< by unit: transmissions up to this
-    std::uint32_t current_{0};                    ///< the question under way
+    std::uint32_t current_{0};                    ///< the request under way
     std::uint32_t last_{0};                       ///< the last transmission
-    std::uint32_t due_{0};  ///< the transmission whose response has to be accepted
-    moment told_at_{never}; ///< when the client was told that its request has left
+    std::uint32_t due_{0};                        ///< the transmission whose response has to be accepted
+    moment told_at_{never};                       ///< when the client was told that its request has left
     moment own_end_{0};
     moment last_heard_{0};
     unsigned bytes_since_told_{0};

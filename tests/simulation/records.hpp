@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// What is known of the questions, their transmissions and their outcomes, and what may be wrong with them.
+// What is known of the requests, their transmissions and their outcomes, and what may be wrong with them.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace rtuwire::simulation {
 
 /// What may be wrong.
 enum class fault : std::uint8_t {
-    wrong_answer,     ///< the response to another request was accepted
+    foreign_response, ///< the response to another request was accepted
     invented,         ///< what was accepted was sent by nobody
     unasked,          ///< an outcome for a conversation that asked nothing, or something else
     alien_bytes,      ///< a frame on the line that is not the request under way
@@ -28,8 +28,8 @@ enum class fault : std::uint8_t {
     late_timeout,     ///< or too long
     short_pause,      ///< a busy unit was asked again too early
     refused,          ///< a response that was right and in time was not accepted
-    never_ended,      ///< a question has no outcome for far too long
-    slow_recovery,    ///< the line is good, and a question fails or takes too long
+    never_ended,      ///< a request has no outcome for far too long
+    slow_recovery,    ///< the line is good, and a request fails or takes too long
     wrong_write,      ///< a server wrote what nobody asked for
     wrong_response,   ///< or answers with something else
     stale_response,   ///< a server answers a request after more came in
@@ -45,16 +45,11 @@ inline constexpr std::size_t fault_count = static_cast<std::size_t>(fault::count
 inline char const* name_of(fault what)
 {
     constexpr std::array<char const*, fault_count> names{
-        "wrong answers",         "invented answers",
-        "unasked outcomes",      "alien bytes",
-        "overlapping frames",    "short silences",
-        "short turnarounds",     "too many transmissions",
-        "too few transmissions", "early time-outs",
-        "late time-outs",        "short pauses",
-        "refused responses",     "questions without end",
-        "slow recoveries",       "wrong writes",
-        "wrong responses",       "stale responses",
-        "deaf servers",          "spins",
+        "foreign responses",     "invented responses",   "unasked outcomes",  "alien bytes",
+        "overlapping frames",    "short silences",       "short turnarounds", "too many transmissions",
+        "too few transmissions", "early time-outs",      "late time-outs",    "short pauses",
+        "refused responses",     "requests without end", "slow recoveries",   "wrong writes",
+        "wrong responses",       "stale responses",      "deaf servers",      "spins",
         "shares exceeded",       "starved units"};
     return names[static_cast<std::size_t>(what)];
 }
@@ -62,13 +57,12 @@ inline char const* name_of(fault what)
 /// What was counted over all lives.
 struct tally {
     std::array<unsigned long, fault_count> faults{};
-    std::array<unsigned long, fault_count> first_after{}; ///< so many questions
-    unsigned long questions{0};
+    std::array<unsigned long, fault_count> first_after{}; ///< so many requests
+    unsigned long inquiries{0};
     unsigned long answered{0};
     unsigned long failed{0};
-    unsigned long given_up{0}; ///< cancelled, or their conversation is gone
-    unsigned long beyond_rule{
-        0}; ///< wrong, of a unit that took longer than any rule of time can cover
+    unsigned long given_up{0};      ///< cancelled, or their conversation is gone
+    unsigned long beyond_rule{0};   ///< wrong, of a unit that took longer than any rule of time can cover
     unsigned long by_chance{0};     ///< spoiled, with a good CRC
     unsigned long spoiled{0};       ///< frames that somebody may have taken for another
     unsigned long late_accepted{0}; ///< right answers to an older transmission of the same request
@@ -77,13 +71,13 @@ struct tally {
     {
         auto const index = static_cast<std::size_t>(what);
         if (faults[index]++ == 0) {
-            first_after[index] = questions;
+            first_after[index] = inquiries;
         }
     }
 };
 
-/// One question of a conversation.
-struct question {
+/// One request of a conversation.
+struct inquiry {
     std::uint32_t id{0};
     frame request{};
     bool may_repeat{true};
@@ -104,7 +98,7 @@ struct question {
 /// One transmission of a request.
 struct transmission {
     std::uint32_t number{0};
-    std::uint32_t question{0};
+    std::uint32_t inquiry{0};
     unsigned round{0};
     moment start{0};
     moment end{0};
@@ -167,9 +161,7 @@ private:
 /// Everything that one life notes.
 class records {
 public:
-    records(setting const& how, tally& counts)
-        : questions{how.measures_share ? 65'536U : 1'024U}, counts_{counts}
-    {}
+    records(setting const& how, tally& counts) : inquiries{how.measures_share ? 65'536U : 1'024U}, counts_{counts} {}
 
     void accuse(fault what, moment now)
     {
@@ -180,7 +172,7 @@ public:
     bool has_fault() const { return has_fault_; }
     tally& counts() { return counts_; }
 
-    latest<question> questions;
+    latest<inquiry> inquiries;
     latest<transmission> transmissions{4'096};
     journal events{};
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <rtuwire/server/server.hpp>
-#include <rtuwire/sim/dice.hpp>
+#include <rtuwire/sim/line/random_source.hpp>
 
 #include "records.hpp"
 
@@ -50,8 +50,7 @@ struct telling_registers {
         }
         std::size_t const values_at = function == 6 ? 4 : function == 16 ? 7 : 11;
         return writes == 1 and write_start == request.word_at(function == 23 ? 6 : 2) and
-               same(written.view(),
-                    request.view().subspan(values_at, request.size() - values_at - 2));
+               same(written.view(), request.view().subspan(values_at, request.size() - values_at - 2));
     }
 };
 
@@ -64,10 +63,10 @@ public:
         std::uint32_t sent_missed{0};
     };
 
-    server_end(std::uint8_t unit, line_timing const& timing, line_times const& times,
-               moment frame_end, bool is_late_in_lumps, records& all)
-        : unit_{unit}, engine_{*unit_id::checked(unit), timing}, times_{times},
-          frame_end_{frame_end}, is_late_in_lumps_{is_late_in_lumps}, all_{all}
+    server_end(std::uint8_t unit, line_timing const& timing, line_times const& times, moment frame_end,
+               bool is_late_in_lumps, records& all)
+        : unit_{unit}, engine_{*unit_id::checked(unit), timing}, times_{times}, frame_end_{frame_end},
+          is_late_in_lumps_{is_late_in_lumps}, all_{all}
     {}
 
     void start(instant now) { engine_.advance(now); }
@@ -95,12 +94,11 @@ public:
 
     /// A character that it hears.
     void hears(passing const& by, character const& value, bool is_request, chances const& with,
-               sim::dice& dice, moment now, instant clock)
+               sim::random_source& random_source, moment now, instant clock)
     {
         bool const is_last = by.next + 1 == by.content.size();
         moment const silent_since = std::max(last_heard_, excused_until_);
-        if (by.next == 0 and silent_since < now and
-            now - silent_since > frame_end_ + times_.characters(2)) {
+        if (by.next == 0 and silent_since < now and now - silent_since > frame_end_ + times_.characters(2)) {
             is_confused_ = false;
         }
         last_heard_ = now;
@@ -117,12 +115,10 @@ public:
         is_intact_ = (is_intact_ or by.next == 0) and not value.is_damaged and
                      static_cast<std::uint8_t>(value.value) == by.content[by.next];
         bool const is_for_it = by.content[0] == unit_ or by.content[0] == 0;
-        std::uint32_t const request =
-            is_last and is_request and is_for_it and is_intact_ ? by.origin.transmission : 0;
-        bool const can_take =
-            busy_until_ <= now and not was_asked_ and sending_until_ < now and excused_until_ < now;
-        if (request != 0 and busy_until_ <= now and dice.happens(with.late)) {
-            busy_until_ = now + 1 + dice.below(2'000'000);
+        std::uint32_t const request = is_last and is_request and is_for_it and is_intact_ ? by.origin.transmission : 0;
+        bool const can_take = busy_until_ <= now and not was_asked_ and sending_until_ < now and excused_until_ < now;
+        if (request != 0 and busy_until_ <= now and random_source.happens(with.late)) {
+            busy_until_ = now + 1 + random_source.below(2'000'000);
             all_.events.note(now, "server is busy", unit_);
         }
         if (busy_until_ > now and is_late_in_lumps_) {
@@ -131,8 +127,8 @@ public:
             return;
         }
         take({value, request}, clock);
-        if (request != 0 and by.is_whole() and can_take and not is_confused_ and
-            by.content[1] != 8 and taken_ != request) {
+        if (request != 0 and by.is_whole() and can_take and not is_confused_ and by.content[1] != 8 and
+            taken_ != request) {
             all_.events.note(now, "server did not take", request);
             all_.accuse(fault::deaf, now);
         }
@@ -169,10 +165,10 @@ public:
     /// The transmission that it answers.
     std::uint32_t answers() const { return taken_; }
 
-    void leaves(moment end, chances const& with, sim::dice& dice)
+    void leaves(moment end, chances const& with, sim::random_source& random_source)
     {
         sending_until_ = sent_at_ = end;
-        if (dice.happens(with.sent_missed)) {
+        if (random_source.happens(with.sent_missed)) {
             sent_at_ = never;
             excused_until_ = never; // and then until a silence
             misses_it_at_ = end + 300'000;
@@ -223,7 +219,7 @@ private:
         }
     }
 
-    /// What it says is the answer to what it took, after no more has come in.
+    /// What it says is the response to what it took, after no more has come in.
     void check_response(byte_view bytes, moment now)
     {
         if (bytes_since_taken_ > 0) {
@@ -241,8 +237,8 @@ private:
     frame const* request_taken()
     {
         transmission const& of = all_.transmissions[taken_];
-        question const& asked = all_.questions[of.question];
-        return of.number == taken_ and asked.id == of.question ? &asked.request : nullptr;
+        inquiry const& asked = all_.inquiries[of.inquiry];
+        return of.number == taken_ and asked.id == of.inquiry ? &asked.request : nullptr;
     }
 
     std::uint8_t unit_;

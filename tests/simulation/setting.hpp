@@ -10,7 +10,7 @@
 #include <rtuwire/client/bus.hpp>
 #include <rtuwire/client/options.hpp>
 #include <rtuwire/rtu/line.hpp>
-#include <rtuwire/sim/dice.hpp>
+#include <rtuwire/sim/line/random_source.hpp>
 
 #include "frames.hpp"
 
@@ -47,7 +47,7 @@ struct setting {
     bool is_bus{false};
     bool measures_share{false};       ///< a bus with dead units and nothing else wrong
     bool has_constant_latency{false}; ///< which a rule of time covers even where it is longer
-    bool has_echo{false};
+    bool has_line_echo{false};
     client_options options{};
     std::uint32_t clock_start{0};
 
@@ -79,57 +79,54 @@ struct setting {
     bool is_late_in_lumps{false};
 
     moment response_timeout() const { return options.response_timeout.microseconds; }
-    moment late_answer() const { return options.late_answer.microseconds; }
+    moment late_response() const { return options.late_response.microseconds; }
 
-    /// The longest that a debt may hold up a question, and then the question itself, roughly.
+    /// The longest that a debt may hold up a request, and then the request itself, roughly.
     moment longest_wait() const
     {
-        moment const attempts = options.retries + 1U;
+        moment const retry_state = options.retries + 1U;
         moment const pauses = 3U * 400'000U;
-        moment const transaction =
-            attempts * (response_timeout() + 1'000'000) + pauses + sent_late_most;
-        return attempts * (transaction + late_answer()) + 2 * transaction;
+        moment const transaction = retry_state * (response_timeout() + 1'000'000) + pauses + sent_late_most;
+        return retry_state * (transaction + late_response()) + 2 * transaction;
     }
 };
 
 inline line_timing timing_of(setting const& how, bool is_host)
 {
-    return is_host ? line_timing::host(how.bits_per_second, how.format)
-                   : line_timing{how.bits_per_second, how.format};
+    return is_host ? line_timing::host(how.bits_per_second, how.format) : line_timing{how.bits_per_second, how.format};
 }
 
 inline setting setting_of(std::uint32_t seed, choice wanted)
 {
-    sim::dice dice{seed};
+    sim::random_source random_source{seed};
     auto const between = [&](std::uint32_t least, std::uint32_t most) {
-        return least + dice.below(most - least + 1);
+        return least + random_source.below(most - least + 1);
     };
-    auto const chance = [&](unsigned percent) { return dice.below(100) < percent; };
+    auto const chance = [&](unsigned percent) { return random_source.below(100) < percent; };
     auto const stretch = [&](double least, double most) { // as often near one end as near the other
-        return least * std::pow(most / least, dice.below(1'000'000) / 1e6);
+        return least * std::pow(most / least, random_source.below(1'000'000) / 1e6);
     };
     auto const rate = [&](unsigned percent, std::uint32_t most) {
-        return chance(percent) ? dice.below(most) : 0U;
+        return chance(percent) ? random_source.below(most) : 0U;
     };
 
     setting all;
     all.seed = seed;
     constexpr std::uint32_t speeds[] = {9'600, 19'200, 19'200, 38'400, 115'200};
-    all.bits_per_second = speeds[dice.below(5)];
+    all.bits_per_second = speeds[random_source.below(5)];
     all.format = chance(30) ? character_format::none_8_1 : character_format::even_8_1;
-    all.clock_start = dice.next();
+    all.clock_start = random_source.next();
     all.is_host = chance(35);
     all.is_bus = chance(30);
-    all.has_echo = not all.is_host and chance(15);
+    all.has_line_echo = not all.is_host and chance(15);
     if (not chance(30)) { // otherwise what a user gets who says nothing
         auto const timeout = static_cast<std::uint32_t>(stretch(50'000, 1'000'000));
         all.options.response_timeout = microseconds(timeout);
-        all.options.late_answer =
-            microseconds(static_cast<std::uint32_t>(timeout * stretch(0.02, 2)));
-        all.options.retries = static_cast<std::uint8_t>(dice.below(4));
+        all.options.late_response = microseconds(static_cast<std::uint32_t>(timeout * stretch(0.02, 2)));
+        all.options.retries = static_cast<std::uint8_t>(random_source.below(4));
         all.options.turnaround = milliseconds(between(5, 200));
     }
-    all.options.has_echo = all.has_echo;
+    all.options.has_line_echo = all.has_line_echo;
     double const timeout = double(all.response_timeout());
 
     all.units = between(1, setting::most_units);
@@ -139,9 +136,8 @@ inline setting setting_of(std::uint32_t seed, choice wanted)
         auto const some = [&](double least, double most) {
             return static_cast<moment>(timeout * stretch(least, most));
         };
-        moment const one =
-            chance(50) ? some(1, 1 + 1.2 * double(all.late_answer()) / timeout) : some(0.1, 3);
-        switch (dice.below(4)) {
+        moment const one = chance(50) ? some(1, 1 + 1.2 * double(all.late_response()) / timeout) : some(0.1, 3);
+        switch (random_source.below(4)) {
         case 0: each.latency = {500, 5'000}; break;
         case 1: each.latency = {one, one}; break;
         case 2: each.latency = {one / 2, one}; break;
@@ -177,13 +173,13 @@ inline setting setting_of(std::uint32_t seed, choice wanted)
     }
 
     if (wanted == choice::constant) {
-        setting plain;
-        plain.seed = all.seed;
-        plain.clock_start = all.clock_start;
+        setting count16;
+        count16.seed = all.seed;
+        count16.clock_start = all.clock_start;
         auto const one = static_cast<moment>(between(1'005'000, 1'900'000));
-        plain.unit[0].latency = {one, one};
-        plain.has_constant_latency = true;
-        return plain;
+        count16.unit[0].latency = {one, one};
+        count16.has_constant_latency = true;
+        return count16;
     }
     if (all.is_bus and chance(5)) {
         setting calm;
@@ -192,7 +188,7 @@ inline setting setting_of(std::uint32_t seed, choice wanted)
         calm.format = all.format;
         calm.clock_start = all.clock_start;
         calm.options = all.options;
-        calm.options.has_echo = false;
+        calm.options.has_line_echo = false;
         calm.is_bus = true;
         calm.measures_share = true;
         calm.units = calm.conversations = setting::most_units;

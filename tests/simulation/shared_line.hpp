@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-#include <rtuwire/sim/dice.hpp>
+#include <rtuwire/sim/line/random_source.hpp>
 
 #include "frames.hpp"
 
@@ -55,8 +55,7 @@ struct line_times {
     line_times(std::uint32_t bits_per_second, unsigned bits)
         : character_ns{bits * 1'000'000'000ULL / bits_per_second}, t3_5{bits_per_second > 19'200
                                                                             ? 1'750
-                                                                            : character_ns * 7 /
-                                                                                  2'000}
+                                                                            : character_ns * 7 / 2'000}
     {}
     moment characters(std::size_t count) const { return (count * character_ns + 999) / 1'000; }
 };
@@ -64,7 +63,7 @@ struct line_times {
 /// The line. `transmit` puts a frame on it; `advance` gives each character at its end, then the frame.
 class shared_line {
 public:
-    shared_line(line_times const& times, std::uint32_t seed) : times_{times}, dice_{seed} {}
+    shared_line(line_times const& times, std::uint32_t seed) : times_{times}, random_{seed} {}
 
     /// Sends from `now` on; the end of the last stop bit.
     moment transmit(passing const& sent, moment now)
@@ -124,7 +123,7 @@ private:
             got = {got.value ^ static_cast<std::byte>(one.damage), one.is_reported};
         }
         if (begin < one.spoiled_until and begin + times_.characters(1) > one.spoiled_from) {
-            got = {static_cast<std::byte>(dice_.next()), dice_.below(2) == 0};
+            got = {static_cast<std::byte>(random_.next()), random_.below(2) == 0};
         }
         return got;
     }
@@ -142,7 +141,7 @@ private:
     }
 
     line_times times_;
-    sim::dice dice_;
+    sim::random_source random_;
     std::vector<passing> frames_{};
     moment next_{never};
     moment last_end_{0};

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <deque>
 
-#include <rtuwire/sim/dice.hpp>
+#include <rtuwire/sim/line/random_source.hpp>
 
 #include "setting.hpp"
 #include "shared_line.hpp"
@@ -31,7 +31,7 @@ public:
     bool is_sending(moment from) const { return free_at_ > from; }
     void be_fast() { how_ = {.latency = {500, 2'000}}; }
 
-    void take(job const& asked, sim::dice& dice)
+    void take(job const& asked, sim::random_source& random_source)
     {
         if (how_.is_dead or (how_.forgets_when_busy and not jobs_.empty())) {
             return;
@@ -40,7 +40,7 @@ public:
         if (jobs_.size() == 1) {
             chain_ = asked.transmission;
             is_late_chain_ = is_late_chain_ and asked.heard < free_at_;
-            begin(dice);
+            begin(random_source);
         }
     }
 
@@ -50,29 +50,25 @@ public:
     bool waits_for_silence() const { return how_.waits_for_silence; }
 
     job const& current() const { return jobs_.front(); }
-    frame_origin origin() const
-    {
-        return {jobs_.front().transmission, could_begin_, chain_, is_late_chain_};
-    }
+    frame_origin origin() const { return {jobs_.front().transmission, could_begin_, chain_, is_late_chain_}; }
 
     /// Its response leaves until then; `longest` is what the client was told that it may take.
-    void leave(moment end, moment longest, sim::dice& dice)
+    void leave(moment end, moment longest, sim::random_source& random_source)
     {
         is_late_chain_ = is_late_chain_ or end - could_begin_ > longest;
         free_at_ = end;
         jobs_.pop_front();
         if (not jobs_.empty()) {
-            begin(dice);
+            begin(random_source);
         }
     }
 
 private:
-    void begin(sim::dice& dice)
+    void begin(sim::random_source& random_source)
     {
         could_begin_ = std::max(jobs_.front().heard, free_at_);
         moment const spread = how_.latency.most - how_.latency.least;
-        ready_at_ =
-            could_begin_ + how_.latency.least + dice.below(static_cast<std::uint32_t>(spread + 1));
+        ready_at_ = could_begin_ + how_.latency.least + random_source.below(static_cast<std::uint32_t>(spread + 1));
     }
 
     std::uint8_t unit_{0};

@@ -32,9 +32,10 @@ protected:
 class slow_world {
 public:
     slow_world(setting const& how, tally& counts, engine& link, program& above)
-        : how_{how}, times_{how.bits_per_second, bits_per_character(how.format)}, all_{how, counts},
-          judge_{how_, times_, all_}, line_{times_, how.seed * 3U + 1U}, dice_{how.seed * 5U + 2U},
-          link_{link}, program_{above}
+        : how_{how}, times_{how.bits_per_second, bits_per_character(how.format)}, all_{how, counts}, judge_{how_,
+                                                                                                            times_,
+                                                                                                            all_},
+          line_{times_, how.seed * 3U + 1U}, random_{how.seed * 5U + 2U}, link_{link}, program_{above}
     {
         for (unsigned i = 0; i < how_.units; ++i) {
             units_.emplace_back(static_cast<std::uint8_t>(i + 1), how_.unit[i]);
@@ -42,8 +43,8 @@ public:
         for (unsigned i = 0; i < how_.servers; ++i) {
             auto const unit = static_cast<std::uint8_t>(how_.units + i + 1);
             bool const is_host = how_.server_is_host[i];
-            servers_.emplace_back(unit, timing_of(how_, is_host), times_,
-                                  is_host ? 50'000U : times_.t3_5 + 1, how_.is_late_in_lumps, all_);
+            servers_.emplace_back(unit, timing_of(how_, is_host), times_, is_host ? 50'000U : times_.t3_5 + 1,
+                                  how_.is_late_in_lumps, all_);
         }
         link_.advance(clock());
         for (server_end& each : servers_) {
@@ -57,7 +58,7 @@ public:
         auto const ahead = static_cast<std::int32_t>(at.microseconds - clock().microseconds);
         return ahead <= 0 ? now_ : now_ + static_cast<moment>(ahead);
     }
-    bool happens(std::uint32_t rate) { return not is_calm_ and dice_.happens(rate); }
+    bool happens(std::uint32_t rate) { return not is_calm_ and random_.happens(rate); }
     bool has_fault() const { return all_.has_fault(); }
 
     void run_until(moment end)
@@ -72,10 +73,7 @@ public:
     {
         now_ = std::max(now_, next(most));
         line_.advance(
-            now_,
-            [&](passing const& by, character const& value, moment begin) {
-                hear(by, value, begin);
-            },
+            now_, [&](passing const& by, character const& value, moment begin) { hear(by, value, begin); },
             [&](passing const& ended) { frame_ended(ended); });
         if (adapter_at_ <= now_) {
             release();
@@ -111,7 +109,7 @@ public:
     {
         if (pass_at_ == never) {
             auto const most = static_cast<std::uint32_t>(how_.pass_late_most);
-            pass_at_ = now_ + dice_.below(most);
+            pass_at_ = now_ + random_.below(most);
         }
     }
 
@@ -121,8 +119,8 @@ public:
         passing noise;
         noise.sender = noise_sender;
         noise.damage = 1;
-        for (unsigned i = 0, size = 1 + dice_.below(8); i < size; ++i) {
-            noise.content.byte(dice_.below(256));
+        for (unsigned i = 0, size = 1 + random_.below(8); i < size; ++i) {
+            noise.content.byte(random_.below(256));
         }
         line_.transmit(noise, now_);
     }
@@ -138,7 +136,7 @@ public:
     }
 
     /// Returns once nobody has had anything to say, or to catch up with, for twice the time after which a host
-    /// ends a frame: a server that hears an answer of function 08, which has no length, or the rest of a request
+    /// ends a frame: a server that hears a response of function 08, which has no length, or the rest of a request
     /// after its loop was busy, begins a frame with it that only this silence ends.
     void await_silence()
     {
@@ -164,7 +162,7 @@ public:
     line_times const& times() const { return times_; }
     records& all() { return all_; }
     judge& verdicts() { return judge_; }
-    sim::dice& dice() { return dice_; }
+    sim::random_source& random_source() { return random_; }
     bool is_calm() const { return is_calm_; }
 
 private:
@@ -233,23 +231,19 @@ private:
         }
         frame content;
         content.assign(bytes);
-        passing const sent =
-            on_line(client_sender, content, {.transmission = number}, how_.request_lost);
+        passing const sent = on_line(client_sender, content, {.transmission = number}, how_.request_lost);
         own_end_ = line_.transmit(sent, now_);
         judge_.leaves(own_end_);
-        all_.events.note(now_,
-                         sent.is_lost or sent.deaf_listeners == ~1U ? "client sends, lost"
-                                                                    : "client sends",
+        all_.events.note(now_, sent.is_lost or sent.deaf_listeners == ~1U ? "client sends, lost" : "client sends",
                          number, bytes);
         auto const late = static_cast<std::uint32_t>(how_.sent_late_most);
         sent_at_ = happens(how_.sent_never)  ? never
-                   : happens(how_.sent_late) ? own_end_ + dice_.below(late)
+                   : happens(how_.sent_late) ? own_end_ + random_.below(late)
                                              : own_end_;
     }
 
     /// What the line does to a frame.
-    passing on_line(unsigned sender, frame const& content, frame_origin const& origin,
-                    std::uint32_t lost)
+    passing on_line(unsigned sender, frame const& content, frame_origin const& origin, std::uint32_t lost)
     {
         passing made;
         made.sender = sender;
@@ -257,26 +251,23 @@ private:
         made.origin = origin;
         if (happens(lost)) {
             // Where the line echoes, a sender hears itself all the same.
-            bool const is_echoed = sender == client_sender and how_.has_echo;
+            bool const is_echoed = sender == client_sender and how_.has_line_echo;
             made.is_lost = not is_echoed;
             made.deaf_listeners = is_echoed ? ~1U : 0U;
         }
         if (happens(how_.damaged)) {
             auto const size = static_cast<std::uint32_t>(content.size());
-            made.damaged_at = static_cast<std::uint8_t>(dice_.below(size));
-            made.damage = static_cast<std::uint8_t>(1U << dice_.below(8));
-            made.is_reported = not how_.is_host and dice_.below(2) == 0;
+            made.damaged_at = static_cast<std::uint8_t>(random_.below(size));
+            made.damage = static_cast<std::uint8_t>(1U << random_.below(8));
+            made.is_reported = not how_.is_host and random_.below(2) == 0;
         }
         if (made.deaf_listeners == 0 and happens(how_.missed_by_one)) {
-            made.deaf_listeners = 1U << dice_.below(first_server + setting::most_servers);
+            made.deaf_listeners = 1U << random_.below(first_server + setting::most_servers);
         }
         return made;
     }
 
-    static bool misses(passing const& by, unsigned listener)
-    {
-        return ((by.deaf_listeners >> listener) & 1U) != 0;
-    }
+    static bool misses(passing const& by, unsigned listener) { return ((by.deaf_listeners >> listener) & 1U) != 0; }
 
     // --- who hears --------------------------------------------------------------------------------
 
@@ -284,7 +275,7 @@ private:
     {
         if (by.sender != client_sender) {
             client_hears(by, value, begin);
-        } else if (how_.has_echo) {
+        } else if (how_.has_line_echo) {
             if (not by.is_whole()) {
                 judge_.echo_is_spoiled();
             }
@@ -298,16 +289,14 @@ private:
             if (servers_[i].is_sending(begin) or misses(by, listener)) {
                 servers_[i].misses();
             } else {
-                servers_[i].hears(by, value, by.sender == client_sender, chances(), dice_, now_,
-                                  clock());
+                servers_[i].hears(by, value, by.sender == client_sender, chances(), random_, now_, clock());
             }
         }
     }
 
     server_end::chances chances() const
     {
-        return is_calm_ ? server_end::chances{}
-                        : server_end::chances{how_.served_late, how_.server_sent_missed};
+        return is_calm_ ? server_end::chances{} : server_end::chances{how_.served_late, how_.server_sent_missed};
     }
 
     void client_hears(passing const& by, character const& value, moment begin)
@@ -320,10 +309,9 @@ private:
         arrival& of = arrivals_[number];
         of.origin = by.origin;
         // A spoiled character may be the right one by chance.
-        bool const is_right =
-            not value.is_damaged and static_cast<std::uint8_t>(value.value) == by.content[by.next];
+        bool const is_right = not value.is_damaged and static_cast<std::uint8_t>(value.value) == by.content[by.next];
         of.is_whole = (of.is_whole or by.next == 0) and is_right;
-        bool const is_transmitting = begin < own_end_ and not how_.has_echo;
+        bool const is_transmitting = begin < own_end_ and not how_.has_line_echo;
         if (is_transmitting or misses(by, client_sender)) {
             return; // too few are heard then, so that it does not count as whole
         }
@@ -364,11 +352,9 @@ private:
     {
         constexpr std::size_t largest = 62;
         if (waiting_.empty()) {
-            bool const has_gap = how_.gap_most > 0 and dice_.below(3) == 0;
-            moment const gap =
-                has_gap ? dice_.below(static_cast<std::uint32_t>(how_.gap_most)) : 0U;
-            adapter_at_ =
-                std::max(now_ + how_.adapter_latency, std::min(last_release_, now_) + gap);
+            bool const has_gap = how_.gap_most > 0 and random_.below(3) == 0;
+            moment const gap = has_gap ? random_.below(static_cast<std::uint32_t>(how_.gap_most)) : 0U;
+            adapter_at_ = std::max(now_ + how_.adapter_latency, std::min(last_release_, now_) + gap);
         }
         waiting_.push_back(one);
         if (waiting_.size() == largest) {
@@ -408,7 +394,7 @@ private:
             slow_unit& unit = units_[i];
             if (ended.content[0] == unit.unit() and not unit.is_sending(ended.start) and
                 not misses(ended, first_unit + static_cast<unsigned>(i))) {
-                unit.take({ended.origin.transmission, ended.content, now_}, dice_);
+                unit.take({ended.origin.transmission, ended.content, now_}, random_);
             }
         }
     }
@@ -424,18 +410,16 @@ private:
             return;
         }
         slow_unit::job const& job = unit.current();
-        frame const said = happens(how_.refuses_busy)
-                               ? exception_to(job.request, 5 + dice_.below(2))
-                           : happens(how_.refuses) ? exception_to(job.request, 1 + dice_.below(4))
-                                                   : response_to(job.request, job.transmission);
-        passing const sent = on_line(first_unit + static_cast<unsigned>(index), said, unit.origin(),
-                                     how_.response_lost);
+        frame const said = happens(how_.refuses_busy) ? exception_to(job.request, 5 + random_.below(2))
+                           : happens(how_.refuses)    ? exception_to(job.request, 1 + random_.below(4))
+                                                      : response_to(job.request, job.transmission);
+        passing const sent =
+            on_line(first_unit + static_cast<unsigned>(index), said, unit.origin(), how_.response_lost);
         moment const end = line_.transmit(sent, now_);
-        all_.events.note(now_, sent.is_lost ? "unit answers, lost" : "unit answers",
-                         job.transmission, said.view());
-        moment const longest = how_.response_timeout() + how_.late_answer() +
-                               times_.characters(response_size(job.request));
-        unit.leave(end, longest, dice_);
+        all_.events.note(now_, sent.is_lost ? "unit answers, lost" : "unit answers", job.transmission, said.view());
+        moment const longest =
+            how_.response_timeout() + how_.late_response() + times_.characters(response_size(job.request));
+        unit.leave(end, longest, random_);
     }
 
     void server_acts(std::size_t index)
@@ -448,12 +432,10 @@ private:
         std::uint32_t const number = node.answers();
         frame content;
         content.assign(bytes);
-        passing const sent =
-            on_line(first_server + static_cast<unsigned>(index), content,
-                    {number, all_.transmissions[number].end, number, false}, how_.response_lost);
-        all_.events.note(now_, sent.is_lost ? "server answers, lost" : "server answers", number,
-                         bytes);
-        node.leaves(line_.transmit(sent, now_), chances(), dice_);
+        passing const sent = on_line(first_server + static_cast<unsigned>(index), content,
+                                     {number, all_.transmissions[number].end, number, false}, how_.response_lost);
+        all_.events.note(now_, sent.is_lost ? "server answers, lost" : "server answers", number, bytes);
+        node.leaves(line_.transmit(sent, now_), chances(), random_);
     }
 
     setting how_;
@@ -461,7 +443,7 @@ private:
     records all_;
     judge judge_;
     shared_line line_;
-    sim::dice dice_;
+    sim::random_source random_;
     engine& link_;
     program& program_;
     moment now_{0};

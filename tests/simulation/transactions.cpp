@@ -28,7 +28,7 @@ struct tally {
     unsigned long transactions{0};
     unsigned long answered{0};
     unsigned long failed{0};
-    unsigned long wrong_questions{0}; ///< what a server said, but not to this question
+    unsigned long wrong_inquiries{0}; ///< what a server said, but not to this request
     unsigned long codewords{0};       ///< damaged, with a CRC that is right by chance
     unsigned long other_requests{0};  ///< so as well, and its server did what nobody asked for
     unsigned long damaged{0};         ///< seen to be damaged by the CRC
@@ -36,19 +36,16 @@ struct tally {
     unsigned long wrong_writes{0};
     unsigned long slow_recoveries{0};
 
-    unsigned long faults() const
-    {
-        return wrong_questions + late_ends + wrong_writes + slow_recoveries;
-    }
+    unsigned long faults() const { return wrong_inquiries + late_ends + wrong_writes + slow_recoveries; }
 };
 
-constexpr patience steady{.response_timeout = milliseconds(60), .retries = 2};
-/// For each attempt, silence on the line, the request, its answer's time and its answer; before it, twice as
-/// long where two sendings of the question before were not answered, and late answers.
+constexpr retry_policy steady{.response_timeout = milliseconds(60), .retries = 2};
+/// For each attempt, silence on the line, the request, its response's time and its response; before it, twice as
+/// long where two sendings of the request before were not answered, and late responses.
 constexpr std::uint32_t attempts_us = 3 * (60'000 + 60'000 + 2 * 256 * 573 + 60'000);
 constexpr std::uint32_t longest_us = 3 * attempts_us + 2 * 60'000;
 
-/// What a question writes.
+/// What a request writes.
 struct written {
     std::uint8_t unit{0};
     std::uint16_t start{0};
@@ -61,8 +58,8 @@ struct written {
     }
 };
 
-/// One question of any kind, and what is right for it.
-struct question {
+/// One request of any kind, and what is right for it.
+struct inquiry {
     std::uint8_t unit{0};
     std::uint16_t read_start{0};
     std::uint16_t read_count{0};
@@ -73,18 +70,18 @@ struct question {
     std::array<std::byte, max_adu_size> place{};
     byte_view frame{};
 
-    explicit question(sim::dice& dice)
+    explicit inquiry(sim::random_source& random_source)
     {
-        unit = static_cast<std::uint8_t>(1 + dice.below(world::servers));
-        auto const address = [&] { return static_cast<std::uint16_t>(dice.below(60'000)); };
+        unit = static_cast<std::uint8_t>(1 + random_source.below(world::servers));
+        auto const address = [&] { return static_cast<std::uint16_t>(random_source.below(60'000)); };
         // At least two words: one alone could be another's by chance.
-        auto const count = [&] { return static_cast<std::uint16_t>(2 + dice.below(8)); };
-        first = static_cast<std::uint16_t>(dice.next());
-        again = dice.below(8) == 0 ? repetition::never : repetition::allowed;
+        auto const count = [&] { return static_cast<std::uint16_t>(2 + random_source.below(8)); };
+        first = static_cast<std::uint16_t>(random_source.next());
+        again = random_source.below(8) == 0 ? repetition::never : repetition::allowed;
         unit_id const to = *unit_id::checked(unit);
         register_block<10> words;
         words.set(0, first);
-        switch (dice.below(4)) {
+        switch (random_source.below(4)) {
         case 0:
             read_start = address();
             read_count = count();
@@ -100,28 +97,27 @@ struct question {
             write_count = count();
             frame = *encode_into(
                 place, to,
-                write_multiple_registers{
-                    write_start, register_view{words.view().bytes().first(2U * write_count)}});
+                write_multiple_registers{write_start, register_view{words.view().bytes().first(2U * write_count)}});
             break;
         default:
             read_start = address();
             read_count = count();
             write_start = address();
             write_count = count();
-            frame = *encode_into(place, to,
-                                 read_write_multiple_registers{
-                                     read_start, read_count, write_start,
-                                     register_view{words.view().bytes().first(2U * write_count)}});
+            frame = *encode_into(
+                place, to,
+                read_write_multiple_registers{read_start, read_count, write_start,
+                                              register_view{words.view().bytes().first(2U * write_count)}});
             break;
         }
     }
 
-    bool holds(response const& answer) const
+    bool holds(response const& response) const
     {
         if (read_count == 0) {
             return true; // an echo of the request, which the client compared
         }
-        byte_view const pdu = answer.pdu();
+        byte_view const pdu = response.pdu();
         register_view const words{pdu.subspan(2)};
         bool is_right = words.size() == read_count;
         for (std::size_t i = 0; is_right and i < words.size(); ++i) {
@@ -140,20 +136,20 @@ struct question {
 class run {
 public:
     run(wiring const& how, tally& counts)
-        : all_{how}, dice_{how.seed * 7U + 1U}, counts_{counts}, has_adapter_{how.has_adapter}
+        : all_{how}, random_{how.seed * 7U + 1U}, counts_{counts}, has_adapter_{how.has_adapter}
     {}
 
     void live(unsigned phases)
     {
         for (unsigned phase = 0; phase < phases; ++phase) {
-            trouble();
+            error();
             for (unsigned i = 0; i < 40; ++i) {
                 interfere();
                 transact(true);
             }
             all_.wire().set_faults({});
             may_babble_ = false;
-            all_.idle(milliseconds(dice_.below(20)));
+            all_.idle(milliseconds(random_.below(20)));
             transact(true);
             for (unsigned i = 0; i < 4; ++i) {
                 counts_.slow_recoveries += transact(false) ? 0U : 1U;
@@ -164,61 +160,59 @@ public:
 
 private:
     /// Some faults for a while.
-    void trouble()
+    void error()
     {
         sim::line_faults faults;
-        auto const some = [&](std::uint32_t most) {
-            return dice_.below(2) == 0 ? 0 : dice_.below(most);
-        };
+        auto const some = [&](std::uint32_t most) { return random_.below(2) == 0 ? 0 : random_.below(most); };
         faults.bit_errors = some(100);
         faults.bursts = some(100'000);
         faults.dropped = some(10'000);
         faults.added = some(10'000);
         faults.lost = some(200'000);
         faults.glitches = some(200'000);
-        faults.is_cut = dice_.below(16) == 0;
+        faults.is_cut = random_.below(16) == 0;
         all_.wire().set_faults(0, faults);
-        // Behind an adapter's latency a client cannot hear that an answer comes twice, and asks into it;
-        // nothing in the protocol then tells the copy from the next answer.
+        // Behind an adapter's latency a client cannot hear that a response comes twice, and asks into it;
+        // nothing in the protocol then tells the copy from the next response.
         faults.repeated = has_adapter_ ? 0 : some(100'000);
         faults.delayed = some(200'000);
-        faults.delay = milliseconds(dice_.below(100));
+        faults.delay = milliseconds(random_.below(100));
         for (unsigned unit = 1; unit <= world::servers; ++unit) {
             all_.wire().set_faults(unit, faults);
         }
-        may_babble_ = dice_.below(4) == 0;
+        may_babble_ = random_.below(4) == 0;
     }
 
-    /// A stranger says something, or asks for one word: as many as no question of ours asks for.
+    /// Another sender sends something, or asks for one word: as many as no request of ours asks for.
     void interfere()
     {
-        if (not may_babble_ or dice_.below(8) != 0) {
+        if (not may_babble_ or random_.below(8) != 0) {
             return;
         }
-        std::array<std::byte, 64> octets{};
-        if (dice_.below(2) == 0) {
-            unit_id const to = *unit_id::checked(1 + dice_.below(world::servers));
-            all_.disturb(*encode_into(octets, to, read_holding_registers{1, 1}));
+        std::array<std::byte, 64> bytes{};
+        if (random_.below(2) == 0) {
+            unit_id const to = *unit_id::checked(1 + random_.below(world::servers));
+            all_.disturb(*encode_into(bytes, to, read_holding_registers{1, 1}));
             return;
         }
-        for (std::byte& octet : octets) {
-            octet = to_byte(dice_.next());
+        for (std::byte& byte : bytes) {
+            byte = to_byte(random_.next());
         }
-        all_.disturb(byte_view{octets}.first(1 + dice_.below(64)));
+        all_.disturb(byte_view{bytes}.first(1 + random_.below(64)));
     }
 
     /// Asks; whether it was answered.
     bool transact(bool may_fail)
     {
-        question const asked{dice_};
+        inquiry const asked{random_};
         telling_bank& bank = all_.bank(asked.unit);
         unsigned const before = bank.writes;
         unsigned long const unasked = all_.unasked();
-        bool is_answered = false;
+        bool has_response = false;
         bool is_wrong = false;
         duration const took =
-            all_.ask(request{asked.frame, asked.again}, steady, [&](result<response> const& got) {
-                is_answered = got.has_value();
+            all_.ask(request_frame{asked.frame, asked.again}, steady, [&](result<response> const& got) {
+                has_response = got.has_value();
                 is_wrong = got and not asked.holds(*got);
                 if (is_wrong and not all_.was_sent(got->pdu())) {
                     ++counts_.codewords;
@@ -226,40 +220,39 @@ private:
                 }
             });
         if (all_.unasked() == unasked) {
-            counts_.wrong_questions += is_wrong ? 1U : 0U;
-            judge_writes(asked, bank, bank.writes - before, is_answered);
+            counts_.wrong_inquiries += is_wrong ? 1U : 0U;
+            judge_writes(asked, bank, bank.writes - before, has_response);
         } else {
             ++counts_.other_requests;
         }
         counts_.late_ends += took.microseconds > longest_us ? 1U : 0U;
         ++counts_.transactions;
-        ++(is_answered ? counts_.answered : counts_.failed);
-        if (not is_answered and not may_fail) {
+        ++(has_response ? counts_.answered : counts_.failed);
+        if (not has_response and not may_fail) {
             return false;
         }
         return true;
     }
 
     /// Whether what was asked was written, and as often as it may be.
-    void judge_writes(question const& asked, telling_bank const& bank, unsigned writes,
-                      bool is_answered)
+    void judge_writes(inquiry const& asked, telling_bank const& bank, unsigned writes, bool has_response)
     {
         // A line that says a frame twice may write twice as often.
         unsigned const most = asked.write_count == 0             ? 0
                               : asked.again == repetition::never ? 2
                                                                  : 2 * (1U + steady.retries);
-        bool const is_done = asked.write_count == 0 or not is_answered or asked.was_written(bank);
+        bool const is_done = asked.write_count == 0 or not has_response or asked.was_written(bank);
         // A server may do what it was told last when nobody waits for it any more.
         bool const is_late = before_.unit == asked.unit and before_.was_written(bank);
         counts_.wrong_writes += writes > most + (is_late ? 1U : 0U) or not is_done ? 1U : 0U;
-        counts_.wrong_writes += is_answered and asked.write_count > 0 and writes == 0 ? 1U : 0U;
+        counts_.wrong_writes += has_response and asked.write_count > 0 and writes == 0 ? 1U : 0U;
         before_ = {asked.unit, asked.write_start, asked.write_count, asked.first};
     }
 
     world all_;
-    sim::dice dice_;
+    sim::random_source random_;
     tally& counts_;
-    written before_{}; ///< by the question before
+    written before_{}; ///< by the request before
     bool has_adapter_;
     bool may_babble_{false};
 };
@@ -285,7 +278,7 @@ wiring wiring_of(std::uint32_t seed)
     how.seed = seed;
     how.format = seed % 3 == 0 ? character_format::none_8_1 : character_format::even_8_1;
     how.has_adapter = seed % 5 == 0;
-    how.options.has_echo = seed % 4 == 0;
+    how.options.has_line_echo = seed % 4 == 0;
     return how;
 }
 
@@ -309,13 +302,12 @@ int main(int argc, char** argv)
     double const expected_requests = damaged_requests / 65'536;
     bool const is_chance = double(counts.codewords) <= highest_by_chance(expected) and
                            double(counts.other_requests) <= highest_by_chance(expected_requests);
-    std::printf(
-        "%lu transactions, %lu answered, %lu failed; %lu answers to another question, "
-        "%lu ended late, %lu wrong writes, %lu slow recoveries\n"
-        "%lu of %lu damaged answers passed the CRC, %.1f expected; of %.0f damaged requests "
-        "%lu, %.1f expected\n",
-        counts.transactions, counts.answered, counts.failed, counts.wrong_questions,
-        counts.late_ends, counts.wrong_writes, counts.slow_recoveries, counts.codewords,
-        counts.damaged, expected, damaged_requests, counts.other_requests, expected_requests);
+    std::printf("%lu transactions, %lu answered, %lu failed; %lu answers to another request, "
+                "%lu ended late, %lu wrong writes, %lu slow recoveries\n"
+                "%lu of %lu damaged responses passed the CRC, %.1f expected; of %.0f damaged requests "
+                "%lu, %.1f expected\n",
+                counts.transactions, counts.answered, counts.failed, counts.wrong_inquiries, counts.late_ends,
+                counts.wrong_writes, counts.slow_recoveries, counts.codewords, counts.damaged, expected,
+                damaged_requests, counts.other_requests, expected_requests);
     return counts.faults() == 0 and is_chance and counts.answered > count / 4 ? 0 : 1;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A client and three servers on a simulated line, in virtual time. Whatever a register holds says whose
-// it is and where, so that an answer to another question is seen.
+// it is and where, so that a response to another request is seen.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/server/server.hpp>
-#include <rtuwire/sim/line.hpp>
-#include <rtuwire/sim/usb_adapter.hpp>
+#include <rtuwire/sim/line/line.hpp>
+#include <rtuwire/sim/line/usb_adapter.hpp>
 
 namespace rtuwire::simulation {
 
@@ -28,12 +28,12 @@ namespace rtuwire::simulation {
 }
 
 /// What a server did with its registers; a read has no values.
-struct deed {
+struct access_record {
     std::uint16_t start{0};
     std::size_t count{0};
     std::vector<std::byte> values{};
 
-    /// Whether a frame asks for it; a stranger's may be of any size.
+    /// Whether a frame asks for it; a foreign unit's may be of any size.
     [[nodiscard]] bool is_asked_by(byte_view frame) const
     {
         constexpr std::size_t shortest = 8;
@@ -42,8 +42,7 @@ struct deed {
         }
         bool const is_read = values.empty();
         auto const writes = [&](std::size_t start_at, std::size_t values_at) {
-            return not is_read and frame.size() >= values_at + 2 and
-                   u16_at(frame, start_at) == start and
+            return not is_read and frame.size() >= values_at + 2 and u16_at(frame, start_at) == start and
                    same_bytes(frame.subspan(values_at, frame.size() - values_at - 2), values);
         };
         bool const reads = is_read and u16_at(frame, 2) == start and u16_at(frame, 4) == count;
@@ -60,7 +59,7 @@ struct deed {
 };
 
 /// Counts the frames that servers found damaged, all of them together.
-struct damage_counter : loop_back {
+struct damage_counter : loopback_only {
     static inline unsigned long heard{0};
     static void note_error() noexcept { ++heard; }
 };
@@ -68,7 +67,7 @@ struct damage_counter : loop_back {
 /// Reads as `word_of`; remembers the last write and counts all.
 struct telling_bank {
     std::uint8_t unit{0};
-    std::vector<deed> deeds{};
+    std::vector<access_record> access_records{};
     unsigned writes{0};
     std::uint16_t address{0};
     std::uint16_t count{0};
@@ -78,13 +77,10 @@ struct telling_bank {
     {
         return start + many <= 0x10000 ? errc::none : errc::illegal_data_address;
     }
-    static errc check_write(std::uint16_t start, register_view values)
-    {
-        return check_read(start, values.size());
-    }
+    static errc check_write(std::uint16_t start, register_view values) { return check_read(start, values.size()); }
     errc read(std::uint16_t start, std::size_t many, byte_writer& out)
     {
-        deeds.push_back({start, many, {}});
+        access_records.push_back({start, many, {}});
         for (std::size_t i = 0; i < many; ++i) {
             out.u16(word_of(unit, static_cast<std::uint16_t>(start + i)));
         }
@@ -92,8 +88,8 @@ struct telling_bank {
     }
     errc write(std::uint16_t start, register_view values)
     {
-        byte_view const octets = values.bytes();
-        deeds.push_back({start, values.size(), {octets.begin(), octets.end()}});
+        byte_view const bytes = values.bytes();
+        access_records.push_back({start, values.size(), {bytes.begin(), bytes.end()}});
         ++writes;
         address = start;
         count = static_cast<std::uint16_t>(values.size());
@@ -105,7 +101,7 @@ struct telling_bank {
 /// How the client's end is wired.
 struct wiring {
     character_format format{character_format::even_8_1};
-    client_options options{.response_timeout = milliseconds(60), .late_answer = milliseconds(60)};
+    client_options options{.response_timeout = milliseconds(60), .late_response = milliseconds(60)};
     bool has_adapter{false};
     std::uint32_t seed{1};
 };
@@ -113,16 +109,17 @@ struct wiring {
 class world {
 public:
     static constexpr unsigned servers = 3;
-    static constexpr unsigned stranger = 7;
+    static constexpr unsigned foreign_unit = 7;
     static constexpr std::uint32_t bits_per_second = 19'200;
 
     explicit world(wiring const& how)
         : timing_{how.has_adapter ? line_timing::host(bits_per_second, how.format)
                                   : line_timing{bits_per_second, how.format}},
-          wire_{bits_per_second, how.format, how.seed}, link_{timing_, how.options},
-          nodes_{node(1, how.format), node(2, how.format), node(3, how.format)},
-          adapter_{milliseconds(how.has_adapter ? 4U + how.seed % 13U : 0U)},
-          has_adapter_{how.has_adapter}, has_echo_{how.options.has_echo}
+          wire_{bits_per_second, how.format, how.seed}, link_{timing_, how.options}, nodes_{node(1, how.format),
+                                                                                            node(2, how.format),
+                                                                                            node(3, how.format)},
+          adapter_{milliseconds(how.has_adapter ? 4U + how.seed % 13U : 0U)}, has_adapter_{how.has_adapter},
+          has_line_echo_{how.options.has_line_echo}
     {
         for (unsigned i = 0; i < servers; ++i) {
             banks_[i].unit = static_cast<std::uint8_t>(i + 1);
@@ -135,11 +132,11 @@ public:
     telling_bank& bank(unsigned unit) { return banks_[unit - 1]; }
     instant now() const { return now_; }
 
-    /// Somebody else talks, now.
-    void disturb(byte_view octets)
+    /// Another sender sends, now.
+    void disturb(byte_view bytes)
     {
-        asked_.keep(octets);
-        wire_.talk(stranger, octets, now_);
+        asked_.keep(bytes);
+        wire_.transmit(foreign_unit, bytes, now_);
     }
 
     /// How often a server did what nobody lately asked for: its request was damaged into another one
@@ -149,15 +146,14 @@ public:
     /// Whether a server lately sent just this PDU: then an accepted answer is not a damaged one.
     bool was_sent(byte_view pdu) const
     {
-        return said_.holds(
-            [&](byte_view frame) { return same_bytes(frame.subspan(1, frame.size() - 3), pdu); });
+        return said_.holds([&](byte_view frame) { return same_bytes(frame.subspan(1, frame.size() - 3), pdu); });
     }
 
-    /// Lets time pass until a question has its outcome; how long that took.
-    template <typename Take> duration ask(request question, patience with, Take take)
+    /// Lets time pass until a request has its outcome; how long that took.
+    template <typename Take> duration ask(request_frame inquiry, retry_policy with, Take take)
     {
         instant const start = now_;
-        static_cast<void>(link_.start(question, now_, with));
+        static_cast<void>(link_.start(inquiry, now_, with));
         for (;;) {
             if (auto const outcome = link_.poll_outcome()) {
                 take(*outcome);
@@ -224,42 +220,41 @@ private:
     }
 
     /// Sends what a party wants sent, and tells it when that has left.
-    template <typename Party> byte_view pass(Party& party, deadline& sent, unsigned talker)
+    template <typename Party> byte_view pass(Party& bus, deadline& sent, unsigned sender)
     {
         if (sent and reached(now_, *sent)) {
-            party.sent(*sent);
+            bus.sent(*sent);
             sent.reset();
         }
-        party.advance(now_);
-        byte_view const frame = party.poll_transmit();
+        bus.advance(now_);
+        byte_view const frame = bus.poll_transmit();
         if (not frame.empty()) {
-            sent = wire_.talk(talker, frame, now_);
+            sent = wire_.transmit(sender, frame, now_);
         }
         return frame;
     }
 
     void hold_to_account(telling_bank& bank)
     {
-        for (deed const& done : bank.deeds) {
-            bool const was_asked = asked_.holds([&](byte_view frame) {
-                return to_u8(frame[0]) == bank.unit and done.is_asked_by(frame);
-            });
+        for (access_record const& done : bank.access_records) {
+            bool const was_asked =
+                asked_.holds([&](byte_view frame) { return to_u8(frame[0]) == bank.unit and done.is_asked_by(frame); });
             unasked_ += was_asked ? 0 : 1;
         }
-        bank.deeds.clear();
+        bank.access_records.clear();
     }
 
     void hear()
     {
-        while (auto const heard = wire_.listen(now_)) {
+        while (auto const heard = wire_.receive(now_)) {
             for (unsigned i = 0; i < servers; ++i) {
                 if (not heard->is_from(i + 1)) {
                     tell(nodes_[i], *heard);
                 }
             }
-            if (not heard->is_from(0) or has_echo_) {
+            if (not heard->is_from(0) or has_line_echo_) {
                 if (has_adapter_) {
-                    adapter_.take(heard->octet, now_); // it says nothing of damage
+                    adapter_.take(heard->byte, now_); // it says nothing of damage
                 } else {
                     tell(link_, *heard);
                 }
@@ -270,12 +265,12 @@ private:
         }
     }
 
-    template <typename Party> static void tell(Party& party, sim::sound const& heard)
+    template <typename Party> static void tell(Party& bus, sim::character const& heard)
     {
         if (heard.is_damaged) {
-            party.receive_error(heard.at);
+            bus.receive_error(heard.at);
         } else {
-            party.receive(byte_view{&heard.octet, 1}, heard.at);
+            bus.receive(byte_view{&heard.byte, 1}, heard.at);
         }
     }
 
@@ -306,7 +301,7 @@ private:
     unsigned long unasked_{0};
     instant now_{0xFFFF'0000U};
     bool has_adapter_;
-    bool has_echo_;
+    bool has_line_echo_;
 };
 
 } // namespace rtuwire::simulation

@@ -14,11 +14,16 @@ MAY_INCLUDE = {
     "wire": {"core"},
     "rtu": {"wire"},
     "table": {"core", "wire/errc.hpp", "wire/function.hpp", "wire/limits.hpp", "wire/unit_id.hpp"},
-    "client": {"rtu", "table"},
+    "ask": {"wire", "table"},
+    "client": {"ask", "rtu"},
     "server": {"rtu", "table"},
     "cia402": {"core"},
-    "altivar": {"client", "table", "cia402"},
-    "sim": {"server", "table", "cia402", "altivar"},
+    "altivar/device": {"table", "cia402", "rtu/line.hpp"},
+    "altivar/procedure": {"altivar/device", "ask"},
+    "altivar/cyclic": {"altivar/procedure"},
+    "altivar": {"altivar/device"},
+    "sim/drive": {"server", "altivar/device"},
+    "sim/line": {"rtu"},
     "port": {"core", "rtu/line.hpp", "wire/errc.hpp", "wire/errc_name.hpp"},
 }
 UMBRELLA = "rtuwire.hpp"
@@ -30,7 +35,7 @@ STANDARD = set("array bit compare concepts cstddef cstdint limits optional ratio
 # Only these show a name to a person, and may use <string_view> for it.
 SHOWS_A_NAME = {"wire/errc_name.hpp"}
 # The compiler's own headers, behind the macros that say they are there.
-MULTIPLIES = {"core/crc16_carryless.hpp": {"wmmintrin.h", "arm_neon.h"}}
+MULTIPLIES = {"core/crc16/carryless.hpp": {"wmmintrin.h", "arm_neon.h"}}
 
 SPDX = ("// SPDX-FileCopyrightText: 2026 The rtuwire authors",
         "// SPDX-License-Identifier: BSL-1.0")
@@ -64,7 +69,10 @@ class Tree:
 
 
 def room_of(header):
-    return header.split("/")[0] if "/" in header else ""
+    """The folder, or both of two, where the outer one has several rooms."""
+    folders = header.split("/")[:-1]
+    inner = "/".join(folders[:2])
+    return inner if inner in MAY_INCLUDE else "/".join(folders[:1])
 
 
 def reach(room):

@@ -33,7 +33,9 @@ class Layers(unittest.TestCase):
         self.allowed("server__server", "wire/adu.hpp")
         self.allowed("table__table", "wire/limits.hpp")
         self.allowed("port__posix_serial", "rtu/line.hpp")
-        self.allowed("altivar__atv320", "client/access.hpp")
+        self.allowed("altivar__procedure__start", "ask/access.hpp")
+        self.allowed("altivar__cyclic__cyclic", "altivar/device/words.hpp")
+        self.allowed("altivar__atv320", "altivar/device/atv320.hpp")
 
     def test_against_the_arrows_is_reported(self):
         self.refused("core__bytes", "wire/adu.hpp")
@@ -42,6 +44,12 @@ class Layers(unittest.TestCase):
         self.refused("server__server", "client/client.hpp")
         self.refused("port__posix_serial", "rtu/framer.hpp")
         self.refused("cia402__words", "wire/errc.hpp")
+        self.refused("ask__poller", "client/client.hpp")
+        self.refused("altivar__device__atv320", "ask/access.hpp")
+        self.refused("altivar__procedure__start", "client/client.hpp")
+        self.refused("altivar__procedure__start", "altivar/cyclic/cyclic.hpp")
+        self.refused("sim__drive__drive", "altivar/procedure/start.hpp")
+        self.refused("sim__drive__drive", "sim/line/line.hpp")
 
     def test_one_header_of_a_room_is_not_the_room(self):
         self.refused("table__table", "wire/adu.hpp")
@@ -49,7 +57,7 @@ class Layers(unittest.TestCase):
 
     def test_drives_and_the_operating_system_stay_above(self):
         for below in ("core", "wire", "rtu", "table", "client", "server"):
-            for above in ("cia402", "altivar", "sim", "port"):
+            for above in ("cia402", "altivar/device", "altivar/procedure", "sim/drive", "port"):
                 self.refused(f"{below}__a", f"{above}/b.hpp")
 
     def test_unknown_rooms_and_missing_headers_are_reported(self):

@@ -10,21 +10,15 @@
 
 namespace rtuwire::test {
 
-/// One frame as a question. What came of it is kept; its answer is a view of the client's memory.
-class frame_question : public asker {
+/// One frame as a request. What came of it is kept; its response is a view of the client's memory.
+class frame_request : public asker {
 public:
-    constexpr frame_question() noexcept = default;
-    explicit constexpr frame_question(request const& question) noexcept : question_{question} {}
+    constexpr frame_request() noexcept = default;
+    explicit constexpr frame_request(request_frame const& request) noexcept : request_{request} {}
 
-    constexpr std::optional<request> next() const noexcept
-    {
-        return settled() ? std::nullopt : question_;
-    }
+    constexpr std::optional<request_frame> next() const noexcept { return settled() ? std::nullopt : request_; }
     constexpr void accept(result<response> const& outcome) noexcept { outcome_ = outcome; }
-    [[nodiscard]] constexpr bool settled() const noexcept
-    {
-        return not question_ or outcome_.has_value();
-    }
+    [[nodiscard]] constexpr bool settled() const noexcept { return not request_ or outcome_.has_value(); }
 
     /// The outcome, once.
     constexpr std::optional<result<response>> take() noexcept
@@ -33,30 +27,30 @@ public:
             return std::nullopt;
         }
         auto const taken = outcome_;
-        question_.reset();
+        request_.reset();
         outcome_.reset();
         return taken;
     }
-    [[nodiscard]] constexpr bool is_there() const noexcept { return question_.has_value(); }
+    [[nodiscard]] constexpr bool is_there() const noexcept { return request_.has_value(); }
 
 private:
-    std::optional<request> question_{};
+    std::optional<request_frame> request_{};
     std::optional<result<response>> outcome_{};
 };
 
-/// The client that asks such questions.
+/// The client that asks such requests.
 template <typename Client> class asking : public Client {
 public:
     using Client::Client;
 
-    /// Asks. Errors: `busy` while an outcome was not taken, those of a question that the client refuses.
-    constexpr result<void> start(request const& question, instant now)
+    /// Asks. Errors: `busy` while an outcome was not taken, those of a request that the client refuses.
+    constexpr result<void> start(request_frame const& request, instant now)
     {
-        return begin(question, now, std::nullopt);
+        return begin(request, now, std::nullopt);
     }
-    constexpr result<void> start(request const& question, instant now, patience const& with)
+    constexpr result<void> start(request_frame const& request, instant now, retry_policy const& with)
     {
-        return begin(question, now, with);
+        return begin(request, now, with);
     }
 
     constexpr void advance(instant now)
@@ -69,53 +63,49 @@ public:
     constexpr void cancel(instant now)
     {
         Client::cancel(now);
-        if (question_.is_there() and not question_.settled() and not Client::is_busy()) {
-            question_.accept(errc::cancelled);
+        if (request_.is_there() and not request_.settled() and not Client::is_busy()) {
+            request_.accept(errc::cancelled);
         }
     }
 
     constexpr std::optional<result<response>> poll_outcome()
     {
-        static_cast<void>(Client::deliver(question_, false, now_));
-        return question_.take();
+        static_cast<void>(Client::deliver(request_, false, now_));
+        return request_.take();
     }
 
-    [[nodiscard]] constexpr bool is_busy() const
-    {
-        return question_.is_there() or Client::is_busy();
-    }
+    [[nodiscard]] constexpr bool is_busy() const { return request_.is_there() or Client::is_busy(); }
 
 private:
-    constexpr result<void> begin(request const& question, instant now,
-                                 std::optional<patience> const& with)
+    constexpr result<void> begin(request_frame const& request, instant now, std::optional<retry_policy> const& with)
     {
-        if (question_.is_there()) {
+        if (request_.is_there()) {
             return errc::busy;
         }
         now_ = now;
         with_ = with;
-        question_ = frame_question{question};
+        request_ = frame_request{request};
         come_by();
-        if (question_.settled() and not Client::is_busy()) {
-            return question_.take()->error();
+        if (request_.settled() and not Client::is_busy()) {
+            return request_.take()->error();
         }
         return {};
     }
 
     constexpr void come_by()
     {
-        if (not question_.is_there() or question_.settled()) {
+        if (not request_.is_there() or request_.settled()) {
             return;
         }
         if (with_) {
-            Client::converse(question_, now_, *with_);
+            Client::converse(request_, now_, *with_);
         } else {
-            Client::converse(question_, now_);
+            Client::converse(request_, now_);
         }
     }
 
-    frame_question question_{};
-    std::optional<patience> with_{};
+    frame_request request_{};
+    std::optional<retry_policy> with_{};
     instant now_{0};
 };
 

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include <rtuwire/altivar/supervision_report.hpp>
+#include <rtuwire/altivar/procedure/supervision_report.hpp>
 
 namespace rtuwire::test {
 
@@ -28,9 +28,9 @@ constexpr std::uint16_t commissioned_word(std::uint16_t address, std::uint16_t t
 constexpr altivar::supervision_report commissioned(duration timeout = milliseconds(10'000))
 {
     altivar::supervision_report found;
-    found.finding = altivar::ending::succeeded;
+    found.finding = altivar::outcome_kind::succeeded;
     found.period.timeout = timeout;
-    found.words = altivar::word_meaning::drive_profile;
+    found.words = altivar::word_meaning::cia402;
     return found;
 }
 

@@ -18,7 +18,7 @@ inline int last_words = -1;
 struct end {
     bool is_trap{false};   ///< killed by the signal that a trap raises
     bool is_return{false}; ///< it lived on and left
-    int left{-1};          ///< the octet written to `last_words`, -1 for none
+    int left{-1};          ///< the byte written to `last_words`, -1 for none
 };
 
 /// Does `act` in a child. Its signals are the system's, not those of the test's runner.
@@ -40,17 +40,16 @@ template <typename Act> end end_of(Act act)
     }
     close(ends[1]);
     end found;
-    unsigned char octet = 0;
-    if (read(ends[0], &octet, 1) == 1) {
-        found.left = octet;
+    unsigned char byte = 0;
+    if (read(ends[0], &byte, 1) == 1) {
+        found.left = byte;
     }
     close(ends[0]);
     int status = 0;
     if (child < 0 or waitpid(child, &status, 0) != child) {
         return {};
     }
-    found.is_trap =
-        WIFSIGNALED(status) and (WTERMSIG(status) == SIGILL or WTERMSIG(status) == SIGTRAP);
+    found.is_trap = WIFSIGNALED(status) and (WTERMSIG(status) == SIGILL or WTERMSIG(status) == SIGTRAP);
     found.is_return = WIFEXITED(status) and WEXITSTATUS(status) == 0;
     return found;
 }

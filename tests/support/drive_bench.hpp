@@ -8,7 +8,7 @@
 #include <array>
 #include <cstdint>
 
-#include <rtuwire/sim/drive.hpp>
+#include <rtuwire/sim/drive/drive.hpp>
 
 namespace rtuwire::test {
 
@@ -35,14 +35,14 @@ public:
         errc const wrong = drive_.check_write(address, value);
         return wrong == errc::none ? drive_.write(address, value) : wrong;
     }
-    errc command(std::uint16_t word) { return tell(Device::profile.cmd, word); }
+    errc command(std::uint16_t word) { return tell(Device::layout.cmd, word); }
     errc refer(std::int16_t tenths)
     {
         return tell(Device::frequency_reference.address, static_cast<std::uint16_t>(tenths));
     }
 
-    std::uint16_t word(text code) const { return drive_.word(code); }
-    std::int16_t number(text code) const { return static_cast<std::int16_t>(drive_.word(code)); }
+    std::uint16_t word(literal code) const { return drive_.word(code); }
+    std::int16_t number(literal code) const { return static_cast<std::int16_t>(drive_.word(code)); }
     std::uint16_t eta() const { return word("ETA"); }
     cia402::state state() const { return cia402::decode(eta()); }
     std::int32_t frequency() const { return drive_.motor().frequency(); }

@@ -1,20 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Golden frames: octets against the value they stand for, both ways, and their size.
+// Golden frames: bytes against the value they stand for, both ways, and their size.
 #pragma once
 
 #include <array>
 #include <concepts>
 #include <cstddef>
 
-#include "support/told.hpp"
+#include "support/length.hpp"
 
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/pdu/diagnostics.hpp>
 
 namespace rtuwire::test {
 
-/// Whether the length rules know the frame: a request has an answer, an answer has none, and the
+/// Whether the length rules know the frame: a request has a response, a response has none, and the
 /// value that is its own answer stands for both. The query of function 08 may have any size.
 template <pdu P> constexpr bool is_told_as(P const& value, byte_view frame)
 {
@@ -24,8 +24,7 @@ template <pdu P> constexpr bool is_told_as(P const& value, byte_view frame)
                    is_ended_by_silence(direction::response, frame, 4);
         }
     }
-    if constexpr (requires { requires std::same_as<decltype(P::decode(frame)),
-                                                   result<typename P::response>>; }) {
+    if constexpr (requires { requires std::same_as<decltype(P::decode(frame)), result<typename P::response>>; }) {
         return is_told(direction::request, frame) and is_told(direction::response, frame);
     } else if constexpr (requires { typename P::response; }) {
         return is_told(direction::request, frame);
@@ -34,17 +33,17 @@ template <pdu P> constexpr bool is_told_as(P const& value, byte_view frame)
     }
 }
 
-/// Whether a value encodes to exactly these octets, they decode to a value that encodes to them,
-/// and their first octets tell their size.
+/// Whether a value encodes to exactly these bytes, they decode to a value that encodes to them,
+/// and their first bytes tell their size.
 template <typename To, pdu P, std::size_t Size>
-constexpr bool encodes(To to, P const& value, std::array<std::byte, Size> const& octets)
+constexpr bool encodes(To to, P const& value, std::array<std::byte, Size> const& bytes)
 {
-    auto const taken = decode_adu(octets);
-    if (not taken or taken->unit() != destination{to}.octet() or not(encode(to, value) == octets)) {
+    auto const taken = decode_adu(bytes);
+    if (not taken or taken->unit() != destination{to}.byte() or not(encode(to, value) == bytes)) {
         return false;
     }
     auto const again = P::decode(taken->pdu());
-    return again and encode(to, *again) == octets and is_told_as(value, octets);
+    return again and encode(to, *again) == bytes and is_told_as(value, bytes);
 }
 
 } // namespace rtuwire::test

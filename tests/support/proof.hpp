@@ -19,11 +19,11 @@ inline bool run(bool (*proof)())
 
 #ifdef RTUWIRE_NO_STATIC_TESTS
 #define RTUWIRE_STATIC_PROOF(sentence, function)
-#define RTUWIRE_STATIC_FACT(...)                                                                   \
-    TEST_CASE()                                                                                    \
-    {                                                                                              \
-        CHECK(::rtuwire::test::run([] { return static_cast<bool>(__VA_ARGS__); }));                \
-    }                                                                                              \
+#define RTUWIRE_STATIC_FACT(...)                                                                                       \
+    TEST_CASE()                                                                                                        \
+    {                                                                                                                  \
+        CHECK(::rtuwire::test::run([] { return static_cast<bool>(__VA_ARGS__); }));                                    \
+    }                                                                                                                  \
     static_assert(true)
 #else
 #define RTUWIRE_STATIC_PROOF(sentence, function) static_assert(function(), sentence);
@@ -31,8 +31,8 @@ inline bool run(bool (*proof)())
 #endif
 
 /// PROOF("sentence", function): `constexpr bool function()` holds when compiled and when run.
-#define PROOF(sentence, function)                                                                  \
-    RTUWIRE_STATIC_PROOF(sentence, function)                                                       \
+#define PROOF(sentence, function)                                                                                      \
+    RTUWIRE_STATIC_PROOF(sentence, function)                                                                           \
     TEST_CASE(sentence) { CHECK(::rtuwire::test::run(function)); }
 
 /// STATIC_CHECK(expression); at namespace scope: a fact that fits one line. It runs only where the

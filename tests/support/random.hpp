@@ -1,22 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Repeatable pseudo-random numbers and octets, also when compiling.
+// Repeatable pseudo-random numbers and bytes, also when compiling.
 #pragma once
 
 #include <rtuwire/core/bytes.hpp>
-#include <rtuwire/sim/dice.hpp>
+#include <rtuwire/sim/line/random_source.hpp>
 
 namespace rtuwire::test {
 
-/// The simulation's dice; the seed names the run.
-class random : public sim::dice {
+/// The simulation's random numbers; the seed names the run.
+class random : public sim::random_source {
 public:
-    using dice::dice;
+    using random_source::random_source;
 
     constexpr void fill(byte_span out) noexcept
     {
-        for (std::byte& octet : out) {
-            octet = to_byte(next());
+        for (std::byte& byte : out) {
+            byte = to_byte(next());
         }
     }
 };

@@ -9,5 +9,5 @@
 #define NAME one_form
 #endif
 
-bool NAME(rtuwire::byte_view octets);
-bool NAME(rtuwire::byte_view octets) { return rtuwire::decode_adu(octets).has_value(); }
+bool NAME(rtuwire::byte_view bytes);
+bool NAME(rtuwire::byte_view bytes) { return rtuwire::decode_adu(bytes).has_value(); }

@@ -16,26 +16,24 @@ using namespace rtuwire;
 
 namespace {
 
-inline constexpr reg<plain> one{.code = "ONE", .address = 100};
-inline constexpr reg<plain> two{.code = "TWO", .address = 104};
-inline constexpr reg<plain> highest{.code = "LAST", .address = 65535};
+inline constexpr reg<count16> one{.code = "ONE", .address = 100};
+inline constexpr reg<count16> two{.code = "TWO", .address = 104};
+inline constexpr reg<count16> highest{.code = "LAST", .address = 65535};
 
 /// Registers at 100, 104 and 65535; 101 and 102, 200 to 209 and 65530 to 65533 can be read all the same.
 struct gauge {
-    static constexpr text name{"gauge"};
+    static constexpr literal name{"gauge"};
     static constexpr function_set functions{function_code::read_holding_registers};
     static constexpr device_limits limits{10, 10, 0, 0};
     static constexpr unit_range units{3, 31};
-    static constexpr std::array<address_range, 3> readable{
-        {{101, 102}, {200, 209}, {65530, 65533}}};
+    static constexpr std::array<address_range, 3> readable{{{101, 102}, {200, 209}, {65530, 65533}}};
     using registers = table<one, two, highest>;
 };
 
 bool is_there(std::uint32_t address)
 {
-    return (address >= 100 and address <= 102) or address == 104 or
-           (address >= 200 and address <= 209) or (address >= 65530 and address <= 65533) or
-           address == 65535;
+    return (address >= 100 and address <= 102) or address == 104 or (address >= 200 and address <= 209) or
+           (address >= 65530 and address <= 65533) or address == 65535;
 }
 
 bool are_there(std::uint32_t first, std::uint32_t last)
@@ -57,8 +55,7 @@ TEST_CASE("addresses can be read across where each is a register's or called rea
             for (std::uint32_t last = first; last <= around + 7; ++last) {
                 CAPTURE(first, last);
                 REQUIRE(is_readable_across<gauge>(static_cast<std::uint16_t>(first),
-                                                  static_cast<std::uint16_t>(last)) ==
-                        are_there(first, last));
+                                                  static_cast<std::uint16_t>(last)) == are_there(first, last));
             }
         }
     }
@@ -77,7 +74,7 @@ TEST_CASE("a station has an address of its device's range")
         auto const found = station<gauge>::checked(number);
         REQUIRE(found.has_value() == (number >= 3 and number <= 31));
         if (found) {
-            REQUIRE(found->unit().octet() == number);
+            REQUIRE(found->unit().byte() == number);
         } else {
             REQUIRE(found.error() == errc::invalid_unit);
         }
@@ -87,12 +84,11 @@ TEST_CASE("a station has an address of its device's range")
     CHECK(station<gauge>{unit_id{31}}.unit() == unit_id{31});
 }
 
-TEST_CASE(
-    "a device that says nothing else has the addresses 1 to 247 and a time-out that can be set")
+TEST_CASE("a device that says nothing else has the addresses 1 to 247 and a time-out that can be set")
 {
     unit_range const all{};
     for (std::uint32_t number = 0; number <= 300; ++number) {
         REQUIRE(all.contains(number) == (number >= 1 and number <= 247));
     }
-    CHECK(silence_reaction{milliseconds(1'000), milliseconds(2'000)}.is_adjustable);
+    CHECK(link_timeout{milliseconds(1'000), milliseconds(2'000)}.is_adjustable);
 }

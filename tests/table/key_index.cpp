@@ -76,16 +76,16 @@ TEST_CASE("every address is found in its place, and no other is found")
 
 TEST_CASE("every mnemonic is found in its place, and no other is found")
 {
-    constexpr std::array<text, 5> names{"ETA", "TEA", "AET", "E", "ETAD"};
-    key_index<text, 5> const index{names};
+    constexpr std::array<literal, 5> names{"ETA", "TEA", "AET", "E", "ETAD"};
+    key_index<literal, 5> const index{names};
     for (std::size_t i = 0; i < names.size(); ++i) {
         CHECK(index.find(names[i]) == i);
     }
-    for (text const other : {text{}, text{"ET"}, text{"ETI"}, text{"ATE"}, text{"D"}}) {
+    for (literal const other : {literal{}, literal{"ET"}, literal{"ETI"}, literal{"ATE"}, literal{"D"}}) {
         CHECK(index.find(other) == names.size());
     }
     CHECK(first_duplicate(names).second == 0);
-    index_pair const twice = first_duplicate(std::array<text, 4>{"CMD", "LFR", "ETA", "LFR"});
+    index_pair const twice = first_duplicate(std::array<literal, 4>{"CMD", "LFR", "ETA", "LFR"});
     CHECK(twice.first == 1);
     CHECK(twice.second == 3);
 }
@@ -107,8 +107,8 @@ TEST_CASE("the first key that is there twice is told, with the place where it wa
 
 namespace {
 
-inline constexpr reg<plain> here{.code = "HERE", .address = 7};
-inline constexpr reg<plain> there{.code = "THERE", .address = 9};
+inline constexpr reg<count16> here{.code = "HERE", .address = 7};
+inline constexpr reg<count16> there{.code = "THERE", .address = 9};
 
 } // namespace
 
@@ -116,7 +116,6 @@ TEST_CASE("a table has the addresses of its registers")
 {
     using both = table<here, there>;
     for (std::uint32_t address = 0; address <= 0xFFFF; ++address) {
-        REQUIRE(both::has_address(static_cast<std::uint16_t>(address)) ==
-                (address == 7 or address == 9));
+        REQUIRE(both::has_address(static_cast<std::uint16_t>(address)) == (address == 7 or address == 9));
     }
 }

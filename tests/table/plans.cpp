@@ -90,10 +90,9 @@ mistakes in_random_sets(unsigned rounds)
     mistakes found{};
     for (unsigned round = 0; round < rounds; ++round) {
         problem const asked = make(random);
-        auto const plan = plan_blocks<most>(asked.rising, asked.limit,
-                                            [&](std::uint16_t lower, std::uint16_t upper) {
-                                                return asked.may_cross(lower, upper);
-                                            });
+        auto const plan = plan_blocks<most>(asked.rising, asked.limit, [&](std::uint16_t lower, std::uint16_t upper) {
+            return asked.may_cross(lower, upper);
+        });
         plan_cost cost{};
         for (address_block const& block : plan.view()) {
             cost = {cost.requests + 1, cost.registers + block.count};
@@ -107,8 +106,7 @@ mistakes in_random_sets(unsigned rounds)
             found.uncovered += times == 1 ? 0U : 1U;
         }
         plan_cost const best = brute_force(asked);
-        found.dearer +=
-            cost.requests == best.requests and cost.registers == best.registers ? 0U : 1U;
+        found.dearer += cost.requests == best.requests and cost.registers == best.registers ? 0U : 1U;
     }
     return found;
 }

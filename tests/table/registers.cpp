@@ -17,11 +17,10 @@ namespace {
 
 constexpr reg<deciseconds> ramp{.code = "ACC", .address = 9001, .min = {1}, .max = {9999}};
 constexpr reg<signed_rpm> speed{.code = "LFRD", .address = 8602};
-constexpr reg<deciamperes> protection{
-    .code = "ITH", .address = 9622, .min = share_of("INV", 1, 2), .max = "INV"};
+constexpr reg<deciamperes> protection{.code = "ITH", .address = 9622, .min = share_of("INV", 1, 2), .max = "INV"};
 
-constexpr setting<ramp> literal = 1.3_s;
-STATIC_CHECK(literal.word() == 13 and literal.value() == deciseconds{13});
+constexpr setting<ramp> spelled = 1.3_s;
+STATIC_CHECK(spelled.word() == 13 and spelled.value() == deciseconds{13});
 constexpr setting<ramp> longest = 999.9_s;
 constexpr setting<ramp> two_seconds = 2_s;
 STATIC_CHECK(longest.word() == 9999 and two_seconds.word() == 20);
@@ -37,10 +36,8 @@ STATIC_CHECK(setting<ramp>::clamped(deciseconds{0}).word() == 1);
 // A limit that hangs on another register is checked where that one's value is known.
 STATIC_CHECK(protection.min.with(100) == 50 and protection.max.with(100) == 100);
 STATIC_CHECK(setting<protection>::checked(deciamperes{70}, 50, 100).has_value());
-STATIC_CHECK(setting<protection>::checked(deciamperes{49}, 50, 100).error() ==
-             errc::illegal_data_value);
-STATIC_CHECK(setting<protection>::checked(deciamperes{101}, 50, 100).error() ==
-             errc::illegal_data_value);
+STATIC_CHECK(setting<protection>::checked(deciamperes{49}, 50, 100).error() == errc::illegal_data_value);
+STATIC_CHECK(setting<protection>::checked(deciamperes{101}, 50, 100).error() == errc::illegal_data_value);
 STATIC_CHECK(product_of("HSP", "SDS", 10).with(500, 30) == 1'500);
 // What 32 bits do not hold is the nearest number that they do, however large the product.
 constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
@@ -80,8 +77,8 @@ STATIC_CHECK(flags<lamp>{0x8001}.without(lamp::green).bits == 1);
 constexpr bool tells_its_share(std::uint16_t numerator)
 {
     bound const part = share_of("INV", numerator, 4);
-    return part.code() == text{"INV"} and part.numerator() == numerator and
-           part.denominator() == 4 and part.with(10) == 10 * numerator / 4;
+    return part.code() == literal{"INV"} and part.numerator() == numerator and part.denominator() == 4 and
+           part.with(10) == 10 * numerator / 4;
 }
 constexpr bool tells_shares() { return tells_its_share(2) and tells_its_share(3); }
 PROOF("a limit that is a share of another register says which", tells_shares)

@@ -39,9 +39,7 @@ constexpr plan::snapshot now()
 constexpr bool takes_limits_from_the_snapshot()
 {
     plan::snapshot const seen = now();
-    auto const is_refused = [](auto const& checked) {
-        return checked.error() == errc::illegal_data_value;
-    };
+    auto const is_refused = [](auto const& checked) { return checked.error() == errc::illegal_data_value; };
     bool const between = seen.checked<atv28::sp2>(decihertz{100}).has_value() and
                          seen.checked<atv28::sp2>(decihertz{500}).has_value() and
                          is_refused(seen.checked<atv28::sp2>(decihertz{99})) and
@@ -51,13 +49,11 @@ constexpr bool takes_limits_from_the_snapshot()
                        seen.checked<atv28::ith>(deciamperes{20}).has_value() and
                        is_refused(seen.checked<atv28::ith>(deciamperes{19}));
     // 50.0 Hz at 30 rpm a hertz.
-    bool const product = seen.checked<atv28::smil>(rpm{1500}).has_value() and
-                         is_refused(seen.checked<atv28::smil>(rpm{1501}));
-    return between and share and product and
-           seen.checked<atv28::acc>(deciseconds{36'000}).has_value() and
+    bool const product =
+        seen.checked<atv28::smil>(rpm{1500}).has_value() and is_refused(seen.checked<atv28::smil>(rpm{1501}));
+    return between and share and product and seen.checked<atv28::acc>(deciseconds{36'000}).has_value() and
            is_refused(seen.checked<atv28::acc>(deciseconds{36'001}));
 }
-PROOF("limits that hang on other registers are those of the snapshot",
-      takes_limits_from_the_snapshot)
+PROOF("limits that hang on other registers are those of the snapshot", takes_limits_from_the_snapshot)
 
 } // namespace

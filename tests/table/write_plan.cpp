@@ -22,8 +22,8 @@ constexpr bool keeps_the_words_in_address_order()
     ramps const plan{4_s, 1.3_s, 2_s, 3_s};
     auto const first = plan.words(0);
     auto const second = plan.words(1);
-    return first.size() == 2 and first[0] == 13 and first[1] == 20 and second.size() == 2 and
-           second[0] == 30 and second[1] == 40;
+    return first.size() == 2 and first[0] == 13 and first[1] == 20 and second.size() == 2 and second[0] == 30 and
+           second[1] == 40;
 }
 PROOF("the words stand in the order of their addresses", keeps_the_words_in_address_order)
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// How long a frame is, from its first octets.
+// How long a frame is, from its first bytes.
 #include <rtuwire/wire/frame_length.hpp>
 
 #include <array>
 
+#include "support/length.hpp"
 #include "support/proof.hpp"
 #include "support/random.hpp"
-#include "support/told.hpp"
 
 #include <rtuwire/core/hex.hpp>
 
@@ -61,7 +61,7 @@ STATIC_CHECK(is_told(answers, "02 16 00 04 00 F2 00 25 00 00"_hex));
 STATIC_CHECK(is_told(answers, "02 08 00 0B 00 2A 00 00"_hex));
 
 // Where more can be said, and no later.
-constexpr length_so_far more_at(std::uint16_t size) { return {size, false}; }
+constexpr length_hint more_at(std::uint16_t size) { return {size, false}; }
 STATIC_CHECK(frame_length(asks, "02"_hex) == more_at(2));
 STATIC_CHECK(frame_length(asks, "02 08 00"_hex) == more_at(4));
 STATIC_CHECK(frame_length(asks, "02 10 00"_hex) == more_at(7));
@@ -71,13 +71,13 @@ STATIC_CHECK(frame_length(answers, "02 2B 0E"_hex) == more_at(8));
 STATIC_CHECK(frame_length(answers, "02 2B 0E 01 01 00 00 01"_hex) == more_at(10));
 
 // Only silence ends these.
-constexpr length_so_far silence{};
+constexpr length_hint silence{};
 STATIC_CHECK(frame_length(asks, "02 08 00 00"_hex) == silence);
 STATIC_CHECK(frame_length(asks, "02 41"_hex) == silence);
 STATIC_CHECK(frame_length(asks, "02 83"_hex) == silence);
 STATIC_CHECK(frame_length(asks, "02 2B 0D"_hex) == silence);
 STATIC_CHECK(frame_length(answers, "02 00"_hex) == silence);
-// More than a frame can hold: FC16 with 255 octets of data, FC43 with objects past the end.
+// More than a frame can hold: FC16 with 255 bytes of data, FC43 with objects past the end.
 STATIC_CHECK(frame_length(asks, "02 10 00 00 00 7B FF"_hex) == silence);
 STATIC_CHECK(frame_length(answers, "02 03 FC"_hex) == silence);
 STATIC_CHECK(frame_length(answers, "02 18 FF FF"_hex) == silence);
@@ -88,24 +88,23 @@ STATIC_CHECK(is_ended_by_silence(answers, "02 2B 0E 01 01 00 00 FF 00 F8 41"_hex
 
 constexpr bool knows_nineteen_functions()
 {
-    constexpr std::array<std::uint8_t, 19> known{1,  2,  3,  4,  5,  6,  7,  8,  11, 12,
-                                                 15, 16, 17, 20, 21, 22, 23, 24, 43};
+    constexpr std::array<std::uint8_t, 19> known{1, 2, 3, 4, 5, 6, 7, 8, 11, 12, 15, 16, 17, 20, 21, 22, 23, 24, 43};
     std::size_t at = 0;
     for (std::uint32_t code = 0; code <= 0xFF; ++code) {
         bool const is_known = at < known.size() and known[at] == code;
         at += is_known ? 1U : 0U;
         std::array<std::byte, 2> const head{std::byte{2}, to_byte(code)};
-        length_so_far const asked = frame_length(asks, head);
-        length_so_far const answered = frame_length(answers, head);
+        length_hint const asked = frame_length(asks, head);
+        length_hint const answered = frame_length(answers, head);
         bool const is_refusal = code >= 0x80;
         if ((asked != silence) != is_known or (answered != silence) != (is_known or is_refusal) or
-            (is_refusal and answered != length_so_far{5, true})) {
+            (is_refusal and answered != length_hint{5, true})) {
             return false;
         }
     }
     return at == known.size();
 }
-PROOF("nineteen functions have a length rule, a refusal has five octets, all else ends by silence",
+PROOF("nineteen functions have a length rule, a refusal has five bytes, all else ends by silence",
       knows_nineteen_functions)
 
 constexpr bool ends_no_frame_beyond_256()
@@ -115,18 +114,17 @@ constexpr bool ends_no_frame_beyond_256()
         std::uint8_t code;
         std::size_t at;
         std::size_t base;
-    } constexpr rules[]{{answers, 1, 2, 5},  {answers, 2, 2, 5},  {answers, 3, 2, 5},
-                        {answers, 4, 2, 5},  {answers, 12, 2, 5}, {answers, 17, 2, 5},
-                        {asks, 15, 6, 9},    {asks, 16, 6, 9},    {asks, 20, 2, 5},
-                        {answers, 20, 2, 5}, {asks, 21, 2, 5},    {answers, 21, 2, 5},
+    } constexpr rules[]{{answers, 1, 2, 5},  {answers, 2, 2, 5},  {answers, 3, 2, 5}, {answers, 4, 2, 5},
+                        {answers, 12, 2, 5}, {answers, 17, 2, 5}, {asks, 15, 6, 9},   {asks, 16, 6, 9},
+                        {asks, 20, 2, 5},    {answers, 20, 2, 5}, {asks, 21, 2, 5},   {answers, 21, 2, 5},
                         {asks, 23, 10, 13},  {answers, 23, 2, 5}};
     for (auto const& rule : rules) {
         for (std::uint32_t count = 0; count <= 0xFF; ++count) {
-            test::exact_octets head{rule.at + 1};
+            test::exact_bytes head{rule.at + 1};
             head.span()[1] = to_byte(rule.code);
             head.span()[rule.at] = to_byte(count);
             std::size_t const size = rule.base + count;
-            length_so_far const expected = size > 256 ? silence : length_so_far{size, true};
+            length_hint const expected = size > 256 ? silence : length_hint{size, true};
             if (frame_length(rule.way, head.view()) != expected) {
                 return false;
             }
@@ -134,21 +132,21 @@ constexpr bool ends_no_frame_beyond_256()
     }
     return true;
 }
-PROOF("a byte count ends a frame of up to 256 octets, and none beyond", ends_no_frame_beyond_256)
+PROOF("a byte count ends a frame of up to 256 bytes, and none beyond", ends_no_frame_beyond_256)
 
 } // namespace
 
-TEST_CASE("whatever the octets say, a final size is one that a frame can have")
+TEST_CASE("whatever the bytes say, a final size is one that a frame can have")
 {
     test::random random{7};
-    std::array<std::byte, 256> octets{};
+    std::array<std::byte, 256> bytes{};
     unsigned wrong = 0;
     for (unsigned round = 0; round < 20'000; ++round) {
-        random.fill(octets);
-        test::exact_octets const exact{byte_view{octets}.first(random.below(257))};
+        random.fill(bytes);
+        test::exact_bytes const exact{byte_view{bytes}.first(random.below(257))};
         byte_view const part = exact.view();
         for (direction const way : {asks, answers}) {
-            length_so_far const known = frame_length(way, part);
+            length_hint const known = frame_length(way, part);
             if (known.is_final() and (known.size() < 4 or known.size() > 256)) {
                 ++wrong;
             }

@@ -36,8 +36,7 @@ constexpr bool exceptions_keep_their_number()
     }
     return true;
 }
-PROOF("an exception keeps its number, and none can pass for a local error",
-      exceptions_keep_their_number)
+PROOF("an exception keeps its number, and none can pass for a local error", exceptions_keep_their_number)
 
 constexpr bool units_are_1_to_247()
 {
@@ -47,7 +46,7 @@ constexpr bool units_are_1_to_247()
         if (unit.has_value() != is_unit) {
             return false;
         }
-        if (is_unit and unit->octet() != number) {
+        if (is_unit and unit->byte() != number) {
             return false;
         }
         if (not is_unit and unit.error() != errc::invalid_unit) {
@@ -81,10 +80,10 @@ PROOF("from 80 on an error is a local cause, and no exception", local_causes_are
 constexpr bool tells_everyone_from_each()
 {
     destination const all{broadcast};
-    bool ok = all.is_broadcast() and all.octet() == 0;
+    bool ok = all.is_broadcast() and all.byte() == 0;
     for (std::uint32_t number = 1; number <= 247; ++number) {
         destination const one{*unit_id::checked(number)};
-        ok = ok and not one.is_broadcast() and one.octet() == number and not(one == all);
+        ok = ok and not one.is_broadcast() and one.byte() == number and not(one == all);
     }
     return ok;
 }
@@ -122,10 +121,9 @@ constexpr bool says_which_functions_it_answers()
         count += all_functions.contains(static_cast<function_code>(code)) ? 1U : 0U;
     }
     using enum function_code;
-    return count == 6 and
-           all_functions == function_set{encapsulated_interface,   read_write_multiple_registers,
-                                         write_multiple_registers, diagnostics,
-                                         write_single_register,    read_holding_registers};
+    return count == 6 and all_functions == function_set{encapsulated_interface,   read_write_multiple_registers,
+                                                        write_multiple_registers, diagnostics,
+                                                        write_single_register,    read_holding_registers};
 }
 PROOF("rtuwire answers six functions", says_which_functions_it_answers)
 
@@ -142,10 +140,7 @@ STATIC_CHECK(is_quantity(125, 125) and not is_quantity(126, 125));
 
 } // namespace
 
-TEST_CASE("a set of functions holds the one it was given, of 1 to 127")
-{
-    CHECK(holds_what_it_was_given());
-}
+TEST_CASE("a set of functions holds the one it was given, of 1 to 127") { CHECK(holds_what_it_was_given()); }
 
 TEST_CASE("every error that has a name has its own")
 {

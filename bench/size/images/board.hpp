@@ -16,18 +16,18 @@ inline std::uint32_t volatile& at(std::uintptr_t address)
 {
     return *reinterpret_cast<std::uint32_t volatile*>(address);
 }
-inline bool has_octet() { return (at(0x4000'4004) & 2U) != 0; }
+inline bool has_byte() { return (at(0x4000'4004) & 2U) != 0; }
 inline bool is_damaged() { return (at(0x4000'4008) & 1U) != 0; }
-inline std::byte octet() { return static_cast<std::byte>(at(0x4000'4000)); }
-inline void put(std::byte octet)
+inline std::byte byte() { return static_cast<std::byte>(at(0x4000'4000)); }
+inline void put(std::byte byte)
 {
     while ((at(0x4000'4004) & 1U) != 0) {
     }
-    at(0x4000'4000) = static_cast<std::uint32_t>(octet);
+    at(0x4000'4000) = static_cast<std::uint32_t>(byte);
 }
-inline void put(std::span<std::byte const> octets)
+inline void put(std::span<std::byte const> bytes)
 {
-    for (std::byte const each : octets) {
+    for (std::byte const each : bytes) {
         put(each);
     }
 }
@@ -45,11 +45,11 @@ inline void sleep_until(rtuwire::deadline const& next)
 template <typename Engine> [[gnu::noinline]] void pass(Engine& engine)
 {
     rtuwire::instant const now = board::now();
-    if (has_octet()) {
+    if (has_byte()) {
         bool const is_good = not is_damaged();
-        std::byte const octet = board::octet();
+        std::byte const byte = board::byte();
         if (is_good) {
-            engine.receive({&octet, 1}, now);
+            engine.receive({&byte, 1}, now);
         } else {
             engine.receive_error(now);
         }

@@ -4,18 +4,18 @@
 #include "board.hpp"
 
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/cyclic.hpp>
-#include <rtuwire/altivar/start.hpp>
+#include <rtuwire/altivar/cyclic/cyclic.hpp>
+#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/ask/poller.hpp>
 #include <rtuwire/client/bus.hpp>
-#include <rtuwire/client/poller.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
 
 namespace {
 
-using panel = read_plan<atv320::device, atv320::eta, atv320::rfr, atv320::frh, atv320::lcr,
-                        atv320::otr, atv320::eti, atv320::uln, atv320::uop>;
+using panel = read_plan<atv320::device, atv320::eta, atv320::rfr, atv320::frh, atv320::lcr, atv320::otr, atv320::eti,
+                        atv320::uln, atv320::uop>;
 constexpr station<atv320::device> first{unit_id{1}};
 constexpr station<atv320::device> second{unit_id{2}};
 constexpr station<atv320::device> third{unit_id{3}};
@@ -26,18 +26,18 @@ int main()
 {
     bus<4> line{line_timing{19'200, character_format::even_8_1}};
     cyclic<atv320::device> cycle{first};
-    poller<panel> talk{second};
+    poller<panel> conversation{second};
     altivar::start go{third, 50_Hz};
     for (;;) {
         board::pass(line);
         auto const now = board::now();
         line.converse(0, cycle, now);
-        line.converse(1, talk, now);
+        line.converse(1, conversation, now);
         line.converse(2, go, now);
         static_cast<void>(cycle.run(1'500_rpm));
-        if (talk.settled()) {
-            board::put(static_cast<std::byte>(talk.latest().get<atv320::lcr>().count()));
-            talk.begin();
+        if (conversation.settled()) {
+            board::put(static_cast<std::byte>(conversation.latest().get<atv320::lcr>().count()));
+            conversation.begin();
         }
     }
 }

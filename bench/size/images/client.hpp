@@ -3,17 +3,14 @@
 // The client with its framer, its times and every fault that it handles.
 #pragma once
 
-#include "questions.hpp"
+#include "requests.hpp"
 
 #include <rtuwire/client/client.hpp>
 
-/// The five questions, one after the other without end.
-class five_questions : public rtuwire::asker {
+/// The five requests, one after the other without end.
+class five_requests : public rtuwire::asker {
 public:
-    std::optional<rtuwire::request> next() const
-    {
-        return rtuwire::request{known::questions[number_]};
-    }
+    std::optional<rtuwire::request_frame> next() const { return rtuwire::request_frame{known::requests[number_]}; }
     void accept(rtuwire::result<rtuwire::response> const& outcome)
     {
         if (outcome) {
@@ -27,12 +24,12 @@ private:
     unsigned number_{0};
 };
 
-/// Asks question after question; apart from `main`, as if in a file of its own.
+/// Asks request after request; apart from `main`, as if in a file of its own.
 template <typename Client> [[noreturn, gnu::noipa]] void ask_on(Client& link)
 {
-    for (five_questions talk;;) {
+    for (five_requests conversation;;) {
         board::pass(link);
-        link.converse(talk, board::now());
+        link.converse(conversation, board::now());
     }
 }
 

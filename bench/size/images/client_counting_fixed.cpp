@@ -3,13 +3,13 @@
 // The client that counts for its line, whose times are constants of the program.
 #include "client.hpp"
 
-#include <rtuwire/client/fixed_client.hpp>
+#include <rtuwire/client/static_client.hpp>
 
 namespace {
 
 constexpr rtuwire::line_timing line{19'200, rtuwire::character_format::even_8_1};
 constexpr rtuwire::client_options patient{};
-constinit rtuwire::fixed_client<line, patient, rtuwire::line_statistics> link;
+constinit rtuwire::static_client<line, patient, rtuwire::line_statistics> link;
 
 } // namespace
 

@@ -6,5 +6,5 @@
 int main()
 {
     std::array<std::byte, 32> asked;
-    ask_on([&asked](unsigned number) { return question(asked, number); });
+    ask_on([&asked](unsigned number) { return request(asked, number); });
 }

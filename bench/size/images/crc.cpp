@@ -12,7 +12,7 @@ int main()
     std::array<std::byte, 8> frame;
     for (;;) {
         for (std::byte& each : frame) {
-            each = board::octet();
+            each = board::byte();
         }
         board::put(static_cast<std::byte>(rtuwire::crc16(frame) & 0xFFU));
     }

@@ -9,9 +9,9 @@ namespace {
 [[gnu::noinline]] void pass_back()
 {
     rtuwire::instant const now = board::now();
-    if (board::has_octet()) {
-        std::byte const octet = board::octet();
-        board::put({&octet, 1});
+    if (board::has_byte()) {
+        std::byte const byte = board::byte();
+        board::put({&byte, 1});
     }
     static_cast<void>(now);
 }

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include <rtuwire/server/answer_frame.hpp>
+#include <rtuwire/server/response_frame.hpp>
 
 using namespace rtuwire;
 
@@ -17,11 +17,11 @@ constexpr unit_id address{1};
 constexpr duration silence = microseconds(2'000);
 word_bank<16> bank;
 
-/// Writes the answer to a frame in its place.
-[[gnu::noinline]] byte_view answer(byte_span place, std::size_t size)
+/// Writes the response to a frame in its place.
+[[gnu::noinline]] byte_view response(byte_span place, std::size_t size)
 {
     no_diagnostics none;
-    return answer_frame(place, size, address, bank, profile, none);
+    return response_frame(place, size, address, bank, profile, none);
 }
 
 } // namespace
@@ -32,15 +32,15 @@ int main()
     std::size_t size = 0;
     instant last{0};
     for (;;) {
-        if (board::has_octet()) {
-            std::byte const octet = board::octet();
+        if (board::has_byte()) {
+            std::byte const byte = board::byte();
             last = board::now();
             if (size < frame.size()) {
-                frame[size++] = octet;
+                frame[size++] = byte;
             }
         }
         if (size != 0 and reached(board::now(), last + silence)) {
-            board::put(answer(frame, size));
+            board::put(response(frame, size));
             size = 0;
         }
     }

@@ -14,5 +14,4 @@ void reset()
     }
 }
 
-[[gnu::section(".vectors"), gnu::used]] void (*const vectors[])() = {
-    reinterpret_cast<void (*)()>(0x2001'0000), reset};
+[[gnu::section(".vectors"), gnu::used]] void (*const vectors[])() = {reinterpret_cast<void (*)()>(0x2001'0000), reset};

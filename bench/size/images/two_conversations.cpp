@@ -4,37 +4,37 @@
 #include "board.hpp"
 
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/start.hpp>
-#include <rtuwire/client/fixed_client.hpp>
-#include <rtuwire/client/poller.hpp>
+#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/ask/poller.hpp>
+#include <rtuwire/client/static_client.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
 
 namespace {
 
-using panel = read_plan<atv320::device, atv320::eta, atv320::rfr, atv320::frh, atv320::lcr,
-                        atv320::otr, atv320::eti, atv320::uln, atv320::uop>;
+using panel = read_plan<atv320::device, atv320::eta, atv320::rfr, atv320::frh, atv320::lcr, atv320::otr, atv320::eti,
+                        atv320::uln, atv320::uop>;
 constexpr station<atv320::device> drive{unit_id{1}};
 constexpr line_timing timing{19'200, character_format::even_8_1};
-constinit fixed_drive_client<timing> link;
+constinit static_drive_client<timing> link;
 
 } // namespace
 
 int main()
 {
-    poller<panel> talk{drive};
+    poller<panel> conversation{drive};
     altivar::start go{drive, 50_Hz};
     for (;;) {
         board::pass(link);
         if (not go.settled()) {
             link.converse(go, board::now());
         } else {
-            link.converse(talk, board::now());
+            link.converse(conversation, board::now());
         }
-        if (talk.settled()) {
-            board::put(static_cast<std::byte>(talk.latest().get<atv320::lcr>().count()));
-            talk.begin();
+        if (conversation.settled()) {
+            board::put(static_cast<std::byte>(conversation.latest().get<atv320::lcr>().count()));
+            conversation.begin();
         }
     }
 }

@@ -4,7 +4,7 @@
 #include "board.hpp"
 
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/client/access.hpp>
+#include <rtuwire/ask/access.hpp>
 #include <rtuwire/client/client.hpp>
 
 using namespace rtuwire;
@@ -20,12 +20,12 @@ int main()
 {
     client link{line_timing{19'200, character_format::even_8_1}};
     for (;;) {
-        auto talk = read<atv320::lcr>(drive);
-        while (not talk.settled()) {
+        auto conversation = read<atv320::lcr>(drive);
+        while (not conversation.settled()) {
             board::pass(link);
-            link.converse(talk, board::now());
+            link.converse(conversation, board::now());
         }
-        if (auto const current = talk.outcome()) {
+        if (auto const current = conversation.outcome()) {
             board::put(static_cast<std::byte>(current->count()));
         }
     }

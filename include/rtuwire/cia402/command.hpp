@@ -1,21 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The commands of the drive profile and the control words that give them.
+// The commands of the drive profile and their control words.
 #pragma once
 
 #include <cstdint>
 
 #include <rtuwire/cia402/state.hpp>
-#include <rtuwire/core/text.hpp>
+#include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::cia402 {
 
-/// What a control word asks for. "Switch on" and "disable operation" are one word, which the state
-/// tells apart.
+/// What a control word commands. "Switch on" and "disable operation" are one word; the state decides which it is.
 enum class command : std::uint8_t {
-    none, ///< a word that asks for nothing
+    none, ///< a word without a command
     shutdown,
     switch_on,
     enable_operation,
@@ -43,7 +42,7 @@ inline constexpr std::uint16_t fault_reset_bit = 0x0080;
     return 0x0000;
 }
 
-/// What a control word asks for, by its bits 0 to 3: the tables print an x for bit 7 in all of these.
+/// The command in bits 0 to 3 of a control word: the tables print an x for bit 7 in all of these.
 [[nodiscard]] constexpr command recognise(std::uint16_t word) noexcept
 {
     if ((word & 0x02) == 0) {
@@ -58,23 +57,22 @@ inline constexpr std::uint16_t fault_reset_bit = 0x0080;
     return (word & 0x08) == 0 ? command::switch_on : command::enable_operation;
 }
 
-/// Whether a control word resets a fault, given the one before it: by a rising edge of bit 7. In a fault nothing
-/// else in the word counts, and elsewhere the edge does not.
+/// Whether a control word resets a fault, given the one before it: by a rising edge of bit 7. In a fault no other bit
+/// has an effect; in any other state the edge has none.
 [[nodiscard]] constexpr bool is_reset_edge(std::uint16_t before, std::uint16_t word) noexcept
 {
     return (word & ~before & fault_reset_bit) != 0;
 }
 
-/// What a control word asks a drive for that stands in `from`, given the word before it.
-[[nodiscard]] constexpr command recognise(state from, std::uint16_t before,
-                                          std::uint16_t word) noexcept
+/// The command that a control word gives to a drive in state `from`, given the word before it.
+[[nodiscard]] constexpr command recognise(state from, std::uint16_t before, std::uint16_t word) noexcept
 {
     bool const is_reset = from == state::fault and is_reset_edge(before, word);
     return is_reset ? command::fault_reset : recognise(word);
 }
 
-/// A command in the profile's words.
-[[nodiscard]] constexpr text name_of(command what) noexcept
+/// A command's name in the profile.
+[[nodiscard]] constexpr literal name_of(command what) noexcept
 {
     switch (what) {
     case command::none: break;

@@ -1,21 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The states of a drive (CiA 402, IEC 61800-7-201) and the status word that tells them. Vendor neutral:
-// knows neither a bus nor a drive. A word that fits no state decodes to `unknown`; it is never guessed.
+// The states of a drive (CiA 402, IEC 61800-7-201) and how the status word encodes them. Vendor neutral: knows
+// neither a bus nor a drive. A word that matches no state decodes to `unknown`; no state is guessed.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
-#include <rtuwire/core/text.hpp>
+#include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::cia402 {
 
-/// Where a drive stands.
+/// The state of a drive.
 enum class state : std::uint8_t {
-    unknown, ///< the status word says nothing that the profile knows
+    unknown, ///< the status word matches no state of the profile
     not_ready_to_switch_on,
     switch_on_disabled,
     ready_to_switch_on,
@@ -29,14 +29,14 @@ enum class state : std::uint8_t {
 /// Bit 5 of the status word, low during a quick stop.
 inline constexpr std::uint16_t no_quick_stop_bit = 0x20;
 
-/// The bits of a status word that say one state.
+/// The bits of a status word that encode one state.
 struct state_pattern {
     std::uint16_t mask;
     std::uint16_t value;
     state meaning;
 };
 
-/// The eight patterns; no word fits two of them.
+/// The eight patterns; no word matches two of them.
 inline constexpr std::array<state_pattern, 8> state_patterns{{
     {0x4F, 0x00, state::not_ready_to_switch_on},
     {0x4F, 0x40, state::switch_on_disabled},
@@ -48,7 +48,7 @@ inline constexpr std::array<state_pattern, 8> state_patterns{{
     {0x4F, 0x08, state::fault},
 }};
 
-/// The state that a status word tells. Bit 4 says nothing here: drives differ in its sense.
+/// The state in a status word. Bit 4 is not used here: drives differ in its sense.
 [[nodiscard]] constexpr state decode(std::uint16_t status_word) noexcept
 {
     for (state_pattern const& each : state_patterns) {
@@ -59,8 +59,8 @@ inline constexpr std::array<state_pattern, 8> state_patterns{{
     return state::unknown;
 }
 
-/// The bits 0 to 6 that a drive in a state shows, but for bit 4; 0 for `unknown`. Bit 5 is free in some states: low
-/// in "switch on disabled" and before, as the manuals print it; high in a fault, unless a quick stop led there.
+/// The bits 0 to 6 of a drive's status word in a state, without bit 4; 0 for `unknown`. Bit 5 is open in some states:
+/// low in "switch on disabled" and before, as the manuals print it; high in a fault, unless a quick stop led there.
 [[nodiscard]] constexpr std::uint16_t status_bits(state of) noexcept
 {
     bool const is_fault = of == state::fault or of == state::fault_reaction_active;
@@ -75,24 +75,20 @@ inline constexpr std::array<state_pattern, 8> state_patterns{{
 /// Whether the drive may be turning its motor by itself.
 [[nodiscard]] constexpr bool has_power(state of) noexcept
 {
-    return of == state::operation_enabled or of == state::quick_stop_active or
-           of == state::fault_reaction_active;
+    return of == state::operation_enabled or of == state::quick_stop_active or of == state::fault_reaction_active;
 }
 
 /// Whether the motor is known to be without power.
-[[nodiscard]] constexpr bool is_at_rest(state of) noexcept
-{
-    return of != state::unknown and not has_power(of);
-}
+[[nodiscard]] constexpr bool is_at_rest(state of) noexcept { return of != state::unknown and not has_power(of); }
 
-/// Whether only a fault reset leads on, now or as soon as the motor stands.
+/// Whether only a fault reset leads out of the state, now or as soon as the motor is at rest.
 [[nodiscard]] constexpr bool is_in_fault(state of) noexcept
 {
     return of == state::fault or of == state::fault_reaction_active;
 }
 
-/// A state in the profile's words.
-[[nodiscard]] constexpr text name_of(state of) noexcept
+/// A state's name in the profile.
+[[nodiscard]] constexpr literal name_of(state of) noexcept
 {
     switch (of) {
     case state::unknown: break;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// How patient a client is, and what it knows of its line.
+// How long a client waits and how often it retries, and what it knows of its line.
 #pragma once
 
 #include <cstdint>
@@ -11,42 +11,42 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// How patient a client is with one unit.
-struct patience {
-    /// From the end of a request to the start of its answer; the time the answer itself takes on the
-    /// line comes on top.
+/// The time-out and the retries for one unit.
+struct retry_policy {
+    /// From the end of a request to the start of its response; the time that the response itself takes on the line is
+    /// added.
     duration response_timeout{milliseconds(1000)};
-    /// How often a request is repeated after silence or a damaged answer; never after another
-    /// exception than 05 and 06, and never for a broadcast.
+    /// How often a request is repeated after no response or a damaged one; never after an exception other than 05 and
+    /// 06, and never for a broadcast.
     std::uint8_t retries{2};
     /// How often a request is repeated after the exceptions 05 (acknowledge) and 06 (busy).
     std::uint8_t busy_retries{3};
-    /// The pause before the first of these repetitions; each further one is twice as long. Nothing
-    /// else is asked on the line meanwhile.
+    /// The pause before the first of these repetitions; each further one is twice as long. No other request leaves on
+    /// the line meanwhile.
     duration busy_pause{milliseconds(50)};
 };
 
-/// How patient a client is, and what its line does.
+/// A client's time-outs and retries, and the properties of its line.
 struct client_options {
-    /// As in `patience`, for every unit that none is given for.
+    /// As in `retry_policy`, for every unit that has no policy of its own.
     duration response_timeout{milliseconds(1000)};
     /// From the end of a broadcast to the next request; units need it to act (SL 2.4.1).
     duration turnaround{milliseconds(100)};
-    /// How much longer than `response_timeout` any unit on the line may take to answer. A unit that failed to
-    /// answer in time is asked nothing new until all that it may still owe has come: client/quarantine.hpp
-    /// derives how long that is. An answer that takes longer than both together may pass for another one's:
-    /// RTU answers carry no number.
-    duration late_answer{milliseconds(200)};
-    /// As in `patience`.
+    /// How much longer than `response_timeout` any unit on the line may take to respond. A unit that failed to respond
+    /// in time gets no new request until all its outstanding responses must have come: client/quarantine.hpp derives
+    /// how long that is. A response that takes longer than both together may be taken for the response to another
+    /// request: RTU responses carry no number.
+    duration late_response{milliseconds(200)};
+    /// As in `retry_policy`.
     std::uint8_t retries{2};
-    /// Whether the line gives back what is sent (two wires without receiver disable). Each octet is
-    /// then held against the one sent; a difference is a `collision`. Without it, a request that comes back
-    /// ends as `echoed` wherever it can be told from an answer; `echo_probe` finds out.
-    bool has_echo{false};
-    /// How many octets of noise before an answer are skipped: only octets that are not the unit's, and
-    /// the answer must then be whole. Each one adds 1.5e-5 to the share of noise that passes a CRC, so
-    /// none unless told.
-    std::uint8_t skip_noise{0};
+    /// Whether the line returns what is sent (two wires without receiver disable). Each byte is then compared with the
+    /// one sent; a difference is a `collision`. Without it, a request that comes back ends as `line_echo` wherever it
+    /// can be told from a response; `line_echo_probe` finds out.
+    bool has_line_echo{false};
+    /// How many bytes of noise before a response are skipped: only bytes that differ from the unit's address, and the
+    /// response must then be whole. Each one adds 1.5e-5 to the share of noise that passes a CRC, so the default is
+    /// none.
+    std::uint8_t max_leading_noise{0};
 };
 
 } // namespace rtuwire

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Where a client keeps what it knows of the units whose motors it commands. Events are told apart by stamps, counted up.
+// Where a client keeps what it knows of the units whose motors it commands. Events are ordered by stamps, which count
+// up.
 #pragma once
 
 #include <array>
@@ -17,28 +18,28 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// How the stop under way holds a unit.
 enum class hold : std::uint8_t {
     by_its_stop,
-    by_another_stop, ///< a unit's that had no place when this one got its own
+    by_another_stop, ///< a stop whose unit had no place when this unit got one
     is_over,         ///< that stop has ended
 };
 
-/// What is known of one unit. All zero where nothing is, so that a `constinit` client needs no flash; the times are
-/// written before they are read.
+/// What is known of one unit. All zero where nothing is known, so that a `constinit` client lives in .bss; the times
+/// are written before they are read.
 struct unit_order {
     instant words_end;
     instant silence_end;
     duration silence;
     std::uint32_t last_stop;  ///< the stamp of the last stop or loss
     std::uint32_t last_order; ///< of the last order to run; 0: none
-    std::uint32_t last_fault; ///< of the last time that it was read to be in fault
-    std::uint32_t rearranged; ///< of the last request that did so
+    std::uint32_t last_fault; ///< of the last time that it was read in fault
+    std::uint32_t rearranged; ///< of the last request that rearranged it
     std::uint32_t holder;     ///< of the stop under way; 0: none
     std::uint8_t unit;        ///< 0: a free place
-    std::uint8_t misses;      ///< in a row
+    std::uint8_t misses;      ///< missing responses in a row
     std::uint8_t tolerated;
     bool is_ordered;
     bool is_lost;
-    bool was_lost;     ///< the last stop was a loss
-    bool may_be_told;  ///< while it is lost: words that stop it may go
+    bool was_lost;    ///< the last stop was a loss
+    bool may_be_told; ///< while it is lost: stop requests may still be sent
     hold held;
 };
 inline constexpr unit_order nothing_known{
@@ -50,7 +51,7 @@ inline constexpr unit_order nothing_known{
     return static_cast<std::int32_t>(stamp - than) < 0;
 }
 
-/// Places for `Units` units, and what is known of all others together.
+/// Places for `Units` units, and one entry for all others together.
 template <std::size_t Units> class order_places {
 public:
     /// The unit's place; null where it has none.
@@ -65,7 +66,7 @@ public:
         return at < Units ? &places_[at] : nullptr;
     }
 
-    /// The same, or what stands for the units that have none: the latest stamp of each kind.
+    /// The same, or the entry of all units without a place: the latest stamp of each kind.
     [[nodiscard]] constexpr unit_order const& of(std::uint8_t unit) const noexcept
     {
         unit_order const* const own = find(unit);
@@ -125,7 +126,7 @@ private:
         return found;
     }
 
-    /// Of a unit that loses its place only its stamps are kept; they count for all that have none.
+    /// Of a unit that loses its place only the stamps are kept; they count for all units without a place.
     constexpr void forget(unit_order const& known) noexcept
     {
         others_.last_stop = later(others_.last_stop, known.last_stop);

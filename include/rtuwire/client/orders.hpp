@@ -1,26 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Which motors a client ordered to run, and what follows from it for everything that is said to their units. No
-// conversation could hold to this alone: a read by another one keeps a drive's watchdog fed.
+// Which motors a client ordered to run, and what follows from it for every request to their units. No conversation
+// could enforce this alone: a read by another one keeps a drive's watchdog fed.
 //
 // A unit is *ordered* from the first request that enables it until a conversation that commands it has read that its
-// motor has no power. Orders and stops have stamps, counted up: an order that is older than the last stop of its
-// unit, or than its last loss, enables nothing; nor does one that is older than a fault that somebody read, or than
-// another order to run. While a stop is under way nothing else commands its unit; one that was destroyed before its
-// end goes on holding it until another stop of the unit has ended, or `release`.
+// motor has no power. Orders and stops have stamps, counted up: an order enables nothing if it is older than the last
+// stop of its unit, than its last loss, than a fault that a conversation read, or than another order to run. While a
+// stop is under way no other conversation commands its unit; a stop that was destroyed before its end goes on holding
+// the unit until another stop of the unit has ended, or `release`.
 //
-// A *loss* is an answer that did not come from a unit that is ordered, beyond those that its commander tolerates, or that
-// a stop holds: another controller may have ordered it, or this one before it was switched off. Then, for
-// 2 s at most, only words that stop it go to that unit. Then nothing does, from anybody, until the drive's own time-out
-// and 1 s more have gone by since the last of them: it has stopped by itself if it can. A stop that begins meanwhile has
-// 2 s for its words. An answer to one of them ends the loss; the order stays gone.
+// A *loss* is a missing response, beyond those that its commander tolerates, of a unit that is ordered or that a stop
+// holds: another controller may have ordered it, or this one before it was switched off. Then, for 2 s at most, only
+// stop requests go to that unit. After that it gets no request of any conversation, until the drive's own time-out and
+// 1 s more have passed since the last of them: it has stopped by itself if it can. A stop that begins meanwhile has
+// 2 s for its requests. A response to one of them ends the loss; the order stays cancelled.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
-#include <rtuwire/client/commander.hpp>
+#include <rtuwire/ask/commander.hpp>
 #include <rtuwire/client/order_places.hpp>
 #include <rtuwire/client/stop_holds.hpp>
 #include <rtuwire/core/time.hpp>
@@ -53,12 +53,12 @@ template <std::size_t Units> class orders : public stop_holds<Units> {
 public:
     static constexpr bool is_kept = true;
 
-    /// A commander of one unit comes by: takes note of what its user wants, and of what it read. Whether its unit was lost
-    /// since it came by last.
+    /// A commander of one unit visits: notes what its user wants, and what it read. Returns whether its unit was lost
+    /// since its last visit.
     constexpr bool visit(commander& who, std::uint8_t unit, instant now) noexcept
     {
         bool const is_lost = has_lost(who, unit);
-        // What was ordered since it came by last may be older than what happened meanwhile.
+        // An order given since the last visit may be older than what happened meanwhile.
         bool const is_doubtful = who.has_come_by_ and has_happened(who, unit);
         who.was_stopped_ = who.was_stopped_ or is_doubtful;
         tell_arrangement(who, unit);
@@ -72,11 +72,10 @@ public:
         return is_lost;
     }
 
-    /// Whether a request of this effect may be asked, but for silence: `overruled` where a stop came later than the
-    /// order, or another stop is under way, or the unit was rearranged behind what its commander read; `unit_lost` where a
-    /// loss did; `too_many_ordered` where there is no place for one more unit.
-    [[nodiscard]] constexpr errc check(commander const& who, std::uint8_t unit,
-                                       effect what) const noexcept
+    /// Whether a request of this effect may be sent, apart from a silence: `overruled` where a stop came later than
+    /// the order, or another stop is under way, or the unit was rearranged after its commander read it; `unit_lost`
+    /// where a loss came later; `too_many_ordered` where there is no place for one more unit.
+    [[nodiscard]] constexpr errc check(commander const& who, std::uint8_t unit, effect what) const noexcept
     {
         if (what == effect::none) {
             return errc::none;
@@ -91,7 +90,7 @@ public:
             return own.was_lost and own.holder == 0 ? errc::unit_lost : errc::overruled;
         }
         if (what == effect::rearranging) {
-            return own.is_ordered ? errc::overruled : errc::none; // only of a drive that stands
+            return own.is_ordered ? errc::overruled : errc::none; // only a drive that is not ordered to run
         }
         if (who.was_rearranged_) {
             return errc::overruled;
@@ -99,15 +98,14 @@ public:
         return places_.is_full_for(unit) ? errc::too_many_ordered : errc::none;
     }
 
-    /// Whether another stop, or one that came later, has the unit.
+    /// Whether another stop, or a later one, overrules this commander of the unit.
     [[nodiscard]] constexpr bool is_overruled(commander const& who, std::uint8_t unit) const noexcept
     {
         return check(who, unit, who.is_stopping_ ? effect::stopping : effect::enabling) == errc::overruled;
     }
 
     /// A request of this effect was taken.
-    constexpr void note_asked(std::uint8_t unit, effect what, duration drive_timeout,
-                              std::uint8_t tolerated) noexcept
+    constexpr void note_asked(std::uint8_t unit, effect what, duration drive_timeout, std::uint8_t tolerated) noexcept
     {
         switch (what) {
         case effect::enabling:
@@ -118,10 +116,9 @@ public:
         }
     }
 
-    /// What came of a request to a unit, whoever asked it; one that its client repeated by itself is tolerated no more.
-    /// `cancelled` is one that never left: it tells nothing of its unit.
-    constexpr void note_outcome(std::uint8_t unit, errc error, bool was_repeated,
-                                instant now) noexcept
+    /// The outcome of a request of any conversation to a unit; where the client repeated it by itself, a missing
+    /// response is no longer tolerated. A `cancelled` request never left: it tells nothing of its unit.
+    constexpr void note_outcome(std::uint8_t unit, errc error, bool was_repeated, instant now) noexcept
     {
         unit_order* const own = places_.find(unit);
         if (own == nullptr or error == errc::cancelled) {
@@ -142,13 +139,12 @@ public:
         }
     }
 
-    /// Whether nothing of this effect is said to a unit now; to everyone (0), where one of them is lost.
+    /// Whether a unit gets no request of this effect now; for a broadcast (0), whether one of the units is lost.
     [[nodiscard]] constexpr bool is_silent(std::uint8_t unit, effect what) const noexcept
     {
         for (unit_order const& each : places_) {
             bool const is_meant = each.is_lost and (each.unit == unit or unit == 0);
-            bool const may_be_told =
-                what == effect::stopping and (unit == 0 or each.may_be_told);
+            bool const may_be_told = what == effect::stopping and (unit == 0 or each.may_be_told);
             if (is_meant and not may_be_told) {
                 return true;
             }
@@ -156,7 +152,8 @@ public:
         return false;
     }
 
-    /// A conversation that came by wants to come by again then; for clients, which know no other times of theirs.
+    /// When `converse` is to be called again for a conversation; for clients, which know no other times of their
+    /// conversations.
     constexpr void wake_for(deadline const& when, instant now) noexcept
     {
         bool const is_ahead = when and not reached(now, *when);
@@ -166,18 +163,12 @@ public:
     }
 
     /// Whether a unit is lost.
-    [[nodiscard]] constexpr bool is_lost(std::uint8_t unit) const noexcept
-    {
-        return places_.of(unit).is_lost;
-    }
+    [[nodiscard]] constexpr bool is_lost(std::uint8_t unit) const noexcept { return places_.of(unit).is_lost; }
 
-    /// Whether this client ordered a unit to run, and nobody has read since that it does not.
-    [[nodiscard]] constexpr bool is_ordered(std::uint8_t unit) const noexcept
-    {
-        return places_.of(unit).is_ordered;
-    }
+    /// Whether this client ordered a unit to run, and no conversation has read since that its motor has no power.
+    [[nodiscard]] constexpr bool is_ordered(std::uint8_t unit) const noexcept { return places_.of(unit).is_ordered; }
 
-    /// Lets time pass. Whether a silence is over.
+    /// Lets time pass. Returns whether a silence is over.
     constexpr bool advance(instant now) noexcept
     {
         holds::let_go_of_ended();
@@ -238,7 +229,7 @@ private:
         }
     }
 
-    /// Whether there was a stop, a loss or a fault since somebody came by last.
+    /// Whether there was a stop, a loss or a fault since this commander's last visit.
     constexpr bool has_happened(commander const& who, std::uint8_t unit) const noexcept
     {
         unit_order const& own = places_.of(unit);
@@ -252,7 +243,7 @@ private:
         return own.is_lost and is_older(who.seen_, own.last_stop);
     }
 
-    /// Who comes by for the first time has read nothing yet that this could have changed.
+    /// A commander that visits for the first time has read nothing yet that this could have changed.
     constexpr void tell_arrangement(commander& who, std::uint8_t unit) const noexcept
     {
         bool const is_new = who.has_come_by_ and is_older(who.seen_, places_.of(unit).rearranged);
@@ -268,15 +259,14 @@ private:
         }
     }
 
-    /// Whether a fault, or another order to run, came behind this one.
+    /// Whether a fault, or another order to run, came after this commander's order.
     static constexpr bool has_newer(unit_order const& own, commander const& who) noexcept
     {
         bool const is_replaced = own.last_order != 0 and is_older(who.stamp_, own.last_order);
         return is_replaced or is_older(who.stamp_, own.last_fault);
     }
 
-    constexpr void note_enabling(std::uint8_t unit, duration drive_timeout,
-                                 std::uint8_t tolerated) noexcept
+    constexpr void note_enabling(std::uint8_t unit, duration drive_timeout, std::uint8_t tolerated) noexcept
     {
         if (unit_order* const own = places_.make(unit)) {
             own->is_ordered = true;
@@ -285,14 +275,14 @@ private:
         }
     }
 
-    /// Who relies on the unit's words reads anew what they mean.
+    /// A commander that relies on the unit's words reads anew what they mean.
     constexpr void note_rearranging(std::uint8_t unit) noexcept
     {
         unit_order* const own = places_.find(unit);
         (own == nullptr ? places_.others() : *own).rearranged = ++count_;
     }
 
-    /// Of a unit that was not ordered here its type tells how long it has to be left alone.
+    /// A unit that was not ordered here is left alone for the time that its drive's type gives.
     constexpr void note_stopping(std::uint8_t unit, duration drive_timeout) noexcept
     {
         unit_order* const own = places_.find(unit);

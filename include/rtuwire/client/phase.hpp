@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Where a client stands in its transaction (SL 2.4.1).
+// The phases of a client's transaction (SL 2.4.1).
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,20 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// What leaves each phase of a client.
+/// What ends each phase of a client.
 enum class client_phase : std::uint8_t {
-    idle,         ///< a conversation's question -> waiting
-    waiting,      ///< t3.5 of silence, and its asker comes by -> ready; not in time -> settled (bus_jam)
-    ready,        ///< poll_transmit -> handed_out; octets -> waiting, or settled where the question
+    idle,         ///< a conversation's request -> waiting
+    waiting,      ///< t3.5 of silence, and its asker visits -> ready; not in time -> settled (bus_jam)
+    ready,        ///< poll_transmit -> handed_out; bytes -> waiting, or settled where the request
                   ///< may not wait; too late -> settled
-    handed_out,   ///< advance -> transmitting, whose time counts from here; sent as there
+    handed_out,   ///< advance -> transmitting, whose time limit starts here; sent: as in transmitting
     transmitting, ///< sent -> awaiting, or turnaround after a broadcast, or settled where it was cancelled
                   ///< or came back; too late -> settled
-    awaiting,     ///< the answer -> settled; time over or our answer damaged -> waiting, or settled;
+    awaiting,     ///< the response -> settled; time over or a damaged response of our unit -> waiting, or settled;
                   ///< exception 05 or 06 -> pausing, or settled
     pausing,      ///< time over -> waiting
     turnaround,   ///< time over -> settled
-    settled,      ///< its asker takes the outcome or has given it up, or the next in turn misses it -> idle
+    settled,      ///< its asker takes the outcome or has given it up, or the next in turn finds it missing -> idle
 };
 
 /// Whether a request is between its start and its outcome.

@@ -1,21 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Until when a unit is asked nothing new, because an answer that it still owes could pass for the answer to
-// the new question: RTU answers carry no number.
+// Until when a unit gets no new request, because an outstanding response could be taken for the response to the new
+// request: RTU responses carry no number.
 //
-// The rule, for a unit that answers its requests in their order and each within W = R + L of the moment at
-// which it could begin (R: response time-out with the answer's own characters, L: late_answer).
+// The rule, for a unit that answers its requests in their order and each within W = R + L of the moment at which it
+// could begin (R: response time-out with the response's own characters, L: late_response):
 //
-//   ended by                             owed until       why
-//   the answer to the only sending       nothing          there is no other
-//   an answer at s, while k sendings     s + k (s-f+L)    whichever was answered, k may follow, each within what
-//   are not answered, the first at f                      the first may have taken, s - f, and L
-//   no answer, or given up               b                at each sending at t: b = max(b, t) + W, for the unit
+//   ended by                              held until      why
+//   the response to the only sending      not held        there is no other
+//   a response at s, while k sendings     s + k (s-f+L)   whichever was answered, k may follow, each within what
+//   have none, the first at f                             the first may have taken, s - f, and L
+//   no response, or given up              b               at each sending at t: b = max(b, t) + W, for the unit
 //                                                         begins when it has answered all before it
 //
-// A damaged answer, an exception that asks for time, is an answer. A unit that is slower than W and never answered
-// in time can be told from nothing by no rule of time.
+// A damaged response, or an exception that asks for time, counts as a response. No rule of time can tell apart the
+// responses of a unit that is slower than W and never responded in time.
 #pragma once
 
 #include <array>
@@ -28,16 +28,17 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// One unit, or none where it is 0, and until when it is asked nothing new.
+/// One unit (0: none), and until when it gets no new request.
 struct quarantine_entry {
     instant end;
     std::uint8_t unit;
 };
 
-/// The times of up to `Units` units at once; where more owe an answer, the last place stands for every unit.
+/// The times of up to `Units` units at once; where more have an outstanding response, the last place stands for every
+/// unit.
 template <std::size_t Units> class quarantine {
 public:
-    /// A unit is asked nothing new until `end`, or until the later end that it has already.
+    /// A unit gets no new request until `end`, or until the later end that it has already.
     constexpr void begin(std::uint8_t unit, instant end) noexcept
     {
         quarantine_entry& own = place_of(unit);
@@ -47,7 +48,7 @@ public:
         own.unit = own.unit == nobody or own.unit == unit ? unit : everybody;
     }
 
-    /// Lets time pass. Whether a time was over.
+    /// Lets time pass. Returns whether one of the times was over.
     constexpr bool advance(instant now) noexcept
     {
         bool is_over = false;
@@ -71,7 +72,7 @@ public:
         return true;
     }
 
-    /// Whether a unit may not be asked yet; never for 0, which is everyone and answers nothing.
+    /// Whether a unit may not be asked yet; never for 0, the broadcast, which has no response.
     [[nodiscard, gnu::always_inline]] constexpr bool covers(std::uint8_t unit) const noexcept
     {
         if constexpr (Units == 1) {
@@ -81,7 +82,7 @@ public:
         }
     }
 
-    /// When the next time is over.
+    /// Adds the times that are not over yet.
     constexpr void add_to(earliest& next) const noexcept
     {
         for (quarantine_entry const& each : entries_) {
@@ -101,7 +102,8 @@ private:
         return each.unit == unit or each.unit == everybody;
     }
 
-    /// `covers` of several. Not inlined: it is asked in several places, and more for each kind of conversation.
+    /// `covers` for several units. Not inlined: it is called in several places, and in more for each kind of
+    /// conversation.
     [[gnu::noinline]] constexpr bool is_among(std::uint8_t unit) const noexcept
     {
         for (quarantine_entry const& each : entries_) {
@@ -128,8 +130,7 @@ private:
         return entries_[found];
     }
 
-    std::array<quarantine_entry, Units> entries_{
-        filled<Units>(quarantine_entry{instant{0}, nobody})};
+    std::array<quarantine_entry, Units> entries_{filled<Units>(quarantine_entry{instant{0}, nobody})};
 };
 
 } // namespace rtuwire

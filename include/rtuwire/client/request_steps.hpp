@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The steps of one request: each enters a phase of client/phase.hpp and sets the time that limits it. When they are
-// taken is told in client/transaction.hpp.
+// The steps of one request: each enters a phase of client/phase.hpp and sets the time that limits it.
+// client/transaction.hpp decides when they are taken.
 #pragma once
 
 #include <cstddef>
@@ -26,29 +26,29 @@ public:
 
 protected:
     using phase = client_phase;
-    using client_state::attempts_;
     using client_state::deadline_;
     using client_state::echo_;
+    using client_state::error_;
     using client_state::phase_;
-    using client_state::trouble_;
+    using client_state::retries_;
     using end_of_line::options;
     using end_of_line::quarantine_;
 
     constexpr std::uint8_t unit() const noexcept { return this->asked_unit(); }
 
-    /// The request waits for the line. Not inlined: several ways lead here.
+    /// The request waits for the line. Not inlined: it is called in several places.
     [[gnu::noinline]] constexpr void wait_for_silence(instant now) noexcept
     {
         phase_ = phase::waiting;
-        trouble_ = errc::none;
+        error_ = errc::none;
         echo_.end();
-        deadline_ = now + attempts_.response_timeout();
+        deadline_ = now + retries_.response_timeout();
     }
 
-    /// The transmitter has as long as the request takes, and the response time-out.
+    /// The transmitter has the time that the request takes, plus the response time-out.
     [[gnu::noinline]] constexpr void limit_sending(instant now) noexcept
     {
-        deadline_ = now + attempts_.response_timeout() + this->time_to_send();
+        deadline_ = now + retries_.response_timeout() + this->time_to_send();
     }
 
     /// A broadcast has left: units need time to act.
@@ -58,38 +58,38 @@ protected:
         deadline_ = at + options().turnaround;
     }
 
-    /// The request left once more. How long its answer may take, up to its last octet.
+    /// The request left once more. Returns how long its response may take, up to its last byte.
     constexpr duration note_sent(instant at) noexcept
     {
-        duration const limit = attempts_.response_timeout() + this->time_to_answer();
-        attempts_.note_sent(at, limit + late_answer());
+        duration const limit = retries_.response_timeout() + this->time_to_respond();
+        retries_.note_sent(at, limit + late_response());
         return limit;
     }
 
-    /// One sending has failed: another one follows, or the end. Inlined at both its places: 8 bytes less, and its
-    /// callers' stack.
+    /// One sending has failed: another one follows, or the transaction ends. Inlined at both its places: 8 bytes less,
+    /// and its callers use less stack.
     [[gnu::always_inline]] constexpr void attempt_failed(instant now) noexcept
     {
-        if (attempts_.take_retry()) {
+        if (retries_.take_retry()) {
             wait_for_silence(now);
         } else {
-            settle(trouble_, now);
+            settle(error_, now);
         }
     }
 
-    /// Ends the transaction. Where answers may still be on their way, its unit is asked nothing new until none
-    /// can be: the rule and its reasons stand in client/quarantine.hpp.
+    /// Ends the transaction. Where responses may still be on their way, its unit gets no new request until none can
+    /// be: client/quarantine.hpp gives the rule and its reasons.
     constexpr void settle(errc error, instant now) noexcept
     {
-        trouble_ = error;
+        error_ = error;
         if (is_leaving(phase_)) {
             static_cast<void>(note_sent(now));
         }
-        if (attempts_.unanswered() != 0) {
-            bool const is_answered = trouble_ == errc::none or is_exception(trouble_);
-            duration const late = late_answer();
-            quarantine_.begin(unit(), is_answered ? now + attempts_.all_that_follow(now, late)
-                                                  : attempts_.owed_until(now));
+        if (retries_.unanswered() != 0) {
+            bool const has_response = error_ == errc::none or is_exception(error_);
+            duration const late = late_response();
+            quarantine_.begin(unit(),
+                              has_response ? now + retries_.all_that_follow(now, late) : retries_.owed_until(now));
         }
         phase_ = phase::settled;
         deadline_ = now;
@@ -97,11 +97,8 @@ protected:
     }
 
 private:
-    /// Made anew: GCC would read a constant's copy from memory.
-    constexpr duration late_answer() const noexcept
-    {
-        return duration{options().late_answer.microseconds};
-    }
+    /// Constructed anew: GCC would read a constant's copy from memory.
+    constexpr duration late_response() const noexcept { return duration{options().late_response.microseconds}; }
 };
 
 } // namespace rtuwire

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// What a client counts of its line, if it is told to: `basic_client<unit_statistics<30>>`. A client
-// without statistics holds no octet of them and runs no instruction for them.
+// What a client counts of its line, if its type says so: `basic_client<unit_statistics<30>>`. A client without
+// statistics holds no byte of them and runs no instruction for them.
 #pragma once
 
 #include <array>
@@ -18,19 +18,19 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// What can be counted.
 enum class line_event : std::uint8_t {
-    request,    ///< a question left for the first time
-    repetition, ///< a question left again
-    reply,      ///< an answer was accepted
-    timeout,    ///< no answer in time
-    late,       ///< something of a unit's came after its time
-    foreign,    ///< an answer of another unit
-    crc,        ///< a frame with a wrong CRC, or damaged by the receiver's word
+    request,    ///< a request left for the first time
+    repetition, ///< a request left again
+    reply,      ///< a response was accepted
+    timeout,    ///< no response in time
+    late,       ///< a response came after its time
+    foreign,    ///< a response of another unit
+    crc,        ///< a frame with a wrong CRC, or with a receive error
     length,     ///< a frame whose size is wrong
-    mismatch,   ///< a good frame that is no answer to the question
+    mismatch,   ///< a good frame that is no response to the request
     exception,  ///< an exception response
-    collision,  ///< our own transmission came back as something else
+    collision,  ///< our own transmission came back changed
     jam,        ///< the line did not fall silent
-    noise,      ///< an octet that belonged to nothing
+    noise,      ///< a byte that belonged to no response
 };
 
 /// What a frame counts as, by the error that was found in it.
@@ -60,8 +60,8 @@ struct counters {
     std::array<std::uint32_t, events> by_event{};
     /// Exceptions 1 to 11; any other at 0.
     std::array<std::uint32_t, codes> by_exception{};
-    /// From the end of a question to the end of its answer. On a host that end is reckoned; an answer
-    /// before it, on a line without wires, counts as none.
+    /// From the end of a request to the end of its response. On a host the end of the request is computed; a response
+    /// before it, on a line without wires, is not counted.
     duration worst_latency{};
 
     [[nodiscard]] constexpr std::uint32_t operator[](line_event what) const noexcept
@@ -69,10 +69,7 @@ struct counters {
         return by_event[static_cast<std::size_t>(what)];
     }
 
-    constexpr void note(line_event what) noexcept
-    {
-        increment(by_event[static_cast<std::size_t>(what)]);
-    }
+    constexpr void note(line_event what) noexcept { increment(by_event[static_cast<std::size_t>(what)]); }
     constexpr void note_exception(errc code) noexcept
     {
         std::size_t const number = static_cast<std::uint8_t>(code);
@@ -80,17 +77,13 @@ struct counters {
     }
     constexpr void note_latency(duration latency) noexcept
     {
-        if (static_cast<std::int32_t>(latency.microseconds) >
-            static_cast<std::int32_t>(worst_latency.microseconds)) {
+        if (static_cast<std::int32_t>(latency.microseconds) > static_cast<std::int32_t>(worst_latency.microseconds)) {
             worst_latency = latency;
         }
     }
 
 private:
-    static constexpr void increment(std::uint32_t& count) noexcept
-    {
-        count += count == 0xFFFF'FFFF ? 0 : 1;
-    }
+    static constexpr void increment(std::uint32_t& count) noexcept { count += count == 0xFFFF'FFFF ? 0 : 1; }
 };
 
 /// Counts nothing.
@@ -98,7 +91,7 @@ struct no_statistics {
     static constexpr void note(line_event, std::uint8_t) noexcept {}
     static constexpr void note_exception(errc, std::uint8_t) noexcept {}
     static constexpr void note_asked(instant) noexcept {}
-    static constexpr void note_answered(instant, std::uint8_t) noexcept {}
+    static constexpr void note_response(instant, std::uint8_t) noexcept {}
     static constexpr void note_stray(std::size_t, bool, std::uint8_t) noexcept {}
 };
 
@@ -107,25 +100,25 @@ class line_statistics {
 public:
     constexpr void note(line_event what, std::uint8_t) noexcept { line_.note(what); }
     constexpr void note_exception(errc code, std::uint8_t) noexcept { line_.note_exception(code); }
-    /// A question has left, or will have by then.
+    /// A request has left, or will have left by `at`.
     constexpr void note_asked(instant at) noexcept { asked_ = at; }
-    /// Its answer has arrived. Returns how long it took.
-    constexpr duration note_answered(instant at, std::uint8_t) noexcept
+    /// Its response has arrived. Returns how long it took.
+    constexpr duration note_response(instant at, std::uint8_t) noexcept
     {
         duration const latency = at - asked_;
         line_.note_latency(latency);
         return latency;
     }
 
-    /// So many octets belong to no answer; the first of them came after silence, or did not. What begins with
-    /// the address of a unit that owes an answer (`owing`, or 0) is one late answer up to the next silence;
-    /// anything else is noise, octet by octet. Whether a late answer began here.
-    constexpr bool note_stray(std::size_t octets, bool is_start, std::uint8_t owing) noexcept
+    /// Counts bytes that belong to no response; `is_start`: the first of them came after silence. Bytes that begin
+    /// with the address of a unit whose response is outstanding (`owing`, or 0) are one late response up to the next
+    /// silence; others are noise, byte by byte. Returns whether a late response began here.
+    constexpr bool note_stray(std::size_t bytes, bool is_start, std::uint8_t owing) noexcept
     {
         if (is_start) {
             is_late_ = owing != 0;
         }
-        for (std::size_t i = 0; i < octets and not is_late_; ++i) {
+        for (std::size_t i = 0; i < bytes and not is_late_; ++i) {
             line_.note(line_event::noise);
         }
         bool const begins = is_start and is_late_;
@@ -144,8 +137,8 @@ private:
     counters line_{};
 };
 
-/// Counts for the line and for the first `Units` units that are asked. Of a frame that names no unit for
-/// sure, the unit asked is charged; octets outside of transactions are the line's alone.
+/// Counts for the line and for the first `Units` units that are asked. A frame that names no unit for sure counts for
+/// the unit asked; bytes outside of transactions count for the line alone.
 template <std::size_t Units> class unit_statistics {
 public:
     constexpr void note(line_event what, std::uint8_t unit) noexcept
@@ -166,25 +159,25 @@ public:
         }
     }
     constexpr void note_asked(instant at) noexcept { line_.note_asked(at); }
-    constexpr void note_answered(instant at, std::uint8_t unit) noexcept
+    constexpr void note_response(instant at, std::uint8_t unit) noexcept
     {
-        duration const latency = line_.note_answered(at, unit);
+        duration const latency = line_.note_response(at, unit);
         if (counters* const own = find(unit)) {
             own->note_latency(latency);
         }
     }
 
-    constexpr void note_stray(std::size_t octets, bool is_start, std::uint8_t owing) noexcept
+    constexpr void note_stray(std::size_t bytes, bool is_start, std::uint8_t owing) noexcept
     {
         counters* const own = find(owing);
-        if (line_.note_stray(octets, is_start, owing) and own != nullptr) {
+        if (line_.note_stray(bytes, is_start, owing) and own != nullptr) {
             own->note(line_event::late);
         }
     }
 
     [[nodiscard]] constexpr counters const& line() const noexcept { return line_.line(); }
 
-    /// A unit's counts; null for one that was not asked, or came after the table was full.
+    /// A unit's counts; null for a unit that was not asked, or only after the table was full.
     [[nodiscard]] constexpr counters const* unit(std::uint8_t number) const noexcept
     {
         for (row const& each : rows_) {
@@ -231,16 +224,15 @@ private:
     std::array<row, Units> rows_{};
 };
 
-/// Notes a frame that arrived by `now`, after a question to `unit`, by the error that was found in it.
+/// Notes a frame that arrived by `now`, after a request to `unit`, by the error that was found in it.
 template <typename Statistics>
-constexpr void note_frame(Statistics& to, line_event what, errc found, std::uint8_t unit,
-                          instant now) noexcept
+constexpr void note_frame(Statistics& to, line_event what, errc found, std::uint8_t unit, instant now) noexcept
 {
     if (what == line_event::exception) {
         to.note_exception(found, unit);
     }
     if (what == line_event::reply or what == line_event::exception) {
-        to.note_answered(now, unit);
+        to.note_response(now, unit);
     }
     to.note(what, unit);
 }

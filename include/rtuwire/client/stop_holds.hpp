@@ -1,28 +1,29 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Which stop holds which unit. A stop holds its unit from its begin to its end; one that is destroyed before goes on
-// holding it until another stop of the unit has ended, or `release`. Where there is no place for its unit it holds all
-// that have none, and every such stop says its words: nobody knows whose unit is held.
+// Which stop holds which unit. A stop holds its unit from its begin to its end; one that is destroyed before its end
+// goes on holding it until another stop of the unit has ended, or `release`. Where there is no place for its unit it
+// holds all units without a place, and every such stop sends its requests: the client does not know whose unit is
+// held.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
-#include <rtuwire/client/commander.hpp>
+#include <rtuwire/ask/commander.hpp>
 #include <rtuwire/client/order_places.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// How long words that stop may follow a loss, or a stop that begins behind it.
+/// How long stop requests may be sent after a loss, or after the begin of a stop that follows it.
 inline constexpr duration stop_words_after_loss = milliseconds(2'000);
 
 /// The stops under way of one client; the base of its orders.
 template <std::size_t Units> class stop_holds {
 public:
-    /// A commander that stops every unit comes by.
+    /// A commander that stops every unit visits.
     constexpr void visit_for_all(commander& who, instant now) noexcept
     {
         if (who.has_stopped_) {
@@ -38,21 +39,21 @@ public:
         }
         if (who.is_over_) {
             who.is_over_ = false;
-            if (who.stamp_ == holder_of_all_) { // not one that ended before, and comes by
+            if (who.stamp_ == holder_of_all_) { // not one that ended before, and visits again
                 is_all_over_ = true;
                 stopped_all_ = ++count_;
             }
         }
     }
 
-    /// Lets a unit be commanded again that a stop holds which was given up.
+    /// Ends the hold of a stop that was given up: its unit can be commanded again.
     constexpr void release(std::uint8_t unit) noexcept
     {
         unit_order* const own = places_.find(unit);
         let_go(own == nullptr ? places_.others() : *own);
     }
 
-    /// The same for all units, where a stop of everyone was given up. A stop that still comes by goes on holding its own.
+    /// The same for all units, where a stop of all units was given up. A stop that still visits keeps its hold.
     constexpr void release_all() noexcept
     {
         holder_of_all_ = 0;
@@ -69,7 +70,7 @@ protected:
         who.stamp_ = ++count_;
         who.is_stopping_ = true;
         unit_order& own = place_of(unit);
-        own.unit = unit; // of those without a place: which one is held
+        own.unit = unit; // for the units without a place: which one is held
         own.last_stop = count_;
         own.holder = count_;
         own.held = hold::by_its_stop;
@@ -77,8 +78,8 @@ protected:
         own.may_be_told = own.is_lost;
     }
 
-    /// A stop under way comes by: a place that is free by now is its unit's, and where the stop of another unit without a
-    /// place has ended, this one goes on holding.
+    /// A stop under way visits: a place that has become free goes to its unit, and where the stop of another unit
+    /// without a place has ended, this one goes on holding.
     constexpr void keep_hold(commander const& who, std::uint8_t unit) noexcept
     {
         unit_order& own = place_of(unit);
@@ -89,8 +90,8 @@ protected:
         }
     }
 
-    /// A stop has ended: whatever it holds, units that got their places since as well; and what a stop of this unit holds
-    /// that was given up before it had a place. No order counts that was given before.
+    /// A stop has ended: ends its holds, also those of units that got their places since; and the hold of an earlier
+    /// stop of this unit that was given up before the unit had a place. Orders given before no longer count.
     constexpr void end_stop(commander& who, std::uint8_t unit) noexcept
     {
         who.is_stopping_ = false;
@@ -111,7 +112,7 @@ protected:
                own->held != hold::by_another_stop and not stops_all;
     }
 
-    /// Stops that ended let go of their units.
+    /// Stops that ended release their units.
     constexpr void let_go_of_ended() noexcept
     {
         if (is_all_over_) {

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// One request of a client, from its start to its outcome: silence before it, the octets that leave, the answer,
-// repetitions, time limits. Knows no conversation. client/phase.hpp tells its states, client/quarantine.hpp how
-// long a unit that did not answer in time is asked nothing new.
+// One request of a client, from its start to its outcome: silence before it, the bytes to send, the response,
+// repetitions, time limits. Knows no conversation. client/phase.hpp lists its phases, client/quarantine.hpp says how
+// long a unit that did not respond in time gets no new request.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
+#include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/client/client_state.hpp>
-#include <rtuwire/client/conversation.hpp>
 #include <rtuwire/client/line_end.hpp>
 #include <rtuwire/client/options.hpp>
 #include <rtuwire/client/quarantine.hpp>
@@ -18,24 +18,24 @@
 #include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/wire/answer.hpp>
+#include <rtuwire/wire/response.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// What a client does for its request under way; the base of `basic_client`, which says who asks.
+/// Runs a client's request under way; the base of `basic_client`, which decides whose it is.
 template <typename Statistics, typename Line, typename Options, typename Debts, std::size_t Front>
 class transaction : public request_steps<Statistics, Line, Options, Debts, Front> {
     using end_of_line = line_end<Statistics, Line, Options, Debts, Front>;
     using steps = request_steps<Statistics, Line, Options, Debts, Front>;
-    using client_state::attempts_;
     using client_state::deadline_;
     using client_state::echo_;
+    using client_state::error_;
     using client_state::is_woken_;
     using client_state::phase_;
-    using client_state::trouble_;
+    using client_state::retries_;
     using end_of_line::framer;
     using end_of_line::quarantine_;
-    using end_of_line::question;
+    using end_of_line::request;
     using end_of_line::statistics_;
     using phase = client_phase;
     using steps::attempt_failed;
@@ -49,40 +49,39 @@ class transaction : public request_steps<Statistics, Line, Options, Debts, Front
 public:
     using steps::steps;
 
-    /// Takes octets that had arrived by `now`, in any chunking. Outside of waiting for an answer they
-    /// are noise: dropped, but the line was not silent. An answer that is handed over before `advance` has
-    /// seen the time-out is in time.
-    constexpr void receive(byte_view const& octets, instant now) noexcept
+    /// Takes bytes that had arrived by `now`, in any chunking. While no response is awaited they are noise: dropped,
+    /// but the line was not silent. A response that is passed in before `advance` has seen the time-out is in time.
+    constexpr void receive(byte_view const& bytes, instant now) noexcept
     {
-        if (octets.empty()) {
+        if (bytes.empty()) {
             return;
         }
         bool const is_start = framer().is_quiet();
-        hear(octets.size(), now);
+        begin_chunk(bytes.size(), now);
         std::size_t taken = 0;
-        while (taken < octets.size() and take(octets[taken], now)) {
+        while (taken < bytes.size() and take(bytes[taken], now)) {
             ++taken;
         }
-        if (taken < octets.size()) {
-            this->count_stray(octets.subspan(taken), is_start and taken == 0);
-            be_disturbed(now);
+        if (taken < bytes.size()) {
+            this->count_stray(bytes.subspan(taken), is_start and taken == 0);
+            on_line_activity(now);
         }
     }
 
-    /// Takes the receiver's word that an octet arrived damaged (parity, framing, overrun).
+    /// Reports a receive error (parity, framing, overrun).
     constexpr void receive_error(instant now) noexcept
     {
-        hear(1, now);
+        begin_chunk(1, now);
         if (phase_ != phase::awaiting) {
-            be_disturbed(now);
+            on_line_activity(now);
         } else if (this->may_skip()) {
-            this->skip_noise();
+            this->drop_leading_noise();
         } else {
             framer().spoil();
         }
     }
 
-    /// Takes note that the last stop bit of what `poll_transmit` gave has left at `at`, or will by then.
+    /// Notes that the last stop bit of what `poll_transmit` returned has left at `at`, or will have left by then.
     constexpr void sent(instant at) noexcept
     {
         if (not is_leaving(phase_)) {
@@ -91,18 +90,18 @@ public:
         }
         framer().restart(at);
         statistics_.note_asked(at);
-        this->skip_left_ = options().skip_noise;
+        this->skip_left_ = options().max_leading_noise;
         if (unit() == 0) {
             return turn_around(at);
         }
         phase_ = phase::awaiting;
         deadline_ = at + note_sent(at);
-        if (trouble_ == errc::cancelled or trouble_ == errc::echoed) {
-            settle(trouble_, at);
+        if (error_ == errc::cancelled or error_ == errc::line_echo) {
+            settle(error_, at);
         }
     }
 
-    /// Lets time pass. Whether a unit may be asked again from here on.
+    /// Lets time pass. Returns whether a unit may be asked again from here on.
     [[gnu::always_inline]] constexpr bool advance(instant now) noexcept
     {
         is_woken_ = false;
@@ -114,34 +113,34 @@ public:
             limit_sending(now);
             phase_ = phase::transmitting;
         } else if (is_under_way(phase_) and reached(now, deadline_)) {
-            time_is_over(now);
+            on_timeout(now);
         }
         return quarantine_.advance(now);
     }
 
-    /// Gives up what is under way, whoever asked it; its outcome is `cancelled`. A write may have taken effect
-    /// all the same. What is leaving leaves whole, and a broadcast gets its turnaround; the outcome comes then.
+    /// Gives up the request under way, of whichever conversation; its outcome is `cancelled`. A write may have taken
+    /// effect all the same. A frame that is leaving leaves whole, and a broadcast gets its turnaround; the outcome
+    /// comes then.
     constexpr void cancel(instant now) noexcept
     {
         if (is_leaving(phase_) or phase_ == phase::turnaround) {
-            trouble_ = errc::cancelled;
+            error_ = errc::cancelled;
         } else if (phase_ != phase::idle and phase_ != phase::settled) {
             settle(errc::cancelled, now);
         }
     }
 
-    /// The octets to send now, each request and repetition once; empty when there is nothing. They are the
+    /// The bytes to send now, each request and repetition once; empty when there is nothing to send. They are the
     /// client's own, and unchanged until `sent`.
     [[nodiscard]] constexpr byte_view poll_transmit() noexcept
     {
         if (phase_ != phase::ready) {
             return {};
         }
-        statistics_.note(attempts_.is_first() ? line_event::request : line_event::repetition,
-                         unit());
+        statistics_.note(retries_.is_first() ? line_event::request : line_event::repetition, unit());
         phase_ = phase::handed_out;
         echo_.begin();
-        return question();
+        return request();
     }
 
     /// When the next pass has something to do.
@@ -150,19 +149,19 @@ public:
         framer().add_to(next);
         quarantine_.add_to(next);
         if (is_woken_ or is_under_way(phase_)) {
-            // Where it is woken, a time that has come already.
+            // After `wake`, a time that has come already.
             bool const is_past = is_woken_ and phase_ == phase::waiting;
-            next.add(is_past ? deadline_ - attempts_.response_timeout() : deadline_);
+            next.add(is_past ? deadline_ - retries_.response_timeout() : deadline_);
         }
     }
 
-    /// Whether a question is under way or its outcome not taken yet.
+    /// Whether a request is under way or its outcome not taken yet.
     [[nodiscard]] constexpr bool is_busy() const noexcept { return phase_ != phase::idle; }
 
 protected:
     using end_of_line::options;
 
-    /// Whether the line would let the request leave, or its outcome is there: only its asker is missing.
+    /// Whether only the asker is missing: the line would let the request leave, or its outcome is there.
     constexpr bool awaits_asker() const noexcept
     {
         return phase_ == phase::settled or
@@ -179,16 +178,16 @@ protected:
 
     constexpr client_phase phase_now() const noexcept { return phase_; }
 
-    /// Takes a question: copies its frame to the front of the memory. Errors: `frame_too_short`,
-    /// `frame_too_long`; `buffer_too_small` where the question and its answer do not fit together.
-    constexpr errc start(request const& asked, instant now, patience const& with) noexcept
+    /// Takes a request: copies its frame to the front of the memory. Errors: `frame_too_short`,
+    /// `frame_too_long`; `buffer_too_small` where the request and its response do not fit together.
+    constexpr errc start(request_frame const& asked, instant now, retry_policy const& with) noexcept
     {
         if (errc const wrong = this->keep(asked.frame()); wrong != errc::none) {
             return wrong;
         }
-        this->may_be_stale_ = not asked.may_be_repeated();
+        this->must_send_now_ = not asked.may_be_repeated();
         is_woken_ = false;
-        attempts_.begin(with, asked.may_be_repeated() and unit() != 0);
+        retries_.begin(with, asked.may_be_repeated() and unit() != 0);
         wait_for_silence(now);
         if (framer().is_quiet()) {
             get_ready(now);
@@ -203,43 +202,36 @@ protected:
         limit_sending(now);
     }
 
-    /// A word that stops wants the line. What is under way is not repeated; where it may be cut, it is given up, unless
-    /// its answer has begun to arrive.
+    /// A stop request needs the line. The request under way is not repeated; where it may be cut, it is given up,
+    /// unless its response has begun to arrive.
     constexpr void make_way(bool may_cut, instant now) noexcept
     {
-        attempts_.end_retries();
-        bool const has_not_left =
-            phase_ == phase::waiting or phase_ == phase::ready or phase_ == phase::pausing;
+        retries_.end_retries();
+        bool const has_not_left = phase_ == phase::waiting or phase_ == phase::ready or phase_ == phase::pausing;
         bool const is_arriving = phase_ == phase::awaiting and not framer().is_quiet();
         if (has_not_left or (may_cut and not is_arriving)) {
             cancel(now);
         }
     }
 
-    /// Whether the request was given up and nobody was told yet.
-    constexpr bool was_cut() const noexcept
-    {
-        return phase_ == phase::settled and trouble_ == errc::cancelled;
-    }
+    /// Whether the request was given up and its asker was not told yet.
+    constexpr bool was_cut() const noexcept { return phase_ == phase::settled and error_ == errc::cancelled; }
 
-    /// Whether the request that ended left more than once, as far as it was not given up.
-    constexpr bool was_repeated() const noexcept
-    {
-        return not attempts_.is_first() and trouble_ != errc::cancelled;
-    }
+    /// Whether the request that ended left more than once, and was not given up.
+    constexpr bool was_repeated() const noexcept { return not retries_.is_first() and error_ != errc::cancelled; }
 
-    /// How it ended for its unit: one that left is not answered, also where it was given up before.
+    /// How the request ended for its unit: one that left and was given up without a response counts as timed out.
     constexpr errc heard_of_unit() const noexcept
     {
-        return trouble_ == errc::cancelled and attempts_.unanswered() != 0 ? errc::timed_out : trouble_;
+        return error_ == errc::cancelled and retries_.unanswered() != 0 ? errc::timed_out : error_;
     }
 
-    /// Ends what is settled.
+    /// Takes the outcome of a settled request.
     [[gnu::always_inline]] constexpr result<response> take_outcome() noexcept
     {
         phase_ = phase::idle;
-        return trouble_ != errc::none ? result<response>{trouble_}
-                                      : response{unit() == 0 ? byte_view{} : framer().frame().pdu()};
+        return error_ != errc::none ? result<response>{error_}
+                                    : response{unit() == 0 ? byte_view{} : framer().frame().pdu()};
     }
 
     /// The next pass has something to do at once.
@@ -252,66 +244,65 @@ protected:
     }
 
 private:
-    /// Octets arrived by `now`: what the silence before them ended is taken first. Once for both ways of arriving,
-    /// 32 bytes less on a Cortex-M0+.
-    [[gnu::noinline]] constexpr void hear(std::size_t octets, instant now) noexcept
+    /// Bytes arrived by `now`: first takes the frame that the silence before them ended. One function for both ways of
+    /// arriving, 32 bytes less on a Cortex-M0+.
+    [[gnu::noinline]] constexpr void begin_chunk(std::size_t bytes, instant now) noexcept
     {
-        if (framer().hear(octets, now) and phase_ == phase::awaiting) {
+        if (framer().begin_chunk(bytes, now) and phase_ == phase::awaiting) {
             take_frame(now);
         }
     }
 
-    /// Takes an octet of an echo, of an answer or before it; false where none is expected. Inlined, because it is done
-    /// for each octet.
-    [[gnu::always_inline]] constexpr bool take(std::byte octet, instant now) noexcept
+    /// Takes a byte of an echo, of a response or before it; returns false where none is expected. Inlined, because it
+    /// runs for each byte.
+    [[gnu::always_inline]] constexpr bool take(std::byte byte, instant now) noexcept
     {
         bool const is_echo_due =
-            echo_.is_open() and
-            (options().has_echo or is_leaving(phase_) or echo_.is_half(this->size_));
-        if (is_echo_due and take_echo(octet, now)) {
+            echo_.is_open() and (options().has_line_echo or is_leaving(phase_) or echo_.is_half(this->size_));
+        if (is_echo_due and take_echo(byte, now)) {
             return true;
         }
         if (phase_ != phase::awaiting) {
             return false;
         }
-        // What comes before a unit's first octet is left out, as far as that is wanted.
-        if (this->may_skip() and to_u8(octet) != unit()) {
-            this->skip_noise();
-        } else if (framer().take(octet)) {
+        // Bytes before the unit's address are skipped, as far as `max_leading_noise` allows.
+        if (this->may_skip() and to_u8(byte) != unit()) {
+            this->drop_leading_noise();
+        } else if (framer().push(byte)) {
             take_frame(now);
         }
         return true;
     }
 
-    /// Holds an octet against the one that was sent. Whether it is accounted for: on a line that echoes it
+    /// Compares a byte with the one that was sent. Returns whether it is accounted for: on a line that echoes it
     /// always is, elsewhere where it is the same.
-    [[gnu::always_inline]] constexpr bool take_echo(std::byte octet, instant now) noexcept
+    [[gnu::always_inline]] constexpr bool take_echo(std::byte byte, instant now) noexcept
     {
-        bool const is_same = echo_.take(octet, question());
-        if (options().has_echo) {
+        bool const is_same = echo_.take(byte, request());
+        if (options().has_line_echo) {
             if (not is_same) {
                 statistics_.note(line_event::collision, unit());
-                trouble_ = trouble_ == errc::none ? errc::collision : trouble_;
+                error_ = error_ == errc::none ? errc::collision : error_;
             }
             return true;
         }
         if (is_same and not echo_.is_open()) {
             statistics_.note(line_event::mismatch, unit());
-            trouble_ = errc::echoed;
+            error_ = errc::line_echo;
             if (phase_ == phase::awaiting) {
-                settle(errc::echoed, now);
+                settle(errc::line_echo, now);
             }
         }
         return is_same;
     }
 
     /// The line was not silent when a request was to leave.
-    [[gnu::noinline]] constexpr void be_disturbed(instant now) noexcept
+    [[gnu::noinline]] constexpr void on_line_activity(instant now) noexcept
     {
         if (phase_ != phase::ready) {
             return;
         }
-        if (this->may_be_stale_) {
+        if (this->must_send_now_) {
             settle(errc::bus_jam, now);
         } else {
             wait_for_silence(now);
@@ -320,60 +311,59 @@ private:
 
     constexpr void take_frame(instant now) noexcept
     {
-        if (not framer().poll_end() or trouble_ == errc::collision) {
+        if (not framer().poll_end() or error_ == errc::collision) {
             return;
         }
         errc wrong = framer().verdict();
         if (wrong == errc::none) {
-            wrong = check_answer(question(), framer().frame());
+            wrong = check_response(request(), framer().frame());
         }
-        if (wrong == errc::none and not framer().has_told_size()) {
+        if (wrong == errc::none and not framer().matches_size_hint()) {
             wrong = errc::wrong_length;
         }
         line_event const event = event_of(wrong);
         note_frame(statistics_, event, wrong, unit(), now);
-        bool const is_answer = event == line_event::reply or event == line_event::exception;
-        bool const is_damaged = event == line_event::crc and framer().claims(question()) and
-                                framer().has_told_size();
-        // A damaged one may be what another unit owes, where one does: nothing in its octets is to be relied on.
-        if (is_answer or (is_damaged and quarantine_.is_empty())) {
-            attempts_.note_answered();
+        bool const is_response = event == line_event::reply or event == line_event::exception;
+        bool const is_damaged =
+            event == line_event::crc and framer().looks_addressed_to(request()) and framer().matches_size_hint();
+        // While another unit's response is outstanding, a damaged one may be that: none of its bytes can be relied on.
+        if (is_response or (is_damaged and quarantine_.is_empty())) {
+            retries_.note_response();
         }
-        if (attempts_.may_pause(wrong)) {
-            deadline_ = now + attempts_.take_pause();
+        if (retries_.may_pause(wrong)) {
+            deadline_ = now + retries_.take_pause();
             phase_ = phase::pausing;
-            trouble_ = errc::none;
-        } else if (is_answer or wrong == errc::echoed) {
+            error_ = errc::none;
+        } else if (is_response or wrong == errc::line_echo) {
             settle(wrong, now);
         } else if (event != line_event::foreign and wrong != errc::frame_too_short) {
-            // A damaged answer of our unit is worth an early repetition. Anything else may be noise
-            // before the answer or an answer to an older question, so the timer runs on.
-            trouble_ = wrong;
+            // A damaged response of our unit is worth an early repetition. Anything else may be noise
+            // before the response or a response to an older request, so the timer runs on.
+            error_ = wrong;
             if (is_damaged) {
                 attempt_failed(now);
             }
         }
     }
 
-    constexpr void time_is_over(instant now) noexcept
+    constexpr void on_timeout(instant now) noexcept
     {
         if (phase_ == phase::awaiting) {
-            if (trouble_ == errc::none) {
-                trouble_ = framer().is_quiet() ? errc::timed_out : errc::bus_jam;
-                statistics_.note(framer().is_quiet() ? line_event::timeout : line_event::jam,
-                                 unit());
+            if (error_ == errc::none) {
+                error_ = framer().is_quiet() ? errc::timed_out : errc::bus_jam;
+                statistics_.note(framer().is_quiet() ? line_event::timeout : line_event::jam, unit());
             }
             attempt_failed(now);
         } else if (phase_ == phase::pausing) {
             wait_for_silence(now);
         } else {
             if (phase_ != phase::turnaround) {
-                trouble_ = phase_ == phase::waiting ? errc::bus_jam : errc::transmit_stalled;
+                error_ = phase_ == phase::waiting ? errc::bus_jam : errc::transmit_stalled;
             }
             if (is_leaving(phase_) and unit() == 0) {
                 turn_around(now); // it may have left just now
             } else {
-                settle(trouble_, now);
+                settle(error_, now);
             }
         }
     }

@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Which conversation asked last, and which may ask next: in the order in which they come by, beginning behind
-// the one that was served last. Knows conversations by the number that each holds; compares no addresses of
-// theirs, so that one may be destroyed, moved, or made anew in the same place.
+// Which conversation asked last, and which may ask next: in the order in which they visit (`converse` is called for
+// them), beginning after the one that was served last. Knows a conversation by the number that it holds; compares no
+// addresses, so that a conversation may be destroyed, moved, or made anew in the same place.
 #pragma once
 
 #include <cstdint>
 
-#include <rtuwire/client/conversation.hpp>
+#include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Who a conversation is that comes by where somebody has asked or others wait.
+/// The standing of a conversation that visits where another has asked or others wait.
 enum class standing : std::uint8_t {
     waits,
     is_next, ///< waits, and its turn comes before that of all others that wait
@@ -26,8 +26,8 @@ public:
     constexpr turns() noexcept = default;
     constexpr turns(turns const&) noexcept = default;
 
-    /// A client that is set up anew in its place, for another speed, counts on: else a conversation that asked the
-    /// one before would take another's outcome for its own.
+    /// A client that is set up anew in its place, for another speed, continues the count: otherwise a conversation
+    /// that asked the one before would take another's outcome for its own.
     constexpr turns& operator=(turns const&) noexcept
     {
         number_ += asker::step;
@@ -38,8 +38,8 @@ public:
         return *this;
     }
 
-    /// A conversation asks, and has this line's next number; or who asked last gets another one: whoever was marked
-    /// so far counts as not marked.
+    /// A conversation asks, and gets this line's next number; or the one that asked last gets another number. All
+    /// marks given so far are void.
     [[gnu::noinline]] constexpr void renew(asker& who) noexcept
     {
         is_missed_ = false;
@@ -47,7 +47,7 @@ public:
         give(who, number_);
     }
 
-    /// The same where who asked last is not at hand.
+    /// Voids the marks where the conversation that asked last is not at hand.
     constexpr void void_marks() noexcept
     {
         mark_ = static_cast<std::uint8_t>((mark_ + marks_step) & (asker::step - marks_step));
@@ -59,31 +59,31 @@ public:
         return who.ticket_ == number_ and who.turns_ == this;
     }
 
-    /// The same, also where it has given up what it asked. Inlined: 16 bytes less on a Cortex-M0+.
+    /// The same, also where it has given up its request. Inlined: 16 bytes less on a Cortex-M0+.
     [[nodiscard, gnu::always_inline]] constexpr bool is_last(asker const& who) const noexcept
     {
         return who.ticket_ - number_ <= asker::given_up and who.turns_ == this;
     }
 
-    /// Whether what this conversation asked was dropped because it did not come by: another has asked since, or
-    /// nothing is under way. Told once.
+    /// Whether the request of this conversation was dropped because it did not visit: another has asked since, or
+    /// nothing is under way. Reported once.
     constexpr bool was_dropped(asker& who, bool is_idle) const noexcept
     {
-        bool const is_lost = who.turns_ == this and who.ticket_ % asker::step == 0 and
-                             (is_idle or who.ticket_ != number_);
+        bool const is_lost =
+            who.turns_ == this and who.ticket_ % asker::step == 0 and (is_idle or who.ticket_ != number_);
         if (is_lost) {
             who.forget();
         }
         return is_lost;
     }
 
-    /// Others than the one that asked last wait for their turn.
+    /// Conversations other than the one that asked last wait for their turn.
     constexpr void note_waiting() noexcept { others_wait_ = true; }
     [[nodiscard]] constexpr bool others_wait() const noexcept { return others_wait_; }
 
-    /// Somebody comes by who may have to wait. The next in turn is the first that comes by twice, beginning behind the
-    /// one that asked, so that nobody is next who is gone in the next pass. It stays so while it comes by; where it
-    /// does not, the first that comes by twice meanwhile is. A function of its own, which is smaller.
+    /// A conversation that may have to wait visits. The next in turn is the first that visits twice, beginning after
+    /// the one that asked, so that one that is gone in the next pass is never the next. It stays the next while it
+    /// visits; otherwise the first that visits twice meanwhile is next. A function of its own, which is smaller.
     [[gnu::noinline]] constexpr standing visit(asker& who) noexcept
     {
         if (is_last(who)) {
@@ -99,8 +99,8 @@ public:
         return place;
     }
 
-    /// The next in turn finds the one that asked missing. Whether it is for the second time: then the other one had
-    /// its chance in between.
+    /// The next in turn finds the one that asked missing. Returns whether it does for the second time: the other one
+    /// then had its chance in between.
     constexpr bool misses_asker() noexcept
     {
         bool const is_second = is_missed_;
@@ -108,20 +108,20 @@ public:
         return is_second;
     }
 
-    /// Somebody comes by who comes before all others, and may not ask yet: nobody else does before.
+    /// A conversation that comes before all others visits, and may not ask yet: no other asks before it.
     constexpr void reserve(asker& who) noexcept
     {
         reserved_ = reservation::held;
         void_marks();
         if (not is_last(who)) {
-            give(who, mark()); // its own stays good
+            give(who, mark()); // its own number stays valid
         }
     }
     constexpr void end_reservation() noexcept { reserved_ = reservation::none; }
     [[nodiscard]] constexpr bool is_reserved() const noexcept { return reserved_ != reservation::none; }
 
-    /// Another comes by while the line is reserved. Whether it does for the second time since the other one did: that
-    /// one is gone, and the reservation with it.
+    /// Another conversation visits while the line is reserved. Returns whether it does for the second time since the
+    /// last visit of the reserving one: that one is gone, and the reservation with it.
     constexpr bool misses_reserver(asker& who) noexcept
     {
         standing const at = visit(who);
@@ -135,8 +135,9 @@ public:
         return false;
     }
 
-    /// Whether one of this standing may ask now, where the line is free and others wait. The one that was served last
-    /// opens the turn for those that come by after it; where it does not come, it is that of the next.
+    /// Whether a conversation of this standing may ask now, where the line is free and others wait. The visit of the
+    /// one that was served last opens the turn for those that visit after it; where it does not visit, the turn is
+    /// that of the next.
     constexpr bool take(standing at) noexcept
     {
         others_wait_ = at == standing::waits;
@@ -150,15 +151,16 @@ private:
         who.turns_ = this;
     }
 
-    /// One that giving up does not change.
+    /// A number that `asker::forget` does not change.
     constexpr std::uint32_t mark() const noexcept { return number_ + mark_ + (marks_step - 1U); }
 
     static constexpr std::uint8_t marks_step = 4;
 
-    /// Of the line, for one that comes before all others; `missed` where another came by since that one did.
+    /// The line is reserved for a conversation that comes before all others; `missed`: another one visited since that
+    /// one did.
     enum class reservation : std::uint8_t { none, held, missed };
 
-    std::uint32_t number_{0}; ///< of a question, in steps; one behind it marks who came by since
+    std::uint32_t number_{0}; ///< of a request, in steps; a number behind it marks a visit since
     std::uint8_t mark_{0};
     bool others_wait_{false};
     bool is_missed_{false};

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Byte views and big-endian cursors. Answers for never reading or writing outside a span; knows no
-// frame, no field and no protocol.
+// Byte views and big-endian cursors. Never reads or writes outside a span; knows no frame, no field and no
+// protocol.
 #pragma once
 
 #include <cstddef>
@@ -13,26 +13,23 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Octets that somebody else owns and keeps alive, to be read. Handed on by value; by reference only on a
-/// client's deepest path, because a small processor puts each copy on its stack.
+/// Bytes to be read, owned and kept alive elsewhere. Passed by value; by reference only on a client's deepest
+/// call path, because a small processor puts each copy on its stack.
 using byte_view = std::span<std::byte const>;
 
-/// Octets that somebody else owns and keeps alive, to be written.
+/// Bytes to be written, owned and kept alive elsewhere.
 using byte_span = std::span<std::byte>;
 
-/// The low eight bits of a value as an octet.
+/// The low eight bits of a value as a byte.
 [[nodiscard]] constexpr std::byte to_byte(std::uint32_t value) noexcept
 {
     return static_cast<std::byte>(value & 0xFFU);
 }
 
-/// An octet as a number.
-[[nodiscard]] constexpr std::uint8_t to_u8(std::byte value) noexcept
-{
-    return static_cast<std::uint8_t>(value);
-}
+/// A byte as a number.
+[[nodiscard]] constexpr std::uint8_t to_u8(std::byte value) noexcept { return static_cast<std::uint8_t>(value); }
 
-/// Two octets, most significant first, as a number.
+/// Two bytes, most significant first, as a number.
 [[nodiscard]] constexpr std::uint16_t to_u16(std::byte high, std::byte low) noexcept
 {
     return static_cast<std::uint16_t>((std::uint32_t{to_u8(high)} << 8U) | to_u8(low));
@@ -41,28 +38,27 @@ using byte_span = std::span<std::byte>;
 /// The big-endian word at an offset. The caller has checked that `offset + 2 <= bytes.size()`.
 [[nodiscard]] constexpr std::uint16_t u16_at(byte_view bytes, std::size_t offset) noexcept
 {
-    // From one pointer: compilers then take both octets from memory at once.
+    // From one pointer: compilers then load both bytes at once.
     std::byte const* const at = bytes.data() + offset;
     return to_u16(at[0], at[1]);
 }
 
-/// Writes a word as two octets, most significant first.
+/// Writes a word as two bytes, most significant first.
 constexpr void put_u16(std::byte* at, std::uint16_t value) noexcept
 {
     at[0] = to_byte(std::uint32_t{value} >> 8U);
     at[1] = to_byte(value);
 }
 
-/// Eight octets, the first in the lowest bits.
+/// Eight bytes, the first in the lowest bits.
 [[nodiscard]] constexpr std::uint64_t word_at(std::byte const* at) noexcept
 {
-    return std::uint64_t{to_u8(at[0])} | std::uint64_t{to_u8(at[1])} << 8U |
-           std::uint64_t{to_u8(at[2])} << 16U | std::uint64_t{to_u8(at[3])} << 24U |
-           std::uint64_t{to_u8(at[4])} << 32U | std::uint64_t{to_u8(at[5])} << 40U |
-           std::uint64_t{to_u8(at[6])} << 48U | std::uint64_t{to_u8(at[7])} << 56U;
+    return std::uint64_t{to_u8(at[0])} | std::uint64_t{to_u8(at[1])} << 8U | std::uint64_t{to_u8(at[2])} << 16U |
+           std::uint64_t{to_u8(at[3])} << 24U | std::uint64_t{to_u8(at[4])} << 32U |
+           std::uint64_t{to_u8(at[5])} << 40U | std::uint64_t{to_u8(at[6])} << 48U | std::uint64_t{to_u8(at[7])} << 56U;
 }
 
-/// Whether two views hold the same octets.
+/// Whether two views hold the same bytes.
 [[nodiscard]] constexpr bool same_bytes(byte_view left, byte_view right) noexcept
 {
     if (left.size() != right.size()) {
@@ -92,7 +88,7 @@ public:
         }
     }
 
-    /// Appends the low sixteen bits, most significant octet first.
+    /// Appends the low sixteen bits, most significant byte first.
     constexpr void u16(std::uint32_t value) noexcept
     {
         if (room_for(2)) {
@@ -101,18 +97,18 @@ public:
         }
     }
 
-    /// Appends octets; all of them or none.
+    /// Appends bytes; all of them or none.
     constexpr void bytes(byte_view source) noexcept
     {
         if (room_for(source.size())) {
-            for (std::byte const octet : source) {
-                *next_++ = octet;
+            for (std::byte const byte : source) {
+                *next_++ = byte;
             }
         }
     }
 
-    /// Appends `count` octets that the caller writes, at once; null, and not ok, when they do not fit.
-    /// Inlined by force: the call would cost as much as the work.
+    /// Appends `count` bytes that the caller writes, at once; null, and not ok, when they do not fit.
+    /// Force-inlined: the call would cost as much as the work.
     [[nodiscard, gnu::always_inline]] constexpr std::byte* take(std::size_t count) noexcept
     {
         if (not room_for(count)) {
@@ -125,17 +121,14 @@ public:
     /// What has been written, at the start of the target.
     [[nodiscard]] constexpr byte_span written() const noexcept { return {begin_, size()}; }
 
-    /// How many octets have been written.
-    [[nodiscard]] constexpr std::size_t size() const noexcept
-    {
-        return static_cast<std::size_t>(next_ - begin_);
-    }
+    /// How many bytes have been written.
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(next_ - begin_); }
 
     /// Whether every field so far fitted.
     [[nodiscard]] constexpr bool ok() const noexcept { return ok_; }
 
 private:
-    /// What does not fit ends the room for everything after it.
+    /// After a field that does not fit, there is no room for any other.
     constexpr bool room_for(std::size_t count) noexcept
     {
         bool const fits = count <= static_cast<std::size_t>(end_ - next_);

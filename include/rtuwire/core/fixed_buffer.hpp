@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// An array with a length, for octets whose number is known only after encoding. Owns its storage,
+// An array with a length, for bytes whose number is known only after encoding. Owns its storage,
 // never allocates, and never holds more than its capacity.
 #pragma once
 
@@ -15,9 +15,9 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Up to `Capacity` octets, stored in place.
+/// Up to `Capacity` bytes, stored in place.
 template <std::size_t Capacity> class fixed_buffer {
-    static_assert(Capacity <= 0xFFFF, "a fixed_buffer counts its octets in sixteen bits");
+    static_assert(Capacity <= 0xFFFF, "a fixed_buffer counts its bytes in sixteen bits");
 
 public:
     /// An empty buffer.
@@ -27,38 +27,31 @@ public:
     [[nodiscard]] constexpr byte_span storage() & noexcept { return storage_; }
     [[nodiscard]] byte_span storage() && = delete;
 
-    /// Keeps the first `size` octets; a size above the capacity keeps the capacity.
+    /// Keeps the first `size` bytes; a size above the capacity keeps the capacity.
     constexpr void resize(std::size_t size) noexcept
     {
         size_ = static_cast<std::uint16_t>(size < Capacity ? size : Capacity);
     }
 
-    /// The octets held, valid while the buffer lives and is not resized.
-    [[nodiscard]] constexpr byte_view view() const& noexcept
-    {
-        return byte_view{storage_}.first(size_);
-    }
+    /// The bytes held, valid while the buffer lives and is not resized.
+    [[nodiscard]] constexpr byte_view view() const& noexcept { return byte_view{storage_}.first(size_); }
 
-    /// The octets held, for everything that takes a view.
+    /// The bytes held, for functions that take a view.
     constexpr operator byte_view() const& noexcept { return view(); }
 
-    /// A buffer that ends with its expression gives no view, not even to a function that would look at it only once:
-    /// nobody sees in `byte_view octets = *encode(...)` that there is nothing left to look at.
-    template <std::same_as<byte_view> View = byte_view>
-    [[nodiscard]] constexpr View view() const&& noexcept
+    /// A temporary buffer gives no view, not even to a function that would read it only once:
+    /// `byte_view bytes = *encode(...)` does not show that its bytes are gone after the statement.
+    template <std::same_as<byte_view> View = byte_view> [[nodiscard]] constexpr View view() const&& noexcept
     {
         return view_of_none<View>();
     }
-    template <std::same_as<byte_view> View> constexpr operator View() const&& noexcept
-    {
-        return view_of_none<View>();
-    }
+    template <std::same_as<byte_view> View> constexpr operator View() const&& noexcept { return view_of_none<View>(); }
 
     [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
     [[nodiscard]] constexpr bool empty() const noexcept { return size_ == 0; }
     [[nodiscard]] static constexpr std::size_t capacity() noexcept { return Capacity; }
 
-    /// Octet-wise equality with anything that is a view of octets.
+    /// Byte-wise equality with anything that is a view of bytes.
     friend constexpr bool operator==(fixed_buffer const& left, byte_view right) noexcept
     {
         return same_bytes(left.view(), right);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Octets as people write them: "02 03 0C 1E"_hex in a source file, and the way back for a log line.
+// Bytes as people write them: "02 03 0C 1E"_hex in source code, and back to text for a log line.
 #pragma once
 
 #include <array>
@@ -16,21 +16,21 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The text of a hexadecimal literal, as a template argument.
 template <std::size_t Size> struct hex_literal {
-    char text[Size]{};
+    char literal[Size]{};
 
     consteval hex_literal(char const (&source)[Size]) noexcept
     {
         for (std::size_t i = 0; i < Size; ++i) {
-            text[i] = source[i];
+            literal[i] = source[i];
         }
     }
 
-    /// How many digits the text holds, spaces aside.
+    /// How many digits the text holds, without spaces.
     [[nodiscard]] constexpr std::size_t digits() const noexcept
     {
         std::size_t count = 0;
         for (std::size_t i = 0; i + 1 < Size; ++i) {
-            count += text[i] != ' ' ? 1U : 0U;
+            count += literal[i] != ' ' ? 1U : 0U;
         }
         return count;
     }
@@ -57,18 +57,18 @@ void a_hex_literal_holds_only_hexadecimal_digits_and_spaces();
 
 inline namespace literals {
 
-/// The octets of a text of hexadecimal digits; spaces may stand anywhere.
+/// The bytes of a text of hexadecimal digits; spaces may stand anywhere.
 template <hex_literal Text> consteval auto operator""_hex() noexcept
 {
-    static_assert(Text.digits() % 2 == 0, "a hex literal holds two digits for each octet");
+    static_assert(Text.digits() % 2 == 0, "a hex literal holds two digits for each byte");
     std::array<std::byte, Text.digits() / 2> bytes{};
     std::size_t digit = 0;
-    for (char const c : Text.text) {
+    for (char const c : Text.literal) {
         if (c == ' ' or c == '\0') {
             continue;
         }
-        auto& octet = bytes[digit / 2];
-        octet = to_byte((std::uint32_t{to_u8(octet)} << 4U) | hex_digit(c));
+        auto& byte = bytes[digit / 2];
+        byte = to_byte((std::uint32_t{to_u8(byte)} << 4U) | hex_digit(c));
         ++digit;
     }
     return bytes;
@@ -76,13 +76,13 @@ template <hex_literal Text> consteval auto operator""_hex() noexcept
 
 } // namespace literals
 
-/// Writes octets as "02 03 0C" into a caller's characters, without a terminating zero, and returns
-/// the part written. Octets that no longer fit, at three characters each, are left out.
+/// Writes bytes as "02 03 0C" into a caller's characters, without a terminating zero, and returns
+/// the part written. Bytes that no longer fit, at three characters each, are left out.
 [[nodiscard]] constexpr std::span<char const> to_hex(byte_view bytes, std::span<char> out) noexcept
 {
     constexpr char digits[] = "0123456789ABCDEF";
     std::size_t size = 0;
-    for (std::byte const octet : bytes) {
+    for (std::byte const byte : bytes) {
         std::size_t const space = size == 0 ? 0 : 1;
         if (out.size() - size < space + 2) {
             break;
@@ -90,8 +90,8 @@ template <hex_literal Text> consteval auto operator""_hex() noexcept
         if (space != 0) {
             out[size++] = ' ';
         }
-        out[size++] = digits[to_u8(octet) >> 4U];
-        out[size++] = digits[to_u8(octet) & 0xFU];
+        out[size++] = digits[to_u8(byte) >> 4U];
+        out[size++] = digits[to_u8(byte) & 0xFU];
     }
     return out.first(size);
 }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// A value or the reason why there is none, with the member names of std::expected. Reading a value that is
-// not there does not compile in a constant expression; when the program runs, and RTUWIRE_CHECKED is 1, it
-// stops the program. Knows of errc only that its zero is no error; wire/errc.hpp says what the codes mean.
+// A value or the reason why there is none, with the member names of std::expected. Reading a missing value
+// does not compile in a constant expression; at run time, where RTUWIRE_CHECKED is 1, it stops the program.
+// Knows of errc only that its zero is no error; wire/errc.hpp says what the codes mean.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +15,17 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 enum class errc : std::uint8_t;
 
-/// The program's hook, for a program to define: called once before the program traps because it read the value
-/// of a result that failed with `why`, or a register that a view does not have (`invalid_address_range`). A
-/// program that runs a motor defines it, and stops the motor in it:
+/// A hook for the program to define: called once before the program traps because it read the value of a
+/// result that failed with `why`, or a register that a view does not have (`invalid_address_range`). A program
+/// that runs a motor defines it, and stops the motor in it:
 ///
 ///     void rtuwire::on_missing_value(rtuwire::errc) noexcept { board::motor_off(); }
 ///
-/// A program without it only traps. All builds of rtuwire in one program share it, so that none misses it.
+/// A program without it only traps. All builds of rtuwire in one program share it, so that each calls it.
 [[gnu::weak]] void on_missing_value(errc why) noexcept __asm__("rtuwire_on_missing_value");
 
-/// The end of a program that misuses a result: reads a value which is not there, or fails without an error.
-/// Not constexpr, so that the compiler refuses a constant expression with one of these names.
+/// Ends a program that misuses a result: reads a value that is not there, or fails without an error. Not
+/// constexpr, so that in a constant expression the compiler reports one of these names.
 [[noreturn, gnu::cold, gnu::noinline]] inline void a_failed_result_has_no_value(errc why) noexcept
 {
     if (on_missing_value != nullptr) {
@@ -33,19 +33,16 @@ enum class errc : std::uint8_t;
     }
     __builtin_trap();
 }
-[[noreturn]] inline void a_failed_result_has_an_error() noexcept
-{
-    a_failed_result_has_no_value(errc{});
-}
+[[noreturn]] inline void a_failed_result_has_an_error() noexcept { a_failed_result_has_no_value(errc{}); }
 
-/// Whether misuse is looked for here: always in a constant expression.
+/// Whether misuse is checked here: always in a constant expression.
 [[nodiscard, gnu::always_inline]] constexpr bool is_misuse_caught() noexcept
 {
     return RTUWIRE_CHECKED or __builtin_is_constant_evaluated();
 }
 
-/// A value, or an errc. The value may be read only where `has_value()`; what happens elsewhere is told at
-/// the top of this file.
+/// A value, or an errc. The value may be read only where `has_value()`; the top of this file says what
+/// happens otherwise.
 template <typename T> class [[nodiscard]] result {
     static_assert(std::is_trivially_copyable_v<T> and std::is_trivially_destructible_v<T>,
                   "a result holds trivially copyable values only");
@@ -71,8 +68,8 @@ public:
         require_value();
         return value_;
     }
-    /// Of a result that is gone at the end of the statement: the value itself, so that a reference to it lasts, and
-    /// what keeps a view of its octets is refused like a view of any other temporary.
+    /// For a temporary result: the value itself, so that a reference to it stays valid, and an object that would
+    /// keep a view of its bytes is refused as for any other temporary.
     [[nodiscard]] constexpr T operator*() const&& noexcept
     {
         require_value();
@@ -87,14 +84,10 @@ public:
     /// Why there is no value; zero when there is one.
     [[nodiscard]] constexpr errc error() const noexcept { return error_; }
 
-    [[nodiscard]] constexpr T value_or(T const& other) const noexcept
-    {
-        return has_value() ? value_ : other;
-    }
+    [[nodiscard]] constexpr T value_or(T const& other) const noexcept { return has_value() ? value_ : other; }
 
     /// Calls `next` with the value, or passes the error on. `next` returns a result.
-    template <typename F>
-    constexpr auto and_then(F&& next) const -> std::invoke_result_t<F, T const&>
+    template <typename F> constexpr auto and_then(F&& next) const -> std::invoke_result_t<F, T const&>
     {
         if (not has_value()) {
             return error_;
@@ -105,11 +98,10 @@ public:
     /// Equal when both hold equal values or the same error.
     friend constexpr bool operator==(result const& left, result const& right)
     {
-        return left.error_ == right.error_ and
-               (not left.has_value() or left.value_ == right.value_);
+        return left.error_ == right.error_ and (not left.has_value() or left.value_ == right.value_);
     }
 
-    /// Equal to a value when it holds one that is.
+    /// Equal to a value when it holds an equal one.
     template <typename U>
         requires(not std::is_same_v<U, errc>)
     friend constexpr bool operator==(result const& left, U const& right)

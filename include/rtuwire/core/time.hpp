@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Time as the caller supplies it: wrapping 32-bit microseconds. Nothing in the portable headers reads
-// a clock. The count wraps after 71.6 minutes, so instants have no order of their own: only "has this
-// deadline been reached", right for deadlines up to 35 minutes away on either side.
+// Time as the caller supplies it: wrapping 32-bit microseconds. The portable headers never read a clock. The
+// count wraps after 71.6 minutes, so instants cannot be sorted: the only test is "has this deadline been
+// reached", right for deadlines up to 35 minutes away on either side.
 #pragma once
 
 #include <compare>
@@ -16,14 +16,14 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// A span of time in whole microseconds. One that is made here is at most `longest_duration`; the
-/// distance of two instants may be more.
+/// A span of time in whole microseconds. One made by the functions below is at most `longest_duration`; the
+/// difference of two instants may be more.
 struct duration {
     std::uint32_t microseconds{0};
 
     constexpr duration() noexcept = default;
 
-    /// So many microseconds. Explicit, so that the bare 200 of `{.response_timeout = 200}` is refused.
+    /// `count` microseconds. Explicit, so that the bare 200 of `{.response_timeout = 200}` is refused.
     explicit constexpr duration(std::uint32_t count) noexcept : microseconds{count} {}
 
     friend constexpr bool operator==(duration, duration) noexcept = default;
@@ -39,8 +39,8 @@ struct duration {
     friend constexpr duration operator*(duration left, std::uint32_t times) noexcept;
 };
 
-/// The longest time that can be told: 35 minutes. Half the counter's range is 47 s more, so that an engine
-/// may add the time of its frame before a deadline looks like one that is over.
+/// The longest duration: 35 minutes. Half the counter's range is 47 s more, so that an engine may add the
+/// time of its frame before a deadline looks as if it had passed.
 inline constexpr duration longest_duration{35U * 60U * 1'000'000U};
 
 constexpr duration operator+(duration left, duration right) noexcept
@@ -53,18 +53,16 @@ constexpr duration operator+(duration left, duration right) noexcept
 constexpr duration operator*(duration left, std::uint32_t times) noexcept
 {
     std::uint64_t const product = std::uint64_t{left.microseconds} * times;
-    return product > longest_duration.microseconds ? longest_duration
-                                                   : duration{static_cast<std::uint32_t>(product)};
+    return product > longest_duration.microseconds ? longest_duration : duration{static_cast<std::uint32_t>(product)};
 }
 
-/// Not constexpr, so that the compiler refuses a constant expression with this name. When the program runs
-/// they do nothing.
+/// Not constexpr, so that in a constant expression the compiler reports one of these names. At run
+/// time they do nothing.
 inline void a_duration_is_at_most_35_minutes() noexcept {}
 inline void a_duration_is_not_negative() noexcept {}
 
-/// So many times `Size` microseconds; when the program runs, the nearest duration.
-template <std::uint32_t Size, std::integral Count>
-[[nodiscard]] constexpr duration duration_of(Count count) noexcept
+/// `count` times `Size` microseconds; at run time, the nearest duration.
+template <std::uint32_t Size, std::integral Count> [[nodiscard]] constexpr duration duration_of(Count count) noexcept
 {
     if (std::cmp_less(count, 0)) {
         a_duration_is_not_negative();
@@ -77,21 +75,21 @@ template <std::uint32_t Size, std::integral Count>
     return duration{static_cast<std::uint32_t>(count) * Size};
 }
 
-/// So many microseconds, 0 to `longest_duration`. Outside, a constant expression does not compile, and
-/// a number known only when running becomes the nearest duration.
+/// `count` microseconds, 0 to `longest_duration`. A number outside does not compile in a constant expression,
+/// and becomes the nearest duration at run time.
 template <std::integral Count> [[nodiscard]] constexpr duration microseconds(Count count) noexcept
 {
     return duration_of<1>(count);
 }
 
-/// So many milliseconds, 0 to `longest_duration`, as for `microseconds`.
+/// `count` milliseconds, 0 to `longest_duration`, as for `microseconds`.
 template <std::integral Count> [[nodiscard]] constexpr duration milliseconds(Count count) noexcept
 {
     return duration_of<1'000>(count);
 }
 
-/// A point in time: the value of a free-running microsecond counter. Always made from a count: no value
-/// of the counter means "never", and 0 may lie up to 35 minutes in the future.
+/// A point in time: the value of a free-running microsecond counter. Always made from a count: no value of
+/// the counter means "never", and 0 may be up to 35 minutes in the future.
 struct instant {
     std::uint32_t microseconds;
 
@@ -124,8 +122,8 @@ struct instant {
 /// When something has to happen next, or never.
 using deadline = std::optional<instant>;
 
-/// The earliest of several times, gathered one by one: what `deadline` says, without one for each. Always
-/// inlined, so that it is gathered in registers.
+/// The earliest of several times, added one by one: the same as a `deadline`, without making one for each
+/// time. Always inlined, so that it stays in registers.
 class earliest {
 public:
     [[gnu::always_inline]] constexpr void add(instant at) noexcept
@@ -140,10 +138,7 @@ public:
         }
     }
 
-    [[nodiscard]] constexpr operator deadline() const noexcept
-    {
-        return is_set_ ? deadline{at_} : deadline{};
-    }
+    [[nodiscard]] constexpr operator deadline() const noexcept { return is_set_ ? deadline{at_} : deadline{}; }
 
 private:
     instant at_{0};

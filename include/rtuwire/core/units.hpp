@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Numbers with a unit of measure. A quantity counts steps of a fixed size (`Scale`) of one dimension,
-// in integers only. Going to a finer step is implicit, going to a coarser one is spelled
-// `truncated_to`; there is no way from one dimension to another, and none into or out of a quantity
-// without naming its unit.
+// Numbers with a unit of measure. A quantity counts steps of a fixed size (`Scale`) of one dimension, in
+// integers only. Conversion to a finer step is implicit, to a coarser one it is `truncated_to`; one dimension
+// never converts to another, and a plain number never to or from a quantity unless the unit is named.
 #pragma once
 
 #include <compare>
@@ -59,12 +58,10 @@ struct dimensionless {
 };
 
 /// Whether every whole number of `From` steps is a whole number of `To` steps.
-template <typename From, typename To>
-inline constexpr bool is_finer = std::ratio_divide<From, To>::den == 1;
+template <typename From, typename To> inline constexpr bool is_finer = std::ratio_divide<From, To>::den == 1;
 
 /// Whether a `To` holds every `From`, multiplied by a factor.
-template <std::integral From, std::integral To>
-[[nodiscard]] consteval bool holds_all(std::intmax_t factor) noexcept
+template <std::integral From, std::integral To> [[nodiscard]] consteval bool holds_all(std::intmax_t factor) noexcept
 {
     using from = std::numeric_limits<From>;
     using to = std::numeric_limits<To>;
@@ -73,8 +70,8 @@ template <std::integral From, std::integral To>
            (not has_sign or std::cmp_less_equal(std::intmax_t{to::min()} / factor, from::min()));
 }
 
-/// Not constexpr, so that the compiler refuses a constant expression with this name. When the program runs
-/// it does nothing.
+/// Not constexpr, so that in a constant expression the compiler reports this name. At run time it does
+/// nothing.
 inline void this_amount_does_not_fit_the_target() noexcept {}
 
 /// `count` steps of `Scale` of a dimension: quantity<frequency, uint16, 1/10> counts tenths of a hertz.
@@ -86,25 +83,24 @@ public:
 
     constexpr quantity() noexcept = default;
 
-    /// So many steps.
+    /// `count` steps.
     explicit constexpr quantity(Rep count) noexcept : count_{count} {}
 
-    /// The same, of another type of which each number fits.
+    /// The same, from another type whose every number fits.
     template <std::integral Count>
         requires(holds_all<Count, Rep>(1) and not std::same_as<Count, Rep>)
     explicit constexpr quantity(Count count) noexcept : count_{static_cast<Rep>(count)} {}
 
-    /// The same, of a type that holds more. What does not fit does not compile in a constant expression; when the
-    /// program runs it becomes the nearest amount that fits, as in `truncated_to`. (Not consteval: Clang 14 crashes on
-    /// literals of a class that has such a constructor.)
+    /// The same, from a type that holds more. What does not fit does not compile in a constant expression; at run time
+    /// it becomes the nearest amount that fits, as in `truncated_to`. (Not consteval: Clang 14 crashes on literals of
+    /// a class that has such a constructor.)
     template <std::integral Count>
         requires(not holds_all<Count, Rep>(1))
     explicit constexpr quantity(Count count) noexcept : count_{nearest(count)} {}
 
     /// The same amount in finer steps, of a type that can hold all of them.
     template <std::integral OtherRep, typename OtherScale>
-        requires(is_finer<OtherScale, Scale>and holds_all<OtherRep, Rep>(
-            std::ratio_divide<OtherScale, Scale>::num))
+        requires(is_finer<OtherScale, Scale>and holds_all<OtherRep, Rep>(std::ratio_divide<OtherScale, Scale>::num))
     constexpr quantity(quantity<Dimension, OtherRep, OtherScale> other) noexcept
         : count_{static_cast<Rep>(static_cast<Rep>(other.count()) *
                                   static_cast<Rep>(std::ratio_divide<OtherScale, Scale>::num))}
@@ -131,11 +127,10 @@ private:
     Rep count_{};
 };
 
-/// The amount in steps of `Target`, what is left over cut off. What does not fit does not compile in a
-/// constant expression; when the program runs it becomes the nearest amount that fits.
+/// The amount in steps of `Target`, the remainder cut off. What does not fit does not compile in a constant
+/// expression; at run time it becomes the nearest amount that fits.
 template <typename Target, std::integral Rep, typename Scale>
-[[nodiscard]] constexpr Target
-truncated_to(quantity<typename Target::dimension, Rep, Scale> amount) noexcept
+[[nodiscard]] constexpr Target truncated_to(quantity<typename Target::dimension, Rep, Scale> amount) noexcept
 {
     using factor = std::ratio_divide<Scale, typename Target::scale>;
     using target_rep = typename Target::rep;
@@ -144,9 +139,7 @@ truncated_to(quantity<typename Target::dimension, Rep, Scale> amount) noexcept
     std::int64_t const count = amount.count();
     bool const is_above = count > wide::max() / factor::num;
     bool const is_below = count < wide::min() / factor::num;
-    std::int64_t const steps = is_above   ? wide::max()
-                               : is_below ? wide::min()
-                                          : count * factor::num / factor::den;
+    std::int64_t const steps = is_above ? wide::max() : is_below ? wide::min() : count * factor::num / factor::den;
     if (is_above or std::cmp_greater(steps, to::max())) {
         this_amount_does_not_fit_the_target();
         return Target{to::max()};
@@ -179,7 +172,9 @@ using signed_tenth_percent = quantity<proportion, std::int16_t, std::deci>;
 using seconds = quantity<time_span, std::uint16_t>;
 using deciseconds = quantity<time_span, std::uint16_t, std::deci>;
 using centiseconds = quantity<time_span, std::uint16_t, std::centi>;
-using milliseconds_count = quantity<time_span, std::uint16_t, std::milli>;
+namespace units {
+using milliseconds = quantity<time_span, std::uint16_t, std::milli>;
+}
 using hours = quantity<operating_time, std::uint16_t>;
 using centihours = quantity<operating_time, std::uint16_t, std::centi>;
 using newton_metres = quantity<torque, std::int16_t>;
@@ -187,10 +182,10 @@ using watts = quantity<power, std::uint16_t>;
 using hectowatts = quantity<power, std::uint16_t, std::hecto>;
 using celsius = quantity<temperature, std::int16_t>;
 using centi_per_second = quantity<rate, std::uint16_t, std::centi>;
-using plain = quantity<dimensionless, std::uint16_t>;
-using signed_plain = quantity<dimensionless, std::int16_t>;
-using tenths = quantity<dimensionless, std::uint16_t, std::deci>;
-using hundredths = quantity<dimensionless, std::uint16_t, std::centi>;
+using count16 = quantity<dimensionless, std::uint16_t>;
+using signed_count16 = quantity<dimensionless, std::int16_t>;
+using count16_tenths = quantity<dimensionless, std::uint16_t, std::deci>;
+using count16_hundredths = quantity<dimensionless, std::uint16_t, std::centi>;
 
 /// A decimal literal, read digit by digit: 1.30 is 130 hundredths.
 template <char... Digits> struct decimal {
@@ -218,8 +213,7 @@ template <char... Digits> struct decimal {
 };
 
 /// The quantity that a literal spells, in steps of its last digit.
-template <typename Dimension, typename Unit, char... Digits>
-[[nodiscard]] consteval auto spelled() noexcept
+template <typename Dimension, typename Unit, char... Digits> [[nodiscard]] consteval auto spelled() noexcept
 {
     using number = decimal<Digits...>;
     static_assert(number::is_plain(), "a quantity is written in decimal digits, as 50 or 1.3");
@@ -245,10 +239,7 @@ template <char... Digits> consteval auto operator""_A() noexcept
 {
     return spelled<current, std::ratio<1>, Digits...>();
 }
-template <char... Digits> consteval auto operator""_mA() noexcept
-{
-    return spelled<current, std::milli, Digits...>();
-}
+template <char... Digits> consteval auto operator""_mA() noexcept { return spelled<current, std::milli, Digits...>(); }
 template <char... Digits> consteval auto operator""_V() noexcept
 {
     return spelled<voltage, std::ratio<1>, Digits...>();
@@ -269,10 +260,7 @@ template <char... Digits> consteval auto operator""_Nm() noexcept
 {
     return spelled<torque, std::ratio<1>, Digits...>();
 }
-template <char... Digits> consteval auto operator""_W() noexcept
-{
-    return spelled<power, std::ratio<1>, Digits...>();
-}
+template <char... Digits> consteval auto operator""_W() noexcept { return spelled<power, std::ratio<1>, Digits...>(); }
 template <char... Digits> consteval auto operator""_celsius() noexcept
 {
     return spelled<temperature, std::ratio<1>, Digits...>();
@@ -287,8 +275,7 @@ template <char... Digits> consteval auto operator""_raw() noexcept
 
 /// The opposite of a literal: -1500_rpm.
 template <typename Dimension, std::signed_integral Rep, typename Scale>
-[[nodiscard]] constexpr quantity<Dimension, Rep, Scale>
-operator-(quantity<Dimension, Rep, Scale> amount) noexcept
+[[nodiscard]] constexpr quantity<Dimension, Rep, Scale> operator-(quantity<Dimension, Rep, Scale> amount) noexcept
 {
     return quantity<Dimension, Rep, Scale>{static_cast<Rep>(-amount.count())};
 }

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Which rtuwire this is and how it is built. Everything stands in an inline namespace that names the version
-// and the switches that change code, so that two files of one program that were built differently (say, one
-// with -mpclmul) do not share a function by mistake. Names are used without it: `rtuwire::client`.
+// The version of rtuwire and how it is built. Everything is in an inline namespace that names the version and
+// the switches that change code, so that two files of one program that were built differently (say, one with
+// -mpclmul) do not share a function by mistake. User code leaves it out: `rtuwire::client`.
 #pragma once
 
 /// The version, as major * 10000 + minor * 100 + patch.
 #define RTUWIRE_VERSION 100
 
-/// Whether reading the value of a result that has none, or a register that a view does not have, is caught
-/// when the program runs: 1 or 0. On where there is an operating system, off on bare metal unless asked for;
-/// NDEBUG does not matter.
+/// Whether reading the value of a result that has none, or a register that a view does not have, is caught at
+/// run time: 1 or 0. By default on where there is an operating system, off on bare metal; NDEBUG does not
+/// matter.
 #ifndef RTUWIRE_CHECKED
 #if defined(__unix__) || defined(__APPLE__) || defined(_WIN32)
 #define RTUWIRE_CHECKED 1
@@ -23,18 +23,17 @@
 // The processor multiplies without carries: PCLMULQDQ, PMULL, or VMULL.P64 on a 32-bit Arm.
 #if defined(__PCLMUL__)
 #define RTUWIRE_CARRYLESS_X86
-#elif defined(__ARM_NEON) && !defined(__ARM_BIG_ENDIAN) &&                                         \
-    (defined(__ARM_FEATURE_AES) || defined(__ARM_FEATURE_CRYPTO))
+#elif defined(__ARM_NEON) && !defined(__ARM_BIG_ENDIAN) && (defined(__ARM_FEATURE_AES) || defined(__ARM_FEATURE_CRYPTO))
 #define RTUWIRE_CARRYLESS_ARM
 #endif
 
-/// The form of the CRC in all of a program; `crc_form` tells what each one needs.
+/// The form of the CRC in the whole program; `crc_form` tells what each form needs.
 #ifndef RTUWIRE_CRC_FORM
 #define RTUWIRE_CRC_FORM_IS_DEFAULT
 #if defined(RTUWIRE_CARRYLESS_X86) || defined(RTUWIRE_CARRYLESS_ARM)
 #define RTUWIRE_CRC_FORM carryless
 #elif defined(__SIZEOF_POINTER__) && __SIZEOF_POINTER__ < 8
-#define RTUWIRE_CRC_FORM octet_algebra
+#define RTUWIRE_CRC_FORM byte_algebra
 #else
 #define RTUWIRE_CRC_FORM host
 #endif

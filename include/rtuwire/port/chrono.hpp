@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Between the library's wrapping microseconds and std::chrono.
+// Converts between the library's wrapping microseconds and std::chrono.
 #pragma once
 
 #include <chrono>
@@ -13,7 +13,7 @@
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// A std::chrono duration as ours: whole microseconds, rounded down; below zero it is zero, and one that is
-/// too long is refused or becomes the longest, as by `microseconds`.
+/// too long is refused or becomes the longest, as in `microseconds`.
 template <typename Rep, typename Period>
 [[nodiscard]] constexpr duration to_duration(std::chrono::duration<Rep, Period> length) noexcept
 {

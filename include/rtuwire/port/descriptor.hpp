@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// A POSIX file descriptor of a serial line: owned, read and written with deadlines. Answers for every
-// failure becoming an errc, and for a vanished device being an error at once and at each further call.
+// A POSIX file descriptor of a serial line: owned, read and written with deadlines. Turns every failure into
+// an errc, and reports a vanished device at once and at each further call.
 #pragma once
 
 #include <cerrno>
@@ -41,7 +41,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     }
 }
 
-/// The time left until an instant, as `poll` takes it: whole milliseconds, rounded up; 0 when over.
+/// The time left until an instant, as `poll` takes it: whole milliseconds, rounded up; 0 when it has passed.
 [[nodiscard]] inline int milliseconds_until(instant until, instant now) noexcept
 {
     if (reached(now, until)) {
@@ -50,7 +50,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     return static_cast<int>(((until - now).microseconds + 999U) / 1000U);
 }
 
-/// An open descriptor in non-blocking mode, closed when it goes. Can be moved.
+/// An open descriptor in non-blocking mode, closed by its destructor. Can be moved.
 class descriptor {
 public:
     descriptor() noexcept = default;
@@ -76,17 +76,17 @@ public:
     [[nodiscard]] bool is_open() const noexcept { return number_ >= 0; }
     [[nodiscard]] int number() const noexcept { return number_; }
 
-    /// Sends all octets. Errors: `timed_out` when the deadline passes first, part of them sent;
+    /// Sends all bytes. Errors: `timed_out` when the deadline passes first, part of them sent;
     /// `device_not_open`, `device_vanished`, `device_failed`.
-    result<void> write(byte_view octets, instant until) const noexcept
+    result<void> write(byte_view bytes, instant until) const noexcept
     {
         if (not is_open()) {
             return errc::device_not_open;
         }
-        while (not octets.empty()) {
-            ssize_t const count = ::write(number_, octets.data(), octets.size());
+        while (not bytes.empty()) {
+            ssize_t const count = ::write(number_, bytes.data(), bytes.size());
             if (count > 0) {
-                octets = octets.subspan(static_cast<std::size_t>(count));
+                bytes = bytes.subspan(static_cast<std::size_t>(count));
                 continue;
             }
             if (count < 0 and errno == EINTR) {
@@ -106,7 +106,7 @@ public:
         return {};
     }
 
-    /// Waits until there is at least one octet or the deadline has passed, and reads what is there: an
+    /// Waits until there is at least one byte or the deadline has passed, and reads what is there: an
     /// empty part of `place` when there was nothing. Errors: `device_not_open`, `device_vanished`,
     /// `device_failed`.
     result<byte_span> read(byte_span place, instant until) const noexcept
@@ -136,7 +136,7 @@ public:
     }
 
 private:
-    /// Whether the descriptor became ready before the deadline. A hang-up counts as ready while octets
+    /// Whether the descriptor became ready before the deadline. A hang-up counts as ready while bytes
     /// are left to read, and as vanished after that.
     result<bool> wait(short events, instant until) const noexcept
     {

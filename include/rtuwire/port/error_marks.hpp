@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// What a terminal hands over when it marks damaged bytes (termios, PARMRK): FF 00 x is a byte x with a
-// parity or framing error, FF 00 00 also a break, and FF FF is a byte FF that is as it should be.
+// What a terminal delivers when it marks damaged bytes (termios, PARMRK): FF 00 x is a byte x with a parity
+// or framing error, FF 00 00 also a break, and FF FF is an undamaged byte FF.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Takes the marks out of a stream of bytes, in any chunking.
+/// Removes the marks from a stream of bytes, in chunks of any size.
 class error_marks {
 public:
     /// What one call did.
@@ -23,8 +23,8 @@ public:
         bool has_error{false}; ///< a damaged byte came after them
     };
 
-    /// Writes what `marked` means to `place`, until `place` is full or a byte was damaged. The damaged byte
-    /// itself is left out. What was not taken belongs to the next call.
+    /// Writes the bytes without their marks to `place`, until `place` is full or a byte was damaged. The
+    /// damaged byte itself is left out. What was not taken belongs to the next call.
     constexpr part take(byte_view marked, byte_span place) noexcept
     {
         part done{};
@@ -32,7 +32,7 @@ public:
             std::byte const byte = marked[done.taken];
             bool const is_first = byte == std::byte{0xFF};
             if (state_ == state::begun and not is_first and byte != std::byte{0}) {
-                // An FF that marks nothing: bytes are missing here. This one is looked at again.
+                // An FF that marks nothing: bytes are missing here. This byte is examined again.
                 state_ = state::outside;
                 done.has_error = true;
                 continue;
@@ -53,7 +53,7 @@ public:
         return done;
     }
 
-    /// Forgets a mark that was begun.
+    /// Forgets an incomplete mark.
     constexpr void restart() noexcept { state_ = state::outside; }
 
 private:

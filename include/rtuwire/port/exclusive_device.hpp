@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// A serial device that other programs are kept out of. Answers for giving back what it took, on whatever
-// way it ends: the kernel keeps the flag of TIOCEXCL as long as any process has the device open.
+// A serial device locked against other programs. Undoes what it changed, in whichever way it closes: the
+// kernel keeps the flag of TIOCEXCL as long as any process has the device open.
 #pragma once
 
 #include <cerrno>
@@ -17,10 +17,10 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// The descriptor of a serial device, and what was changed on that device. Can be moved. When it closes, is
-/// assigned to or goes, the device is unlocked, and has its old settings again unless `keep_settings` was
-/// called. A process that is killed gives nothing back: a device that another process has open then stays
-/// locked for everyone but root.
+/// The descriptor of a serial device, and what was changed on that device. Can be moved. When it is closed,
+/// assigned to or destroyed, the device is unlocked, and has its old settings again unless `keep_settings`
+/// was called. A process that is killed undoes nothing: a device that another process has open then stays
+/// locked for all users but root.
 class exclusive_device {
 public:
     exclusive_device() noexcept = default;

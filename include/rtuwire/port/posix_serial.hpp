@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// A serial device of a POSIX host: opened exclusively, set up for Modbus, read and written with
-// deadlines. Says which bytes arrived damaged. Every failure is an errc for programs and a sentence with the device's name for people.
+// A serial device of a POSIX host: opened exclusively, set up for Modbus, read and written with deadlines.
+// Reports which bytes arrived damaged. Every failure is an errc for programs and a sentence with the
+// device's name for people.
 #pragma once
 
 #include <array>
@@ -26,20 +27,19 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// A serial device. Can be moved; closes when it goes and leaves the device as it was set up.
+/// A serial device. Can be moved; its destructor closes it and leaves the device as it was set up.
 class posix_serial {
 public:
-    /// Opens a device and sets it up; what was open before is closed. On an error nothing is open and
-    /// `failure()` says why: `device_not_found`, `device_access_denied`, `device_in_use`,
-    /// `device_not_serial`, `device_setting_refused`, `device_vanished`, `device_failed`. The device never becomes
-    /// standard input, output or error output, closed as these may be.
+    /// Opens a device and sets it up; what was open before is closed. On an error nothing is open and `failure()`
+    /// says why: `device_not_found`, `device_access_denied`, `device_in_use`, `device_not_serial`,
+    /// `device_setting_refused`, `device_vanished`, `device_failed`. The device never becomes standard input,
+    /// output or error output, even where these are closed.
     result<void> open(std::string const& device, serial_settings const& settings = {})
     {
         close();
         device_ = device;
         standard_places const kept;
-        exclusive_device opened{
-            descriptor{::open(device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)}};
+        exclusive_device opened{descriptor{::open(device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)}};
         if (not opened.is_open()) {
             return failed(device_error(errno), errno);
         }
@@ -85,20 +85,20 @@ public:
     /// The last failure in words, beginning with the device's name; empty before the first.
     [[nodiscard]] std::string const& failure() const noexcept { return failure_; }
 
-    /// Hands all octets to the driver, which sends them at the line's pace. Errors: `timed_out`,
+    /// Passes all bytes to the driver, which sends them at the line's speed. Errors: `timed_out`,
     /// `device_not_open`, `device_vanished`, `device_failed`.
-    result<void> write(byte_view octets, instant until)
+    result<void> write(byte_view bytes, instant until)
     {
-        auto const written = opened_.line().write(octets, until);
+        auto const written = opened_.line().write(bytes, until);
         if (not written) {
             return failed(written.error());
         }
         return written;
     }
 
-    /// Waits for at least one octet until the deadline and reads what is there, up to the first damaged
-    /// one, of which `take_receive_error` then tells; empty when there was none. Errors:
-    /// `device_not_open`, `device_vanished`, `device_failed`.
+    /// Waits for at least one byte until the deadline and reads what is there, up to the first damaged one,
+    /// which `take_receive_error` then reports; empty when there was none. Errors: `device_not_open`,
+    /// `device_vanished`, `device_failed`.
     result<byte_span> read(byte_span place, instant until)
     {
         if (not is_open()) {
@@ -110,27 +110,24 @@ public:
             if (part.size > 0 or part.has_error) {
                 return place.first(part.size);
             }
-            auto const octets = opened_.line().read(input_, until);
-            if (not octets) {
-                return failed(octets.error()).error();
+            auto const bytes = opened_.line().read(input_, until);
+            if (not bytes) {
+                return failed(bytes.error()).error();
             }
-            if (octets->empty()) {
+            if (bytes->empty()) {
                 return place.first(0);
             }
             first_ = 0;
-            last_ = octets->size();
+            last_ = bytes->size();
         }
         return place;
     }
 
-    /// Whether a byte arrived damaged (parity, framing, break) right behind what was read last; says so
+    /// Whether a byte arrived damaged (parity, framing, break) right behind the bytes read last; reported
     /// once. That byte is left out.
-    [[nodiscard]] bool take_receive_error() noexcept
-    {
-        return std::exchange(has_receive_error_, false);
-    }
+    [[nodiscard]] bool take_receive_error() noexcept { return std::exchange(has_receive_error_, false); }
 
-    /// Now, on the clock that deadlines are of.
+    /// Now, on the clock of the deadlines.
     [[nodiscard]] static instant now() noexcept { return steady_now(); }
 
 private:
@@ -143,7 +140,7 @@ private:
         return error;
     }
 
-    /// The next bytes of what the device handed over.
+    /// The next bytes of those that the device delivered.
     error_marks::part unmark(byte_span place) noexcept
     {
         byte_view const unread = byte_view{input_}.subspan(first_, last_ - first_);
@@ -153,7 +150,7 @@ private:
     }
 
     exclusive_device opened_;
-    std::array<std::byte, 512> input_{}; ///< from `first_` to `last_` not handed on yet
+    std::array<std::byte, 512> input_{}; ///< from `first_` to `last_` not passed on yet
     std::size_t first_{0};
     std::size_t last_{0};
     error_marks marks_{};

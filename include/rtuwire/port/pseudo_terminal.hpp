@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// A serial line without hardware: a pseudo-terminal whose far end any program can open by name. Keeps
-// the far end open itself, so that programs may come and go on it, and unlocks it behind a program that
-// was killed.
+// A serial line without hardware: a pseudo-terminal whose far end any program can open by name. Keeps the far
+// end open itself, so that programs may open and close it, and unlocks it after a program that was killed.
 #pragma once
 
 #include <cerrno>
@@ -29,7 +28,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 class pseudo_terminal {
 public:
     /// Makes the pair, neither of which becomes standard input, output or error output. Errors: `device_failed`,
-    /// and those of setting a line up.
+    /// and those of setting up a line.
     result<void> open()
     {
         close();
@@ -67,28 +66,28 @@ public:
     /// The name under which the far end can be opened as a serial device.
     [[nodiscard]] std::string const& path() const noexcept { return path_; }
 
-    /// Sends all octets. Errors: `timed_out` when nobody reads the far end, `device_not_open`,
+    /// Sends all bytes. Errors: `timed_out` when no program reads the far end, `device_not_open`,
     /// `device_failed`.
-    result<void> write(byte_view octets, instant until) const { return near_.write(octets, until); }
+    result<void> write(byte_view bytes, instant until) const { return near_.write(bytes, until); }
 
-    /// Waits for at least one octet until the deadline and reads what is there; empty when there was
+    /// Waits for at least one byte until the deadline and reads what is there; empty when there was
     /// none. Errors: `device_not_open`, `device_failed`.
     result<byte_span> read(byte_span place, instant until)
     {
-        auto const octets = near_.read(place, until);
-        if (octets and octets->empty() and reached(now(), next_look_)) {
+        auto const bytes = near_.read(place, until);
+        if (bytes and bytes->empty() and reached(now(), next_look_)) {
             next_look_ = now() + milliseconds(1'000);
             unlock_far_end();
         }
-        return octets;
+        return bytes;
     }
 
-    /// Now, on the clock that deadlines are of.
+    /// Now, on the clock of the deadlines.
     [[nodiscard]] static instant now() noexcept { return steady_now(); }
 
 private:
-    /// A program that was killed while it had the far end for itself (TIOCEXCL) cannot give it back, and
-    /// the far end is never closed. It still belongs to somebody where it is locked (flock).
+    /// A program that was killed while it used the far end exclusively (TIOCEXCL) cannot release it, and the
+    /// far end is never closed. Where it is locked (flock), a program still uses it.
     void unlock_far_end() const noexcept
     {
 #ifdef TIOCGEXCL

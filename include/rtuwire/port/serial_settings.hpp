@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// How a POSIX serial device is set up for Modbus: raw octets, bit rate, character format, and what
-// the kernel offers beside (low latency, RS-485 direction control).
+// How a POSIX serial device is set up for Modbus: raw bytes, bit rate, character format, and what the kernel
+// offers besides (low latency, RS-485 direction control).
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Whether the kernel's driver shall switch the RS-485 transceiver's direction.
 enum class rs485_mode : std::uint8_t {
-    leave,      ///< as the device is: adapters that switch by themselves
+    leave,      ///< as the device is: for adapters that switch by themselves
     if_offered, ///< where the driver can
     required,   ///< `device_setting_refused` where it cannot
 };
@@ -106,12 +106,11 @@ struct serial_settings {
     return common;
 }
 
-/// What a device number says of its driver, as Linux puts it together. <sys/sysmacros.h> has a function for
-/// it, but gives the names `major` and `minor` to macros.
+/// The driver's part of a device number, as Linux encodes it. <sys/sysmacros.h> has a function for it, but
+/// defines macros called `major` and `minor`.
 [[nodiscard]] constexpr unsigned device_major(std::uint64_t number) noexcept
 {
-    return static_cast<unsigned>(number >> 8U & 0xFFFU) |
-           static_cast<unsigned>(number >> 32U & 0xFFFF'F000U);
+    return static_cast<unsigned>(number >> 8U & 0xFFFU) | static_cast<unsigned>(number >> 32U & 0xFFFF'F000U);
 }
 
 /// Whether a device is a pseudo-terminal, which has no wire and so no parity.
@@ -134,9 +133,9 @@ struct serial_settings {
 /// Input flags that let a device mark the bytes that arrived damaged; `error_marks` reads the marks.
 inline constexpr tcflag_t marks_errors = INPCK | PARMRK;
 
-/// Sets an open device up; bytes come as they are, but for what the input flags say. Errors:
-/// `device_not_serial`, `device_setting_refused` when the device does not keep the bit rate, the character
-/// format or the input flags.
+/// Sets up an open device; bytes pass unchanged, except as the input flags say. Errors: `device_not_serial`,
+/// `device_setting_refused` when the device does not keep the bit rate, the character format or the input
+/// flags.
 [[nodiscard]] inline result<void> apply_line(int device, serial_settings const& settings,
                                              tcflag_t input_flags = 0) noexcept
 {
@@ -156,18 +155,16 @@ inline constexpr tcflag_t marks_errors = INPCK | PARMRK;
     line.c_cc[VTIME] = 0;
     ::cfsetispeed(&line, *speed);
     ::cfsetospeed(&line, *speed);
-    // What it returns says little: it succeeds when anything at all could be set, and fails where a
-    // pseudo-terminal drops the parity flag. What the device kept tells.
+    // The return value says little: the call succeeds when anything at all could be set, and fails where a
+    // pseudo-terminal drops the parity flag. The settings that the device kept tell.
     static_cast<void>(::tcsetattr(device, TCSANOW, &line));
     termios kept{};
     if (::tcgetattr(device, &kept) != 0) {
         return errc::device_not_serial;
     }
-    tcflag_t const compared = is_pseudo_terminal(device)
-                                  ? tcflag_t{CSIZE | CSTOPB}
-                                  : tcflag_t{CSIZE | CSTOPB | PARENB | PARODD};
-    bool const is_kept = ::cfgetospeed(&kept) == *speed and
-                         (kept.c_cflag & compared) == (line.c_cflag & compared) and
+    tcflag_t const compared =
+        is_pseudo_terminal(device) ? tcflag_t{CSIZE | CSTOPB} : tcflag_t{CSIZE | CSTOPB | PARENB | PARODD};
+    bool const is_kept = ::cfgetospeed(&kept) == *speed and (kept.c_cflag & compared) == (line.c_cflag & compared) and
                          kept.c_iflag == line.c_iflag;
     if (not is_kept) {
         return errc::device_setting_refused;
@@ -175,7 +172,7 @@ inline constexpr tcflag_t marks_errors = INPCK | PARMRK;
     return {};
 }
 
-/// Asks the driver to hand octets on at once. Without the offer nothing is lost but time.
+/// Asks the driver to pass bytes on at once. Where it is not offered, only time is lost.
 inline void request_low_latency([[maybe_unused]] int device) noexcept
 {
 #if defined(TIOCGSERIAL) && defined(ASYNC_LOW_LATENCY)

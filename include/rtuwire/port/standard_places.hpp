@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Keeps a serial line away from the numbers 0, 1 and 2. A program may be started with these closed; the line
-// would get one of them, and what the program prints would go to the drives.
+// Keeps a serial line off the descriptor numbers 0, 1 and 2. A program may be started with these closed; the
+// line would get one of them, and what the program prints would go to the drives.
 #pragma once
 
 #include <array>
@@ -16,9 +16,9 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// While it lives, whatever is opened gets a number above those of standard input, output and error output,
-/// also where these are closed: until then /dev/null stands there. A system without /dev/null has to be asked
-/// by `is_above`.
+/// While it lives, every file opened gets a number above those of standard input, output and error output,
+/// even where these are closed: /dev/null fills them meanwhile. On a system without /dev/null, check with
+/// `is_above`.
 class standard_places {
 public:
     standard_places() noexcept
@@ -32,11 +32,8 @@ public:
         }
     }
 
-    /// Whether nobody takes this number for a standard one; false for none.
-    [[nodiscard]] static constexpr bool is_above(int number) noexcept
-    {
-        return number > STDERR_FILENO;
-    }
+    /// Whether a number is above the standard ones; false where nothing is open.
+    [[nodiscard]] static constexpr bool is_above(int number) noexcept { return number > STDERR_FILENO; }
 
 private:
     std::array<descriptor, 3> held_{};

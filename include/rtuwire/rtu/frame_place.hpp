@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Where in its memory a framer's frame begins.
+// Where a frame begins in the framer's memory.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@ public:
     [[nodiscard]] static constexpr std::uint16_t begin() noexcept { return 0; }
 };
 
-/// Behind something that stands at the front and may be up to 256 octets long: behind `Front` octets, or where
-/// `Front` is less, behind what is there. A frame has 256 octets less what exceeds `Front`.
+/// Behind other bytes at the front, up to 256: the frame begins at `Front`, or behind those bytes where they
+/// are more. A frame has 256 bytes less what exceeds `Front`.
 template <std::size_t Front>
     requires(Front > 0)
 class frame_place<Front> {

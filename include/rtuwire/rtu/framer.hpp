@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Frames out of octets and silence (SL 2.5.1.1). A frame ends by its length rule when its CRC is right
-// there; otherwise, and where there is no rule, it ends by silence. A CRC match alone never ends one,
-// and no frame is looked for anywhere but at its start. Needs one frame of memory.
+// Splits received bytes into frames by length and silence (SL 2.5.1.1). A frame ends where its length rule
+// says, if the CRC is right there; otherwise, and where there is no rule, it ends by silence. A CRC match
+// alone never ends a frame, and no frame is searched for inside other bytes. Needs memory for one frame.
 //
-//   state          octet                                   silence
+//   state          byte                                   silence
 //   synchronising  dropped                                 -> idle
 //   idle           -> receiving                            stays
 //   receiving      kept; rule met and CRC right -> done,   -> done: a frame, or damaged
 //                  or open end
 //   open end       -> done, with it if it is 00, or        -> done, after t3.5
 //                  without
-//   done           -> receiving; what nobody polled is     stays; polled -> idle
+//   done           -> receiving; an unread frame is        stays; polled -> idle
 //                  dropped
 #pragma once
 
@@ -22,12 +22,12 @@
 #include <optional>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/constant.hpp>
 #include <rtuwire/core/crc16.hpp>
-#include <rtuwire/core/fixed.hpp>
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/rtu/exchange_of_others.hpp>
+#include <rtuwire/rtu/foreign_exchange.hpp>
 #include <rtuwire/rtu/frame_place.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/adu.hpp>
@@ -36,55 +36,55 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Cuts a stream of octets into frames. Call `receive` with what arrived until all of it is taken, and
-/// `poll_frame` after each; call `advance` when time has passed, at least when `poll_deadline` says.
-/// Starts by ignoring everything until the line has been silent once.
+/// Splits a stream of bytes into frames. Call `receive` with the bytes that arrived until all are taken, and
+/// `poll_frame` after each call; call `advance` when time has passed, at the latest at `poll_deadline`.
+/// Ignores everything until the line has been silent once.
 ///
-/// `Holder` derives from it and holds the line's times, `line_`, and the memory, `octets_`, behind what else it has:
-/// small processors reach near members with short instructions.
+/// `Holder` derives from it and holds the line's times, `line_`, and the memory, `bytes_`, behind all other
+/// members: small processors reach near members with short instructions.
 template <typename Holder, direction Way, std::size_t Front> class frame_cutter {
 public:
     constexpr frame_cutter() noexcept = default;
 
-    /// Takes octets that had arrived by `now`, in any chunking, up to the end of one frame; returns how
-    /// many were taken. Octets after a frame that were not taken belong to the next call.
-    constexpr std::size_t receive(byte_view octets, instant now) noexcept
+    /// Takes bytes that had arrived by `now`, in chunks of any size, up to the end of one frame; returns how
+    /// many were taken. The bytes after that frame belong to the next call.
+    constexpr std::size_t receive(byte_view bytes, instant now) noexcept
     {
-        if (octets.empty() or hear(octets.size(), now)) {
+        if (bytes.empty() or begin_chunk(bytes.size(), now)) {
             return 0;
         }
         std::size_t taken = 0;
         if constexpr (Way == direction::request) {
             if (is_open_end()) {
                 state_ = state::done;
-                return others_.takes(octets[0]) ? 1 : 0;
+                return others_.takes(bytes[0]) ? 1 : 0;
             }
         }
-        while (taken < octets.size() and not take(octets[taken++])) {
+        while (taken < bytes.size() and not push(bytes[taken++])) {
         }
         return taken;
     }
 
-    /// The first part of `receive`: so many octets, one at least, had arrived by `now`. Whether the silence
-    /// before them ended something, which is to be polled before the first is taken.
-    constexpr bool hear(std::size_t octets, instant now) noexcept
+    /// The first part of `receive`: `bytes` bytes, one at least, had arrived by `now`. Returns whether the
+    /// silence before them ended a frame, whole or damaged, which must be polled before the first byte is
+    /// taken.
+    constexpr bool begin_chunk(std::size_t bytes, instant now) noexcept
     {
-        // What nobody polled is dropped, so that taking octets always gets on.
+        // An unread frame is discarded, so receiving never stalls.
         if (state_ == state::done) {
             state_ = state::idle;
         }
-        // The first octet of a lump arrived earlier than the lump was handed over.
-        if (activity_ != activity::unknown and
-            reached(now, last_ + silence() + line().characters(octets))) {
-            fall_silent();
+        // The first byte of a chunk arrived earlier than the chunk was handed over.
+        if (activity_ != activity::unknown and reached(now, last_ + silence() + line().characters(bytes))) {
+            on_silence();
         }
         note_activity(now);
         return state_ == state::done;
     }
 
-    /// The second part: takes one of them. Whether it was the last of a frame. A function of its own, so that
-    /// no caller makes it larger.
-    [[gnu::noinline]] constexpr bool take(std::byte octet) noexcept
+    /// The second part: takes one byte. Returns whether it was the last of a frame. Not inlined, so that no
+    /// caller grows.
+    [[gnu::noinline]] constexpr bool push(std::byte byte) noexcept
     {
         if (state_ == state::synchronising) {
             return false;
@@ -93,24 +93,24 @@ public:
             begin();
         }
         if (end_ == place_.memory) {
-            trouble_ = trouble_ == errc::none ? errc::frame_too_long : trouble_;
+            error_ = error_ == errc::none ? errc::frame_too_long : error_;
             return false;
         }
-        storage()[end_++] = octet;
-        crc_.add(octet);
-        return end_ == look_at_ and look();
+        storage()[end_++] = byte;
+        crc_.add(byte);
+        return end_ == rule_at_ and apply_length_rule();
     }
 
-    /// Takes the receiver's word that an octet arrived damaged (parity, framing, overrun): the frame it
-    /// belongs to is refused even if its CRC is right. What the silence before it ended, and nobody polled yet,
-    /// is dropped.
+    /// Reports a receive error (parity, framing, overrun): the frame that the damaged byte belongs to is
+    /// refused even if its CRC is right. A frame that the silence before the byte ended, and that was not
+    /// polled yet, is discarded.
     constexpr void receive_error(instant now) noexcept
     {
-        static_cast<void>(hear(1, now));
+        static_cast<void>(begin_chunk(1, now));
         spoil();
     }
 
-    /// The second part of `receive_error`, after `hear`.
+    /// The second part of `receive_error`, after `begin_chunk`.
     constexpr void spoil() noexcept
     {
         if (state_ == state::synchronising) {
@@ -119,10 +119,10 @@ public:
         if (state_ != state::receiving) {
             begin();
         }
-        trouble_ = errc::uart_error;
+        error_ = errc::uart_error;
     }
 
-    /// Lets silence take effect. To be called before the clock has run 35 minutes past a deadline.
+    /// Applies the silence up to `now`. Must be called before the clock has run 35 minutes past a deadline.
     constexpr void advance(instant now) noexcept
     {
         if (activity_ == activity::unknown) {
@@ -132,7 +132,7 @@ public:
             activity_ = activity::quiet;
         }
         if (waits_for_silence() and reached(now, last_ + silence())) {
-            fall_silent();
+            on_silence();
         }
     }
 
@@ -144,7 +144,7 @@ public:
         return next;
     }
 
-    /// The same as one of several times.
+    /// Adds that time to the earliest of several.
     constexpr void add_to(earliest& next) const noexcept
     {
         // The silence that ends a frame is never shorter than the one before sending.
@@ -155,18 +155,16 @@ public:
         }
     }
 
-    /// The same for who does not send: when the frame that is being received, or what was ignored, ends by
-    /// silence. A plain form of its own, which saves 90 bytes of a server.
+    /// The same for a receiver that does not send: when silence ends the frame being received, or the bytes
+    /// being ignored. A separate plain form, which saves 90 bytes of a server.
     [[nodiscard]] constexpr deadline poll_end_deadline() const noexcept
     {
-        return activity_ == activity::unknown or not waits_for_silence()
-                   ? deadline{}
-                   : deadline{last_ + silence()};
+        return activity_ == activity::unknown or not waits_for_silence() ? deadline{} : deadline{last_ + silence()};
     }
 
-    /// The frame that ended, once; or why what ended is none. The view is valid until octets are taken
-    /// again. Errors: `frame_too_short`, `frame_too_long`, `crc_mismatch`, `uart_error`; of a response also
-    /// `wrong_length`, where silence ended it at another size than its own octets say.
+    /// The frame that ended, once; or why the bytes that ended are no frame. The view is valid until bytes
+    /// are taken again. Errors: `frame_too_short`, `frame_too_long`, `crc_mismatch`, `uart_error`; of a
+    /// response also `wrong_length`, where silence ended it at another size than its own bytes tell.
     [[nodiscard]] constexpr std::optional<result<adu>> poll_frame() noexcept
     {
         if (not poll_end()) {
@@ -176,13 +174,14 @@ public:
         if (wrong != errc::none) {
             return wrong;
         }
-        if (Way == direction::response and not has_told_size()) {
+        if (Way == direction::response and not matches_size_hint()) {
             return errc::wrong_length;
         }
         return frame();
     }
 
-    /// The same in three parts, for who asks at each octet: whether something ended, once.
+    /// The same in three parts, for a caller that polls at each byte: whether a frame ended, whole or
+    /// damaged, once.
     [[nodiscard, gnu::always_inline]] constexpr bool poll_end() noexcept
     {
         bool const is_end = state_ == state::done;
@@ -192,11 +191,11 @@ public:
         return is_end;
     }
 
-    /// Why what ended last is no frame; none where it is one.
+    /// Why the last frame is refused; none where it is good.
     [[nodiscard]] constexpr errc verdict() const noexcept
     {
-        if (trouble_ != errc::none) {
-            return trouble_;
+        if (error_ != errc::none) {
+            return error_;
         }
         if (size() < min_adu_size) {
             return errc::frame_too_short;
@@ -204,21 +203,15 @@ public:
         return crc_.value() == 0 ? errc::none : errc::crc_mismatch;
     }
 
-    /// Whether what ended last has the size that its own octets tell, where they tell one. Silence may have ended
-    /// it elsewhere, and by chance its CRC is right there, too.
-    [[nodiscard]] constexpr bool has_told_size() const noexcept
-    {
-        return look_at_ == 0 or look_at_ == end_;
-    }
+    /// Whether the last frame has the size that its own bytes tell, where they tell one. Silence may have ended
+    /// it at another size, where by chance its CRC is right, too.
+    [[nodiscard]] constexpr bool matches_size_hint() const noexcept { return rule_at_ == 0 or rule_at_ == end_; }
 
-    /// The frame that ended last, where the verdict is none.
-    [[nodiscard]] constexpr adu frame() const noexcept
-    {
-        return adu{{storage().data() + place_.begin(), size()}};
-    }
+    /// The last frame, where the verdict is none.
+    [[nodiscard]] constexpr adu frame() const noexcept { return adu{{storage().data() + place_.begin(), size()}}; }
 
-    /// Drops what is being received and takes the next octet for the first of a frame: for a line whose
-    /// silence the caller vouches for, because its own transmission just ended.
+    /// Drops what is being received and takes the next byte as the first of a frame: for a line that the
+    /// caller knows to be silent, because its own transmission just ended.
     constexpr void restart(instant now) noexcept
     {
         note_activity(now);
@@ -228,28 +221,28 @@ public:
     /// Ignores everything until the line has been silent.
     constexpr void resynchronise() noexcept { state_ = state::synchronising; }
 
-    /// Takes note of a request that passed: the response of this unit and function may follow. Frames
-    /// with these first two bytes (the function with or without 80) then end at the size of the request's
-    /// rule or of the response's, the first of the two where the CRC is right. Where the other is one byte
-    /// more, a byte 00 that follows at once belongs to the frame, but is not kept: of such frames only the
-    /// first two bytes are of use. A function of 80 or above ends that.
-    constexpr void overhear(std::uint8_t unit, std::uint8_t function) noexcept
+    /// Records a request to another unit: the response of this unit and function may follow. Frames with
+    /// these first two bytes (the function with or without 80) then end at the size by the request's rule or
+    /// by the response's, the first of the two where the CRC is right. Where the other size is one byte more,
+    /// a byte 00 that follows at once belongs to the frame, but is not kept: of such frames only the first
+    /// two bytes are of use. A function of 80 or above ends this.
+    constexpr void note_foreign_request(std::uint8_t unit, std::uint8_t function) noexcept
         requires(Way == direction::request)
     {
         others_.expect(unit, function);
     }
 
-    /// Whether the frame that ended last ended at the size of the response that `overhear` spoke of.
-    [[nodiscard]] constexpr bool is_overheard() const noexcept requires(Way == direction::request)
+    /// Whether the last frame ended at the size of the response that `note_foreign_request` announced.
+    [[nodiscard]] constexpr bool is_foreign_response() const noexcept requires(Way == direction::request)
     {
         return others_.is_response();
     }
 
-    /// When the last byte arrived, or `note_activity` was called since.
+    /// When the last byte arrived, or the time of a later `note_activity`.
     [[nodiscard]] constexpr instant last_activity() const noexcept { return last_; }
 
-    /// Records that the line was not silent at `now`, and leaves the frame alone. While it is busy, a time before
-    /// the latest one that was recorded changes nothing.
+    /// Records that the line was not silent at `now`, and leaves the frame alone. While the line is busy, a time
+    /// before the latest recorded one changes nothing.
     constexpr void note_activity(instant now) noexcept
     {
         if (activity_ != activity::busy or reached(now, last_)) {
@@ -258,29 +251,25 @@ public:
         activity_ = activity::busy;
     }
 
-    /// Whether t3.5 of silence has passed, so that somebody may send.
+    /// Whether t3.5 of silence has passed, so that sending is allowed.
     [[nodiscard]] constexpr bool is_quiet() const noexcept { return activity_ == activity::quiet; }
 
-    /// Whether the next octet would be the first of a frame.
+    /// Whether the next byte would be the first of a frame.
     [[nodiscard]] constexpr bool is_at_start() const noexcept { return not waits_for_silence(); }
 
-    /// Whether what ended last had a frame's size, and began as an answer to this question begins: with its
-    /// unit and its function.
-    [[nodiscard]] constexpr bool claims(byte_view question) const noexcept
+    /// Whether the last frame had at least the smallest size, and began as a response to this request does:
+    /// with its unit and its function.
+    [[nodiscard]] constexpr bool looks_addressed_to(byte_view request) const noexcept
     {
         std::byte const* const start = storage().data() + place_.begin();
-        return size() >= min_adu_size and start[0] == question[0] and
-               (start[1] & std::byte{0x7F}) == question[1];
+        return size() >= min_adu_size and start[0] == request[0] and (start[1] & std::byte{0x7F}) == request[1];
     }
 
-    /// The memory of the frame, for an answer written in its place.
-    [[nodiscard]] constexpr byte_span storage() noexcept { return static_cast<Holder&>(*this).octets_; }
-    [[nodiscard]] constexpr byte_view storage() const noexcept
-    {
-        return static_cast<Holder const&>(*this).octets_;
-    }
+    /// The memory of the frame, for a response written in its place.
+    [[nodiscard]] constexpr byte_span storage() noexcept { return static_cast<Holder&>(*this).bytes_; }
+    [[nodiscard]] constexpr byte_view storage() const noexcept { return static_cast<Holder const&>(*this).bytes_; }
 
-    /// Keeps the first `size` octets of the memory, at most 256, free of what is received from here on.
+    /// Keeps the first `size` bytes of the memory, at most 256, free: later frames are received behind them.
     constexpr void receive_behind(std::size_t size) noexcept requires(Front > 0)
     {
         place_.leave_room_for(size);
@@ -288,10 +277,7 @@ public:
     }
 
     /// The largest frame that there is room for.
-    [[nodiscard]] constexpr std::size_t room() const noexcept
-    {
-        return place_.memory - place_.begin();
-    }
+    [[nodiscard]] constexpr std::size_t room() const noexcept { return place_.memory - place_.begin(); }
 
     [[nodiscard]] constexpr line_timing const& line() const noexcept
     {
@@ -299,19 +285,16 @@ public:
     }
 
 private:
-    /// A constant, so that no constructor reckons it.
-    static constexpr running_crc16<> no_octets{0};
+    /// A constant, so that no constructor computes it.
+    static constexpr running_crc16<> no_bytes{0};
 
     enum class state : std::uint8_t { synchronising, receiving, open_end, idle, done };
 
-    /// What the line did last; nothing is known of it before the clock was seen.
+    /// What the line did last; unknown before the first time is given.
     enum class activity : std::uint8_t { unknown, busy, quiet };
 
-    /// Never among responses.
-    constexpr bool is_open_end() const noexcept
-    {
-        return Way == direction::request and state_ == state::open_end;
-    }
+    /// Always false in a receiver of responses.
+    constexpr bool is_open_end() const noexcept { return Way == direction::request and state_ == state::open_end; }
 
     constexpr bool waits_for_silence() const noexcept { return state_ < state::idle; }
 
@@ -320,26 +303,22 @@ private:
         state_ = state::receiving;
         others_.begin_frame();
         end_ = place_.begin();
-        look_at_ = static_cast<std::uint16_t>(place_.begin() + 2);
+        rule_at_ = static_cast<std::uint16_t>(place_.begin() + 2);
         crc_ = running_crc16<>{};
-        trouble_ = errc::none;
+        error_ = errc::none;
     }
 
     /// The silence that ends what is being received.
-    constexpr duration silence() const noexcept
-    {
-        return is_open_end() ? line().t3_5() : line().frame_end();
-    }
+    constexpr duration silence() const noexcept { return is_open_end() ? line().t3_5() : line().frame_end(); }
 
-    /// Applies the length rule at the octet it asked for. Whether the frame ends here. Part of `take`, and
-    /// smaller there than apart.
-    [[gnu::always_inline]] constexpr bool look() noexcept
+    /// Applies the length rule at the byte where it is due. Returns whether the frame ends here. Inlined in
+    /// `push`, where it is smaller than a separate function.
+    [[gnu::always_inline]] constexpr bool apply_length_rule() noexcept
     {
-        told_end const told = others_.apply({storage().data() + place_.begin(), size()});
-        // Zero, which no octet's place is here, where nothing but silence tells the end. Past an end whose CRC
-        // is wrong only silence tells where the next frame starts.
-        look_at_ = told.next == 0 ? std::uint16_t{0}
-                                  : static_cast<std::uint16_t>(place_.begin() + told.next);
+        end_hint const told = others_.apply({storage().data() + place_.begin(), size()});
+        // Zero, which is no byte's position here, where only silence tells the end. Past an end whose CRC is
+        // wrong only silence tells where the next frame starts.
+        rule_at_ = told.next == 0 ? std::uint16_t{0} : static_cast<std::uint16_t>(place_.begin() + told.next);
         if (not told.is_here or verdict() != errc::none) {
             return false;
         }
@@ -350,30 +329,28 @@ private:
 
     constexpr std::size_t size() const noexcept { return std::size_t{end_} - place_.begin(); }
 
-    constexpr void fall_silent() noexcept
+    constexpr void on_silence() noexcept
     {
         if (waits_for_silence()) {
-            // Synchronising -> idle, receiving -> done: three further, unless the end was open.
+            // Synchronising -> idle and receiving -> done are three values on; an open end is not.
             bool const is_ahead = Way == direction::request and state_ != state::synchronising;
-            state_ =
-                is_ahead ? state::done : static_cast<state>(static_cast<std::uint8_t>(state_) + 3U);
+            state_ = is_ahead ? state::done : static_cast<state>(static_cast<std::uint8_t>(state_) + 3U);
         }
     }
 
     state state_{state::synchronising};
     activity activity_{activity::unknown};
-    [[no_unique_address]] running_crc16<> crc_{no_octets};
-    errc trouble_{errc::none};
-    [[no_unique_address]] exchange_of_others<Way> others_{};
-    std::uint16_t end_{0}; ///< behind the last octet
-    std::uint16_t look_at_{
-        0}; ///< where the length rule is to be applied; 0 where it has nothing to say
+    [[no_unique_address]] running_crc16<> crc_{no_bytes};
+    errc error_{errc::none};
+    [[no_unique_address]] foreign_exchange<Way> others_{};
+    std::uint16_t end_{0};     ///< behind the last byte
+    std::uint16_t rule_at_{0}; ///< where the length rule is to be applied; 0 where it has nothing to say
     [[no_unique_address]] frame_place<Front> place_{};
     instant last_{0};
 };
 
 /// A frame cutter with its memory.
-template <direction Way, typename Line = held<line_timing>, std::size_t Front = 0>
+template <direction Way, typename Line = stored<line_timing>, std::size_t Front = 0>
 class framer : public frame_cutter<framer<Way, Line, Front>, Way, Front> {
     using cutter = frame_cutter<framer, Way, Front>;
     friend cutter;
@@ -381,12 +358,12 @@ class framer : public frame_cutter<framer<Way, Line, Front>, Way, Front> {
 public:
     explicit constexpr framer(line_timing const& line) noexcept : line_{line} {}
 
-    /// With the times of a line that is fixed: all zero, so that a `constinit` one needs no flash.
-    constexpr framer() noexcept requires is_fixed<Line> : octets_{} {}
+    /// For compile-time timing. Zero-initialised, so a `constinit` framer lives in .bss.
+    constexpr framer() noexcept requires is_constant<Line> : bytes_{} {}
 
 private:
     [[no_unique_address]] Line line_{};
-    std::array<std::byte, frame_place<Front>::memory> octets_; ///< written up to the frame's end
+    std::array<std::byte, frame_place<Front>::memory> bytes_; ///< written up to the frame's end
 };
 
 } // namespace rtuwire

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// What the interrupts of a UART see, handed to the loop: bytes, receive errors and "sent", each with its
-// time, in the order in which they happened. One side writes, the other reads; there are no locks and
-// nothing is masked. Knows no frame, no clock and no UART.
+// Passes what the interrupts of a UART report to the loop: bytes, receive errors and "sent", each with its
+// time, in the order in which they happened. One side writes, the other reads; there are no locks and no
+// interrupt is masked. Knows no frame, no clock and no UART.
 //
-// Atomic loads and stores, nothing more: a Cortex-M0+ has no other atomic instruction. They are the
-// compiler's built-in functions, because <atomic> takes longer to compile than all else this header needs
-// and its objects cannot be used in a constant expression.
+// Uses atomic loads and stores only: a Cortex-M0+ has no other atomic instruction. They are the compiler's
+// built-in functions, because <atomic> takes longer to compile than all else this header needs and its
+// objects cannot be used in a constant expression.
 #pragma once
 
 #include <array>
@@ -22,27 +22,27 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Hands over what happened on a line, from interrupts to a loop. The interrupts call `receive`,
-/// `receive_error`, `receive_overrun` and `sent`; they all have one priority, so that none of them
-/// interrupts another. The loop calls `deliver_to`. Both take their times from the same clock.
+/// Passes the events of a line from interrupts to a loop. The interrupts call `receive`, `receive_error`,
+/// `receive_overrun` and `sent`; they all have one priority, so that none of them interrupts another. The
+/// loop calls `deliver_to`. Both take their times from the same clock.
 ///
-/// When the queue is full, what does not fit is dropped. The loop then gets a receive error in its place,
-/// so that the frame under way is refused, and the error is counted. "Sent" always has a place, as long as
-/// the loop calls `deliver_to` once between two transmissions.
+/// When the queue is full, what does not fit is dropped. The loop then gets a receive error in its place, so
+/// that the frame under way is refused, and the error is counted. "Sent" always has room, as long as the loop
+/// calls `deliver_to` once between two transmissions.
 ///
-/// The capacity is a power of two, and two places less are for bytes. It must hold what arrives in the
+/// The capacity is a power of two; two places of it are not for bytes. It must hold what arrives in the
 /// longest pass of the loop: 64 are enough for 35 ms at 19 200 bit/s and for 5.9 ms at 115 200 bit/s
 /// (characters of 11 bits). A place takes 6 bytes of RAM. On an 8-bit processor 128 is the most.
 template <std::size_t Capacity = 64> class interrupt_queue {
     static_assert(std::has_single_bit(Capacity) and Capacity >= 8 and Capacity <= 32'768,
                   "the capacity of an interrupt_queue is a power of two from 8 to 32 768");
 
-    /// Runs on past the capacity and wraps, so that full and empty differ. One byte where that is enough, which
-    /// every processor loads and stores at once.
+    /// Counts past the capacity and wraps, so that full and empty differ. One byte where that is enough, which
+    /// every processor loads and stores in one access.
     using index = std::conditional_t<(Capacity <= 128), std::uint8_t, std::uint16_t>;
 
 public:
-    /// All zero: a `constinit` queue takes no flash.
+    /// Zero-initialised: a `constinit` queue takes no flash.
     constexpr interrupt_queue() noexcept = default;
 
     interrupt_queue(interrupt_queue const&) = delete;
@@ -55,7 +55,7 @@ public:
         publish();
     }
 
-    /// In the interrupt: all bytes of the UART's buffer had arrived by `at`. The loop gets them at once.
+    /// In the interrupt: all bytes of the UART's buffer had arrived by `at`. The loop sees them together.
     constexpr void receive(byte_view bytes, instant at) noexcept
     {
         for (std::byte const each : bytes) {
@@ -71,23 +71,23 @@ public:
         publish();
     }
 
-    /// In the interrupt: the UART lost a byte. Call it before `receive` of the byte that comes next.
+    /// In the interrupt: the UART lost a byte. Call it before `receive` of the next byte.
     constexpr void receive_overrun(instant at) noexcept
     {
         put(kind::overrun, {}, at);
         publish();
     }
 
-    /// In the interrupt: the last stop bit of a transmission left at `at`. Where one interrupt tells of both,
-    /// hand over the bytes that were received first.
+    /// In the interrupt: the last stop bit of a transmission left at `at`. Where the same interrupt also
+    /// reports received bytes, pass those first.
     constexpr void sent(instant at) noexcept
     {
         put(kind::sent, {}, at);
         publish();
     }
 
-    /// In the loop: gives a client, a bus or a server what happened up to `now`, which the loop read before.
-    /// What happens from now on waits for the next call, so that time never steps back.
+    /// In the loop: passes the events up to `now`, a time that the loop read before, to a client, a bus or a
+    /// server. Later events wait for the next call, so that time never goes back.
     template <typename Engine> constexpr void deliver_to(Engine& engine, instant now) noexcept
     {
         index const end = load(in_);
@@ -97,8 +97,8 @@ public:
             }
             deliver_next(engine, end);
         }
-        // Bytes were dropped and nothing has come after them. Their times are not known here: the line was
-        // busy until now, as far as anybody can tell.
+        // Bytes were dropped and no event has come after them. Their times are not known here: the line is
+        // taken to have been busy until now.
         if (load(has_dropped_) != 0 and not has_told_ and load(in_) == end) {
             has_told_ = true;
             told_at_ = now;
@@ -106,22 +106,22 @@ public:
         }
     }
 
-    /// In the loop: whether there is nothing to deliver. A loop that sleeps masks interrupts, looks here,
-    /// sleeps only when it is true, and unmasks: then no interrupt comes between the look and the sleep.
+    /// In the loop: whether there is nothing to deliver. A loop that sleeps masks interrupts, checks this,
+    /// sleeps only when it is true, and unmasks: then no interrupt comes between the check and the sleep.
     [[nodiscard]] constexpr bool is_empty() const noexcept
     {
         bool const has_drop_to_tell = load(has_dropped_) != 0 and not has_told_;
         return load(in_) == out_ and not has_drop_to_tell;
     }
 
-    /// In the loop: how often bytes were dropped because the queue was full; the receive errors that
-    /// `deliver_to` gave for it.
+    /// In the loop: how often bytes were dropped because the queue was full; the number of receive errors
+    /// that `deliver_to` gave for it.
     [[nodiscard]] constexpr std::uint32_t overflows() const noexcept { return overflows_; }
 
 private:
     enum class kind : std::uint8_t { byte, error, overrun, sent, drop };
 
-    /// Two events are always kept free for "sent": the second is for a drop that has to stand before it.
+    /// Two places are always kept free for "sent": the second is for a drop that must come before it.
     static constexpr std::size_t kept_for_sent = 2;
 
     // An acquiring load sees all that was written before the releasing store it reads.
@@ -140,15 +140,9 @@ private:
 
     static constexpr std::size_t place_of(index position) noexcept { return position % Capacity; }
 
-    constexpr instant time_of(index position) const noexcept
-    {
-        return instant{times_[place_of(position)]};
-    }
+    constexpr instant time_of(index position) const noexcept { return instant{times_[place_of(position)]}; }
 
-    static constexpr index next(index position) noexcept
-    {
-        return static_cast<index>(position + 1U);
-    }
+    static constexpr index next(index position) noexcept { return static_cast<index>(position + 1U); }
 
     constexpr void put(kind what, std::byte value, instant at) noexcept
     {
@@ -180,11 +174,10 @@ private:
         written_ = next(written_);
     }
 
-    /// A drop that was told before anything came after it. Its time may be so long ago that it looks like one ahead.
+    /// A drop that was reported before any event came after it. Its time may be so old that it looks like one ahead.
     constexpr bool is_told_drop(index position) const noexcept
     {
-        return kinds_[place_of(position)] == kind::drop and has_told_ and
-               reached(told_at_, time_of(position));
+        return kinds_[place_of(position)] == kind::drop and has_told_ and reached(told_at_, time_of(position));
     }
 
     template <typename Engine> constexpr void deliver_next(Engine& engine, index end) noexcept
@@ -203,7 +196,7 @@ private:
         case kind::overrun: tell_overrun(engine, at); break;
         case kind::sent: engine.sent(at); break;
         case kind::drop:
-            if (not was_told) { // else not again
+            if (not was_told) { // else reported already
                 tell_drop(engine, at);
             }
             has_told_ = false;
@@ -211,11 +204,10 @@ private:
         }
     }
 
-    /// Gives together what one interrupt received together, and nothing else: an engine takes the bytes of
-    /// one call as having arrived back to back. They are copied, so that they are in one piece and their
-    /// places are free while the engine works.
-    template <typename Engine>
-    constexpr void deliver_bytes(Engine& engine, index end, instant at) noexcept
+    /// Passes together the bytes that one interrupt received together, and no others: an engine takes the
+    /// bytes of one call as having arrived back to back. They are copied, so that they are contiguous and
+    /// their places are free while the engine works.
+    template <typename Engine> constexpr void deliver_bytes(Engine& engine, index end, instant at) noexcept
     {
         std::array<std::byte, Capacity> bytes;
         std::size_t count = 0;
@@ -234,9 +226,8 @@ private:
         tell_overrun(engine, at);
     }
 
-    /// A server that counts overruns has a call of its own for it.
-    template <typename Engine>
-    static constexpr void tell_overrun(Engine& engine, instant at) noexcept
+    /// A server that counts overruns has a separate function for it.
+    template <typename Engine> static constexpr void tell_overrun(Engine& engine, instant at) noexcept
     {
         if constexpr (requires { engine.receive_overrun(at); }) {
             engine.receive_overrun(at);
@@ -248,11 +239,11 @@ private:
     // Written by the interrupt.
     index written_{0}; ///< the loop does not read it
     index in_{0};
-    std::uint8_t has_dropped_{0}; ///< and no event tells of it yet
+    std::uint8_t has_dropped_{0}; ///< and no event reports it yet
     instant dropped_at_{0};       ///< the last one; the loop does not read it
     // Written by the loop.
     index out_{0};
-    bool has_told_{false}; ///< of a drop whose event has not come yet
+    bool has_told_{false}; ///< a drop was reported before its event came
     instant told_at_{0};
     std::uint32_t overflows_{0};
     // Written by the interrupt from `written_` on, read by the loop from `out_` to `in_`.
@@ -261,4 +252,4 @@ private:
     std::array<std::byte, Capacity> values_{};
 };
 
-} // namespace rtuwire::inline RTUWIRE_BUILD
+} // namespace rtuwire

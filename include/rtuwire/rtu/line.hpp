@@ -13,8 +13,8 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Data bits, parity and stop bits. The specification wants 11 bits, `even_8_1` by default; the ATV28
-/// speaks `none_8_1`, of 10 bits.
+/// Data bits, parity and stop bits. The specification requires 11 bits, `even_8_1` by default; the ATV28 uses
+/// `none_8_1`, of 10 bits.
 enum class character_format : std::uint8_t { even_8_1, odd_8_1, none_8_1, none_8_2 };
 
 /// Bits of one character, start bit included: 10 or 11.
@@ -26,22 +26,19 @@ enum class character_format : std::uint8_t { even_8_1, odd_8_1, none_8_1, none_8
 /// The times of one line. All are rounded up to whole microseconds.
 class line_timing {
 public:
-    /// Times for a receiver that sees each character as it ends, or a hardware buffer of a few: a
-    /// frame without a length rule ends after t3.5. `bits_per_second` is above 0.
+    /// Times for a receiver that gets each character as it ends, or has a hardware buffer of a few: a frame
+    /// without a length rule ends after t3.5. `bits_per_second` is above 0.
     constexpr line_timing(std::uint32_t bits_per_second, character_format format) noexcept
         : character_{bit_times(2, bits_per_second, format)}, t3_5_{bits_per_second > 19'200
                                                                        ? microseconds(1750)
-                                                                       : bit_times(7,
-                                                                                   bits_per_second,
-                                                                                   format)},
+                                                                       : bit_times(7, bits_per_second, format)},
           frame_end_{t3_5_}
     {}
 
-    /// Times for a host, where an operating system or a USB adapter delivers characters late and in
-    /// lumps: silence counts only after `frame_end`, 50 ms unless told (adapters leave gaps of 16 to
-    /// 70 ms inside a frame when their latency timer is not lowered).
-    [[nodiscard]] static constexpr line_timing host(std::uint32_t bits_per_second,
-                                                    character_format format,
+    /// Times for a host, where an operating system or a USB adapter delivers characters late and in chunks:
+    /// silence counts only after `frame_end`, 50 ms by default (adapters leave gaps of 16 to 70 ms inside a
+    /// frame when their latency timer is not lowered).
+    [[nodiscard]] static constexpr line_timing host(std::uint32_t bits_per_second, character_format format,
                                                     duration frame_end = milliseconds(50)) noexcept
     {
         line_timing line{bits_per_second, format};
@@ -51,39 +48,33 @@ public:
         return line;
     }
 
-    /// The time that `count` characters take: of a frame at most, 47 s at 60 bit/s.
+    /// The time that `count` characters take, at most a frame's: 47 s at 60 bit/s.
     [[nodiscard]] constexpr duration characters(std::size_t count) const noexcept
     {
         return duration{character_.microseconds * static_cast<std::uint32_t>(count)};
     }
 
-    /// A duration and the time that a frame's characters take. Not by `+`, which costs 20 bytes more on a
-    /// Cortex-M0+: `longest_duration` leaves room for a frame, so the sum fits.
-    [[nodiscard]] constexpr duration with_characters(duration length,
-                                                     std::size_t count) const noexcept
+    /// The sum of a duration and the time that a frame's characters take. Not by `+`, which costs 20 bytes
+    /// more on a Cortex-M0+: `longest_duration` leaves room for a frame, so the sum fits.
+    [[nodiscard]] constexpr duration with_characters(duration length, std::size_t count) const noexcept
     {
         return duration{length.microseconds + characters(count).microseconds};
     }
 
     /// The longest gap inside a frame: 1.5 characters, 750 us above 19 200 bit/s.
-    [[nodiscard]] constexpr duration t1_5() const noexcept
-    {
-        return duration{(t3_5_.microseconds * 3U + 6U) / 7U};
-    }
+    [[nodiscard]] constexpr duration t1_5() const noexcept { return duration{(t3_5_.microseconds * 3U + 6U) / 7U}; }
 
     /// The shortest silence between frames: 3.5 characters, 1 750 us above 19 200 bit/s.
     [[nodiscard]] constexpr duration t3_5() const noexcept { return t3_5_; }
 
-    /// The silence after which a receiver takes what it has for all there is; never below t3.5.
+    /// The silence after which a receiver treats what it has as complete; never below t3.5.
     [[nodiscard]] constexpr duration frame_end() const noexcept { return frame_end_; }
 
 private:
-    static constexpr duration bit_times(std::uint32_t half_characters,
-                                        std::uint32_t bits_per_second,
+    static constexpr duration bit_times(std::uint32_t half_characters, std::uint32_t bits_per_second,
                                         character_format format) noexcept
     {
-        std::uint32_t const bits_by_million =
-            half_characters * bits_per_character(format) * 500'000U;
+        std::uint32_t const bits_by_million = half_characters * bits_per_character(format) * 500'000U;
         return duration{(bits_by_million + bits_per_second - 1) / bits_per_second};
     }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// From a host's port to a client, a bus or a server: bytes, and the receiver's errors in their place.
+// From a host's port to a client, a bus or a server: bytes, and the receive errors between them.
 #pragma once
 
 #include <concepts>
@@ -13,8 +13,8 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// A port that knows which bytes arrived damaged: `read` then ends before one, leaves it out, and
-/// `take_receive_error` says so, once. Other ports just read.
+/// A port that knows which bytes arrived damaged: `read` then stops before one, leaves it out, and
+/// `take_receive_error` reports it, once. Other ports only read.
 template <typename T>
 concept reports_receive_errors = requires(T& port)
 {
@@ -23,7 +23,7 @@ concept reports_receive_errors = requires(T& port)
         } -> std::same_as<bool>;
 };
 
-/// Hands to an engine what has arrived at a port, or arrives until `until`. `place` is working memory.
+/// Passes to an engine what has arrived at a port, or arrives until `until`. `place` is working memory.
 /// Errors: those of the port.
 template <typename Engine, typename Port>
 result<void> receive_from(Port& port, Engine& engine, byte_span place, instant until)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// What a server serves: the concept of a register bank, and the plainest one.
+// What a server serves: the concept of a register bank, and the simplest one.
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Registers that can be checked before they are touched. `check_read` and `check_write` change
-/// nothing and return none, `illegal_data_address` or `illegal_data_value`; `read` appends `count`
-/// words and `write` stores all values, after the check of the same range returned none. Their error
-/// is `server_device_failure` or any other exception. A request may name a range that runs past address
-/// 65535: the checks refuse it with `illegal_data_address`, and do not go on at 0.
+/// Registers that can be checked before they are accessed. `check_read` and `check_write` change nothing and return
+/// none, `illegal_data_address` or `illegal_data_value`; `read` appends `count` words and `write` stores all values,
+/// after the check of the same range returned none. Their error is `server_device_failure` or any other exception. A
+/// request may name a range that runs past address 65535: the checks refuse it with `illegal_data_address` and do not
+/// wrap to 0.
 template <typename T>
 concept register_bank = requires(T& bank, T const& constant, std::uint16_t start, std::size_t count,
                                  register_view values, byte_writer& out)
@@ -52,10 +52,7 @@ public:
     explicit constexpr word_bank(std::uint16_t first) noexcept : first_{first} {}
 
     /// Whether a register exists.
-    [[nodiscard]] constexpr bool contains(std::uint16_t address) const noexcept
-    {
-        return holds(address, 1);
-    }
+    [[nodiscard]] constexpr bool contains(std::uint16_t address) const noexcept { return holds(address, 1); }
 
     /// The word at an address that the bank contains; 0 elsewhere.
     [[nodiscard]] constexpr std::uint16_t get(std::uint16_t address) const noexcept
@@ -73,20 +70,20 @@ public:
         return {};
     }
 
-    /// Whether all of these registers exist; any number may be asked for.
+    /// Whether all of these registers exist; `count` may be any number.
     [[nodiscard]] constexpr errc check_read(std::uint16_t start, std::size_t count) const noexcept
     {
         return holds(start, count) ? errc::none : errc::illegal_data_address;
     }
 
     /// The same for registers to be written; every value is allowed.
-    [[nodiscard]] constexpr errc check_write(std::uint16_t start,
-                                             register_view values) const noexcept
+    [[nodiscard]] constexpr errc check_write(std::uint16_t start, register_view values) const noexcept
     {
         return check_read(start, values.size());
     }
 
-    /// Appends words that `check_read` allows; `server_device_failure`, and none, where `out` has no room.
+    /// Appends words that `check_read` allows; where `out` has no room, appends none and returns
+    /// `server_device_failure`.
     constexpr errc read(std::uint16_t start, std::size_t count, byte_writer& out) noexcept
     {
         std::byte* at = out.take(2 * count);
@@ -111,15 +108,11 @@ public:
     }
 
 private:
-    constexpr std::uint32_t offset(std::uint16_t address) const noexcept
-    {
-        return std::uint32_t{address} - first_;
-    }
+    constexpr std::uint32_t offset(std::uint16_t address) const noexcept { return std::uint32_t{address} - first_; }
 
     constexpr bool holds(std::uint16_t start, std::size_t count) const noexcept
     {
-        return start >= first_ and is_address_range(start, count) and
-               count + offset(start) <= Count;
+        return start >= first_ and is_address_range(start, count) and count + offset(start) <= Count;
     }
 
     std::uint16_t first_{0};

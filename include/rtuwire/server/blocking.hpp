@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// One pass of a server over a host's port, to be called in a loop. Knows of the operating system only
-// what the port shows.
+// One pass of a server over a port of the host, to be called in a loop. Uses the operating system only through the
+// port.
 #pragma once
 
 #include <array>
@@ -14,16 +14,16 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Reads what has arrived, or arrives before `patience` is over; answers what is asked. The port must not
-/// give back what is sent: the answer to function 06 looks like its question. Errors: those of the port.
+/// Reads the bytes that have arrived or arrive within `time_limit`, and responds to a request. The port
+/// must not echo what is sent: the response to function 06 looks like its request. Errors: those of the port.
 template <typename Diagnostics, typename Port, register_bank Bank>
-result<void> serve_once(basic_server<Diagnostics>& node, Port& port, Bank& bank, duration patience)
+result<void> serve_once(basic_server<Diagnostics>& node, Port& port, Bank& bank, duration time_limit)
 {
     constexpr duration write_limit = milliseconds(1000);
     std::array<std::byte, max_adu_size> input;
     instant const start = port.now();
     node.advance(start);
-    instant const until = *earlier(node.poll_deadline(), start + patience);
+    instant const until = *earlier(node.poll_deadline(), start + time_limit);
     auto const received = receive_from(port, node, input, until);
     if (not received) {
         return received;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// A server's answer to function 43 type 14 (AP 6.21): its objects, cut into pages that fit a PDU. They
-// are kept as they leave: number, length and characters of each, one behind the other.
+// A server's response to function 43 type 14 (AP 6.21): its objects, split into pages that fit a PDU. They are stored
+// as they are sent: number, length and characters of each, one after the other.
 #pragma once
 
 #include <array>
@@ -10,9 +10,9 @@
 #include <cstdint>
 
 #include <rtuwire/core/bytes.hpp>
-#include <rtuwire/core/text.hpp>
+#include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/server/pdu_place.hpp>
+#include <rtuwire/server/pdu_buffer.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/pdu/device_identification.hpp>
 
@@ -21,7 +21,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// One object of a device's identification; its text has at most 244 characters.
 struct device_object {
     std::uint8_t id;
-    text value;
+    literal value;
 };
 
 /// The largest object number of an access category: 02, 7F or FF.
@@ -33,7 +33,7 @@ struct device_object {
     return access == identification_access::regular ? 0x7F : 0xFF;
 }
 
-/// The category that an object with the largest number is of, with single access: 81, 82 or 83.
+/// The conformity level of a device whose largest object number is `last_object`, with single access: 81, 82 or 83.
 [[nodiscard]] constexpr std::uint8_t conformity_of(std::uint8_t last_object) noexcept
 {
     if (last_object > last_object_of(identification_access::regular)) {
@@ -42,7 +42,7 @@ struct device_object {
     return last_object > last_object_of(identification_access::basic) ? 0x82 : 0x81;
 }
 
-/// A device's objects, in octets that somebody else owns; or none.
+/// A device's objects, in bytes that are stored elsewhere; or none.
 class device_objects {
 public:
     static constexpr std::size_t head_size = 2;       ///< number and length
@@ -50,16 +50,16 @@ public:
 
     constexpr device_objects() noexcept = default;
 
-    /// Objects as they stand in an answer, for what is known only at run time. `malformed` unless the
-    /// first is the vendor's name, their numbers rise and each text has at most 244 characters.
-    [[nodiscard]] static constexpr result<device_objects> from(byte_view octets) noexcept
+    /// Objects encoded as in a response, for objects known only at run time. `malformed` unless the first is the
+    /// vendor's name, their numbers increase and each text has at most 244 characters.
+    [[nodiscard]] static constexpr result<device_objects> from(byte_view bytes) noexcept
     {
-        if (objects_in(octets) == 0 or to_u8(octets[0]) != vendor_name) {
+        if (objects_in(bytes) == 0 or to_u8(bytes[0]) != vendor_name) {
             return errc::malformed;
         }
         device_objects made;
-        made.octets_ = octets;
-        for (byte_view rest = octets; not rest.empty();) {
+        made.bytes_ = bytes;
+        for (byte_view rest = bytes; not rest.empty();) {
             if (to_u8(rest[1]) > max_text_size) {
                 return errc::malformed;
             }
@@ -78,18 +78,18 @@ public:
         return made;
     }
 
-    [[nodiscard]] constexpr bool empty() const noexcept { return octets_.empty(); }
-    [[nodiscard]] constexpr byte_view octets() const noexcept { return octets_; }
+    [[nodiscard]] constexpr bool empty() const noexcept { return bytes_.empty(); }
+    [[nodiscard]] constexpr byte_view bytes() const noexcept { return bytes_; }
 
-    /// The category that holds all objects, with single access (81, 82 or 83), unless another was named.
+    /// The conformity level: the category of all objects, with single access (81, 82 or 83), unless another was set.
     [[nodiscard]] constexpr std::uint8_t conformity() const noexcept { return conformity_; }
 
 private:
-    byte_view octets_{};
+    byte_view bytes_{};
     std::uint8_t conformity_{0x81};
 };
 
-/// Writes an object as it stands in an answer; a text longer than 244 characters is not for any.
+/// Appends an object encoded as in a response; a text longer than 244 characters fits no response.
 constexpr void write_object(byte_writer& out, device_object const& object) noexcept
 {
     out.u8(object.id);
@@ -99,8 +99,8 @@ constexpr void write_object(byte_writer& out, device_object const& object) noexc
     }
 }
 
-/// The octets of objects known when compiling.
-template <auto const& Objects> [[nodiscard]] consteval auto octets_of() noexcept
+/// The bytes of objects known at compile time.
+template <auto const& Objects> [[nodiscard]] consteval auto bytes_of() noexcept
 {
     constexpr std::size_t size = [] {
         std::size_t sum = 0;
@@ -109,51 +109,50 @@ template <auto const& Objects> [[nodiscard]] consteval auto octets_of() noexcept
         }
         return sum;
     }();
-    std::array<std::byte, size> octets{};
-    byte_writer out{octets};
+    std::array<std::byte, size> bytes{};
+    byte_writer out{bytes};
     for (device_object const& each : Objects) {
         write_object(out, each);
     }
-    return octets;
+    return bytes;
 }
 
-/// The place of these octets.
-template <auto const& Objects> inline constexpr auto object_octets = octets_of<Objects>();
+/// The storage of these bytes.
+template <auto const& Objects> inline constexpr auto object_bytes = bytes_of<Objects>();
 
-/// The identity that objects known when compiling make: an array, or a std::array, of `device_object` at
-/// namespace or class scope (Clang 14 fails on one within a function). Objects that `device_objects::from` refuses do not compile.
+/// The identity made of objects known at compile time: an array, or a std::array, of `device_object` at namespace or
+/// class scope (Clang 14 fails on one within a function). Objects that `device_objects::from` refuses do not compile.
 template <auto const& Objects>
 inline constexpr device_objects identity_of = [] {
-    constexpr auto made = device_objects::from(object_octets<Objects>);
+    constexpr auto made = device_objects::from(object_bytes<Objects>);
     static_assert(made.has_value(), "the vendor's name first, numbers that rise, texts that fit");
     return *made;
 }();
 
-/// Answers the request of function 43 that lies in `pdu`, with as many objects as fit. Errors, as
-/// exceptions: `illegal_function` for another type than 14 or without objects, `illegal_data_value` for
-/// another size or access, `illegal_data_address` for a single object that does not exist; a stream that
-/// asks for an unknown object starts at the first.
-[[nodiscard]] constexpr errc write_identification(pdu_place& pdu,
-                                                  device_objects const& objects) noexcept
+/// Replaces the request of function 43 in `pdu` by its response, with as many objects as fit. Errors, as exceptions:
+/// `illegal_function` for a type other than 14 or without objects, `illegal_data_value` for another size or access,
+/// `illegal_data_address` for a single object that does not exist. A stream that asks for an unknown object starts at
+/// the first.
+[[nodiscard]] constexpr errc write_identification(pdu_buffer& pdu, device_objects const& objects) noexcept
 {
     constexpr std::size_t request_size = read_device_identification::max_size;
-    auto const octets = pdu.octets;
+    auto const bytes = pdu.bytes;
     if (objects.empty()) {
         return errc::illegal_function;
     }
-    if (pdu.size >= 2 and to_u8(octets[1]) != identification_mei_type) {
+    if (pdu.size >= 2 and to_u8(bytes[1]) != identification_mei_type) {
         return errc::illegal_function;
     }
-    if (pdu.size != request_size or not is_quantity(to_u8(octets[2]), 4)) {
+    if (pdu.size != request_size or not is_quantity(to_u8(bytes[2]), 4)) {
         return errc::illegal_data_value;
     }
-    auto const access = static_cast<identification_access>(to_u8(octets[2]));
+    auto const access = static_cast<identification_access>(to_u8(bytes[2]));
     bool const is_single = access == identification_access::single;
     std::uint8_t last = last_object_of(access);
-    std::byte const* const begin = objects.octets().data();
-    std::byte const* const end = begin + objects.octets().size();
+    std::byte const* const begin = objects.bytes().data();
+    std::byte const* const end = begin + objects.bytes().size();
     std::byte const* at = begin;
-    while (at != end and at[0] != octets[3]) {
+    while (at != end and at[0] != bytes[3]) {
         at += device_objects::head_size + to_u8(at[1]);
     }
     if (at == end or to_u8(at[0]) > last) {
@@ -166,23 +165,23 @@ inline constexpr device_objects identity_of = [] {
         last = to_u8(at[0]);
     }
     // Function, type and access are there already.
-    octets[3] = to_byte(objects.conformity());
-    octets[4] = octets[5] = std::byte{0};
+    bytes[3] = to_byte(objects.conformity());
+    bytes[4] = bytes[5] = std::byte{0};
     std::size_t size = device_identification::head_size;
     std::uint32_t count = 0;
     while (at != end and to_u8(at[0]) <= last) {
         std::byte const* const after = at + device_objects::head_size + to_u8(at[1]);
         if (size + static_cast<std::size_t>(after - at) > max_pdu_size) {
-            octets[4] = std::byte{0xFF};
-            octets[5] = at[0];
+            bytes[4] = std::byte{0xFF};
+            bytes[5] = at[0];
             break;
         }
         while (at != after) {
-            octets[size++] = *at++;
+            bytes[size++] = *at++;
         }
         ++count;
     }
-    octets[6] = to_byte(count);
+    bytes[6] = to_byte(count);
     pdu.size = size;
     return errc::none;
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// A request as a server sees it: decoded, and held against what this server can do. The order of the
-// checks is that of the specification's diagrams: the function, then its quantities (AP 7).
+// A request as a server sees it: decoded, and checked against what this server can do. The order of the checks is
+// that of the specification's diagrams: the function, then its quantities (AP 7).
 #pragma once
 
 #include <cstdint>
@@ -16,25 +16,25 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// What a server can do. The specification's limits and every function that rtuwire answers, unless
-/// a device's manual says less.
+/// What a server can do. The defaults are the specification's limits and every function that rtuwire supports; a
+/// device's manual may allow less.
 struct server_profile {
     function_set functions{all_functions};
     device_limits limits{};
     device_objects identity{}; ///< without objects, function 43 is not supported
 };
 
-/// The registers that a request reads and writes, of functions 03, 06, 16 and 23. A half that the
-/// function does not have has quantity 0.
+/// The registers that a request of function 03, 06, 16 or 23 reads and writes. A half that the function does not have
+/// has quantity 0.
 struct register_access {
-    register_view values{}; ///< a view of the request's octets
+    register_view values{}; ///< a view of the request's bytes
     std::size_t read_count{0};
     std::uint16_t write_start{0};
     std::uint16_t read_start; ///< set by `decode_access`
 
     static constexpr std::size_t read_half_size = 4;
 
-    /// Takes the half that is read: start and quantity.
+    /// Decodes the half that is read: start and quantity.
     constexpr bool take_read(byte_view half, std::size_t limit) noexcept
     {
         if (half.size() < read_half_size) {
@@ -45,7 +45,7 @@ struct register_access {
         return is_quantity(read_count, limit);
     }
 
-    /// Takes one value and where it belongs.
+    /// Decodes one value and its address.
     constexpr bool take_value(byte_view fields) noexcept
     {
         if (fields.size() != 4) {
@@ -56,27 +56,27 @@ struct register_access {
         return true;
     }
 
-    /// Takes the half that is written: start, quantity, byte count, values to the end.
+    /// Decodes the half that is written: start, quantity, byte count, values to the end.
     constexpr bool take_written(byte_view half, std::size_t limit) noexcept
     {
         constexpr std::size_t head = 5;
         if (half.size() < head) {
             return false;
         }
-        std::size_t const octets = half.size() - head;
+        std::size_t const bytes = half.size() - head;
         write_start = u16_at(half, 0);
         values = register_view{half.subspan(head)};
-        // An octet tells how many follow, so the first one of the quantity is 0.
-        return octets == to_u8(half[4]) and half[2] == std::byte{0} and octets == 2U * to_u8(half[3]) and
-               is_quantity(octets / 2, limit);
+        // The byte count is a single byte, so the first byte of the quantity is 0.
+        return bytes == to_u8(half[4]) and half[2] == std::byte{0} and bytes == 2U * to_u8(half[3]) and
+               is_quantity(bytes / 2, limit);
     }
 };
 
-/// Decodes a request of functions 03, 06, 16 and 23 into `access`. `illegal_function` for any other function
-/// and for one with a limit of 0; `illegal_data_value` when quantity, byte count and size do not agree or a
-/// limit of the device is exceeded; `access` is then undefined. Inlined by force, so that small processors keep it in registers.
-[[nodiscard, gnu::always_inline]] inline constexpr errc
-decode_access(byte_view pdu, device_limits const& limits, register_access& access) noexcept
+/// Decodes a request of functions 03, 06, 16 and 23 into `access`. `illegal_function` for any other function and for
+/// one with a limit of 0; `illegal_data_value` when quantity, byte count and size do not agree or a limit of the
+/// device is exceeded; `access` is then undefined. Force-inlined, so that small processors keep it in registers.
+[[nodiscard, gnu::always_inline]] inline constexpr errc decode_access(byte_view pdu, device_limits const& limits,
+                                                                      register_access& access) noexcept
 {
     auto const function = static_cast<function_code>(to_u8(pdu[0]));
     bool const is_read = function == function_code::read_holding_registers;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// A server as a pure function: a request and a bank in, an answer out. Checks in the specification's
-// order (AP 7): function, value, address, then the work itself; everything is checked before anything
-// is written. Knows no unit, no CRC and no time.
+// A server as a pure function: a request and a bank in, a response out. Checks in the specification's order (AP 7):
+// function, value, address, then the access itself; everything is checked before anything is written. Handles no unit
+// address, no CRC and no time.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,17 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/bank.hpp>
 #include <rtuwire/server/identification.hpp>
-#include <rtuwire/server/pdu_place.hpp>
+#include <rtuwire/server/pdu_buffer.hpp>
 #include <rtuwire/server/request.hpp>
 #include <rtuwire/server/serial_diagnostics.hpp>
 #include <rtuwire/wire/pdu/diagnostics.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Does what functions 03, 06, 16 and 23 ask: both halves are checked before the write is done, and
-/// the write is done before the read. What is read goes to `out`.
+/// Executes functions 03, 06, 16 and 23: both halves are checked before the write, and the write comes before the
+/// read. The words read are appended to `out`.
 template <register_bank Bank>
-[[nodiscard]] constexpr errc access_registers(register_access const& asked, Bank& bank,
-                                              byte_writer& out) noexcept
+[[nodiscard]] constexpr errc access_registers(register_access const& asked, Bank& bank, byte_writer& out) noexcept
 {
     bool const reads = asked.read_count > 0;
     bool const writes = not asked.values.empty();
@@ -44,8 +43,7 @@ template <register_bank Bank>
 
 /// Answers a request of functions 03, 06, 16 and 23.
 template <register_bank Bank>
-[[nodiscard]] constexpr errc answer_access(pdu_place& pdu, Bank& bank,
-                                           server_profile const& profile) noexcept
+[[nodiscard]] constexpr errc respond_to_access(pdu_buffer& pdu, Bank& bank, server_profile const& profile) noexcept
 {
     constexpr std::size_t echo_size = 5;
     constexpr std::size_t head_size = 2;
@@ -53,79 +51,74 @@ template <register_bank Bank>
     if (errc const wrong = decode_access(pdu.view(), profile.limits, asked); wrong != errc::none) {
         return wrong;
     }
-    byte_writer out{pdu.octets.subspan(head_size)};
+    byte_writer out{pdu.bytes.subspan(head_size)};
     if (errc const wrong = access_registers(asked, bank, out); wrong != errc::none) {
         return wrong;
     }
     if (out.size() != 2U * asked.read_count) {
         return errc::server_device_failure;
     }
-    pdu.size = echo_size; // what a write repeats is there already
+    pdu.size = echo_size; // the bytes that a write repeats are in place
     if (asked.read_count > 0) {
-        pdu.octets[1] = static_cast<std::byte>(out.size());
+        pdu.bytes[1] = static_cast<std::byte>(out.size());
         pdu.size = head_size + out.size();
     }
     return errc::none;
 }
 
-/// Answers any request; the error is the exception to answer with.
+/// Answers any request; an error is the exception to send.
 template <register_bank Bank, typename Diagnostics>
-[[nodiscard]] constexpr errc answer_request(pdu_place& pdu, Bank& bank,
-                                            server_profile const& profile,
-                                            Diagnostics& line) noexcept
+[[nodiscard]] constexpr errc respond_to(pdu_buffer& pdu, Bank& bank, server_profile const& profile,
+                                        Diagnostics& line) noexcept
 {
-    auto const function = static_cast<function_code>(to_u8(pdu.octets[0]));
+    auto const function = static_cast<function_code>(to_u8(pdu.bytes[0]));
     if (not profile.functions.contains(function)) {
         return errc::illegal_function;
     }
     if (function == function_code::diagnostics) {
-        return line.answer(pdu);
+        return line.response(pdu);
     }
     if (function == function_code::encapsulated_interface) {
         return write_identification(pdu, profile.identity);
     }
-    return answer_access(pdu, bank, profile);
+    return respond_to_access(pdu, bank, profile);
 }
 
-/// Answers a request PDU that was sent to one unit, in its place, with a response or an exception (function
-/// + 80, code). In this order:
+/// Replaces a request PDU sent to one unit by its response or an exception (function + 80, code). In this order:
 /// - no PDU, or a function of 80 or above: no response (size 0), and nothing is done;
 /// - 01: the function is not in `profile.functions`, or is none of 03, 06, 08, 16, 23 and 43, or its limit in
 ///   `profile.limits` is 0 (for 23: either of its two);
-/// - 08: what `Diagnostics` answers; 43: what `write_identification` answers;
-/// - 03: the PDU's size, its byte count (which is twice the quantity) and its quantity (1 to the limit) do
-///   not agree. Sizes: functions 03 and 06: 5; 16: 6 + byte count; 23: 10 + byte count;
-/// - what `check_read` of the bank returns for functions 03 and 23, then `check_write` for 06, 16 and 23: both
-///   are asked before anything is written;
-/// - what `write` returns, then `read`: function 23 writes before it reads. Where `read` did not append the
-///   words asked for, 04.
-/// An error of a bank that is no exception code below 7F is answered as 04. A normal response holds the words
-/// read (03, 23), or the first five bytes of the request (06, 16).
+/// - 08: what `Diagnostics` returns; 43: what `write_identification` returns;
+/// - 03: the PDU's size, its byte count (which is twice the quantity) and its quantity (1 to the limit) do not agree.
+///   Sizes: functions 03 and 06: 5; 16: 6 + byte count; 23: 10 + byte count;
+/// - what `check_read` of the bank returns for functions 03 and 23, then `check_write` for 06, 16 and 23: both are
+///   called before anything is written;
+/// - what `write` returns, then `read`: function 23 writes before it reads. Where `read` did not append the requested
+///   words, 04.
+/// An error of a bank that is no exception code below 7F is sent as 04. A normal response holds the words read (03,
+/// 23), or the first five bytes of the request (06, 16).
 template <register_bank Bank, typename Diagnostics>
-constexpr void respond_in_place(pdu_place& pdu, Bank& bank, server_profile const& profile,
-                                Diagnostics& line) noexcept
+constexpr void respond_in_place(pdu_buffer& pdu, Bank& bank, server_profile const& profile, Diagnostics& line) noexcept
 {
-    if (pdu.size == 0 or to_u8(pdu.octets[0]) >= exception_bit) {
+    if (pdu.size == 0 or to_u8(pdu.bytes[0]) >= exception_bit) {
         pdu.size = 0;
         return;
     }
-    std::uint8_t const function = to_u8(pdu.octets[0]);
-    errc const wrong = answer_request(pdu, bank, profile, line);
+    std::uint8_t const function = to_u8(pdu.bytes[0]);
+    errc const wrong = respond_to(pdu, bank, profile, line);
     if (wrong != errc::none) {
-        pdu.octets[0] = to_byte(function | exception_bit);
-        // What has no code on the wire is the bank's failure: local causes, and what stands for others.
-        pdu.octets[1] = static_cast<std::byte>(
-            wrong < errc::unlisted_exception ? wrong : errc::server_device_failure);
+        pdu.bytes[0] = to_byte(function | exception_bit);
+        // An error that has no code on the wire (a local cause, `unlisted_exception`) is sent as 04.
+        pdu.bytes[1] = static_cast<std::byte>(wrong < errc::unlisted_exception ? wrong : errc::server_device_failure);
         pdu.size = 2;
     }
 }
 
-/// The same for a request anywhere. Writes the answer into `out`, of at least 253 octets, and returns
-/// its part written; empty as well where `out` is smaller or the PDU larger.
+/// The same for a request in other memory. Writes the response into `out`, of at least 253 bytes, and returns the
+/// part written; empty also where `out` is smaller or the PDU larger.
 template <register_bank Bank, typename Diagnostics>
-[[nodiscard]] constexpr byte_view respond(byte_view request_pdu, Bank& bank,
-                                          server_profile const& profile, byte_span out,
-                                          Diagnostics& line) noexcept
+[[nodiscard]] constexpr byte_view respond(byte_view request_pdu, Bank& bank, server_profile const& profile,
+                                          byte_span out, Diagnostics& line) noexcept
 {
     if (out.size() < max_pdu_size or request_pdu.size() > max_pdu_size) {
         return {};
@@ -133,22 +126,21 @@ template <register_bank Bank, typename Diagnostics>
     for (std::size_t i = 0; i < request_pdu.size(); ++i) {
         out[i] = request_pdu[i];
     }
-    pdu_place pdu{out.template first<max_pdu_size>(), request_pdu.size()};
+    pdu_buffer pdu{out.template first<max_pdu_size>(), request_pdu.size()};
     respond_in_place(pdu, bank, profile, line);
     return pdu.view();
 }
 
-/// The same with function 08 as a loop-back.
+/// The same with function 08 as the loop-back only.
 template <register_bank Bank>
-[[nodiscard]] constexpr byte_view respond(byte_view request_pdu, Bank& bank,
-                                          server_profile const& profile, byte_span out) noexcept
+[[nodiscard]] constexpr byte_view respond(byte_view request_pdu, Bank& bank, server_profile const& profile,
+                                          byte_span out) noexcept
 {
-    loop_back line;
+    loopback_only line;
     return respond(request_pdu, bank, profile, out, line);
 }
 
-/// Whether a request has an effect when it is sent to everyone: functions 06 and 16. Its answer is not
-/// sent then.
+/// Whether a request has an effect as a broadcast: functions 06 and 16. No response is sent to it.
 [[nodiscard]] constexpr bool may_be_broadcast(byte_view request_pdu) noexcept
 {
     return is_pdu_of(request_pdu, function_code::write_single_register) or

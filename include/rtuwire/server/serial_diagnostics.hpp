@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Function 08 of a server (Application Protocol 6.8): the loop-back alone, or with the counters of the
-// serial line and the listen-only mode.
+// Function 08 of a server (Application Protocol 6.8): the loop-back alone, or with the counters of the serial line
+// and the listen-only mode.
 #pragma once
 
 #include <cstddef>
@@ -10,35 +10,32 @@
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/server/pdu_place.hpp>
+#include <rtuwire/server/pdu_buffer.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/pdu/diagnostics.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// What a server notes that counts nothing.
+/// The counting functions of a server without counters.
 struct no_counts {
     static constexpr void note_message() noexcept {}
     static constexpr void note_error() noexcept {}
     static constexpr void note_overrun() noexcept {}
     static constexpr void note_request() noexcept {}
-    static constexpr void note_silence() noexcept {}
+    static constexpr void count_no_response() noexcept {}
     static constexpr void note_exception(errc) noexcept {}
     [[nodiscard]] static constexpr bool is_listen_only() noexcept { return false; }
 };
 
 /// A server without function 08: exception 01.
 struct no_diagnostics : no_counts {
-    [[nodiscard]] static constexpr errc answer(pdu_place&) noexcept
-    {
-        return errc::illegal_function;
-    }
+    [[nodiscard]] static constexpr errc response(pdu_buffer&) noexcept { return errc::illegal_function; }
 };
 
-/// A server that counts nothing: sub-function 00 is answered with its own data of 1 to 125 words, 03 for other
-/// sizes; any other sub-function is exception 01.
-struct loop_back : no_counts {
-    [[nodiscard]] static constexpr errc answer(pdu_place& pdu) noexcept
+/// A server without counters: sub-function 00 returns its own data of 1 to 125 words, exception 03 for other sizes;
+/// any other sub-function is exception 01.
+struct loopback_only : no_counts {
+    [[nodiscard]] static constexpr errc response(pdu_buffer& pdu) noexcept
     {
         byte_view const request_pdu = pdu.view();
         if (request_pdu.size() >= 3 and u16_at(request_pdu, 1) != 0) {
@@ -67,19 +64,19 @@ struct loop_back : no_counts {
 /// | 11  | exceptions 06 among those of 0D | in `serve` |
 /// | 12  | calls of `receive_overrun`, in any phase | at once |
 ///
-/// A request that is dropped before `serve` counts in 0B only. Damaged bytes count in 0C by their frame,
-/// and not at all after a request or while a response leaves. A response to 0B..12 counts its own request
-/// in 0B and 0E. Sub-functions 01 (data 0000 or FF00) and 0A (0000) set all counters to 0, after their
-/// own request was counted; 14 (0000) sets 12 to 0. 04 (0000) begins the listen-only mode: no response to
-/// it, and after it only a sub-function 01 with allowed data to this unit is executed, and not answered either
-/// (0F is 1 after it). In listen-only mode nothing is an exception.
+/// A request that is dropped before `serve` counts in 0B only. Damaged bytes count in 0C with their frame, and not at
+/// all after a request or while a response is sent. A response to 0B..12 counts its own request in 0B and 0E.
+/// Sub-functions 01 (data 0000 or FF00) and 0A (0000) set all counters to 0, after their own request was counted; 14
+/// (0000) sets 12 to 0. 04 (0000) begins the listen-only mode: it gets no response, and after it only a sub-function
+/// 01 with allowed data to this unit is executed, also without a response (0F is 1 after it). In listen-only mode
+/// nothing is an exception.
 class serial_diagnostics {
 public:
-    /// Answers function 08 in its place: 00 with its own data; 02 and 0B to 12 with a word; 01, 03, 0A and 14
-    /// with what they were sent. Exceptions, in this order: 01 for the sub-functions 05 to 09, 13, 15 and
-    /// above; 03 for data that is not one word (00: 1 to 125 words), and for another word than 0000 (01: 0000
-    /// or FF00; 03: any with a low byte of 00). In listen-only mode, and to 04, the size is 0: no response.
-    [[nodiscard]] constexpr errc answer(pdu_place& pdu) noexcept
+    /// Replaces a request of function 08 by its response: 00: its own data; 02 and 0B to 12: a word; 01, 03, 0A and
+    /// 14: the request. Exceptions, in this order: 01 for the sub-functions 05 to 09, 13, 15 and above; 03 for data
+    /// that is not one word (00: 1 to 125 words), and for another word than 0000 (01: 0000 or FF00; 03: any with a
+    /// low byte of 00). In listen-only mode, and to 04, the size is 0: no response.
+    [[nodiscard]] constexpr errc response(pdu_buffer& pdu) noexcept
     {
         byte_view const request_pdu = pdu.view();
         auto const asked = diagnostics<>::decode(request_pdu);
@@ -98,24 +95,24 @@ public:
         }
         if (std::uint16_t const* const count = count_of(asked->what); count != nullptr) {
             constexpr std::size_t data_at = 3;
-            put_u16(pdu.octets.data() + data_at, *count);
+            put_u16(pdu.bytes.data() + data_at, *count);
         }
         act(asked->what);
         pdu.size = is_listen_only_ ? 0 : pdu.size;
         return errc::none;
     }
 
-    /// A frame with a good CRC passed, whoever it was for.
+    /// A frame with a good CRC was received, of or to any unit.
     constexpr void note_message() noexcept { ++messages_; }
     /// A frame was damaged.
     constexpr void note_error() noexcept { ++errors_; }
-    /// The receiver lost an octet.
+    /// The receiver lost a byte.
     constexpr void note_overrun() noexcept { ++overruns_; }
-    /// A request to this server, or to everyone.
+    /// A request to this server, or a broadcast.
     constexpr void note_request() noexcept { ++requests_; }
-    /// It was not answered.
-    constexpr void note_silence() noexcept { ++silences_; }
-    /// It was refused.
+    /// That request gets no response.
+    constexpr void count_no_response() noexcept { ++silences_; }
+    /// That request was refused.
     constexpr void note_exception(errc code) noexcept
     {
         ++exceptions_;
@@ -123,26 +120,24 @@ public:
         busy_ = static_cast<std::uint16_t>(busy_ + (code == errc::server_device_busy ? 1 : 0));
     }
 
-    /// Whether it neither acts nor answers until it is restarted.
+    /// Whether it is in listen-only mode: it neither acts nor responds until it is restarted.
     [[nodiscard]] constexpr bool is_listen_only() const noexcept { return is_listen_only_; }
 
 private:
     static constexpr bool is_known(std::uint16_t number) noexcept
     {
-        constexpr std::uint16_t last_of_first = 0x04, first_count = 0x0A, last_count = 0x12,
-                                clear_overrun = 0x14;
-        return number <= last_of_first or (number >= first_count and number <= last_count) or
-               number == clear_overrun;
+        constexpr std::uint16_t last_of_first = 0x04, first_count = 0x0A, last_count = 0x12, clear_overrun = 0x14;
+        return number <= last_of_first or (number >= first_count and number <= last_count) or number == clear_overrun;
     }
 
     static constexpr bool is_legal(diagnostics<> const& asked) noexcept
     {
-        constexpr std::uint16_t clear_log = 0xFF00, low_octet = 0x00FF;
+        constexpr std::uint16_t clear_log = 0xFF00, low_byte = 0x00FF;
         std::uint16_t const data = asked.data[0];
         switch (asked.what) {
         case subfunction::return_query_data: return true;
         case subfunction::restart_communications: return data == 0 or data == clear_log;
-        case subfunction::change_ascii_delimiter: return (data & low_octet) == 0;
+        case subfunction::change_ascii_delimiter: return (data & low_byte) == 0;
         case subfunction::return_diagnostic_register:
         case subfunction::force_listen_only:
         case subfunction::clear_counters:
@@ -159,7 +154,7 @@ private:
         return data == 0;
     }
 
-    /// What a sub-function returns; null where it returns its data.
+    /// The counter that a sub-function returns; null where it returns its data.
     constexpr std::uint16_t const* count_of(subfunction what) const noexcept
     {
         switch (what) {
@@ -193,7 +188,7 @@ private:
         }
     }
 
-    std::uint16_t register_{0}; ///< nothing of ours to say
+    std::uint16_t register_{0}; ///< the diagnostic register
     std::uint16_t messages_{0};
     std::uint16_t errors_{0};
     std::uint16_t exceptions_{0};

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// A server's registers by type: each has its own address, limits and access, and the bank answers for
-// them. For a device of one's own as well as for a drive.
+// A server's registers by type: each has its own address, limits and access, which the bank enforces. For a device of
+// your own as well as for a drive.
 #pragma once
 
 #include <array>
@@ -19,11 +19,11 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// The values of some registers, at their factory values first (0 where none is known). Reading an address
-/// that is none of theirs, or writing one or a read-only register, is exception 02; only if there is none of
-/// these among all that are written, a value outside its register's limits is 03, and so is one that the names
-/// of its enumeration do not list (`enumerators`; any will do where they are not given). A signed register's words
-/// are compared as signed. Nothing is written in part.
+/// The values of some registers, initially their factory values (0 where none is known). Exception 02: reading an
+/// address without a register, writing one, or writing a read-only register. Exception 03, only if none of the
+/// registers written is a case of 02: a value outside its register's limits, or one that the names of its enumeration
+/// do not list (`enumerators`; any value is allowed where they are not given). A signed register's words are compared
+/// as signed. Nothing is written in part.
 template <auto const&... Registers> class bank {
     using registers = table<Registers...>;
     static_assert((has_own_steps<Registers> and ...),
@@ -41,13 +41,9 @@ template <auto const&... Registers> class bank {
     };
 
     template <auto const& R>
-    static constexpr rule rule_of{R.address,
-                                  R.mode != access::read_only,
-                                  lowest<R>() < 0,
-                                  lowest<R>(),
-                                  highest<R>(),
-                                  listed_words<value_of<R>>(),
-                                  R.gap};
+    static constexpr rule rule_of{
+        R.address, R.mode != access::read_only, lowest<R>() < 0, lowest<R>(), highest<R>(), listed_words<value_of<R>>(),
+        R.gap};
     static constexpr std::array<rule, none> rules{rule_of<Registers>...};
 
 public:
@@ -65,7 +61,7 @@ public:
         words_[place_of(R.address)] = to_word(value);
     }
 
-    /// Whether a client has written a register since this was last asked.
+    /// Whether a client has written a register since the last call.
     template <auto const& R> [[nodiscard]] constexpr bool take_written() noexcept
     {
         static_assert(registers::template contains<R>, "this bank has no such register");
@@ -84,8 +80,7 @@ public:
         return errc::none;
     }
 
-    [[nodiscard]] constexpr errc check_write(std::uint16_t start,
-                                             register_view values) const noexcept
+    [[nodiscard]] constexpr errc check_write(std::uint16_t start, register_view values) const noexcept
     {
         for (std::size_t i = 0; i < values.size(); ++i) {
             std::size_t const place = place_after(start, i);
@@ -141,8 +136,7 @@ private:
                has_meaning(limits.listed, word);
     }
 
-    std::array<std::uint16_t, none> words_{
-        static_cast<std::uint16_t>(Registers.factory.value_or(0))...};
+    std::array<std::uint16_t, none> words_{static_cast<std::uint16_t>(Registers.factory.value_or(0))...};
     std::array<bool, none> is_written_{};
 };
 

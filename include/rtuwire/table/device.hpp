@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// What a device type says of itself, and a station: one such device at its unit address. A device is
-// an empty type with constants: its functions, limits, unit addresses, line settings, time-out and
-// registers. Differences between devices are data here, never an `if` on a name.
+// The properties of a device type, and a station: one such device at its unit address. A device is an empty
+// type with constants: its functions, limits, unit addresses, line settings, time-out and registers.
+// Differences between devices are data here, never an `if` on a name.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// The unit addresses that a device can be given.
+/// The unit addresses that a device can be set to.
 struct unit_range {
     std::uint8_t first{1};
     std::uint8_t last{247};
@@ -35,26 +35,26 @@ struct unit_range {
     }
 };
 
-/// Addresses that can be read across although not every one of them is described.
+/// Addresses that one read may span although not every one of them is described.
 struct address_range {
     std::uint16_t first;
     std::uint16_t last;
 };
 
-/// What a device does when nobody talks to it.
-struct silence_reaction {
+/// The time-out after which a device reacts because no request arrives.
+struct link_timeout {
     duration factory; ///< the time-out as delivered
     duration longest; ///< the longest that can be set; equal to `factory` where it is fixed
     bool is_adjustable{true};
 };
 
-/// A device type. `registers` is a `table`; `readable` lists what can be read across.
+/// A device type. `registers` is a `table`; `readable` lists what one read may span.
 template <typename T>
 concept device_type = requires
 {
     {
         T::name
-        } -> std::convertible_to<text>;
+        } -> std::convertible_to<literal>;
     {
         T::functions
         } -> std::convertible_to<function_set>;
@@ -73,12 +73,12 @@ concept device_type = requires
 /// Never defined: reached only in a constant expression, so that the compiler prints the name.
 void unit_address_is_outside_the_range_of_this_device();
 
-/// A unit address from a source file that a device can be given.
+/// A unit address in source code that a device can be set to.
 template <device_type Device> class unit_of {
 public:
     consteval unit_of(unit_id unit) noexcept : unit_{unit}
     {
-        if (not Device::units.contains(unit.octet())) {
+        if (not Device::units.contains(unit.byte())) {
             unit_address_is_outside_the_range_of_this_device();
         }
     }
@@ -94,10 +94,10 @@ template <device_type Device> class station {
 public:
     using device = Device;
 
-    /// A unit address known when compiling, within the device's range.
+    /// A unit address known at compile time, within the device's range.
     explicit constexpr station(unit_of<Device> where) noexcept : unit_{where.unit()} {}
 
-    /// A unit address known only when running; `invalid_unit` outside the device's range.
+    /// A unit address known only at run time; `invalid_unit` outside the device's range.
     [[nodiscard]] static constexpr result<station> checked(std::uint32_t number) noexcept
     {
         if (not Device::units.contains(number)) {
@@ -116,8 +116,7 @@ private:
 };
 
 /// Whether a device implements a function.
-template <device_type Device>
-[[nodiscard]] constexpr bool implements(function_code function) noexcept
+template <device_type Device> [[nodiscard]] constexpr bool implements(function_code function) noexcept
 {
     return Device::functions.contains(function);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Names for the values of an enumeration, for people. Firmware that shows none carries none.
+// Names for the values of an enumeration, for display. Firmware that shows none contains none.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-#include <rtuwire/core/text.hpp>
+#include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -17,16 +17,15 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// A value and the mnemonic that the manual gives it.
 struct named_value {
     std::uint16_t value;
-    text name;
+    literal name;
 };
 
-/// The names of an enumeration's values; specialised beside each enumeration that has any.
+/// The names of an enumeration's values; specialised next to each enumeration that has any.
 template <typename E> inline constexpr std::array<named_value, 0> enumerators{};
 
 /// A list of names, for a specialisation of `enumerators`.
 template <typename E, std::size_t Count>
-[[nodiscard]] consteval std::array<named_value, Count>
-name_list(named_value const (&names)[Count]) noexcept
+[[nodiscard]] consteval std::array<named_value, Count> name_list(named_value const (&names)[Count]) noexcept
 {
     std::array<named_value, Count> list{};
     for (std::size_t i = 0; i < Count; ++i) {
@@ -45,9 +44,8 @@ inline constexpr auto listed_values = [] {
     return values;
 }();
 
-/// Whether a word means something, given the values that do; an empty list says nothing, and any word will do.
-[[nodiscard]] constexpr bool has_meaning(std::span<std::uint16_t const> listed,
-                                         std::uint16_t word) noexcept
+/// Whether a word means something, given the words that do; with an empty list, any word does.
+[[nodiscard]] constexpr bool has_meaning(std::span<std::uint16_t const> listed, std::uint16_t word) noexcept
 {
     bool is_listed = listed.empty();
     for (std::uint16_t const each : listed) {
@@ -57,7 +55,7 @@ inline constexpr auto listed_values = [] {
 }
 
 /// The mnemonic of a value; empty where none is known.
-template <typename E> [[nodiscard]] constexpr text name_of(E value) noexcept
+template <typename E> [[nodiscard]] constexpr literal name_of(E value) noexcept
 {
     for (named_value const& each : enumerators<E>) {
         if (each.value == static_cast<std::uint16_t>(value)) {

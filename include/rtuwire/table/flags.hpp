@@ -41,7 +41,7 @@ struct flags {
     friend constexpr bool operator==(flags, flags) noexcept = default;
 };
 
-/// Bits of which no manual at hand says what they mean.
+/// Bits that none of the available manuals explains.
 enum class unnamed_bit : std::uint8_t {};
 
 } // namespace rtuwire

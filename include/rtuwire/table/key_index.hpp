@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Where a key stands in a list, in a few steps whatever the list's length: a table of a hundred
-// registers is looked into some thousand times by the compiler.
+// Finds the index of a key in a list, in a few steps whatever the list's length: the compiler searches a
+// table of a hundred registers some thousand times.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <rtuwire/core/text.hpp>
+#include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -22,13 +22,10 @@ struct index_pair {
 };
 
 /// Spreads addresses over a power of two of slots.
-[[nodiscard]] constexpr std::uint32_t hash_of(std::uint16_t address) noexcept
-{
-    return address * 40'503U >> 3U;
-}
+[[nodiscard]] constexpr std::uint32_t hash_of(std::uint16_t address) noexcept { return address * 40'503U >> 3U; }
 
 /// Spreads mnemonics over a power of two of slots.
-[[nodiscard]] constexpr std::uint32_t hash_of(text code) noexcept
+[[nodiscard]] constexpr std::uint32_t hash_of(literal code) noexcept
 {
     std::uint32_t hash = 0;
     for (char const letter : code) {
@@ -37,7 +34,7 @@ struct index_pair {
     return hash;
 }
 
-/// The places of the keys of a list, for `find`; and the first key that is there twice.
+/// The places of the keys of a list, for `find`; and the first key that occurs twice.
 template <typename Key, std::size_t Size> class key_index {
 public:
     explicit constexpr key_index(std::array<Key, Size> const& keys) noexcept : keys_{keys}

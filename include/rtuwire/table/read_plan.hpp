@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Any registers of a device, read with the fewest requests that it allows. The plan is made by the
-// compiler; of it only the requests' octets and the values reach the target.
+// Any registers of a device, read with the fewest requests that it allows. The compiler makes the plan; only
+// the requests' bytes and the values reach the target.
 #pragma once
 
 #include <array>
@@ -28,19 +28,18 @@ template <auto const&... Registers> [[nodiscard]] constexpr auto rising_addresse
     return addresses;
 }
 
-/// The requests that read `Registers` of `Device`, and a place for the values.
+/// The requests that read `Registers` of `Device`, and the type that stores the values.
 template <device_type Device, auto const&... Registers> class read_plan {
     static_assert(sizeof...(Registers) > 0, "a plan reads at least one register");
     static_assert((Device::registers::template contains<Registers> and ...),
                   "a plan reads registers of one device only");
     static_assert((has_own_steps<Registers> and ...),
                   "another register sets this register's steps: name them with restepped");
-    static_assert(first_duplicate(std::array{Registers.address...}).second == 0,
-                  "a plan reads each register once");
+    static_assert(first_duplicate(std::array{Registers.address...}).second == 0, "a plan reads each register once");
 
     static constexpr auto addresses = rising_addresses<Registers...>();
-    static constexpr auto plan = plan_blocks<sizeof...(Registers)>(
-        addresses, Device::limits.read, [](std::uint16_t lower, std::uint16_t upper) {
+    static constexpr auto plan =
+        plan_blocks<sizeof...(Registers)>(addresses, Device::limits.read, [](std::uint16_t lower, std::uint16_t upper) {
             return is_readable_across<Device>(lower, upper);
         });
 
@@ -70,8 +69,7 @@ public:
     /// The requests, in the order of their addresses.
     static constexpr std::span<address_block const> requests() noexcept { return plan.view(); }
 
-    template <auto const& R>
-    static constexpr bool contains = (is_same_register<R, Registers> or ...);
+    template <auto const& R> static constexpr bool contains = (is_same_register<R, Registers> or ...);
 
     /// The values of one round of reading, in address order.
     class snapshot {
@@ -83,10 +81,9 @@ public:
             return from_word<value_of<R>>(words_[place_of(R.address)]);
         }
 
-        /// A value that fits the register's limits as they are now: those that hang on other
-        /// registers are taken from this snapshot. `illegal_data_value` outside.
-        template <auto const& R>
-        [[nodiscard]] constexpr result<setting<R>> checked(value_of<R> value) const noexcept
+        /// A value that fits the register's limits as they are now: those that depend on other registers are
+        /// taken from this snapshot. `illegal_data_value` outside.
+        template <auto const& R> [[nodiscard]] constexpr result<setting<R>> checked(value_of<R> value) const noexcept
         {
             static_assert(knows(R.min) and knows(R.max),
                           "the limits of this register hang on a register that is not in the plan");
@@ -94,9 +91,8 @@ public:
                                        R.max.is_open() ? highest<R>() : limit(R.max));
         }
 
-        /// Takes the registers that answer one request.
-        template <typename Words>
-        constexpr void store(std::size_t request, Words const& words) noexcept
+        /// Stores the registers of the response to one request.
+        template <typename Words> constexpr void store(std::size_t request, Words const& words) noexcept
         {
             address_block const block = plan.blocks[request];
             for (std::size_t i = 0; i < addresses.size(); ++i) {
@@ -107,18 +103,17 @@ public:
         }
 
     private:
-        static constexpr std::array<text, register_count> codes{Registers.code...};
+        static constexpr std::array<literal, register_count> codes{Registers.code...};
 
         static constexpr bool knows(bound const& limit) noexcept
         {
             return limit.is_number() or limit.is_open() or
-                   (is_named(limit.code()) and
-                    (limit.factor().size() == 0 or is_named(limit.factor())));
+                   (is_named(limit.code()) and (limit.factor().size() == 0 or is_named(limit.factor())));
         }
 
-        static constexpr bool is_named(text code) noexcept
+        static constexpr bool is_named(literal code) noexcept
         {
-            for (text const each : codes) {
+            for (literal const each : codes) {
                 if (each == code) {
                     return true;
                 }
@@ -132,12 +127,10 @@ public:
         }
 
         /// The raw count of a register of the plan; 0 for no mnemonic.
-        constexpr std::int32_t raw_of(text code) const noexcept
+        constexpr std::int32_t raw_of(literal code) const noexcept
         {
             std::int32_t raw = 0;
-            ((raw = Registers.code == code
-                        ? raw_count<value_of<Registers>>(words_[place_of(Registers.address)])
-                        : raw),
+            ((raw = Registers.code == code ? raw_count<value_of<Registers>>(words_[place_of(Registers.address)]) : raw),
              ...);
             return raw;
         }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// One register of a device, as its manual's table has it. A descriptor is a constant that is passed by
+// One register of a device, as the table in its manual has it. A descriptor is a constant that is passed by
 // reference as a template argument, so nothing of it reaches the target. Knows no device and no I/O.
 #pragma once
 
@@ -13,7 +13,7 @@
 #include <span>
 #include <type_traits>
 
-#include <rtuwire/core/text.hpp>
+#include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/units.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/enumeration.hpp>
@@ -27,8 +27,8 @@ enum class access : std::uint8_t {
     configuration, ///< written only while the motor is stopped
 };
 
-/// How well the source of a descriptor stands.
-enum class trust : std::uint8_t {
+/// How reliable the source of a descriptor is.
+enum class provenance : std::uint8_t {
     documented, ///< printed in the device's manual or the manufacturer's parameter file
     inferred,   ///< from the file of a sister device, confirmed there
     doubtful,   ///< the source is damaged or contradicts itself
@@ -37,49 +37,43 @@ enum class trust : std::uint8_t {
 /// A limit of a register in raw counts: a number, or a share of what another register holds now.
 class bound {
 public:
-    /// No limit but that of sixteen bits.
+    /// No limit but that of 16 bits.
     constexpr bound() noexcept = default;
 
     /// A number.
     constexpr bound(std::int32_t raw) noexcept : raw_{raw}, numerator_{0} {}
 
     /// The raw count of the register called `code`, times a fraction: "INV" times 1/2.
-    constexpr bound(text code, std::uint16_t numerator = 1, std::uint16_t denominator = 1,
-                    text factor = {}) noexcept
+    constexpr bound(literal code, std::uint16_t numerator = 1, std::uint16_t denominator = 1,
+                    literal factor = {}) noexcept
         : code_{code}, factor_{factor}, numerator_{numerator}, denominator_{denominator}
     {}
 
     /// What the register called `code` holds.
-    template <std::size_t Size>
-    constexpr bound(char const (&code)[Size]) noexcept : bound{text{code}}
-    {}
+    template <std::size_t Size> constexpr bound(char const (&code)[Size]) noexcept : bound{literal{code}} {}
 
-    [[nodiscard]] constexpr bool is_open() const noexcept
-    {
-        return numerator_ == 1 and code_.size() == 0;
-    }
+    [[nodiscard]] constexpr bool is_open() const noexcept { return numerator_ == 1 and code_.size() == 0; }
     [[nodiscard]] constexpr bool is_number() const noexcept { return numerator_ == 0; }
 
     /// The number, where it is one.
     [[nodiscard]] constexpr std::int32_t raw() const noexcept { return raw_; }
 
-    /// The mnemonic of the register it hangs on; empty for a number.
-    [[nodiscard]] constexpr text code() const noexcept { return code_; }
+    /// The mnemonic of the register it depends on; empty for a number.
+    [[nodiscard]] constexpr literal code() const noexcept { return code_; }
 
     /// The mnemonic of a second register that is multiplied in; empty where there is none.
-    [[nodiscard]] constexpr text factor() const noexcept { return factor_; }
+    [[nodiscard]] constexpr literal factor() const noexcept { return factor_; }
     [[nodiscard]] constexpr std::uint16_t numerator() const noexcept { return numerator_; }
     [[nodiscard]] constexpr std::uint16_t denominator() const noexcept { return denominator_; }
 
-    /// The limit in raw counts, when the other register holds `other` (and the second `multiplier`);
-    /// rounded towards zero, and the nearest number of 32 bits where it has more.
-    [[nodiscard]] constexpr std::int32_t with(std::int32_t other,
-                                              std::int32_t multiplier = 1) const noexcept
+    /// The limit in raw counts, when the other register holds `other` (and the second `multiplier`); rounded
+    /// towards zero, and limited to the range of 32 bits.
+    [[nodiscard]] constexpr std::int32_t with(std::int32_t other, std::int32_t multiplier = 1) const noexcept
     {
         if (is_number()) {
             return raw_;
         }
-        // A product beyond 47 bits is beyond 32 bits also behind the fraction, whose parts have 16.
+        // A product beyond 47 bits is beyond 32 bits also after the fraction, whose parts have 16.
         constexpr std::int64_t most = std::int64_t{1} << 47U;
         std::int64_t const product = within(std::int64_t{other} * multiplier, -most, most);
         using raw_limits = std::numeric_limits<std::int32_t>;
@@ -88,29 +82,27 @@ public:
     }
 
 private:
-    static constexpr std::int64_t within(std::int64_t number, std::int64_t least,
-                                         std::int64_t most) noexcept
+    static constexpr std::int64_t within(std::int64_t number, std::int64_t least, std::int64_t most) noexcept
     {
         return number < least ? least : number > most ? most : number;
     }
 
-    text code_{};
-    text factor_{};
+    literal code_{};
+    literal factor_{};
     std::int32_t raw_{0};
     std::uint16_t numerator_{1};
     std::uint16_t denominator_{1};
 };
 
 /// The smallest or largest value of a register named by another register.
-[[nodiscard]] constexpr bound share_of(text code, std::uint16_t numerator,
-                                       std::uint16_t denominator) noexcept
+[[nodiscard]] constexpr bound share_of(literal code, std::uint16_t numerator, std::uint16_t denominator) noexcept
 {
     return bound{code, numerator, denominator};
 }
 
 /// A limit that is the product of two registers' raw counts, divided: by 10 where one of them counts
 /// tenths and the product whole units.
-[[nodiscard]] constexpr bound product_of(text code, text factor, std::uint16_t denominator) noexcept
+[[nodiscard]] constexpr bound product_of(literal code, literal factor, std::uint16_t denominator) noexcept
 {
     return bound{code, 1, denominator, factor};
 }
@@ -120,26 +112,23 @@ struct count_range {
     std::int32_t first{0};
     std::int32_t last{-1};
 
-    [[nodiscard]] constexpr bool contains(std::int32_t raw) const noexcept
-    {
-        return raw >= first and raw <= last;
-    }
+    [[nodiscard]] constexpr bool contains(std::int32_t raw) const noexcept { return raw >= first and raw <= last; }
 };
 
 /// One register whose values are of type `T`: a quantity, an enumeration or a bit field.
 template <typename T> struct reg {
     using value_type = T;
 
-    text code;             ///< the manufacturer's mnemonic, in upper case
+    literal code;          ///< the manufacturer's mnemonic, in upper case
     std::uint16_t address; ///< as it stands on the wire
     access mode{access::read_write};
     bound min{};                           ///< in raw counts
     bound max{};                           ///< in raw counts
     std::optional<std::int32_t> factory{}; ///< the value as delivered, in raw counts, where known
-    text name{};                           ///< for people
-    trust source{trust::documented};
-    text steps_set_by{};             ///< the register that sets the size of a step, where one does
-    count_range gap{};               ///< inside the limits, and yet never to be written
+    literal name{};                        ///< for display
+    provenance source{provenance::documented};
+    literal steps_set_by{};          ///< the register that sets the size of a step, where one does
+    count_range gap{};               ///< inside the limits, but never to be written
     void const* counted_as{nullptr}; ///< the register that this one counts in other steps
 };
 
@@ -155,8 +144,7 @@ concept bit_field = requires(T value)
 
 /// An enumeration as wide as a register.
 template <typename T>
-concept register_enumeration =
-    std::is_enum_v<T> and std::same_as<std::underlying_type_t<T>, std::uint16_t>;
+concept register_enumeration = std::is_enum_v<T> and std::same_as<std::underlying_type_t<T>, std::uint16_t>;
 
 /// A quantity that one register can hold.
 template <typename T>
@@ -186,7 +174,7 @@ template <register_value T> [[nodiscard]] constexpr std::uint16_t to_word(T valu
     }
 }
 
-/// The value that a word from the wire stands for; any word stands for one.
+/// The value of a word from the wire; every word has one.
 template <register_value T> [[nodiscard]] constexpr T from_word(std::uint16_t word) noexcept
 {
     if constexpr (register_quantity<T>) {
@@ -199,8 +187,7 @@ template <register_value T> [[nodiscard]] constexpr T from_word(std::uint16_t wo
 }
 
 /// The raw count of a word: negative only in a register of signed numbers.
-template <register_value T>
-[[nodiscard]] constexpr std::int32_t raw_count(std::uint16_t word) noexcept
+template <register_value T> [[nodiscard]] constexpr std::int32_t raw_count(std::uint16_t word) noexcept
 {
     if constexpr (register_quantity<T>) {
         return from_word<T>(word).count();
@@ -214,9 +201,8 @@ template <register_value T>
 template <auto const& Left, auto const& Right> inline constexpr bool is_same_register = false;
 template <auto const& R> inline constexpr bool is_same_register<R, R> = true;
 
-/// The words that mean something in a register: those that its enumeration lists; none listed, any may.
-template <register_value T>
-[[nodiscard]] constexpr std::span<std::uint16_t const> listed_words() noexcept
+/// The words that mean something in a register: those that its enumeration lists; without a list, any.
+template <register_value T> [[nodiscard]] constexpr std::span<std::uint16_t const> listed_words() noexcept
 {
     if constexpr (register_enumeration<T>) {
         return listed_values<T>;
@@ -231,8 +217,8 @@ template <auto const& R> using value_of = typename std::remove_cvref_t<decltype(
 /// Whether a register's steps are always the same size.
 template <auto const& R> inline constexpr bool has_own_steps = R.steps_set_by.size() == 0;
 
-/// A register whose steps another register sets, counted in steps that the caller knows them to be. It stands
-/// for the register wherever one is named.
+/// A register whose steps another register sets, counted in steps that the caller knows. It can be named
+/// wherever the register can.
 template <typename Step, auto const& R>
 inline constexpr reg<Step> restepped{.code = R.code,
                                      .address = R.address,

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// How to cover a set of addresses with the fewest requests: among those with the fewest, the one that
-// moves the fewest registers. Knows addresses and a limit, no device and no frame.
+// How to cover a set of addresses with the fewest requests: among the plans with the fewest, the one that
+// reads or writes the fewest registers. Knows addresses and a limit, no device and no frame.
 #pragma once
 
 #include <array>
@@ -64,8 +64,8 @@ constexpr void sort_addresses(std::span<std::uint16_t> addresses) noexcept
 /// The best plan for addresses that rise, none twice. A block has at most `limit` registers (at least
 /// 1), and spans the gap between two neighbours only where `may_cross(lower, upper)`.
 template <std::size_t Most, typename MayCross>
-[[nodiscard]] constexpr block_list<Most> plan_blocks(std::span<std::uint16_t const> rising,
-                                                     std::uint32_t limit, MayCross may_cross)
+[[nodiscard]] constexpr block_list<Most> plan_blocks(std::span<std::uint16_t const> rising, std::uint32_t limit,
+                                                     MayCross may_cross)
 {
     // best[i]: the cheapest way to cover the first i addresses; from[i]: where its last block starts.
     std::array<plan_cost, Most + 1> best{};
@@ -92,8 +92,7 @@ template <std::size_t Most, typename MayCross>
     std::size_t end = rising.size();
     for (std::size_t place = plan.count; place-- > 0;) {
         std::size_t const first = from[end];
-        plan.blocks[place] = {rising[first],
-                              static_cast<std::uint16_t>(rising[end - 1] - rising[first] + 1)};
+        plan.blocks[place] = {rising[first], static_cast<std::uint16_t>(rising[end - 1] - rising[first] + 1)};
         end = first;
     }
     return plan;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// A value that is proven to fit its register: a literal when compiling, a run-time value through
-// `checked` or `clamped`. Limits that hang on other registers are checked where their values are known.
+// A value that is proven to fit its register: a literal at compile time, a run-time value through `checked`
+// or `clamped`. Limits that depend on other registers are checked where their values are known.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ void value_is_not_a_whole_number_of_register_steps();
 void value_has_no_meaning_in_this_register();
 void value_is_never_written_to_this_register();
 
-/// The smallest raw count of a register, as far as it does not hang on another.
+/// The smallest raw count of a register, as far as it does not depend on another.
 template <auto const& R> [[nodiscard]] constexpr std::int32_t lowest() noexcept
 {
     if (R.min.is_number()) {
@@ -37,7 +37,7 @@ template <auto const& R> [[nodiscard]] constexpr std::int32_t lowest() noexcept
     }
 }
 
-/// The largest raw count of a register, as far as it does not hang on another.
+/// The largest raw count of a register, as far as it does not depend on another.
 template <auto const& R> [[nodiscard]] constexpr std::int32_t highest() noexcept
 {
     if (R.max.is_number()) {
@@ -53,20 +53,19 @@ template <auto const& R> [[nodiscard]] constexpr std::int32_t highest() noexcept
 /// Whether a register's values are quantities of a dimension.
 template <typename Value, typename Dimension> inline constexpr bool measures_dimension = false;
 template <register_quantity Value, typename Dimension>
-inline constexpr bool measures_dimension<Value, Dimension> =
-    std::same_as<typename Value::dimension, Dimension>;
+inline constexpr bool measures_dimension<Value, Dimension> = std::same_as<typename Value::dimension, Dimension>;
 
 /// A value within the limits of register `R`.
 template <auto const& R> class setting {
 public:
     using value_type = value_of<R>;
 
-    /// A quantity known when compiling, a whole number of this register's steps and within its limits.
+    /// A quantity known at compile time, a whole number of this register's steps and within its limits.
     template <typename Dimension, std::integral Rep, typename Scale>
         requires measures_dimension<value_type, Dimension>
     consteval setting(quantity<Dimension, Rep, Scale> amount) noexcept : word_{word_of(amount)} {}
 
-    /// Refused: a quantity of something else than this register holds.
+    /// Refused: a quantity of another dimension than this register holds.
     template <typename Dimension, std::integral Rep, typename Scale>
         requires(not measures_dimension<value_type, Dimension>)
     consteval setting(quantity<Dimension, Rep, Scale>) noexcept : word_{0}
@@ -75,9 +74,8 @@ public:
                       "this value measures something else than the register");
     }
 
-    /// An enumerator or bit field known when compiling.
-    consteval setting(value_type value) noexcept requires(not register_quantity<value_type>)
-        : word_{to_word(value)}
+    /// An enumerator or bit field known at compile time.
+    consteval setting(value_type value) noexcept requires(not register_quantity<value_type>) : word_{to_word(value)}
     {
         refuse_outside(raw_count<value_type>(word_));
         if (not has_meaning(listed_words<value_type>(), word_)) {
@@ -85,20 +83,19 @@ public:
         }
     }
 
-    /// A value known only when running; `illegal_data_value` outside the limits, and for an enumerator that
+    /// A value known only at run time; `illegal_data_value` outside the limits, and for an enumerator that
     /// does not exist.
     [[nodiscard]] static constexpr result<setting> checked(value_type value) noexcept
     {
         std::int32_t const raw = raw_count<value_type>(to_word(value));
-        bool const is_inside =
-            raw >= lowest<R>() and raw <= highest<R>() and not R.gap.contains(raw);
+        bool const is_inside = raw >= lowest<R>() and raw <= highest<R>() and not R.gap.contains(raw);
         if (not is_inside or not has_meaning(listed_words<value_type>(), to_word(value))) {
             return errc::illegal_data_value;
         }
         return setting{proven{}, to_word(value)};
     }
 
-    /// A value known only when running, with the limits that hang on other registers, in raw counts.
+    /// A value known only at run time, with the limits that depend on other registers, in raw counts.
     [[nodiscard]] static constexpr result<setting> checked(value_type value, std::int32_t min_now,
                                                            std::int32_t max_now) noexcept
     {
@@ -110,8 +107,7 @@ public:
     }
 
     /// The nearest value within the limits; the lower end of a gap where it lies in one.
-    [[nodiscard]] static constexpr setting
-    clamped(value_type value) noexcept requires register_quantity<value_type>
+    [[nodiscard]] static constexpr setting clamped(value_type value) noexcept requires register_quantity<value_type>
     {
         std::int32_t raw = raw_count<value_type>(to_word(value));
         if (raw < lowest<R>()) {
@@ -129,10 +125,7 @@ public:
     /// The word that stands on the wire.
     [[nodiscard]] constexpr std::uint16_t word() const noexcept { return word_; }
 
-    [[nodiscard]] constexpr value_type value() const noexcept
-    {
-        return from_word<value_type>(word_);
-    }
+    [[nodiscard]] constexpr value_type value() const noexcept { return from_word<value_type>(word_); }
 
 private:
     struct proven {};

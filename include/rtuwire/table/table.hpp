@@ -9,14 +9,14 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <rtuwire/core/text.hpp>
+#include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/key_index.hpp>
 #include <rtuwire/table/register.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Never defined: their names are the message, their arguments the culprits.
+/// Never defined: their names are the message, their arguments the registers in conflict.
 template <auto const& A, auto const& B> struct these_registers_overlap;
 template <auto const& A, auto const& B> struct these_registers_have_one_code;
 
@@ -53,9 +53,8 @@ public:
 
     /// Whether a register is one of this device's, or one of them counted in other steps.
     template <auto const& R>
-    static constexpr bool contains = has_address(R.address) and
-                                     (places[by_address.find(R.address)] == &R or
-                                      places[by_address.find(R.address)] == R.counted_as);
+    static constexpr bool contains = has_address(R.address) and (places[by_address.find(R.address)] == &R or
+                                                                 places[by_address.find(R.address)] == R.counted_as);
 
     /// Calls `visit.template operator()<R>()` for each register.
     template <typename Visit> static constexpr void for_each(Visit&& visit)
@@ -64,7 +63,7 @@ public:
     }
 
 private:
-    static constexpr std::array<text, size> codes{Registers.code...};
+    static constexpr std::array<literal, size> codes{Registers.code...};
     static constexpr index_pair overlap = by_address.duplicate();
     static constexpr index_pair namesake = first_duplicate(codes);
 
@@ -74,9 +73,8 @@ private:
             return sizeof(these_registers_overlap<register_at<overlap.first, Registers...>(),
                                                   register_at<overlap.second, Registers...>()>) > 0;
         } else if constexpr (namesake.second != 0) {
-            return sizeof(these_registers_have_one_code<
-                          register_at<namesake.first, Registers...>(),
-                          register_at<namesake.second, Registers...>()>) > 0;
+            return sizeof(these_registers_have_one_code<register_at<namesake.first, Registers...>(),
+                                                        register_at<namesake.second, Registers...>()>) > 0;
         } else {
             return true;
         }

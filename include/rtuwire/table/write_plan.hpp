@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Any settings of a device, written with the fewest requests that it allows: neighbours go into one, and
-// no register is written that was not named.
+// Any settings of a device, written with the fewest requests that it allows: neighbours go into one request,
+// and only registers that were named are written.
 #pragma once
 
 #include <array>
@@ -24,13 +24,11 @@ template <device_type Device, auto const&... Registers> class write_plan {
     static_assert((has_own_steps<Registers> and ...),
                   "another register sets this register's steps: name them with restepped");
     static_assert(((Registers.mode != access::read_only) and ...), "this register is read-only");
-    static_assert(first_duplicate(std::array{Registers.address...}).second == 0,
-                  "a plan writes each register once");
+    static_assert(first_duplicate(std::array{Registers.address...}).second == 0, "a plan writes each register once");
 
     static constexpr auto addresses = rising_addresses<Registers...>();
     static constexpr auto plan = plan_blocks<sizeof...(Registers)>(
-        addresses, Device::limits.write,
-        [](std::uint16_t lower, std::uint16_t upper) { return upper - lower == 1; });
+        addresses, Device::limits.write, [](std::uint16_t lower, std::uint16_t upper) { return upper - lower == 1; });
 
 public:
     using device = Device;

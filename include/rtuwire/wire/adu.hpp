@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The frame of the serial line: unit, PDU, CRC (SL 2.5.1.1). Encodes any PDU into a caller's span or
-// a value, and takes a received frame apart after its size and CRC have been checked.
+// The frame of the serial line: unit, PDU, CRC (SL 2.5.1.1). Encodes any PDU into a caller's span or a value,
+// and decodes a received frame after its size and CRC have been checked.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// What can be encoded: it says whether it is allowed on the wire, how long it is, and writes itself.
+/// What can be encoded: it checks that it is allowed on the wire, tells its length, and writes itself.
 template <typename T>
 concept pdu = requires(T const& value, byte_writer& out)
 {
@@ -38,35 +38,35 @@ concept pdu = requires(T const& value, byte_writer& out)
     value.write(out);
 };
 
-/// A PDU that asks for nothing but an effect, so that it may be sent to everyone.
+/// A PDU that needs no response, only an effect, so that it may be broadcast.
 template <typename T>
 concept broadcastable = pdu<T> and T::may_be_broadcast;
 
-/// A frame of at most as many octets as the PDU type can need.
+/// A frame with room for the longest PDU of the type.
 template <pdu P> using frame_of = fixed_buffer<P::max_size + adu_overhead>;
 
-/// The PDU of a frame, which has at least 4 octets.
+/// The PDU of a frame of at least 4 bytes.
 [[nodiscard]] constexpr byte_view pdu_of(byte_view frame) noexcept
 {
-    // Not a subspan, which asks first whether its size means "all".
+    // Not a subspan, which first checks whether its size means "all".
     return {frame.data() + 1, frame.size() - adu_overhead};
 }
 
-/// A received frame whose CRC was right: a view of its octets, valid as long as they are.
+/// A received frame whose CRC was right: a view of its bytes, valid as long as they are.
 class adu {
 public:
-    /// Of a frame that was checked, 4 octets at least.
-    explicit constexpr adu(byte_view frame) noexcept : octets_{frame} {}
+    /// From a frame that was checked, 4 bytes at least.
+    explicit constexpr adu(byte_view frame) noexcept : bytes_{frame} {}
 
-    /// All of them, the CRC included.
-    [[nodiscard]] constexpr byte_view octets() const noexcept { return octets_; }
+    /// All bytes, the CRC included.
+    [[nodiscard]] constexpr byte_view bytes() const noexcept { return bytes_; }
 
-    /// The unit address, 0 for everyone.
-    [[nodiscard]] constexpr std::uint8_t unit() const noexcept { return to_u8(octets_[0]); }
-    [[nodiscard]] constexpr byte_view pdu() const noexcept { return pdu_of(octets_); }
+    /// The unit address, 0 in a broadcast.
+    [[nodiscard]] constexpr std::uint8_t unit() const noexcept { return to_u8(bytes_[0]); }
+    [[nodiscard]] constexpr byte_view pdu() const noexcept { return pdu_of(bytes_); }
 
-    /// The octet behind the unit address, exception bit included.
-    [[nodiscard]] constexpr std::uint8_t wire_code() const noexcept { return to_u8(octets_[1]); }
+    /// The byte behind the unit address, exception bit included.
+    [[nodiscard]] constexpr std::uint8_t wire_code() const noexcept { return to_u8(bytes_[1]); }
 
     /// The function, exception bit removed.
     [[nodiscard]] constexpr function_code function() const noexcept
@@ -74,18 +74,15 @@ public:
         return static_cast<function_code>(wire_code() & ~exception_bit & 0xFF);
     }
 
-    [[nodiscard]] constexpr bool is_exception() const noexcept
-    {
-        return (wire_code() & exception_bit) != 0;
-    }
+    [[nodiscard]] constexpr bool is_exception() const noexcept { return (wire_code() & exception_bit) != 0; }
 
 private:
-    byte_view octets_;
+    byte_view bytes_;
 };
 
-/// Makes a frame of a unit's octet and a PDU that are there already: appends the CRC. `place` has room
-/// for it.
-constexpr byte_span seal(byte_span place, std::size_t pdu_size) noexcept
+/// Completes a frame whose unit byte and PDU are in `place` already: appends the CRC. `place` has room for
+/// it.
+constexpr byte_span append_crc(byte_span place, std::size_t pdu_size) noexcept
 {
     std::size_t const end = 1 + pdu_size;
     std::uint16_t const crc = crc16(place.first(end));
@@ -94,12 +91,11 @@ constexpr byte_span seal(byte_span place, std::size_t pdu_size) noexcept
     return place.first(end + 2);
 }
 
-/// Writes unit, PDU and CRC into `out`, without checking that the unit may be asked this. Returns the
-/// part of `out` written. Errors: what the PDU finds wrong with itself, or `buffer_too_small`; `out`
-/// is then untouched.
+/// Writes unit, PDU and CRC into `out`, without checking that this request may go to the unit. Returns the
+/// part of `out` written. Errors: what the PDU's own check finds, or `buffer_too_small`; `out` is then
+/// unchanged.
 template <pdu P>
-[[nodiscard]] constexpr result<byte_span> encode_adu(byte_span out, std::uint8_t unit,
-                                                     P const& value) noexcept
+[[nodiscard]] constexpr result<byte_span> encode_adu(byte_span out, std::uint8_t unit, P const& value) noexcept
 {
     if (errc const wrong = value.check(); wrong != errc::none) {
         return wrong;
@@ -111,32 +107,29 @@ template <pdu P>
     byte_writer writer{out.first(size)};
     writer.u8(unit);
     value.write(writer);
-    return seal(out, size - adu_overhead);
+    return append_crc(out, size - adu_overhead);
 }
 
 /// Writes the frame of a request or response of one unit into `out`; returns the part written.
 template <pdu P>
-[[nodiscard]] constexpr result<byte_span> encode_into(byte_span out, unit_id unit,
-                                                      P const& value) noexcept
+[[nodiscard]] constexpr result<byte_span> encode_into(byte_span out, unit_id unit, P const& value) noexcept
 {
-    return encode_adu(out, unit.octet(), value);
+    return encode_adu(out, unit.byte(), value);
 }
 
-/// Writes the frame of a request to one unit or to everyone into `out`; returns the part written.
+/// Writes the frame of a request to one unit, or of a broadcast, into `out`; returns the part written.
 template <broadcastable P>
-[[nodiscard]] constexpr result<byte_span> encode_into(byte_span out, destination to,
-                                                      P const& value) noexcept
+[[nodiscard]] constexpr result<byte_span> encode_into(byte_span out, destination to, P const& value) noexcept
 {
-    return encode_adu(out, to.octet(), value);
+    return encode_adu(out, to.byte(), value);
 }
 
-/// The frame of a request or response, as a value. It needs a name before it gives a view of its octets. A
-/// question cannot be sent to everyone: that does not compile.
-template <typename To, pdu P>
-[[nodiscard]] constexpr result<frame_of<P>> encode(To to, P const& value) noexcept
+/// The frame of a request or response, as a value. Store it in a variable before taking a view of its bytes.
+/// A request that needs a response cannot be broadcast: that does not compile.
+template <typename To, pdu P> [[nodiscard]] constexpr result<frame_of<P>> encode(To to, P const& value) noexcept
 {
     static_assert(std::same_as<To, unit_id> or broadcastable<P>,
-                  "a broadcast has no answer, so only a write can be broadcast");
+                  "a broadcast has no response, so only a write can be broadcast");
     frame_of<P> frame;
     auto const written = encode_into(frame.storage(), to, value);
     if (not written) {
@@ -146,9 +139,9 @@ template <typename To, pdu P>
     return frame;
 }
 
-/// A frame that is known when compiling, as an array of exactly its size. `Make` is a lambda that
-/// encodes it: `constant_frame([] { return encode(one, write_multiple_registers{8501, words}); })`. One
-/// that cannot be encoded does not compile.
+/// A frame known at compile time, as an array of exactly its size. `Make` is a lambda that encodes it:
+/// `constant_frame([] { return encode(one, write_multiple_registers{8501, words}); })`. A frame that cannot
+/// be encoded does not compile.
 template <typename Make> [[nodiscard]] consteval auto constant_frame(Make) noexcept
 {
     constexpr auto made = Make{}();
@@ -160,7 +153,7 @@ template <typename Make> [[nodiscard]] consteval auto constant_frame(Make) noexc
     return frame;
 }
 
-/// Whether a received frame is whole: `frame_too_short`, `frame_too_long`, `crc_mismatch` or none.
+/// Whether a received frame is complete: `frame_too_short`, `frame_too_long`, `crc_mismatch` or none.
 [[nodiscard]] constexpr errc check_frame(byte_view frame) noexcept
 {
     if (frame.size() < min_adu_size) {
@@ -172,7 +165,7 @@ template <typename Make> [[nodiscard]] consteval auto constant_frame(Make) noexc
     return crc16(frame) == 0 ? errc::none : errc::crc_mismatch;
 }
 
-/// Takes a received frame apart. Errors: those of `check_frame`.
+/// Decodes a received frame. Errors: those of `check_frame`.
 [[nodiscard]] constexpr result<adu> decode_adu(byte_view frame) noexcept
 {
     if (errc const wrong = check_frame(frame); wrong != errc::none) {

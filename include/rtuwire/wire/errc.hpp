@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Everything that can go wrong, as one octet. Below 0x80 it is an exception code as a server sent it
-// (Modbus Application Protocol V1.1b3, 7), listed here or not; from 0x80 it is a local cause. Causes of
-// a kind stand together: statistics count by their order.
+// Every error, as one byte. Below 0x80 it is an exception code as a server sent it (Modbus Application
+// Protocol V1.1b3, 7), listed here or not; from 0x80 it is a local cause. Causes of a kind are adjacent:
+// statistics count by their order.
 #pragma once
 
 #include <cstdint>
@@ -29,43 +29,43 @@ enum class errc : std::uint8_t {
     gateway_target_failed_to_respond = 0x0B,
     unlisted_exception = 0x7F, ///< stands for the codes 0 and above 0x7F, too
 
-    // What the caller asked for cannot be said on the wire; nothing was written or sent.
+    // What the caller requested is not possible; nothing was written or sent.
     buffer_too_small = 0x80, ///< the caller's span cannot hold the result
     invalid_unit,            ///< a unit address outside 1..247
     invalid_quantity,        ///< a quantity of 0 or above the function's limit
     invalid_address_range,   ///< start + quantity runs past register 65535; or an index past a view's end
     invalid_function,        ///< a function code outside 1..127
-    not_for_broadcast,       ///< a question that nobody may answer
+    not_for_broadcast,       ///< a request that needs a response, which a broadcast never gets
     busy,                    ///< a transaction is under way
     pending,                 ///< a conversation has not ended yet
     finished,                ///< a conversation has ended already, and cannot begin anew
     overruled,               ///< a stop, a fault or a set-up came later than the order, or a stop is under way
-    unit_lost,               ///< the unit, ordered to run, did not answer somebody; its order is gone
+    unit_lost,               ///< the unit, ordered to run, did not answer a caller; its order is gone
     too_many_ordered,        ///< the client keeps the orders of no more units at once
 
-    // What came in is not what it should be; nothing of it was handed on.
-    frame_too_short, ///< fewer than 4 octets
-    frame_too_long,  ///< more than 256 octets
-    wrong_length,    ///< the size contradicts the frame's own header
-    crc_mismatch,    ///< the CRC is wrong
-    uart_error,      ///< parity, framing or overrun error reported by the receiver
-    wrong_unit,      ///< another unit answered
-    wrong_function,  ///< the answer is to another function
-    wrong_echo,      ///< address, quantity or value of the answer are not those of the question
-    malformed,       ///< a field holds what the function does not allow
-    echoed,          ///< the question itself came back: the line echoes what is sent
-    collision,       ///< what was sent came back as something else
+    // What was received is not what it should be; nothing of it was passed on.
+    frame_too_short,   ///< fewer than 4 bytes
+    frame_too_long,    ///< more than 256 bytes
+    wrong_length,      ///< the size contradicts the frame's own header
+    crc_mismatch,      ///< the CRC is wrong
+    uart_error,        ///< parity, framing or overrun error reported by the receiver
+    wrong_unit,        ///< another unit answered
+    wrong_function,    ///< the response is to another function
+    response_mismatch, ///< address, quantity or value of the response are not those of the request
+    malformed,         ///< a field holds a value that the function does not allow
+    line_echo,         ///< the request itself came back: the line echoes what is sent
+    collision,         ///< what was sent came back as something else
 
     // What did not happen in time.
-    timed_out,        ///< no answer within the response time-out
-    bus_jam,          ///< octets kept arriving and the line never fell silent
+    timed_out,        ///< no response within the response time-out
+    bus_jam,          ///< bytes kept arriving and the line never became silent
     transmit_stalled, ///< the transmitter never reported the end of the request
-    cancelled,        ///< the caller gave the transaction up
+    cancelled,        ///< the caller cancelled the transaction
 
     // The serial device of a host.
     device_not_found,       ///< no such device
     device_access_denied,   ///< no permission for the device
-    device_in_use,          ///< somebody else holds the device
+    device_in_use,          ///< the device is in use already
     device_not_serial,      ///< not a serial device
     device_setting_refused, ///< the device does not support the bit rate or character format
     device_vanished,        ///< the device was unplugged
@@ -73,7 +73,7 @@ enum class errc : std::uint8_t {
     device_failed,          ///< any other failure of the operating system's call
 };
 
-/// Whether a server sent this as an exception response.
+/// Whether a server sent this error as an exception response.
 [[nodiscard]] constexpr bool is_exception(errc error) noexcept
 {
     return error != errc::none and static_cast<std::uint8_t>(error) < 0x80;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Error names for people, kept apart so that firmware which shows none does not carry them.
+// Error names for display, kept apart so that firmware which shows none does not contain them.
 #pragma once
 
 #include <string_view>
@@ -46,11 +46,11 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     case errc::uart_error: return "parity, framing or overrun error";
     case errc::wrong_unit: return "answer of another unit";
     case errc::wrong_function: return "answer to another function";
-    case errc::wrong_echo: return "answer to another question";
+    case errc::response_mismatch: return "answer to another request";
     case errc::malformed: return "malformed field";
-    case errc::echoed: return "the question itself came back: the line echoes";
+    case errc::line_echo: return "the request itself came back: the line echoes";
     case errc::collision: return "what was sent came back as something else";
-    case errc::timed_out: return "no answer in time";
+    case errc::timed_out: return "no response in time";
     case errc::bus_jam: return "the line never fell silent";
     case errc::transmit_stalled: return "the transmitter never finished";
     case errc::cancelled: return "cancelled";

@@ -12,7 +12,7 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// A function code (AP 5.1). Any code in 1..127 is possible; those that rtuwire speaks have names.
+/// A function code (AP 5.1). Any code in 1..127 is possible; those that rtuwire supports have names.
 enum class function_code : std::uint8_t {
     read_holding_registers = 3,
     write_single_register = 6,
@@ -26,10 +26,7 @@ enum class function_code : std::uint8_t {
 inline constexpr std::uint8_t exception_bit = 0x80;
 
 /// A code as it stands on the wire.
-[[nodiscard]] constexpr std::uint8_t to_u8(function_code code) noexcept
-{
-    return static_cast<std::uint8_t>(code);
-}
+[[nodiscard]] constexpr std::uint8_t to_u8(function_code code) noexcept { return static_cast<std::uint8_t>(code); }
 
 /// Whether a PDU is a request or normal response of a function.
 [[nodiscard]] constexpr bool is_pdu_of(byte_view pdu, function_code code) noexcept
@@ -38,8 +35,7 @@ inline constexpr std::uint8_t exception_bit = 0x80;
 }
 
 /// Writes a function and its first two fields: what most requests begin with.
-constexpr void write_head(byte_writer& out, function_code code, std::uint32_t first,
-                          std::uint32_t second) noexcept
+constexpr void write_head(byte_writer& out, function_code code, std::uint32_t first, std::uint32_t second) noexcept
 {
     constexpr std::size_t size = 5;
     if (std::byte* const at = out.take(size); at != nullptr) {
@@ -49,14 +45,11 @@ constexpr void write_head(byte_writer& out, function_code code, std::uint32_t fi
     }
 }
 
-/// A set of function codes, in 16 octets.
+/// A set of function codes, in 16 bytes.
 class function_set {
 public:
     /// The set of the codes given; codes outside 1..127 are never members.
-    template <typename... Codes> explicit constexpr function_set(Codes... codes) noexcept
-    {
-        (add(codes), ...);
-    }
+    template <typename... Codes> explicit constexpr function_set(Codes... codes) noexcept { (add(codes), ...); }
 
     [[nodiscard]] constexpr bool contains(function_code code) const noexcept
     {

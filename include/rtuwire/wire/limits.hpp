@@ -15,7 +15,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 inline constexpr std::size_t min_adu_size = 4;       ///< unit, function, CRC (SL 2.5.1.1)
 inline constexpr std::size_t max_adu_size = 256;     ///< SL 2.5.1.1
 inline constexpr std::size_t max_pdu_size = 253;     ///< AP 4.1
-inline constexpr std::size_t adu_overhead = 3;       ///< unit in front, two octets of CRC behind
+inline constexpr std::size_t adu_overhead = 3;       ///< unit in front, two bytes of CRC behind
 inline constexpr std::size_t exception_adu_size = 5; ///< AP 7
 
 inline constexpr std::uint16_t max_read_quantity = 125;           ///< AP 6.3
@@ -23,8 +23,8 @@ inline constexpr std::uint16_t max_write_quantity = 123;          ///< AP 6.12
 inline constexpr std::uint16_t max_exchange_read_quantity = 125;  ///< AP 6.17
 inline constexpr std::uint16_t max_exchange_write_quantity = 121; ///< AP 6.17
 
-/// How many registers a device takes in one request, by direction; the specification's limits unless
-/// its manual says less. Zero means that the device lacks the function.
+/// How many registers a device accepts in one request, by direction; the specification's limits unless its
+/// manual says less. Zero means that the device lacks the function.
 struct device_limits {
     std::uint16_t read{max_read_quantity};                     ///< function 03
     std::uint16_t write{max_write_quantity};                   ///< function 16

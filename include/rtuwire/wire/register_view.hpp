@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Registers in wire order: a view over octets that were received, and storage for those to be sent.
-// Both directions share one form, so values are not copied into an array of host words on the way.
+// Registers in wire order: a view over received bytes, and storage for those to be sent. Both directions
+// share one form, so values are not copied into an array of host words on the way.
 #pragma once
 
 #include <array>
@@ -21,44 +21,43 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// The end of a program that reads or sets a register behind the last one; see `on_missing_value`. Not constexpr, so
-/// that the compiler refuses a constant expression with this name.
+/// Ends a program that reads or sets a register behind the last one; see `on_missing_value`. Not constexpr, so that
+/// in a constant expression the compiler reports this name.
 [[noreturn]] inline void there_is_no_such_register() noexcept
 {
     a_failed_result_has_no_value(errc::invalid_address_range);
 }
 
-/// Of `count` registers there is one at this index; looked at where `is_misuse_caught()`.
-[[gnu::always_inline]] constexpr void require_register(std::size_t index,
-                                                       std::size_t count) noexcept
+/// Checks that there is a register at this index among `count`, where `is_misuse_caught()`.
+[[gnu::always_inline]] constexpr void require_register(std::size_t index, std::size_t count) noexcept
 {
     if (is_misuse_caught() and index >= count) {
         there_is_no_such_register();
     }
 }
 
-/// A view of big-endian 16-bit registers; valid as long as the octets beneath it.
+/// A view of big-endian 16-bit registers; valid as long as its bytes.
 class register_view {
 public:
     constexpr register_view() noexcept = default;
 
-    /// The registers that lie in these octets; an odd last octet is not part of any.
-    explicit constexpr register_view(byte_view bytes) noexcept
-        : bytes_{bytes.data(), bytes.size() - bytes.size() % 2}
+    /// The registers that lie in these bytes; an odd last byte is not part of any.
+    explicit constexpr register_view(byte_view bytes) noexcept : bytes_{bytes.data(), bytes.size() - bytes.size() % 2}
     {}
 
     [[nodiscard]] constexpr std::size_t size() const noexcept { return bytes_.size() / 2; }
     [[nodiscard]] constexpr bool empty() const noexcept { return bytes_.empty(); }
 
-    /// The register at an index below `size()`; any other is misuse, like the value of a failed result.
+    /// The register at an index below `size()`; any other index is misuse, like reading the value of a failed
+    /// result.
     [[nodiscard]] constexpr std::uint16_t operator[](std::size_t index) const noexcept
     {
         require_register(index, size());
         return u16_at(bytes_, index * 2);
     }
 
-    /// Copies the registers into words of this machine; how many there were. Nothing is copied where
-    /// `words` has no room for all of them: 0.
+    /// Copies the registers into words of this machine; returns how many there were. Where `words` has no
+    /// room for all of them, nothing is copied: 0.
     constexpr std::size_t copy_to(std::span<std::uint16_t> words) const noexcept
     {
         if (words.size() < size()) {
@@ -76,11 +75,10 @@ public:
         return size();
     }
 
-    /// Not of octets that are gone behind the expression.
-    template <std::size_t Size>
-    explicit register_view(std::array<std::byte, Size> const&& temporary) = delete;
+    /// Not of a temporary, whose bytes are gone after the expression.
+    template <std::size_t Size> explicit register_view(std::array<std::byte, Size> const&& temporary) = delete;
 
-    /// The octets, two for each register.
+    /// The bytes, two for each register.
     [[nodiscard]] constexpr byte_view bytes() const noexcept { return bytes_; }
 
     friend constexpr bool operator==(register_view left, register_view right) noexcept
@@ -92,9 +90,9 @@ private:
     /// Four at once: compilers make one load, two shifts and one store of it.
     static constexpr void copy_four(std::byte const* from, std::uint16_t* to) noexcept
     {
-        constexpr std::uint64_t low_octets = 0x00FF'00FF'00FF'00FF;
-        std::uint64_t const octets = word_at(from);
-        std::uint64_t const words = (octets & low_octets) << 8U | (octets >> 8U & low_octets);
+        constexpr std::uint64_t low_bytes = 0x00FF'00FF'00FF'00FF;
+        std::uint64_t const bytes = word_at(from);
+        std::uint64_t const words = (bytes & low_bytes) << 8U | (bytes >> 8U & low_bytes);
         auto const four = std::bit_cast<std::array<std::uint16_t, 4>>(words);
         to[0] = four[0];
         to[1] = four[1];
@@ -128,20 +126,20 @@ public:
         return u16_at(bytes_, index * 2);
     }
 
-    /// Replaces the register at an index below `Count`; any other is misuse, too.
+    /// Replaces the register at an index below `Count`; any other is misuse, as in a view.
     constexpr void set(std::size_t index, std::uint16_t value) noexcept
     {
         require_register(index, Count);
         byte_writer{byte_span{bytes_}.subspan(index * 2, 2)}.u16(value);
     }
 
-    /// The registers, valid while the block lives: a block that ends with its expression gives no view.
+    /// The registers, valid while the block lives: a temporary block gives no view.
     [[nodiscard]] constexpr register_view view() const& noexcept { return register_view{bytes_}; }
     [[nodiscard]] register_view view() const&& = delete;
     constexpr operator register_view() const& noexcept { return view(); }
     operator register_view() const&& = delete;
 
-    /// The octets, two for each register, valid while the block lives.
+    /// The bytes, two for each register, valid while the block lives.
     [[nodiscard]] constexpr byte_view bytes() const& noexcept { return bytes_; }
     [[nodiscard]] byte_view bytes() const&& = delete;
 
@@ -157,31 +155,29 @@ private:
 
 template <typename... Values> register_block(Values...) -> register_block<sizeof...(Values)>;
 
-/// The octets of a request's words at most, where its function allows `Most` registers. A request owns its words,
-/// a `register_block`, or has a `register_view` of words that live elsewhere.
-template <typename Words, std::size_t Most> inline constexpr std::size_t octets_at_most = 2 * Most;
+/// The most bytes that a request's words can have, where its function allows `Most` registers. A request owns
+/// its words, a `register_block`, or has a `register_view` of words that are stored elsewhere.
+template <typename Words, std::size_t Most> inline constexpr std::size_t bytes_at_most = 2 * Most;
 template <std::size_t Count, std::size_t Most>
-inline constexpr std::size_t octets_at_most<register_block<Count>, Most> =
-    2 * (Count < Most ? Count : Most);
+inline constexpr std::size_t bytes_at_most<register_block<Count>, Most> = 2 * (Count < Most ? Count : Most);
 
-/// The answer of function 03 or 23 that lies in a PDU: a byte count and as many octets, two for each of
-/// 1..125 registers. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
+/// Decodes the response of function 03 or 23 in a PDU: a byte count and as many bytes, two for each of 1..125
+/// registers. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
 template <typename Response>
-[[nodiscard]] constexpr result<Response> decode_registers(byte_view pdu,
-                                                          function_code function) noexcept
+[[nodiscard]] constexpr result<Response> decode_registers(byte_view pdu, function_code function) noexcept
 {
     constexpr std::size_t head = 2;
     if (not is_pdu_of(pdu, function)) {
         return errc::wrong_function;
     }
-    std::size_t const octets = pdu.size() < head ? 1U : to_u8(pdu[1]);
-    if (pdu.size() != head + octets or octets % 2 != 0) {
+    std::size_t const bytes = pdu.size() < head ? 1U : to_u8(pdu[1]);
+    if (pdu.size() != head + bytes or bytes % 2 != 0) {
         return errc::wrong_length;
     }
-    if (not is_quantity(octets / 2, max_read_quantity)) {
+    if (not is_quantity(bytes / 2, max_read_quantity)) {
         return errc::invalid_quantity;
     }
-    return Response{register_view{byte_view{pdu.data() + head, octets}}};
+    return Response{register_view{byte_view{pdu.data() + head, bytes}}};
 }
 
 } // namespace rtuwire

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Who a frame is for: a unit, 1..247, or everyone (SL 2.2). A value of these types is always one that
-// may stand on the wire, so that whoever takes it need not check.
+// The address of a frame: a unit, 1..247, or broadcast (SL 2.2). A value of these types is always valid on
+// the wire, so that a function that takes one need not check it.
 #pragma once
 
 #include <compare>
@@ -17,30 +17,30 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// Never defined: reached only in a constant expression, so that the compiler prints the name.
 void a_unit_address_is_1_to_247();
 
-/// A number from a source file that is a unit address. A class of its own, because Clang 14 crashes on
-/// the second use of a class whose own constructor is consteval.
+/// A number in source code that is a unit address. A class of its own, because Clang 14 crashes on the second
+/// use of a class whose own constructor is consteval.
 class unit_number {
 public:
-    consteval unit_number(int number) noexcept : octet_{static_cast<std::uint8_t>(number)}
+    consteval unit_number(int number) noexcept : byte_{static_cast<std::uint8_t>(number)}
     {
         if (number < 1 or number > 247) {
             a_unit_address_is_1_to_247();
         }
     }
 
-    [[nodiscard]] constexpr std::uint8_t octet() const noexcept { return octet_; }
+    [[nodiscard]] constexpr std::uint8_t byte() const noexcept { return byte_; }
 
 private:
-    std::uint8_t octet_;
+    std::uint8_t byte_;
 };
 
 /// The address of one unit, 1..247.
 class unit_id {
 public:
-    /// A unit address known when compiling: unit_id{7}.
-    explicit constexpr unit_id(unit_number number) noexcept : octet_{number.octet()} {}
+    /// A unit address known at compile time: unit_id{7}.
+    explicit constexpr unit_id(unit_number number) noexcept : byte_{number.byte()} {}
 
-    /// A unit address known only when running; `errc::invalid_unit` outside 1..247.
+    /// A unit address known only at run time; `errc::invalid_unit` outside 1..247.
     [[nodiscard]] static constexpr result<unit_id> checked(std::uint32_t number) noexcept
     {
         if (number < 1 or number > 247) {
@@ -50,36 +50,36 @@ public:
     }
 
     /// The address as it stands on the wire.
-    [[nodiscard]] constexpr std::uint8_t octet() const noexcept { return octet_; }
+    [[nodiscard]] constexpr std::uint8_t byte() const noexcept { return byte_; }
 
     friend constexpr auto operator<=>(unit_id, unit_id) noexcept = default;
 
 private:
     struct from_wire {};
-    constexpr unit_id(from_wire, std::uint8_t octet) noexcept : octet_{octet} {}
+    constexpr unit_id(from_wire, std::uint8_t byte) noexcept : byte_{byte} {}
 
-    std::uint8_t octet_;
+    std::uint8_t byte_;
 };
 
-/// Everyone on the line; nobody answers.
+/// Every unit on the line; none answers.
 struct broadcast_t {};
 inline constexpr broadcast_t broadcast{};
 
-/// One unit, or everyone: what a write may be sent to.
+/// One unit, or all of them: what a write may be sent to.
 class destination {
 public:
-    constexpr destination(unit_id unit) noexcept : octet_{unit.octet()} {}
-    constexpr destination(broadcast_t) noexcept : octet_{0} {}
+    constexpr destination(unit_id unit) noexcept : byte_{unit.byte()} {}
+    constexpr destination(broadcast_t) noexcept : byte_{0} {}
 
-    [[nodiscard]] constexpr bool is_broadcast() const noexcept { return octet_ == 0; }
+    [[nodiscard]] constexpr bool is_broadcast() const noexcept { return byte_ == 0; }
 
-    /// The address as it stands on the wire; 0 for everyone.
-    [[nodiscard]] constexpr std::uint8_t octet() const noexcept { return octet_; }
+    /// The address as it stands on the wire; 0 for broadcast.
+    [[nodiscard]] constexpr std::uint8_t byte() const noexcept { return byte_; }
 
     friend constexpr bool operator==(destination, destination) noexcept = default;
 
 private:
-    std::uint8_t octet_;
+    std::uint8_t byte_;
 };
 
 } // namespace rtuwire

@@ -7,7 +7,7 @@ int main()
 {
     using namespace rtuwire;
     constexpr auto expected = "02 03 0C 1E 00 04 27 6C"_hex;
-    constexpr read_holding_registers question{.start = 3102, .count = 4};
-    static_assert(encode(unit_id{2}, question) == expected);
-    return encode(unit_id{2}, question) == expected ? 0 : 1;
+    constexpr read_holding_registers request{.start = 3102, .count = 4};
+    static_assert(encode(unit_id{2}, request) == expected);
+    return encode(unit_id{2}, request) == expected ? 0 : 1;
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Decoders: size, byte count and quantity must agree, and no octets make them read outside.
+// Decoders: size, byte count and quantity must agree, and no bytes make them read outside.
 #include <rtuwire/wire/pdu/device_identification.hpp>
 
 #include <array>
@@ -22,10 +22,9 @@ using namespace rtuwire;
 
 namespace {
 
-template <typename P, std::size_t Size>
-constexpr errc fault(std::array<std::byte, Size> const& octets)
+template <typename P, std::size_t Size> constexpr errc fault(std::array<std::byte, Size> const& bytes)
 {
-    return P::decode(octets).error();
+    return P::decode(bytes).error();
 }
 
 using fc03 = read_holding_registers;
@@ -39,13 +38,13 @@ STATIC_CHECK(fault<fc03>("06 00 00 00 01"_hex) == errc::wrong_function);
 // The last register exists; what lies past it is for the bank to say.
 STATIC_CHECK(fault<fc03>("03 FF FF 00 02"_hex) == errc::none);
 
-using fc03_answer = read_holding_registers_response;
-STATIC_CHECK(fault<fc03_answer>("03 02 12 34"_hex) == errc::none);
-STATIC_CHECK(fault<fc03_answer>("03"_hex) == errc::wrong_length);
-STATIC_CHECK(fault<fc03_answer>("03 00"_hex) == errc::invalid_quantity);
-STATIC_CHECK(fault<fc03_answer>("03 03 12 34 56"_hex) == errc::wrong_length);
-STATIC_CHECK(fault<fc03_answer>("03 02 12"_hex) == errc::wrong_length);
-STATIC_CHECK(fault<fc03_answer>("03 02 12 34 56"_hex) == errc::wrong_length);
+using fc03_response = read_holding_registers_response;
+STATIC_CHECK(fault<fc03_response>("03 02 12 34"_hex) == errc::none);
+STATIC_CHECK(fault<fc03_response>("03"_hex) == errc::wrong_length);
+STATIC_CHECK(fault<fc03_response>("03 00"_hex) == errc::invalid_quantity);
+STATIC_CHECK(fault<fc03_response>("03 03 12 34 56"_hex) == errc::wrong_length);
+STATIC_CHECK(fault<fc03_response>("03 02 12"_hex) == errc::wrong_length);
+STATIC_CHECK(fault<fc03_response>("03 02 12 34 56"_hex) == errc::wrong_length);
 
 using fc06 = write_single_register;
 STATIC_CHECK(fault<fc06>("06 00 01 00 03"_hex) == errc::none);
@@ -59,10 +58,10 @@ STATIC_CHECK(fault<fc16>("10 00 00 00 01 02 00 05 AA BB"_hex) == errc::wrong_len
 STATIC_CHECK(fault<fc16>("10 00 00 00 01 03 00 05 00"_hex) == errc::wrong_length);
 STATIC_CHECK(fault<fc16>("10 00 00 00 00 00"_hex) == errc::invalid_quantity);
 STATIC_CHECK(fault<fc16>("10 00 00 00 01"_hex) == errc::wrong_length);
-using fc16_answer = write_multiple_registers_response;
-STATIC_CHECK(fault<fc16_answer>("10 00 00 00 7B"_hex) == errc::none);
-STATIC_CHECK(fault<fc16_answer>("10 00 00 00 7C"_hex) == errc::invalid_quantity);
-STATIC_CHECK(fault<fc16_answer>("10 00 00 00"_hex) == errc::wrong_length);
+using fc16_response = write_multiple_registers_response;
+STATIC_CHECK(fault<fc16_response>("10 00 00 00 7B"_hex) == errc::none);
+STATIC_CHECK(fault<fc16_response>("10 00 00 00 7C"_hex) == errc::invalid_quantity);
+STATIC_CHECK(fault<fc16_response>("10 00 00 00"_hex) == errc::wrong_length);
 
 using fc23 = read_write_multiple_registers<>;
 STATIC_CHECK(fault<fc23>("17 00 00 00 01 00 00 00 01 02 00 05"_hex) == errc::none);
@@ -102,8 +101,8 @@ STATIC_CHECK(fault<page>("2B 0E 01 01 00 00 00"_hex) == errc::malformed);
 
 constexpr bool walks_objects()
 {
-    constexpr auto octets = "2B 0E 01 01 FF 03 02 00 01 41 02 00"_hex;
-    auto const read = page::decode(octets);
+    constexpr auto bytes = "2B 0E 01 01 FF 03 02 00 01 41 02 00"_hex;
+    auto const read = page::decode(bytes);
     if (not read or not read->more_follows or read->next_object != 3) {
         return false;
     }
@@ -114,52 +113,50 @@ constexpr bool walks_objects()
 }
 PROOF("a page's objects are walked in order", walks_objects)
 
-/// Decodes octets as P; what decodes must encode to the same octets.
-template <typename P> constexpr bool is_identity(byte_view octets)
+/// Decodes bytes as P; what decodes must encode to the same bytes.
+template <typename P> constexpr bool is_identity(byte_view bytes)
 {
-    auto const read = P::decode(octets);
+    auto const read = P::decode(bytes);
     if (not read) {
         return true;
     }
     std::array<std::byte, 256> place{};
     byte_writer out{place};
     read->write(out);
-    return same_bytes(out.written(), octets);
+    return same_bytes(out.written(), bytes);
 }
 
-/// How many of pseudo-random PDUs decode to something that encodes to other octets.
+/// How many of pseudo-random PDUs decode to something that encodes to other bytes.
 constexpr unsigned changed(std::uint32_t seed, unsigned rounds)
 {
     constexpr std::array<std::uint8_t, 8> codes{3, 6, 8, 16, 23, 43, 0x83, 0x41};
     test::random random{seed};
     unsigned wrong = 0;
     for (unsigned round = 0; round < rounds; ++round) {
-        test::exact_octets octets{random.below(40)};
-        byte_span const part = octets.span();
+        test::exact_bytes bytes{random.below(40)};
+        byte_span const part = bytes.span();
         random.fill(part);
         // Small numbers make headers that agree with themselves.
-        for (std::byte& octet : part) {
+        for (std::byte& byte : part) {
             if (random.below(3) != 0) {
-                octet = to_byte(random.below(8));
+                byte = to_byte(random.below(8));
             }
         }
         if (not part.empty()) {
             part[0] = to_byte(codes[random.below(codes.size())]);
         }
-        bool const same = is_identity<fc03>(part) and is_identity<fc03_answer>(part) and
-                          is_identity<fc06>(part) and is_identity<fc16>(part) and
-                          is_identity<fc16_answer>(part) and is_identity<fc23>(part) and
+        bool const same = is_identity<fc03>(part) and is_identity<fc03_response>(part) and is_identity<fc06>(part) and
+                          is_identity<fc16>(part) and is_identity<fc16_response>(part) and is_identity<fc23>(part) and
                           is_identity<read_write_multiple_registers_response>(part) and
-                          is_identity<diagnostics<>>(part) and
-                          is_identity<exception_response>(part) and is_identity<identify>(part) and
-                          is_identity<page>(part) and is_identity<raw_pdu<>>(part);
+                          is_identity<diagnostics<>>(part) and is_identity<exception_response>(part) and
+                          is_identity<identify>(part) and is_identity<page>(part) and is_identity<raw_pdu<>>(part);
         wrong += same ? 0U : 1U;
     }
     return wrong;
 }
-constexpr bool keeps_arbitrary_octets() { return changed(13, 200) == 0; }
-PROOF("no octets make a decoder read outside them", keeps_arbitrary_octets)
+constexpr bool keeps_arbitrary_bytes() { return changed(13, 200) == 0; }
+PROOF("no bytes make a decoder read outside them", keeps_arbitrary_bytes)
 
 } // namespace
 
-TEST_CASE("whatever decodes encodes to the same octets") { CHECK(changed(11, 200'000) == 0); }
+TEST_CASE("whatever decodes encodes to the same bytes") { CHECK(changed(11, 200'000) == 0); }

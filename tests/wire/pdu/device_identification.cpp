@@ -6,8 +6,8 @@
 
 #include <array>
 
+#include "support/encode_space.hpp"
 #include "support/proof.hpp"
-#include "support/rooms.hpp"
 
 #include <rtuwire/core/hex.hpp>
 
@@ -15,15 +15,14 @@ using namespace rtuwire;
 
 namespace {
 
-constexpr auto page_octets = "2B 0E 01 02 00 00 03 00 02 41 42 01 01 43 02 00"_hex;
+constexpr auto page_bytes = "2B 0E 01 02 00 00 03 00 02 41 42 01 01 43 02 00"_hex;
 
 constexpr bool asks_in_four_ways()
 {
     for (std::uint32_t code = 0; code <= 0xFF; ++code) {
         read_device_identification const ask{static_cast<identification_access>(code), 0x80};
-        bool const is_right = code >= 1 and code <= 4
-                                  ? test::survives(ask, [&](auto const& r) { return r == ask; })
-                                  : test::is_refused(ask, errc::malformed, 16);
+        bool const is_right = code >= 1 and code <= 4 ? test::survives(ask, [&](auto const& r) { return r == ask; })
+                                                      : test::is_refused(ask, errc::malformed, 16);
         if (not is_right) {
             return false;
         }
@@ -32,30 +31,28 @@ constexpr bool asks_in_four_ways()
 }
 PROOF("identification is asked for with an access code of 1 to 4", asks_in_four_ways)
 
-constexpr bool asks_in_four_octets()
+constexpr bool asks_in_four_bytes()
 {
-    constexpr auto octets = "2B 0E 01 00 00 00"_hex;
-    for (std::size_t size = 0; size <= octets.size(); ++size) {
-        test::exact_octets const pdu{byte_view{octets}.first(size)};
-        errc const expected = size == 0   ? errc::wrong_function
-                              : size == 4 ? errc::none
-                                          : errc::wrong_length;
+    constexpr auto bytes = "2B 0E 01 00 00 00"_hex;
+    for (std::size_t size = 0; size <= bytes.size(); ++size) {
+        test::exact_bytes const pdu{byte_view{bytes}.first(size)};
+        errc const expected = size == 0 ? errc::wrong_function : size == 4 ? errc::none : errc::wrong_length;
         if (read_device_identification::decode(pdu.view()).error() != expected) {
             return false;
         }
     }
     return true;
 }
-PROOF("identification is asked for in four octets", asks_in_four_octets)
+PROOF("identification is asked for in four bytes", asks_in_four_bytes)
 
 constexpr bool is_read_whole_only()
 {
-    for (std::size_t size = 0; size <= page_octets.size(); ++size) {
-        test::exact_octets const pdu{byte_view{page_octets}.first(size)};
-        errc const expected = size == 0                   ? errc::wrong_function
-                              : size < 7                  ? errc::wrong_length
-                              : size < page_octets.size() ? errc::malformed
-                                                          : errc::none;
+    for (std::size_t size = 0; size <= page_bytes.size(); ++size) {
+        test::exact_bytes const pdu{byte_view{page_bytes}.first(size)};
+        errc const expected = size == 0                  ? errc::wrong_function
+                              : size < 7                 ? errc::wrong_length
+                              : size < page_bytes.size() ? errc::malformed
+                                                         : errc::none;
         if (device_identification::decode(pdu.view()).error() != expected) {
             return false;
         }
@@ -70,9 +67,9 @@ constexpr bool believes_no_other(std::uint32_t limit)
 {
     for (std::size_t const at : {6U, 8U, 12U, 15U}) {
         for (std::uint32_t value = 0; value < limit; ++value) {
-            test::exact_octets pdu{page_octets};
+            test::exact_bytes pdu{page_bytes};
             pdu.span()[at] = to_byte(value);
-            errc const expected = pdu.span()[at] == page_octets[at] ? errc::none : errc::malformed;
+            errc const expected = pdu.span()[at] == page_bytes[at] ? errc::none : errc::malformed;
             if (device_identification::decode(pdu.view()).error() != expected) {
                 return false;
             }
@@ -81,13 +78,12 @@ constexpr bool believes_no_other(std::uint32_t limit)
     return true;
 }
 constexpr bool believes_no_other_small_number() { return believes_no_other(24); }
-PROOF("a page with another number of objects or another length is refused",
-      believes_no_other_small_number)
+PROOF("a page with another number of objects or another length is refused", believes_no_other_small_number)
 
 constexpr bool says_more_in_two_ways()
 {
     for (std::uint32_t value = 0; value <= 0xFF; ++value) {
-        test::exact_octets pdu{page_octets};
+        test::exact_bytes pdu{page_bytes};
         pdu.span()[4] = to_byte(value);
         auto const read = device_identification::decode(pdu.view());
         bool const is_known = value == 0x00 or value == 0xFF;
@@ -101,8 +97,8 @@ PROOF("more follows is 00 or FF", says_more_in_two_ways)
 
 constexpr bool keeps_its_fields_apart()
 {
-    constexpr auto octets = "2B 0E 02 83 FF 04 01 03 02 48 69"_hex;
-    test::exact_octets const pdu{octets};
+    constexpr auto bytes = "2B 0E 02 83 FF 04 01 03 02 48 69"_hex;
+    test::exact_bytes const pdu{bytes};
     auto const read = device_identification::decode(pdu.view());
     return read and read->access == identification_access::regular and read->conformity == 0x83 and
            read->more_follows and read->next_object == 4 and read->count == 1 and
@@ -127,27 +123,22 @@ constexpr bool says_that_more_follows()
     constexpr auto list = "00 01 41"_hex;
     device_identification const page{identification_access::basic, 1, true, 1, 1, list};
     device_identification::object const of_another_page{7, list};
-    return test::survives(page, [](auto const& r) { return r.more_follows; }) and
-           not page.after(of_another_page);
+    return test::survives(page, [](auto const& r) { return r.more_follows; }) and not page.after(of_another_page);
 }
 PROOF("a page says that more follows", says_that_more_follows)
 PROOF("a page is written only when its objects come out even", is_written_well_formed_only)
 
 /// A page that was not decoded: its list ends within its only object.
 constexpr auto half_an_object = "00 03 41"_hex;
-constexpr device_identification by_hand{
-    identification_access::basic, 1, false, 0, 1, half_an_object};
+constexpr device_identification by_hand{identification_access::basic, 1, false, 0, 1, half_an_object};
 STATIC_CHECK(not by_hand.first());
 STATIC_CHECK(by_hand.check() == errc::malformed);
 
 } // namespace
 
-TEST_CASE("a page with any other number of objects or any other length is refused")
-{
-    CHECK(believes_no_other(256));
-}
+TEST_CASE("a page with any other number of objects or any other length is refused") { CHECK(believes_no_other(256)); }
 
-TEST_CASE("a page holds one object of up to 244 octets")
+TEST_CASE("a page holds one object of up to 244 bytes")
 {
     std::array<std::byte, 256> list{};
     for (std::size_t length = 0; length <= 250; ++length) {

@@ -5,9 +5,9 @@
 
 #include <array>
 
+#include "support/encode_space.hpp"
 #include "support/proof.hpp"
 #include "support/random.hpp"
-#include "support/rooms.hpp"
 
 using namespace rtuwire;
 using rtuwire::test::is_refused;
@@ -17,10 +17,9 @@ namespace {
 
 constexpr bool needs_its_room()
 {
-    return test::needs_room(diagnostics{subfunction::return_query_data, register_block{1, 2, 3}},
-                            12);
+    return test::needs_room(diagnostics{subfunction::return_query_data, register_block{1, 2, 3}}, 12);
 }
-PROOF("a frame of function 08 needs all of its octets", needs_its_room)
+PROOF("a frame of function 08 needs all of its bytes", needs_its_room)
 
 constexpr bool takes_one_word()
 {
@@ -45,12 +44,11 @@ PROOF("every sub-function but the query takes exactly one word", takes_one_word)
 
 TEST_CASE("a query of function 08 has 1 to 125 words")
 {
-    std::array<std::byte, 252> octets{};
-    test::random{8}.fill(octets);
+    std::array<std::byte, 252> bytes{};
+    test::random{8}.fill(bytes);
     for (std::size_t count = 0; count <= 126; ++count) {
         CAPTURE(count);
-        diagnostics const query{subfunction::return_query_data,
-                                register_view{byte_view{octets}.first(2 * count)}};
+        diagnostics const query{subfunction::return_query_data, register_view{byte_view{bytes}.first(2 * count)}};
         if (count >= 1 and count <= 125) {
             CHECK(survives(query, [&](auto const& read) { return read == query; }));
         } else {
@@ -61,11 +59,11 @@ TEST_CASE("a query of function 08 has 1 to 125 words")
 
 TEST_CASE("function 08 is read in whole words only")
 {
-    std::array<std::byte, 260> octets{};
-    octets[0] = std::byte{8};
-    for (std::size_t size = 1; size <= octets.size(); ++size) {
+    std::array<std::byte, 260> bytes{};
+    bytes[0] = std::byte{8};
+    for (std::size_t size = 1; size <= bytes.size(); ++size) {
         CAPTURE(size);
-        test::exact_octets const pdu{byte_view{octets}.first(size)};
+        test::exact_bytes const pdu{byte_view{bytes}.first(size)};
         errc const expected = size < 3 or size % 2 == 0 ? errc::wrong_length
                               : size == 3 or size > 253 ? errc::invalid_quantity
                                                         : errc::none;

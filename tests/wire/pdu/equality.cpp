@@ -38,8 +38,7 @@ PROOF("requests of function 08 differ by each of their parts", tells_diagnostics
 constexpr bool tells_writes_apart()
 {
     write_multiple_registers const one{10, values};
-    return one == write_multiple_registers{10, values} and
-           not(one == write_multiple_registers{11, values}) and
+    return one == write_multiple_registers{10, values} and not(one == write_multiple_registers{11, values}) and
            not(one == write_multiple_registers{10, others});
 }
 PROOF("requests of function 16 differ by each of their parts", tells_writes_apart)

@@ -3,8 +3,8 @@
 // A server's refusal: any function, any number, one size.
 #include <rtuwire/wire/pdu/exception.hpp>
 
+#include "support/encode_space.hpp"
 #include "support/proof.hpp"
-#include "support/rooms.hpp"
 
 #include <rtuwire/core/hex.hpp>
 
@@ -12,20 +12,15 @@ using namespace rtuwire;
 
 namespace {
 
-constexpr bool needs_its_room()
-{
-    return test::needs_room(exception_response{function_code::diagnostics, 2}, 5);
-}
-PROOF("an exception response needs five octets", needs_its_room)
+constexpr bool needs_its_room() { return test::needs_room(exception_response{function_code::diagnostics, 2}, 5); }
+PROOF("an exception response needs five bytes", needs_its_room)
 
 constexpr bool refuses_any_function()
 {
     for (std::uint32_t number = 0; number <= 0xFF; ++number) {
         exception_response const refusal{static_cast<function_code>(number), 3};
-        bool const is_right =
-            number < 0x80
-                ? test::survives(refusal, [&](auto const& read) { return read == refusal; })
-                : test::is_refused(refusal, errc::invalid_function);
+        bool const is_right = number < 0x80 ? test::survives(refusal, [&](auto const& read) { return read == refusal; })
+                                            : test::is_refused(refusal, errc::invalid_function);
         if (not is_right) {
             return false;
         }
@@ -48,20 +43,18 @@ constexpr bool keeps_any_number()
 }
 PROOF("a refusal keeps any number", keeps_any_number)
 
-constexpr bool has_two_octets()
+constexpr bool has_two_bytes()
 {
-    constexpr auto octets = "83 02 00"_hex;
-    for (std::size_t size = 0; size <= octets.size(); ++size) {
-        test::exact_octets const pdu{byte_view{octets}.first(size)};
-        errc const expected = size == 0   ? errc::wrong_function
-                              : size == 2 ? errc::none
-                                          : errc::wrong_length;
+    constexpr auto bytes = "83 02 00"_hex;
+    for (std::size_t size = 0; size <= bytes.size(); ++size) {
+        test::exact_bytes const pdu{byte_view{bytes}.first(size)};
+        errc const expected = size == 0 ? errc::wrong_function : size == 2 ? errc::none : errc::wrong_length;
         if (exception_response::decode(pdu.view()).error() != expected) {
             return false;
         }
     }
     return true;
 }
-PROOF("an exception response has two octets", has_two_octets)
+PROOF("an exception response has two bytes", has_two_bytes)
 
 } // namespace

@@ -5,9 +5,9 @@
 
 #include <array>
 
+#include "support/encode_space.hpp"
 #include "support/proof.hpp"
 #include "support/random.hpp"
-#include "support/rooms.hpp"
 
 #include <rtuwire/core/hex.hpp>
 
@@ -23,7 +23,7 @@ constexpr bool has_a_code_of_1_to_127()
         bool const is_right = number >= 1 and number <= 127
                                   ? test::survives(some, [&](auto const& r) { return r == some; })
                                   : test::is_refused(some, errc::invalid_function, 16);
-        test::exact_octets pdu{1};
+        test::exact_bytes pdu{1};
         pdu.span()[0] = to_byte(number);
         bool const is_read = raw_pdu<>::decode(pdu.view()).has_value();
         if (not is_right or is_read != (number >= 1 and number <= 127)) {
@@ -40,11 +40,11 @@ constexpr bool needs_its_room()
     return test::needs_room(raw_pdu{static_cast<function_code>(24), data}, 6) and
            raw_pdu<>::decode({}) == errc::wrong_length;
 }
-PROOF("a raw frame needs all of its octets", needs_its_room)
+PROOF("a raw frame needs all of its bytes", needs_its_room)
 
 } // namespace
 
-TEST_CASE("a raw function carries up to 252 octets")
+TEST_CASE("a raw function carries up to 252 bytes")
 {
     std::array<std::byte, 254> data{};
     test::random{41}.fill(data);

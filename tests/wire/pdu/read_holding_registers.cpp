@@ -5,9 +5,9 @@
 
 #include <array>
 
+#include "support/encode_space.hpp"
 #include "support/proof.hpp"
 #include "support/random.hpp"
-#include "support/rooms.hpp"
 
 #include <rtuwire/core/hex.hpp>
 
@@ -22,10 +22,9 @@ constexpr bool asks_for_1_to_125()
 {
     for (std::uint32_t count = 0; count <= 127; ++count) {
         read_holding_registers const ask{3201, static_cast<std::uint16_t>(count)};
-        bool const is_right =
-            count >= 1 and count <= 125
-                ? survives(ask, [&](read_holding_registers const& read) { return read == ask; })
-                : is_refused(ask, errc::invalid_quantity);
+        bool const is_right = count >= 1 and count <= 125
+                                  ? survives(ask, [&](read_holding_registers const& read) { return read == ask; })
+                                  : is_refused(ask, errc::invalid_quantity);
         if (not is_right) {
             return false;
         }
@@ -43,8 +42,7 @@ constexpr bool asks_up_to_the_last_register()
         if (read_holding_registers{last, quantity}.check() != errc::none) {
             return false;
         }
-        if (count > 1 and
-            not is_refused(read_holding_registers{past, quantity}, errc::invalid_address_range)) {
+        if (count > 1 and not is_refused(read_holding_registers{past, quantity}, errc::invalid_address_range)) {
             return false;
         }
     }
@@ -52,31 +50,29 @@ constexpr bool asks_up_to_the_last_register()
 }
 PROOF("function 03 asks for nothing past register 65535", asks_up_to_the_last_register)
 
-constexpr bool reads_requests_of_five_octets()
+constexpr bool reads_requests_of_five_bytes()
 {
-    constexpr auto octets = "03 0C 81 00 01 00 00"_hex;
-    for (std::size_t size = 0; size <= octets.size(); ++size) {
-        test::exact_octets const pdu{byte_view{octets}.first(size)};
-        errc const expected = size == 0   ? errc::wrong_function
-                              : size == 5 ? errc::none
-                                          : errc::wrong_length;
+    constexpr auto bytes = "03 0C 81 00 01 00 00"_hex;
+    for (std::size_t size = 0; size <= bytes.size(); ++size) {
+        test::exact_bytes const pdu{byte_view{bytes}.first(size)};
+        errc const expected = size == 0 ? errc::wrong_function : size == 5 ? errc::none : errc::wrong_length;
         if (read_holding_registers::decode(pdu.view()).error() != expected) {
             return false;
         }
     }
     return true;
 }
-PROOF("a request of function 03 has five octets", reads_requests_of_five_octets)
+PROOF("a request of function 03 has five bytes", reads_requests_of_five_bytes)
 
-constexpr bool needs_eight_octets() { return needs_room(read_holding_registers{3201, 1}, 8); }
-PROOF("a request of function 03 needs a place of eight octets", needs_eight_octets)
+constexpr bool needs_eight_bytes() { return needs_room(read_holding_registers{3201, 1}, 8); }
+PROOF("a request of function 03 needs a place of eight bytes", needs_eight_bytes)
 
-constexpr bool answer_needs_its_room()
+constexpr bool response_needs_its_room()
 {
     register_block const words{0x0237, 0x05DC};
     return needs_room(read_holding_registers_response{words}, 9);
 }
-PROOF("an answer of function 03 needs five octets and two for each register", answer_needs_its_room)
+PROOF("a response of function 03 needs five bytes and two for each register", response_needs_its_room)
 
 } // namespace
 
@@ -93,47 +89,43 @@ TEST_CASE("a request of function 03 is read with a quantity of 1 to 125 of all 6
     CHECK(wrong == 0);
 }
 
-TEST_CASE("an answer of function 03 is read only when byte count and size agree on whole registers")
+TEST_CASE("a response of function 03 is read only when byte count and size agree on whole registers")
 {
-    std::array<std::byte, 260> octets{};
+    std::array<std::byte, 260> bytes{};
     test::random random{3};
-    random.fill(octets);
-    octets[0] = std::byte{3};
+    random.fill(bytes);
+    bytes[0] = std::byte{3};
     unsigned wrong = 0;
-    for (std::uint32_t octet_count = 0; octet_count <= 255; ++octet_count) {
-        octets[1] = to_byte(octet_count);
-        for (std::size_t size = 2; size <= octets.size(); ++size) {
-            test::exact_octets const pdu{byte_view{octets}.first(size)};
+    for (std::uint32_t byte_count = 0; byte_count <= 255; ++byte_count) {
+        bytes[1] = to_byte(byte_count);
+        for (std::size_t size = 2; size <= bytes.size(); ++size) {
+            test::exact_bytes const pdu{byte_view{bytes}.first(size)};
             auto const read = read_holding_registers_response::decode(pdu.view());
-            bool const agrees = size == 2 + octet_count and octet_count % 2 == 0;
-            bool const fits = octet_count >= 2 and octet_count <= 250;
-            errc const expected = not agrees ? errc::wrong_length
-                                  : not fits ? errc::invalid_quantity
-                                             : errc::none;
+            bool const agrees = size == 2 + byte_count and byte_count % 2 == 0;
+            bool const fits = byte_count >= 2 and byte_count <= 250;
+            errc const expected = not agrees ? errc::wrong_length : not fits ? errc::invalid_quantity : errc::none;
             bool const holds =
-                read.error() == expected and
-                (not read or same_bytes(read->registers.bytes(), pdu.view().subspan(2)));
+                read.error() == expected and (not read or same_bytes(read->registers.bytes(), pdu.view().subspan(2)));
             wrong += holds ? 0U : 1U;
         }
     }
     CHECK(wrong == 0);
 }
 
-TEST_CASE("an answer of function 03 with 0 to 126 registers is written when it has 1 to 125")
+TEST_CASE("a response of function 03 with 0 to 126 registers is written when it has 1 to 125")
 {
-    std::array<std::byte, 252> octets{};
+    std::array<std::byte, 252> bytes{};
     test::random random{5};
-    random.fill(octets);
+    random.fill(bytes);
     for (std::size_t count = 0; count <= 126; ++count) {
         CAPTURE(count);
-        read_holding_registers_response const answer{
-            register_view{byte_view{octets}.first(2 * count)}};
+        read_holding_registers_response const response{register_view{byte_view{bytes}.first(2 * count)}};
         if (count >= 1 and count <= 125) {
-            CHECK(survives(answer, [&](auto const& read) {
-                return read.registers == answer.registers and read.registers.size() == count;
+            CHECK(survives(response, [&](auto const& read) {
+                return read.registers == response.registers and read.registers.size() == count;
             }));
         } else {
-            CHECK(is_refused(answer, errc::invalid_quantity));
+            CHECK(is_refused(response, errc::invalid_quantity));
         }
     }
 }

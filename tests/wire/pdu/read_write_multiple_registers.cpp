@@ -5,9 +5,9 @@
 
 #include <array>
 
+#include "support/encode_space.hpp"
 #include "support/proof.hpp"
 #include "support/random.hpp"
-#include "support/rooms.hpp"
 
 using namespace rtuwire;
 using rtuwire::test::is_refused;
@@ -22,7 +22,7 @@ constexpr bool needs_its_room()
     return needs_room(read_write_multiple_registers{12741, 3, 12761, values}, 19) and
            needs_room(read_write_multiple_registers_response{values}, 11);
 }
-PROOF("a frame of function 23 needs all of its octets", needs_its_room)
+PROOF("a frame of function 23 needs all of its bytes", needs_its_room)
 
 constexpr bool reads_1_to_125()
 {
@@ -52,12 +52,12 @@ constexpr bool keeps_its_fields_apart()
 PROOF("the two halves of function 23 are not taken for each other", keeps_its_fields_apart)
 
 struct sample {
-    std::array<std::byte, 268> octets{};
+    std::array<std::byte, 268> bytes{};
 
-    explicit constexpr sample(std::uint32_t seed) { test::random{seed}.fill(octets); }
+    explicit constexpr sample(std::uint32_t seed) { test::random{seed}.fill(bytes); }
     [[nodiscard]] constexpr register_view registers(std::size_t count) const
     {
-        return register_view{byte_view{octets}.first(2 * count)};
+        return register_view{byte_view{bytes}.first(2 * count)};
     }
 };
 
@@ -96,23 +96,23 @@ TEST_CASE("neither half of function 23 runs past register 65535")
 TEST_CASE("a request of function 23 is read only when quantity, byte count and size agree")
 {
     sample pdu{25};
-    pdu.octets[0] = std::byte{23};
+    pdu.bytes[0] = std::byte{23};
     unsigned wrong = 0;
     for (std::uint32_t const reads : {0U, 1U, 125U, 126U, 256U}) {
         for (std::uint32_t const writes : {0U, 1U, 120U, 121U, 122U, 127U, 129U, 257U}) {
-            for (std::uint32_t octet_count = 0; octet_count <= 255; ++octet_count) {
-                pdu.octets[3] = to_byte(reads >> 8U);
-                pdu.octets[4] = to_byte(reads);
-                pdu.octets[7] = to_byte(writes >> 8U);
-                pdu.octets[8] = to_byte(writes);
-                pdu.octets[9] = to_byte(octet_count);
-                for (std::size_t size = 9 + octet_count; size <= 11 + octet_count; ++size) {
+            for (std::uint32_t byte_count = 0; byte_count <= 255; ++byte_count) {
+                pdu.bytes[3] = to_byte(reads >> 8U);
+                pdu.bytes[4] = to_byte(reads);
+                pdu.bytes[7] = to_byte(writes >> 8U);
+                pdu.bytes[8] = to_byte(writes);
+                pdu.bytes[9] = to_byte(byte_count);
+                for (std::size_t size = 9 + byte_count; size <= 11 + byte_count; ++size) {
                     bool const is_legal = reads - 1 < 125 and writes - 1 < 121;
-                    errc const expected = size != 10 + octet_count    ? errc::wrong_length
-                                          : not is_legal              ? errc::invalid_quantity
-                                          : octet_count != 2 * writes ? errc::wrong_length
-                                                                      : errc::none;
-                    test::exact_octets const part{byte_view{pdu.octets}.first(size)};
+                    errc const expected = size != 10 + byte_count    ? errc::wrong_length
+                                          : not is_legal             ? errc::invalid_quantity
+                                          : byte_count != 2 * writes ? errc::wrong_length
+                                                                     : errc::none;
+                    test::exact_bytes const part{byte_view{pdu.bytes}.first(size)};
                     auto const read = read_write_multiple_registers<>::decode(part.view());
                     wrong += read.error() == expected ? 0U : 1U;
                 }
@@ -122,17 +122,16 @@ TEST_CASE("a request of function 23 is read only when quantity, byte count and s
     CHECK(wrong == 0);
 }
 
-TEST_CASE("an answer of function 23 holds 1 to 125 registers")
+TEST_CASE("a response of function 23 holds 1 to 125 registers")
 {
     sample const some{26};
     for (std::size_t count = 0; count <= 126; ++count) {
         CAPTURE(count);
-        read_write_multiple_registers_response const answer{some.registers(count)};
+        read_write_multiple_registers_response const response{some.registers(count)};
         if (count >= 1 and count <= 125) {
-            CHECK(survives(answer,
-                           [&](auto const& read) { return read.registers == answer.registers; }));
+            CHECK(survives(response, [&](auto const& read) { return read.registers == response.registers; }));
         } else {
-            CHECK(is_refused(answer, errc::invalid_quantity));
+            CHECK(is_refused(response, errc::invalid_quantity));
         }
     }
 }

@@ -5,9 +5,9 @@
 
 #include <array>
 
+#include "support/encode_space.hpp"
 #include "support/proof.hpp"
 #include "support/random.hpp"
-#include "support/rooms.hpp"
 
 using namespace rtuwire;
 using rtuwire::test::is_refused;
@@ -21,31 +21,30 @@ constexpr bool needs_its_room()
     return needs_room(write_multiple_registers{9001, register_block{0x0014, 0x001E}}, 13) and
            needs_room(write_multiple_registers_response{9001, 2}, 8);
 }
-PROOF("a frame of function 16 needs all of its octets", needs_its_room)
+PROOF("a frame of function 16 needs all of its bytes", needs_its_room)
 
 constexpr bool confirms_1_to_123()
 {
     for (std::uint32_t count = 0; count <= 125; ++count) {
-        write_multiple_registers_response const answer{400, static_cast<std::uint16_t>(count)};
-        bool const is_right =
-            count >= 1 and count <= 123
-                ? survives(answer, [&](auto const& read) { return read == answer; })
-                : is_refused(answer, errc::invalid_quantity);
+        write_multiple_registers_response const response{400, static_cast<std::uint16_t>(count)};
+        bool const is_right = count >= 1 and count <= 123
+                                  ? survives(response, [&](auto const& read) { return read == response; })
+                                  : is_refused(response, errc::invalid_quantity);
         if (not is_right) {
             return false;
         }
     }
     return true;
 }
-PROOF("an answer of function 16 confirms 1 to 123 registers", confirms_1_to_123)
+PROOF("a response of function 16 confirms 1 to 123 registers", confirms_1_to_123)
 
 struct sample {
-    std::array<std::byte, 264> octets{};
+    std::array<std::byte, 264> bytes{};
 
-    explicit constexpr sample(std::uint32_t seed) { test::random{seed}.fill(octets); }
+    explicit constexpr sample(std::uint32_t seed) { test::random{seed}.fill(bytes); }
     [[nodiscard]] constexpr register_view registers(std::size_t count) const
     {
-        return register_view{byte_view{octets}.first(2 * count)};
+        return register_view{byte_view{bytes}.first(2 * count)};
     }
 };
 
@@ -58,9 +57,7 @@ TEST_CASE("function 16 writes 1 to 123 registers, and nothing else is written")
         CAPTURE(count);
         write_multiple_registers const tell{8501, some.registers(count)};
         if (count >= 1 and count <= 123) {
-            CHECK(survives(tell, [&](auto const& read) {
-                return read == tell and read.values.size() == count;
-            }));
+            CHECK(survives(tell, [&](auto const& read) { return read == tell and read.values.size() == count; }));
         } else {
             CHECK(is_refused(tell, errc::invalid_quantity));
         }
@@ -76,8 +73,7 @@ TEST_CASE("function 16 writes nothing past register 65535")
         CHECK(write_multiple_registers{last, some.registers(count)}.check() == errc::none);
         if (count > 1) {
             auto const past = static_cast<std::uint16_t>(last + 1);
-            CHECK(is_refused(write_multiple_registers{past, some.registers(count)},
-                             errc::invalid_address_range));
+            CHECK(is_refused(write_multiple_registers{past, some.registers(count)}, errc::invalid_address_range));
         }
     }
 }
@@ -85,19 +81,19 @@ TEST_CASE("function 16 writes nothing past register 65535")
 TEST_CASE("a request of function 16 is read only when quantity, byte count and size agree")
 {
     sample pdu{18};
-    pdu.octets[0] = std::byte{16};
+    pdu.bytes[0] = std::byte{16};
     unsigned wrong = 0;
     for (std::uint32_t quantity : {0U, 1U, 2U, 122U, 123U, 124U, 127U, 128U, 129U, 256U, 257U}) {
-        for (std::uint32_t octet_count = 0; octet_count <= 255; ++octet_count) {
-            for (std::size_t size = 1; size <= pdu.octets.size(); ++size) {
-                pdu.octets[3] = to_byte(quantity >> 8U);
-                pdu.octets[4] = to_byte(quantity);
-                pdu.octets[5] = to_byte(octet_count);
-                test::exact_octets const part{byte_view{pdu.octets}.first(size)};
-                errc const expected = size < 6 or size != 6 + octet_count ? errc::wrong_length
-                                      : quantity == 0 or quantity > 123   ? errc::invalid_quantity
-                                      : octet_count != 2 * quantity       ? errc::wrong_length
-                                                                          : errc::none;
+        for (std::uint32_t byte_count = 0; byte_count <= 255; ++byte_count) {
+            for (std::size_t size = 1; size <= pdu.bytes.size(); ++size) {
+                pdu.bytes[3] = to_byte(quantity >> 8U);
+                pdu.bytes[4] = to_byte(quantity);
+                pdu.bytes[5] = to_byte(byte_count);
+                test::exact_bytes const part{byte_view{pdu.bytes}.first(size)};
+                errc const expected = size < 6 or size != 6 + byte_count ? errc::wrong_length
+                                      : quantity == 0 or quantity > 123  ? errc::invalid_quantity
+                                      : byte_count != 2 * quantity       ? errc::wrong_length
+                                                                         : errc::none;
                 auto const read = write_multiple_registers<>::decode(part.view());
                 wrong += read.error() == expected ? 0U : 1U;
             }

@@ -3,9 +3,9 @@
 // Function 06: any address and value, one size.
 #include <rtuwire/wire/pdu/write_single_register.hpp>
 
+#include "support/encode_space.hpp"
 #include "support/proof.hpp"
 #include "support/random.hpp"
-#include "support/rooms.hpp"
 
 #include <rtuwire/core/hex.hpp>
 
@@ -14,23 +14,21 @@ using namespace rtuwire;
 namespace {
 
 constexpr bool needs_its_room() { return test::needs_room(write_single_register{9001, 0x000D}, 8); }
-PROOF("a frame of function 06 needs eight octets", needs_its_room)
+PROOF("a frame of function 06 needs eight bytes", needs_its_room)
 
-constexpr bool has_five_octets()
+constexpr bool has_five_bytes()
 {
-    constexpr auto octets = "06 21 35 00 0F 00 00"_hex;
-    for (std::size_t size = 0; size <= octets.size(); ++size) {
-        test::exact_octets const pdu{byte_view{octets}.first(size)};
-        errc const expected = size == 0   ? errc::wrong_function
-                              : size == 5 ? errc::none
-                                          : errc::wrong_length;
+    constexpr auto bytes = "06 21 35 00 0F 00 00"_hex;
+    for (std::size_t size = 0; size <= bytes.size(); ++size) {
+        test::exact_bytes const pdu{byte_view{bytes}.first(size)};
+        errc const expected = size == 0 ? errc::wrong_function : size == 5 ? errc::none : errc::wrong_length;
         if (write_single_register::decode(pdu.view()).error() != expected) {
             return false;
         }
     }
     return true;
 }
-PROOF("function 06 has five octets", has_five_octets)
+PROOF("function 06 has five bytes", has_five_bytes)
 
 constexpr bool takes_any_value()
 {

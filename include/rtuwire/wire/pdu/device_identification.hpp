@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Function 43 type 14, read device identification (AP 6.21). The length octet of each object is
-// believed, never a fixed size: references of 11 and of 12 characters both occur.
+// Function 43 type 14, read device identification (AP 6.21). The length byte of each object decides, never a
+// fixed size: references of 11 and of 12 characters both occur.
 #pragma once
 
 #include <optional>
@@ -12,28 +12,23 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Which objects are asked for.
-enum class identification_access : std::uint8_t {
-    basic = 1,
-    regular = 2,
-    extended = 3,
-    single = 4
-};
+/// Which objects are requested.
+enum class identification_access : std::uint8_t { basic = 1, regular = 2, extended = 3, single = 4 };
 
 /// The objects every device has.
 inline constexpr std::uint8_t vendor_name = 0x00;
 inline constexpr std::uint8_t product_code = 0x01;
 inline constexpr std::uint8_t major_minor_revision = 0x02;
 
-/// The type octet of read device identification within function 43.
+/// The type byte of read device identification within function 43.
 inline constexpr std::uint8_t identification_mei_type = 0x0E;
 
-/// How many objects, number, length and text of each, lie in these octets; none where they do not come
-/// out even or the numbers do not rise.
-[[nodiscard]] constexpr std::size_t objects_in(byte_view octets) noexcept
+/// How many objects (number, length and text of each) these bytes hold; 0 where the last one is incomplete or
+/// the numbers do not rise.
+[[nodiscard]] constexpr std::size_t objects_in(byte_view bytes) noexcept
 {
-    std::byte const* at = octets.data();
-    std::size_t left = octets.size();
+    std::byte const* at = bytes.data();
+    std::size_t left = bytes.size();
     std::size_t count = 0;
     int last = -1;
     while (left > 0) {
@@ -48,7 +43,7 @@ inline constexpr std::uint8_t identification_mei_type = 0x0E;
     return count;
 }
 
-/// One page of a device's identification; a view of the received octets. Objects are visited with
+/// One page of a device's identification; a view of the received bytes. Objects are visited with
 /// `first()` and `after()`.
 struct device_identification {
     static constexpr std::size_t max_size = max_pdu_size;
@@ -114,8 +109,8 @@ struct device_identification {
         return std::nullopt;
     }
 
-    /// Whether a PDU is a page: `wrong_function`, `wrong_length` when it ends within its head,
-    /// `malformed` when objects and octets do not come out even or their numbers do not rise, or none.
+    /// Whether a PDU is a page: `wrong_function`, `wrong_length` when it ends within its head, `malformed`
+    /// when the object count and the bytes disagree or the numbers do not rise, or none.
     [[nodiscard]] static constexpr errc check_page(byte_view pdu) noexcept
     {
         if (not is_pdu_of(pdu, function_code::encapsulated_interface)) {
@@ -126,8 +121,8 @@ struct device_identification {
         }
         std::uint8_t const more = to_u8(pdu[4]);
         std::size_t const count = objects_in(pdu.subspan(head_size));
-        bool const is_legal = to_u8(pdu[1]) == identification_mei_type and
-                              (more == 0x00 or more == 0xFF) and is_count(count, to_u8(pdu[6]));
+        bool const is_legal = to_u8(pdu[1]) == identification_mei_type and (more == 0x00 or more == 0xFF) and
+                              is_count(count, to_u8(pdu[6]));
         return is_legal ? errc::none : errc::malformed;
     }
 
@@ -146,12 +141,12 @@ struct device_identification {
     }
 
 private:
-    static constexpr std::optional<object> object_in(byte_view octets) noexcept
+    static constexpr std::optional<object> object_in(byte_view bytes) noexcept
     {
-        if (octets.size() < 2 or octets.size() - 2 < to_u8(octets[1])) {
+        if (bytes.size() < 2 or bytes.size() - 2 < to_u8(bytes[1])) {
             return std::nullopt;
         }
-        return object{to_u8(octets[0]), octets.subspan(2, to_u8(octets[1]))};
+        return object{to_u8(bytes[0]), bytes.subspan(2, to_u8(bytes[1]))};
     }
 
     static constexpr bool is_count(std::size_t found, std::uint8_t told) noexcept
@@ -160,7 +155,7 @@ private:
     }
 };
 
-/// Asks one unit who it is, from one object on.
+/// Requests the identification of one unit, from one object on.
 struct read_device_identification {
     using response = device_identification;
     static constexpr std::size_t max_size = 4;
@@ -194,16 +189,14 @@ struct read_device_identification {
         if (pdu.size() != max_size) {
             return errc::wrong_length;
         }
-        read_device_identification const read{static_cast<identification_access>(to_u8(pdu[2])),
-                                              to_u8(pdu[3])};
+        read_device_identification const read{static_cast<identification_access>(to_u8(pdu[2])), to_u8(pdu[3])};
         if (errc const wrong = read.check(); wrong != errc::none) {
             return wrong;
         }
         return read;
     }
 
-    friend constexpr bool operator==(read_device_identification const&,
-                                     read_device_identification const&) = default;
+    friend constexpr bool operator==(read_device_identification const&, read_device_identification const&) = default;
 };
 
 } // namespace rtuwire

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Function 08, diagnostics (AP 6.8). Request and answer have one form: a sub-function and data words.
+// Function 08, diagnostics (AP 6.8). Request and response have one form: a sub-function and data words.
 #pragma once
 
 #include <rtuwire/core/version.hpp>
@@ -37,16 +37,16 @@ enum class subfunction : std::uint16_t {
            what == subfunction::clear_overrun_counter;
 }
 
-/// A diagnostics question or its answer. It owns the block it is made of; made of a view, its words live
-/// elsewhere.
+/// A diagnostics request or its response. Made of a block, it owns that block; made of a view, its words are
+/// stored elsewhere.
 template <typename Words = register_view> struct diagnostics {
     using response = diagnostics<>;
     static constexpr std::size_t max_words = 125;
-    static constexpr std::size_t max_size = 3U + octets_at_most<Words, max_words>;
+    static constexpr std::size_t max_size = 3U + bytes_at_most<Words, max_words>;
 
     subfunction what;
     /// One word for every sub-function but `return_query_data`, which takes 1..125 and has them
-    /// returned; after decoding, a view of the received octets.
+    /// returned; after decoding, a view of the received bytes.
     Words data;
 
     [[nodiscard]] constexpr errc check() const noexcept
@@ -72,8 +72,7 @@ template <typename Words = register_view> struct diagnostics {
         if (pdu.size() < head or (pdu.size() - head) % 2 != 0) {
             return errc::wrong_length;
         }
-        diagnostics<> const read{static_cast<subfunction>(u16_at(pdu, 1)),
-                                 register_view{pdu.subspan(head)}};
+        diagnostics<> const read{static_cast<subfunction>(u16_at(pdu, 1)), register_view{pdu.subspan(head)}};
         if (errc const wrong = read.check(); wrong != errc::none) {
             return wrong;
         }
@@ -82,8 +81,7 @@ template <typename Words = register_view> struct diagnostics {
 };
 
 diagnostics(subfunction, register_view)->diagnostics<>;
-template <std::size_t Count>
-diagnostics(subfunction, register_block<Count>) -> diagnostics<register_block<Count>>;
+template <std::size_t Count> diagnostics(subfunction, register_block<Count>) -> diagnostics<register_block<Count>>;
 
 template <typename Left, typename Right>
 constexpr bool operator==(diagnostics<Left> const& left, diagnostics<Right> const& right) noexcept

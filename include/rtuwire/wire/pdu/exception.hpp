@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The exception response (AP 7): a server's refusal, with its number.
+// The exception response (AP 7): a server's refusal, with its code.
 #pragma once
 
 #include <rtuwire/core/version.hpp>
@@ -9,7 +9,7 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// A refusal of `function`, 0 too, since a server refuses that one like any other; `code` is any
+/// A refusal of `function`; 0 is allowed, since a server refuses that one like any other. `code` is any
 /// number, listed in errc.hpp or not.
 struct exception_response {
     static constexpr std::size_t max_size = 2;
@@ -43,8 +43,7 @@ struct exception_response {
         return exception_response{static_cast<function_code>(to_u8(pdu[0]) & 0x7FU), to_u8(pdu[1])};
     }
 
-    friend constexpr bool operator==(exception_response const&,
-                                     exception_response const&) = default;
+    friend constexpr bool operator==(exception_response const&, exception_response const&) = default;
 };
 
 } // namespace rtuwire

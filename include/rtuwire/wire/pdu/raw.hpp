@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Any other function: a code and octets that mean nothing here.
+// Any other function: a code and bytes that are not interpreted.
 #pragma once
 
 #include <array>
@@ -13,30 +13,28 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// The octets of a raw PDU at most.
-template <typename Octets> inline constexpr std::size_t raw_octets_at_most = max_pdu_size - 1U;
+/// The most data bytes that a raw PDU can have.
+template <typename Bytes> inline constexpr std::size_t raw_bytes_at_most = max_pdu_size - 1U;
 template <std::size_t Size>
-inline constexpr std::size_t raw_octets_at_most<std::array<std::byte, Size>> =
+inline constexpr std::size_t raw_bytes_at_most<std::array<std::byte, Size>> =
     Size < max_pdu_size - 1U ? Size : max_pdu_size - 1U;
 
-/// A request or response of a function that rtuwire does not know. It goes to one unit, because only
-/// its sender knows whether it asks a question. It owns the array it is made of; made of a view, its octets live
-/// elsewhere.
-template <typename Octets = byte_view> struct raw_pdu {
+/// A request or response of a function that rtuwire does not know. It goes to one unit, because only the
+/// caller knows whether it needs a response. Made of an array, it owns that array; made of a view, its bytes
+/// are stored elsewhere.
+template <typename Bytes = byte_view> struct raw_pdu {
     using response = raw_pdu<>;
-    static constexpr std::size_t max_size = 1U + raw_octets_at_most<Octets>;
+    static constexpr std::size_t max_size = 1U + raw_bytes_at_most<Bytes>;
 
     function_code function; ///< 1..127
-    Octets data;            ///< up to 252
+    Bytes data;             ///< up to 252
 
-    constexpr raw_pdu(function_code code, Octets const& octets) noexcept
-        : function{code}, data{octets}
-    {}
+    constexpr raw_pdu(function_code code, Bytes const& bytes) noexcept : function{code}, data{bytes} {}
 
-    /// Not a view of octets that are gone behind the expression.
+    /// Not a view of a temporary, whose bytes are gone after the expression.
     template <std::size_t Size>
-    raw_pdu(function_code code, std::array<std::byte, Size> const&& temporary) requires(
-        std::same_as<Octets, byte_view>) = delete;
+    raw_pdu(function_code code,
+            std::array<std::byte, Size> const&& temporary) requires(std::same_as<Bytes, byte_view>) = delete;
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
@@ -67,8 +65,7 @@ template <typename Octets = byte_view> struct raw_pdu {
 };
 
 raw_pdu(function_code, byte_view)->raw_pdu<>;
-template <std::size_t Size>
-raw_pdu(function_code, std::array<std::byte, Size>) -> raw_pdu<std::array<std::byte, Size>>;
+template <std::size_t Size> raw_pdu(function_code, std::array<std::byte, Size>) -> raw_pdu<std::array<std::byte, Size>>;
 
 template <typename Left, typename Right>
 constexpr bool operator==(raw_pdu<Left> const& left, raw_pdu<Right> const& right) noexcept

@@ -10,22 +10,18 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// The answer to function 03: as many registers as were asked for.
+/// The response to function 03: as many registers as were requested.
 struct read_holding_registers_response {
     static constexpr std::size_t max_size = 2U + 2U * max_read_quantity;
 
-    /// In wire order; after decoding, a view of the received octets.
+    /// In wire order; after decoding, a view of the received bytes.
     register_view registers;
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
-        return is_quantity(registers.size(), max_read_quantity) ? errc::none
-                                                                : errc::invalid_quantity;
+        return is_quantity(registers.size(), max_read_quantity) ? errc::none : errc::invalid_quantity;
     }
-    [[nodiscard]] constexpr std::size_t size() const noexcept
-    {
-        return 2 + registers.bytes().size();
-    }
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return 2 + registers.bytes().size(); }
     constexpr void write(byte_writer& out) const noexcept
     {
         out.u8(to_u8(function_code::read_holding_registers));
@@ -34,15 +30,13 @@ struct read_holding_registers_response {
     }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
-    [[nodiscard]] static constexpr result<read_holding_registers_response>
-    decode(byte_view pdu) noexcept
+    [[nodiscard]] static constexpr result<read_holding_registers_response> decode(byte_view pdu) noexcept
     {
-        return decode_registers<read_holding_registers_response>(
-            pdu, function_code::read_holding_registers);
+        return decode_registers<read_holding_registers_response>(pdu, function_code::read_holding_registers);
     }
 };
 
-/// Asks one unit for `count` registers from address `start`.
+/// Reads `count` registers of one unit from address `start`.
 struct read_holding_registers {
     using response = read_holding_registers_response;
     static constexpr std::size_t max_size = 5;
@@ -79,8 +73,7 @@ struct read_holding_registers {
         return read_holding_registers{u16_at(pdu, 1), count};
     }
 
-    friend constexpr bool operator==(read_holding_registers const&,
-                                     read_holding_registers const&) = default;
+    friend constexpr bool operator==(read_holding_registers const&, read_holding_registers const&) = default;
 };
 
 } // namespace rtuwire

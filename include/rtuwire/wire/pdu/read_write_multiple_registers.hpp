@@ -10,22 +10,18 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// The answer to function 23: the registers read after the write.
+/// The response to function 23: the registers read after the write.
 struct read_write_multiple_registers_response {
     static constexpr std::size_t max_size = 2U + 2U * max_exchange_read_quantity;
 
-    /// In wire order; after decoding, a view of the received octets.
+    /// In wire order; after decoding, a view of the received bytes.
     register_view registers;
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
-        return is_quantity(registers.size(), max_exchange_read_quantity) ? errc::none
-                                                                         : errc::invalid_quantity;
+        return is_quantity(registers.size(), max_exchange_read_quantity) ? errc::none : errc::invalid_quantity;
     }
-    [[nodiscard]] constexpr std::size_t size() const noexcept
-    {
-        return 2 + registers.bytes().size();
-    }
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return 2 + registers.bytes().size(); }
     constexpr void write(byte_writer& out) const noexcept
     {
         out.u8(to_u8(function_code::read_write_multiple_registers));
@@ -34,25 +30,23 @@ struct read_write_multiple_registers_response {
     }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
-    [[nodiscard]] static constexpr result<read_write_multiple_registers_response>
-    decode(byte_view pdu) noexcept
+    [[nodiscard]] static constexpr result<read_write_multiple_registers_response> decode(byte_view pdu) noexcept
     {
-        return decode_registers<read_write_multiple_registers_response>(
-            pdu, function_code::read_write_multiple_registers);
+        return decode_registers<read_write_multiple_registers_response>(pdu,
+                                                                        function_code::read_write_multiple_registers);
     }
 };
 
-/// Writes registers of one unit from `write_start`, then reads `read_count` from `read_start`. It owns the block
-/// it is made of; made of a view, its words live elsewhere.
+/// Writes registers of one unit from `write_start`, then reads `read_count` from `read_start`. Made of a block,
+/// it owns that block; made of a view, its words are stored elsewhere.
 template <typename Words = register_view> struct read_write_multiple_registers {
     using response = read_write_multiple_registers_response;
-    static constexpr std::size_t max_size =
-        10U + octets_at_most<Words, max_exchange_write_quantity>;
+    static constexpr std::size_t max_size = 10U + bytes_at_most<Words, max_exchange_write_quantity>;
 
     std::uint16_t read_start;
     std::uint16_t read_count; ///< 1..125
     std::uint16_t write_start;
-    /// 1..121 in wire order; after decoding, a view of the received octets.
+    /// 1..121 in wire order; after decoding, a view of the received bytes.
     Words values;
 
     [[nodiscard]] constexpr errc check() const noexcept
@@ -61,8 +55,7 @@ template <typename Words = register_view> struct read_write_multiple_registers {
             not is_quantity(values.size(), max_exchange_write_quantity)) {
             return errc::invalid_quantity;
         }
-        return is_address_range(read_start, read_count) and
-                       is_address_range(write_start, values.size())
+        return is_address_range(read_start, read_count) and is_address_range(write_start, values.size())
                    ? errc::none
                    : errc::invalid_address_range;
     }
@@ -78,8 +71,7 @@ template <typename Words = register_view> struct read_write_multiple_registers {
 
     /// Reads a PDU; both quantities, byte count and size must all agree. Errors: `wrong_function`,
     /// `wrong_length`, `invalid_quantity`.
-    [[nodiscard]] static constexpr result<read_write_multiple_registers<>>
-    decode(byte_view pdu) noexcept
+    [[nodiscard]] static constexpr result<read_write_multiple_registers<>> decode(byte_view pdu) noexcept
     {
         constexpr std::size_t head = 10;
         if (not is_pdu_of(pdu, function_code::read_write_multiple_registers)) {
@@ -113,8 +105,7 @@ constexpr bool operator==(read_write_multiple_registers<Left> const& left,
                           read_write_multiple_registers<Right> const& right) noexcept
 {
     return left.read_start == right.read_start and left.read_count == right.read_count and
-           left.write_start == right.write_start and
-           same_bytes(left.values.bytes(), right.values.bytes());
+           left.write_start == right.write_start and same_bytes(left.values.bytes(), right.values.bytes());
 }
 
 } // namespace rtuwire

@@ -10,7 +10,7 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// The answer to function 16: what was written where, without the values.
+/// The response to function 16: what was written where, without the values.
 struct write_multiple_registers_response {
     static constexpr std::size_t max_size = 5;
 
@@ -28,8 +28,7 @@ struct write_multiple_registers_response {
     }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
-    [[nodiscard]] static constexpr result<write_multiple_registers_response>
-    decode(byte_view pdu) noexcept
+    [[nodiscard]] static constexpr result<write_multiple_registers_response> decode(byte_view pdu) noexcept
     {
         if (not is_pdu_of(pdu, function_code::write_multiple_registers)) {
             return errc::wrong_function;
@@ -48,15 +47,15 @@ struct write_multiple_registers_response {
                                      write_multiple_registers_response const&) = default;
 };
 
-/// Writes registers from address `start` on, of one unit or of all. It owns the block it is made of; made of a
-/// view, its words live elsewhere.
+/// Writes registers from address `start` on, of one unit or of all. Made of a block, it owns that block; made
+/// of a view, its words are stored elsewhere.
 template <typename Words = register_view> struct write_multiple_registers {
     using response = write_multiple_registers_response;
-    static constexpr std::size_t max_size = 6U + octets_at_most<Words, max_write_quantity>;
+    static constexpr std::size_t max_size = 6U + bytes_at_most<Words, max_write_quantity>;
     static constexpr bool may_be_broadcast = true;
 
     std::uint16_t start;
-    /// 1..123 in wire order; after decoding, a view of the received octets.
+    /// 1..123 in wire order; after decoding, a view of the received bytes.
     Words values;
 
     [[nodiscard]] constexpr errc check() const noexcept
@@ -69,8 +68,7 @@ template <typename Words = register_view> struct write_multiple_registers {
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 6 + values.bytes().size(); }
     constexpr void write(byte_writer& out) const noexcept
     {
-        write_head(out, function_code::write_multiple_registers, start,
-                   static_cast<std::uint32_t>(values.size()));
+        write_head(out, function_code::write_multiple_registers, start, static_cast<std::uint32_t>(values.size()));
         out.u8(static_cast<std::uint32_t>(values.bytes().size()));
         out.bytes(values.bytes());
     }
@@ -99,8 +97,7 @@ template <typename Words = register_view> struct write_multiple_registers {
 
 write_multiple_registers(std::uint16_t, register_view)->write_multiple_registers<>;
 template <std::size_t Count>
-write_multiple_registers(std::uint16_t, register_block<Count>)
-    -> write_multiple_registers<register_block<Count>>;
+write_multiple_registers(std::uint16_t, register_block<Count>) -> write_multiple_registers<register_block<Count>>;
 
 template <typename Left, typename Right>
 constexpr bool operator==(write_multiple_registers<Left> const& left,

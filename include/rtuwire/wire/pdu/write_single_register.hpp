@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Function 06, write single register (AP 6.6). Request and answer are the same octets.
+// Function 06, write single register (AP 6.6). Request and response are the same bytes.
 #pragma once
 
 #include <rtuwire/core/version.hpp>
@@ -9,7 +9,7 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Writes one register of one unit or of all; the answer repeats it.
+/// Writes one register of one unit or of all; the response repeats it.
 struct write_single_register {
     using response = write_single_register;
     static constexpr std::size_t max_size = 5;
@@ -37,8 +37,7 @@ struct write_single_register {
         return write_single_register{u16_at(pdu, 1), u16_at(pdu, 3)};
     }
 
-    friend constexpr bool operator==(write_single_register const&,
-                                     write_single_register const&) = default;
+    friend constexpr bool operator==(write_single_register const&, write_single_register const&) = default;
 };
 
 } // namespace rtuwire

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// The words that a cycle reads and writes, and its requests. A frame is valid until the next one is made.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/altivar/cyclic/cycle_layout.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/table/device.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
+#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
+#include <rtuwire/wire/pdu/write_single_register.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// Inputs, outputs and the request of one drive's cycle.
+template <device_type Device> class cycle_frames {
+    using words = cycle_layout<Device>;
+
+public:
+    explicit constexpr cycle_frames(unit_id unit) noexcept : unit_{unit} {}
+
+    [[nodiscard]] constexpr unit_id unit() const noexcept { return unit_; }
+
+    /// Sets an output beyond command and reference, where the device has it.
+    constexpr void set_output(std::size_t slot, std::uint16_t word) noexcept
+    {
+        if (slot >= 2 and slot < words::outputs) {
+            outputs_[slot] = word;
+            in_use_ |= 1U << slot;
+        }
+    }
+    /// A bit for each output that was set.
+    [[nodiscard]] constexpr std::uint32_t outputs_in_use() const noexcept { return in_use_; }
+
+    constexpr void take(register_view inputs) noexcept
+    {
+        for (std::size_t i = 0; i < words::inputs; ++i) {
+            inputs_[i] = inputs[i];
+        }
+    }
+    [[nodiscard]] constexpr std::uint16_t input(std::size_t slot) const noexcept
+    {
+        return slot < words::inputs ? inputs_[slot] : std::uint16_t{0};
+    }
+    [[nodiscard]] constexpr std::uint16_t status() const noexcept { return inputs_[words::status_at]; }
+    [[nodiscard]] constexpr std::int16_t speed() const noexcept
+    {
+        return static_cast<std::int16_t>(inputs_[words::speed_at]);
+    }
+
+    /// The command and the reference written last.
+    [[nodiscard]] constexpr std::uint16_t command() const noexcept { return outputs_[0]; }
+    [[nodiscard]] constexpr std::uint16_t reference() const noexcept { return outputs_[1]; }
+
+    /// The requests.
+    constexpr byte_view read(read_holding_registers const& what) noexcept { return encoded(what); }
+    constexpr byte_view read_one(std::uint16_t address) noexcept { return encoded(read_holding_registers{address, 1}); }
+    constexpr byte_view read_inputs() noexcept
+    {
+        return encoded(read_holding_registers{words::read_from, words::inputs});
+    }
+    constexpr byte_view say(std::uint16_t command) noexcept
+    {
+        outputs_[0] = command;
+        return encoded(write_single_register{Device::layout.cmd, command});
+    }
+    constexpr byte_view write(std::uint16_t command, std::uint16_t reference) noexcept
+    {
+        return encoded(write_multiple_registers{words::write_to, with(command, reference)});
+    }
+    constexpr byte_view exchange(std::uint16_t command, std::uint16_t reference) noexcept
+    {
+        return encoded(
+            read_write_multiple_registers{words::read_from, words::inputs, words::write_to, with(command, reference)});
+    }
+
+private:
+    template <pdu Request> constexpr byte_view encoded(Request const& request) noexcept
+    {
+        auto const frame = encode_into(frame_, unit_, request);
+        return byte_view{frame_}.first(frame ? frame->size() : 0);
+    }
+
+    constexpr register_view with(std::uint16_t command, std::uint16_t reference) noexcept
+    {
+        outputs_[0] = command;
+        outputs_[1] = reference;
+        for (std::size_t i = 0; i < words::outputs; ++i) {
+            output_block_.set(i, outputs_[i]);
+        }
+        return output_block_;
+    }
+
+    static constexpr std::size_t frame_size = 13 + 2 * std::size_t{words::outputs};
+
+    std::array<std::byte, frame_size> frame_{};
+    std::array<std::uint16_t, words::outputs> outputs_{};
+    std::array<std::uint16_t, words::inputs> inputs_{};
+    register_block<words::outputs> output_block_{};
+    std::uint32_t in_use_{0};
+    unit_id unit_;
+};
+
+} // namespace rtuwire::altivar

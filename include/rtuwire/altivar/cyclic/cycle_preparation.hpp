@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What a cycle reads before it writes, and again after everything that could have changed it: whether the drive may
+// be commanded, and whether its scanner holds the words of the cycle.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/altivar/cyclic/cycle_layout.hpp>
+#include <rtuwire/altivar/procedure/supervision.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/table/device.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// The reads of one drive, request by request.
+template <device_type Device> class cycle_preparation {
+    using words = cycle_layout<Device>;
+
+public:
+    explicit constexpr cycle_preparation(supervision_options const& options) noexcept
+        : options_{options}, check_{Device::layout, options}
+    {}
+
+    /// Discards the result: everything is read again.
+    constexpr void renew() noexcept
+    {
+        finding_ = outcome_kind::pending;
+        is_begun_ = false;
+    }
+
+    /// `pending` while there is something to read, then `succeeded`, or the reason against an order.
+    [[nodiscard]] constexpr outcome_kind finding() const noexcept { return finding_; }
+    [[nodiscard]] constexpr bool succeeded() const noexcept { return finding_ == outcome_kind::succeeded; }
+
+    /// The report of the last check that was completed.
+    [[nodiscard]] constexpr supervision_report const& report() const noexcept { return report_; }
+
+    /// The meaning of the drive's control word, while it is known.
+    [[nodiscard]] constexpr word_meaning meaning() const noexcept
+    {
+        return succeeded() ? report_.words : word_meaning::unknown;
+    }
+
+    /// The next read.
+    [[nodiscard]] constexpr read_holding_registers request() noexcept
+    {
+        if (not is_begun_) {
+            is_begun_ = true;
+            stage_ = stage::safeguards;
+            check_ = supervision_procedure{Device::layout, options_};
+            action_ = check_.step({event::kind::begun});
+        }
+        switch (stage_) {
+        case stage::inputs: return {scanner_input_addresses, words::inputs};
+        case stage::outputs: return {scanner_output_addresses, words::outputs};
+        case stage::safeguards: break;
+        }
+        return {action_.address, 1};
+    }
+
+    /// Takes the response. `in_use` has a bit for each output slot that may be active.
+    constexpr void take(register_view read, std::uint32_t in_use) noexcept
+    {
+        switch (stage_) {
+        case stage::safeguards: return examine({event::kind::word_read, read[0]});
+        case stage::inputs: return check_inputs(read);
+        case stage::outputs: break;
+        }
+        check_outputs(read, in_use);
+    }
+
+    /// The drive answered with an exception.
+    constexpr void take_exception(errc error) noexcept
+    {
+        if (stage_ == stage::safeguards) {
+            return examine({event::kind::failed, 0, error});
+        }
+        finding_ = outcome_kind::misconfigured;
+    }
+
+private:
+    enum class stage : std::uint8_t { safeguards, inputs, outputs };
+
+    constexpr void examine(event const& what) noexcept
+    {
+        action_ = check_.step(what);
+        if (action_.what != action::kind::end) {
+            return;
+        }
+        report_ = check_.report();
+        bool const is_ready = check_.reason().kind == outcome_kind::succeeded;
+        finding_ = is_ready and words::has_scanner ? outcome_kind::pending : check_.reason().kind;
+        stage_ = stage::inputs;
+    }
+
+    constexpr void check_inputs(register_view addresses) noexcept
+    {
+        constexpr drive_layout const& layout = Device::layout;
+        bool const is_right = addresses[0] == layout.eta and addresses[1] == layout.rfrd;
+        finding_ = is_right ? outcome_kind::pending : outcome_kind::misconfigured;
+        stage_ = stage::outputs;
+    }
+
+    constexpr void check_outputs(register_view addresses, std::uint32_t in_use) noexcept
+    {
+        bool is_right = addresses[0] == Device::layout.cmd and addresses[1] == words::reference.address;
+        for (std::size_t slot = 2; slot < words::outputs; ++slot) {
+            bool const is_in_use = ((in_use >> slot) & 1U) != 0;
+            is_right = is_right and (is_in_use or addresses[slot] == 0);
+        }
+        finding_ = is_right ? outcome_kind::succeeded : outcome_kind::misconfigured;
+    }
+
+    supervision_options options_;
+    supervision_procedure check_;
+    supervision_report report_{};
+    action action_{action::kind::pause};
+    outcome_kind finding_{outcome_kind::pending};
+    stage stage_{stage::safeguards};
+    bool is_begun_{false};
+};
+
+} // namespace rtuwire::altivar

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Keeps a drive running: one exchange a period, by function 23 over the scanner where the device supports it for
+// these words, by functions 03 and 16 elsewhere. Before the first order it checks that the drive would stop by itself
+// (altivar/procedure/supervision.hpp).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <rtuwire/altivar/cyclic/cycle_steps.hpp>
+#include <rtuwire/altivar/cyclic/cyclic_options.hpp>
+#include <rtuwire/altivar/device/reference.hpp>
+#include <rtuwire/ask/commander.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/table/device.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// A conversation without an end: give it to a client or a bus in each pass. The scanner's first two slots must be as
+/// delivered, or set so by `configure_scanner`, and no further output slot may be active unless `set_output` was
+/// called for it. Before the first exchange, after each loss, and after each conversation of this client that could
+/// have changed them, it reads the drive's safeguards and the scanner's addresses, some twelve requests; where they
+/// are wrong it writes nothing but the stop command to a motor it ordered to run, and `control().reason()` gives the
+/// cause.
+template <device_type Device> class cyclic : public commander {
+    using words = cycle_layout<Device>;
+
+public:
+    explicit constexpr cyclic(station<Device> const& drive, cyclic_options const& options = {}) noexcept
+        : steps_{drive.unit(), options}, enable_timeout_{options.enable_timeout}, tolerated_misses_{
+                                                                                      options.tolerated_misses}
+    {}
+
+    /// Orders operation at a speed (a frequency on a device without scanner), negative in reverse. False, with
+    /// nothing changed, until the drive was checked, before the first exchange and after a loss; in a fault, in local
+    /// control, in a quick stop, while a stop has not ended, after another conversation's stop until the drive was
+    /// read again, and for a negative reference together with `run_direction::reverse`.
+    constexpr bool run(setting<words::reference> reference, run_direction direction = run_direction::forward) noexcept
+    {
+        reference_write const asked{0, reference.word()};
+        bool const is_reverse = direction == run_direction::reverse;
+        if ((is_reverse and asked.is_reverse()) or this->was_stopped()) {
+            return false;
+        }
+        bool const was_ordered = control().is_ordered();
+        // The direction is in the word of the reference: no write of several words is assumed to take effect whole.
+        bool const is_taken = steps_.run(is_reverse ? asked.reversed().word : asked.word);
+        if (is_taken and not was_ordered) {
+            enable_end_ = now_ + enable_timeout_;
+            this->note_order_to_run();
+        }
+        return is_taken;
+    }
+
+    /// Withdraws the order: the motor stops on its ramp, or by `how`; on the ramp, too, where the device has no halt.
+    /// The stop command is sent at once, before the requests of all others and before any read; a halt is sent after
+    /// a read. `run` is accepted again once the motor is at rest.
+    constexpr void stop(stop_by how = stop_by::ramp) noexcept
+    {
+        steps_.stop(how);
+        this->note_stop();
+        is_due_ = has_begun_;
+    }
+
+    /// Orders one fault reset. False, with nothing changed, where the drive is not known to be in fault, and while a
+    /// reset is under way: so it may be called in each pass.
+    constexpr bool reset_fault() noexcept
+    {
+        bool const is_taken = steps_.reset_fault();
+        if (is_taken) {
+            this->note_order();
+        }
+        return is_taken;
+    }
+
+    /// Sets an output word beyond the first two, where the device has it. It is written in each cycle
+    /// from then on, to whatever register the scanner's slot stands for.
+    constexpr void set_output(std::size_t slot, std::uint16_t word) noexcept { steps_.frames().set_output(slot, word); }
+
+    /// An input word of the last exchange; 0 before it.
+    [[nodiscard]] constexpr std::uint16_t input(std::size_t slot) const noexcept { return steps_.frames().input(slot); }
+
+    /// The motor's speed in rpm at the last exchange.
+    [[nodiscard]] constexpr std::int16_t speed() const noexcept { return steps_.frames().speed(); }
+
+    /// The result of the check before the first order: the register that prevents it, the time-out that was read.
+    [[nodiscard]] constexpr supervision_report const& supervision() const noexcept { return steps_.report(); }
+
+    /// State, order, and why the last order was dropped.
+    [[nodiscard]] constexpr cyclic_control const& control() const noexcept { return steps_.control(); }
+
+    /// Whether more exchanges in a row failed than are tolerated, none was made yet, or the check of the drive
+    /// failed.
+    [[nodiscard]] constexpr bool link_lost() const noexcept { return steps_.is_lost(); }
+
+    [[nodiscard]] constexpr unit_id unit() const noexcept { return steps_.frames().unit(); }
+
+    /// For the client: the effect of the next request on the motor, and how a loss is reported.
+    [[nodiscard]] constexpr effect intent() const noexcept
+    {
+        return is_due_ ? this->effect_now(steps_.intent(this->was_rearranged())) : effect::none;
+    }
+    [[nodiscard]] constexpr duration drive_timeout() const noexcept
+    {
+        duration const read = supervision().period.timeout;
+        return read != duration{} ? read : Device::layout.longest_silence;
+    }
+    [[nodiscard]] constexpr std::uint8_t tolerated_misses() const noexcept { return tolerated_misses_; }
+
+    constexpr void note_loss() noexcept
+    {
+        has_lost_ = true;
+        heed_loss();
+    }
+
+    constexpr void advance(instant now) noexcept
+    {
+        now_ = now;
+        bool const enables = control().is_ordered() and not control().is_running();
+        if (enables and reached(now, enable_end_)) {
+            steps_.note_late();
+        }
+        if (not has_begun_) {
+            has_begun_ = true;
+            due_ = now;
+        }
+        is_due_ = is_due_ or reached(now, due_);
+    }
+
+    constexpr std::optional<request_frame> next() noexcept
+    {
+        if (not is_due_) {
+            return std::nullopt;
+        }
+        bool const was_rearranged = this->was_rearranged();
+        this->note_arrangement();
+        if (this->was_stopped()) {
+            this->heed_stop();
+            steps_.note_stopped();
+        }
+        is_asking_ = true;
+        return request_frame{steps_.ask(was_rearranged), repetition::never};
+    }
+
+    constexpr void accept(result<response> const& outcome) noexcept
+    {
+        is_asking_ = false;
+        if (outcome) {
+            steps_.take(*outcome);
+        } else {
+            steps_.miss(outcome.error());
+        }
+        if (steps_.take_rest()) {
+            this->note_rest();
+        }
+        if (steps_.take_fault()) {
+            this->note_fault();
+        }
+        if (steps_.take_end_of_stop()) {
+            this->note_stop_over();
+        }
+        if (steps_.take_pause()) {
+            is_due_ = false;
+            due_ = now_ + steps_.period();
+        }
+        heed_loss();
+    }
+
+    [[nodiscard]] constexpr deadline poll_deadline() const noexcept
+    {
+        return has_begun_ and not is_due_ ? deadline{due_} : deadline{};
+    }
+
+    /// Never: the cycle goes on as long as it is polled.
+    [[nodiscard]] static constexpr bool settled() noexcept { return false; }
+
+private:
+    /// A request to the drive, by any conversation, had no response: it is stopped while the client allows it.
+    constexpr void heed_loss() noexcept
+    {
+        if (has_lost_ and not is_asking_) {
+            has_lost_ = false;
+            steps_.lose(errc::unit_lost);
+            is_due_ = has_begun_;
+        }
+    }
+
+    cycle_steps<Device> steps_;
+    duration enable_timeout_;
+    instant now_{0};
+    instant due_{0};
+    instant enable_end_{0};
+    std::uint8_t tolerated_misses_;
+    bool has_begun_{false};
+    bool is_due_{false};
+    bool is_asking_{false};
+    bool has_lost_{false};
+};
+
+} // namespace rtuwire::altivar

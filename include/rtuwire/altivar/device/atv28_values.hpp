@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// The values of the enumerations of the ATV28, with the mnemonics of the display. Numbers that the scan of its
+// bulletin lost are not here: such a word has no name.
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/table/enumeration.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv28 {
+
+// clang-format off
+/// How the terminals command.
+enum class control_mode : std::uint16_t {
+    two_wire = 0, three_wire = 1, option = 2,
+};
+
+/// The line's bit rate.
+enum class serial_rate : std::uint16_t {
+    baud_9600 = 7, baud_19200 = 8,
+};
+
+/// The motor's base frequency.
+enum class base_frequency : std::uint16_t {
+    at_50_hertz = 0, at_60_hertz = 1,
+};
+
+/// The range of the analog output.
+enum class analog_output_range : std::uint16_t {
+    from_0_milliamperes = 0, from_4_milliamperes = 1,
+};
+
+/// The state of the auto-tuning.
+enum class autotune : std::uint16_t {
+    no = 0, done = 1, yes = 2,
+};
+
+/// A switch.
+enum class no_yes : std::uint16_t {
+    no = 0, yes = 1,
+};
+
+/// The voltage/frequency law.
+enum class motor_ratio : std::uint16_t {
+    l = 0, p = 1, n = 2, nld = 3,
+};
+
+/// What logic input 1 does.
+enum class input_1_function : std::uint16_t {
+    no = 0, stop = 1, forward = 2,
+};
+
+/// What a logic input does.
+enum class input_function : std::uint16_t {
+    no = 0, forward = 2, rrs = 3, rp2 = 4, jog = 5, ps2 = 8, ps4 = 9, ps8 = 10, rfc = 11, nst = 12,
+    dci = 13, fst = 14, flo = 17, rst = 18,
+};
+
+/// What one of the inputs 3 and 4 does: the same, but never forward.
+enum class free_input_function : std::uint16_t {
+    no = 0, rrs = 3, rp2 = 4, jog = 5, ps2 = 8, ps4 = 9, ps8 = 10, rfc = 11, nst = 12, dci = 13,
+    fst = 14, flo = 17, rst = 18,
+};
+
+/// What the analog input does; only one number survived.
+enum class analog_input_function : std::uint16_t {
+    no = 0,
+};
+
+/// What relay R2 shows.
+enum class relay_function : std::uint16_t {
+    no = 0, fta = 4, cta = 6, sra = 7, tsa = 8,
+};
+
+/// What the analog output shows; some numbers are lost.
+enum class analog_output_function : std::uint16_t {
+    no = 0, ocr = 1, rfr = 2,
+};
+
+/// When the drive restarts by itself.
+enum class restart_mode : std::uint16_t {
+    no = 0, yes = 1, usf = 2,
+};
+
+/// The direction in local control.
+enum class direction : std::uint16_t {
+    forward = 0, rrs = 1,
+};
+
+/// Why the drive tripped.
+enum class fault_code : std::uint16_t {
+    nof = 0, inf = 1, eef = 2, slf = 5, ocf = 9, ohf = 16, olf = 17, obf = 18, osf = 19, opf = 20,
+    phf = 21, scf = 23, tnf = 25,
+};
+
+/// The drive's size.
+enum class rating : std::uint16_t {
+    u09 = 4, u18 = 5, u29 = 6, u41 = 7, u54 = 8, u72 = 10, u90 = 11, d12 = 12, d16 = 13, d23 = 14,
+};
+
+/// The drive's supply.
+enum class mains : std::uint16_t {
+    single_phase_230 = 1, three_phase_400 = 2, three_phase_230 = 3,
+};
+
+/// The fault in the drive profile's numbers.
+enum class profile_fault : std::uint16_t {
+    nof = 0x0000, olf = 0x1000, ocf = 0x2310, osf = 0x3110, usf = 0x3120, phf = 0x3130,
+    obf_opf = 0x3310, ohf = 0x4210, eef = 0x5520, inf = 0x6100, slf = 0x7510,
+};
+// clang-format on
+
+} // namespace rtuwire::altivar::atv28
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+// clang-format off
+template <>
+inline constexpr auto enumerators<altivar::atv28::control_mode> = name_list<altivar::atv28::control_mode>({
+    {0, "2C"}, {1, "3C"}, {2, "OPt"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv28::serial_rate> = name_list<altivar::atv28::serial_rate>({
+    {7, "9600"}, {8, "19200"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv28::base_frequency> = name_list<altivar::atv28::base_frequency>({
+    {0, "50Hz"}, {1, "60Hz"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv28::analog_output_range> = name_list<altivar::atv28::analog_output_range>({
+    {0, "0-20mA"}, {1, "4-20mA"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv28::autotune> = name_list<altivar::atv28::autotune>({
+    {0, "nO"}, {1, "donE"}, {2, "YES"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv28::no_yes> = name_list<altivar::atv28::no_yes>({
+    {0, "nO"}, {1, "YES"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv28::motor_ratio> = name_list<altivar::atv28::motor_ratio>({
+    {0, "L"}, {1, "P"}, {2, "n"}, {3, "nLd"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv28::input_1_function> = name_list<altivar::atv28::input_1_function>({
+    {0, "nO"}, {1, "Stop"}, {2, "For"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv28::input_function> = name_list<altivar::atv28::input_function>({
+    {0, "nO"}, {2, "For"}, {3, "rrS"}, {4, "rP2"}, {5, "JOG"}, {8, "PS2"}, {9, "PS4"}, {10, "PS8"},
+    {11, "rFC"}, {12, "nSt"}, {13, "dCI"}, {14, "FSt"}, {17, "FLO"}, {18, "rSt"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv28::free_input_function> = name_list<altivar::atv28::free_input_function>({
+    {0, "nO"}, {3, "rrS"}, {4, "rP2"}, {5, "JOG"}, {8, "PS2"}, {9, "PS4"}, {10, "PS8"},
+    {11, "rFC"}, {12, "nSt"}, {13, "dCI"}, {14, "FSt"}, {17, "FLO"}, {18, "rSt"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv28::analog_input_function> = name_list<altivar::atv28::analog_input_function>({
+    {0, "nO"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv28::relay_function> = name_list<altivar::atv28::relay_function>({
+    {0, "nO"}, {4, "FtA"}, {6, "CtA"}, {7, "SrA"}, {8, "tSA"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv28::analog_output_function> = name_list<altivar::atv28::analog_output_function>({
+    {0, "nO"}, {1, "OCr"}, {2, "rFr"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv28::restart_mode> = name_list<altivar::atv28::restart_mode>({
+    {0, "nO"}, {1, "YES"}, {2, "USF"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv28::direction> = name_list<altivar::atv28::direction>({
+    {0, "FOr"}, {1, "rrS"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv28::fault_code> = name_list<altivar::atv28::fault_code>({
+    {0, "nOF"}, {1, "InF"}, {2, "EEF"}, {5, "SLF"}, {9, "OCF"}, {16, "OHF"}, {17, "OLF"},
+    {18, "ObF"}, {19, "OSF"}, {20, "OPF"}, {21, "PHF"}, {23, "SCF"}, {25, "tnF"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv28::rating> = name_list<altivar::atv28::rating>({
+    {4, "U09"}, {5, "U18"}, {6, "U29"}, {7, "U41"}, {8, "U54"}, {10, "U72"}, {11, "U90"},
+    {12, "D12"}, {13, "D16"}, {14, "D23"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv28::mains> = name_list<altivar::atv28::mains>({
+    {1, "single-phase-230"}, {2, "three-phase-400"}, {3, "three-phase-230"},
+});
+template <>
+inline constexpr auto enumerators<altivar::atv28::profile_fault> = name_list<altivar::atv28::profile_fault>({
+    {0x0000, "nOF"}, {0x1000, "OLF"}, {0x2310, "OCF"}, {0x3110, "OSF"}, {0x3120, "USF"},
+    {0x3130, "PHF"}, {0x3310, "ObF_OPF"}, {0x4210, "OHF"}, {0x5520, "EEF"}, {0x6100, "InF"},
+    {0x7510, "SLF"},
+});
+// clang-format on
+
+} // namespace rtuwire

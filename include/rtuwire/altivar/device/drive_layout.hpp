@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What a controller needs to know of a drive beyond its registers: where its words are and how its state machine
+// differs. Each device carries one as data, so that no conversation depends on a model's name.
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/cia402/transition.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// Status bits that all Altivars share, beside those of the state.
+inline constexpr std::uint16_t remote_bit = 0x0200; ///< 0 in local control
+inline constexpr std::uint16_t reference_reached_bit = 0x0400;
+inline constexpr std::uint16_t reference_limited_bit = 0x0800; ///< below LSP or above HSP
+inline constexpr std::uint16_t stop_key_bit = 0x4000;
+inline constexpr std::uint16_t runs_backwards_bit = 0x8000;
+
+/// Control bits that all Altivars share.
+inline constexpr std::uint16_t reverse_bit = 0x0800;
+inline constexpr std::uint16_t save_bit = 0x0002; ///< of CMI
+
+/// The registers with a drive's reaction to a lost link, its channels of command and reference, and its automatic
+/// restart. Address 0: the drive has no such register.
+struct safeguard_layout {
+    std::uint16_t sll{0};             ///< reaction to a lost link
+    std::uint16_t tto{0};             ///< time-out, 0.1 s
+    std::uint16_t nto{0};             ///< the bit of CMI that switches a fixed time-out off
+    duration fixed_timeout{};         ///< where there is no TTO
+    std::uint16_t chcf{0};            ///< whether command and reference have one channel
+    std::uint16_t cd1{0};             ///< channel of the command
+    std::uint16_t fr1{0};             ///< channel of the reference
+    std::uint16_t flo{0};             ///< the input that forces local control
+    std::uint16_t atr{0};             ///< automatic restart
+    std::uint16_t dotd{0};            ///< how "disable operation" stops; 0: on the ramp
+    std::uint16_t inputs{0};          ///< image of the logic inputs, LI1 in bit 0
+    std::uint16_t tcc{0};             ///< two-wire or three-wire control by the terminals
+    bool is_local_at_power_up{false}; ///< terminals command until the link does
+};
+
+/// Addresses and behaviour of one device.
+struct drive_layout {
+    std::uint16_t cmd; ///< control word
+    std::uint16_t eta; ///< status word
+    std::uint16_t lft; ///< last fault
+    std::uint16_t cmi; ///< extended control word
+    std::uint16_t eti; ///< extended status word
+    std::uint16_t rfr; ///< output frequency, signed, 0.1 Hz
+    cia402::state_machine_options state_machine{};
+    bool mains_bit_is_inverted{false};              ///< status bit 4 is 1 without mains
+    bool refuses_commands_in_local{false};          ///< with an exception, instead of ignoring them
+    bool shows_forced_local_only{false};            ///< status bit 9 stays 1 for another channel in command
+    bool falls_back_when_configured{true};          ///< from "switched on", by transition 10
+    bool shows_eeprom_access{true};                 ///< ETI bit 0 is 1 while it saves
+    std::uint16_t halt{cia402::halt_bit};           ///< or-ed to the control word; 0: has no halt
+    std::uint16_t dc_injection{0};                  ///< the control word for it; 0: has none
+    std::uint16_t direct_control{0};                ///< the bit of its direct control words; 0: has none
+    duration longest_silence{milliseconds(30'000)}; ///< without a request until it trips; the most that can be set
+    bool fails_when_cut_short{false};       ///< trips where a second request comes before its response to the first
+    duration eeprom_time{milliseconds(50)}; ///< without communication while it saves
+    std::uint8_t scanner_words{0};          ///< slots each way; 0: has no scanner
+    std::uint16_t rfrd{8604};               ///< output speed, which a scanner shows as delivered
+    std::uint16_t cmi_orders{0x0003};       ///< the bits of CMI that do something: factory settings, save
+    std::uint16_t chcf{0};                  ///< the register of its I/O profile; 0: has none
+    safeguard_layout safeguards{};
+};
+
+/// CHCF of a drive whose control word runs and reverses by single bits.
+inline constexpr std::uint16_t io_profile = 3;
+
+/// How a drive interprets its control word. One with an I/O profile (ATV320, CHCF) may run on the words that stop all
+/// other drives: until its CHCF has been read since power-up, only 0000 is written to it.
+enum class word_meaning : std::uint8_t { unknown, cia402 };
+
+} // namespace rtuwire::altivar

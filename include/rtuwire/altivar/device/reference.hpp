@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// References: a speed is written to LFRD, a frequency to LFR; the unit of the value selects the register.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+
+#include <rtuwire/altivar/device/drive_layout.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/table/device.hpp>
+#include <rtuwire/table/setting.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// The direction in which the motor turns.
+enum class run_direction : std::uint8_t { forward, reverse };
+
+/// A reference as a register write. Its word is signed: below zero turns the motor in reverse.
+struct reference_write {
+    std::uint16_t address;
+    std::uint16_t word;
+
+    [[nodiscard]] constexpr bool is_reverse() const noexcept { return (word & 0x8000U) != 0; }
+    [[nodiscard]] constexpr bool is_zero() const noexcept { return word == 0; }
+
+    /// The same speed in the other direction.
+    [[nodiscard]] constexpr reference_write reversed() const noexcept
+    {
+        return {address, static_cast<std::uint16_t>(0U - word)};
+    }
+
+    /// The write for a drive that turns in the other direction while bit 11 of its control word is set.
+    [[nodiscard]] constexpr reference_write under(std::uint16_t control) const noexcept
+    {
+        return (control & reverse_bit) != 0 ? reversed() : *this;
+    }
+};
+
+/// A reference for one device: 1500_rpm or 50_Hz; a negative one is in reverse.
+template <device_type Device> class reference {
+    using speed = setting<Device::speed_reference>;
+    using hertz_setting = setting<Device::frequency_reference>;
+
+public:
+    template <std::integral Rep, typename Scale>
+    consteval reference(quantity<rotation, Rep, Scale> value) noexcept
+        : write_{Device::speed_reference.address, speed{value}.word()}
+    {}
+
+    template <std::integral Rep, typename Scale>
+    consteval reference(quantity<frequency, Rep, Scale> value) noexcept
+        : write_{Device::frequency_reference.address, hertz_setting{value}.word()}
+    {}
+
+    /// A setting that was checked at run time.
+    constexpr reference(speed value) noexcept : write_{Device::speed_reference.address, value.word()} {}
+    constexpr reference(hertz_setting value) noexcept : write_{Device::frequency_reference.address, value.word()} {}
+
+    [[nodiscard]] constexpr reference_write write() const noexcept { return write_; }
+
+private:
+    reference_write write_;
+};
+
+} // namespace rtuwire::altivar

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// How a conversation with a drive ended, and what was known about the drive then.
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/cia402/state.hpp>
+#include <rtuwire/core/literal.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/errc.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// How it ended.
+enum class outcome_kind : std::uint8_t {
+    pending, ///< not ended yet
+    succeeded,
+    executed_unconfirmed,  ///< the drive accepted the order; its effect on the link cannot be read
+    refused,               ///< by an exception: `error` tells which
+    no_place,              ///< the client cannot keep one more order: see `drive_client`
+    silent,                ///< no response was accepted; `error` tells why
+    stuck,                 ///< the state did not change in time, or fell back; a stop: confirmed, and not obeyed
+    unconfirmed,           ///< a stop: its word was confirmed, or the motor slows down; no standstill was read
+    in_fault,              ///< the drive is in fault; `fault` is its LFT
+    local_control,         ///< the drive is commanded locally, at its keypad or terminals
+    reference_limited,     ///< done, but the reference is outside LSP..HSP
+    refused_while_running, ///< only a stopped drive accepts this
+    unsupported,           ///< this drive cannot do that
+    misconfigured,         ///< the drive's scanner holds other words than are needed
+    halted,                ///< the halt bit is set: only a start takes it away
+    overwritten,           ///< the command or reference in the drive is not the one written last
+    overruled,            ///< a stop was ordered later or is under way; or the drive was in fault or set up again since
+    contradictory,        ///< a negative reference and "reverse" at once: one sign for the direction
+    unchecked,            ///< it was not checked whether the drive may be ordered
+    unsupervised,         ///< the drive does not supervise its link: it would never stop by itself
+    runs_on_without_link, ///< a lost link leaves the motor at its speed, or at a fallback speed
+    other_channel,        ///< command or reference come from elsewhere than Modbus
+    not_drive_profile,    ///< single bits of the control word run the drive (CHCF = IO)
+    restarts_by_itself,   ///< after a fault, or by a closed run input after its power came back
+    unknown_register,     ///< the drive lacks a register whose value is needed
+    timeout_too_short,    ///< the drive's time-out is too short for the longest gap of the line
+    run_input_closed,     ///< a run input is closed: the motor runs as soon as the terminals command
+    not_taken,            ///< a written setting reads back with another value
+    started_by_terminals, ///< a local command runs the motor; the line cannot stop it
+};
+
+/// An outcome and what was known about the drive.
+struct reason {
+    outcome_kind kind{outcome_kind::pending};
+    errc error{errc::none};
+    cia402::state state{cia402::state::unknown}; ///< the last one read
+    std::uint16_t fault{0};                      ///< LFT, where it was read; 0 otherwise
+    bool is_other_stop{false};                   ///< another stop than the one ordered: see stop.hpp
+
+    friend constexpr bool operator==(reason const&, reason const&) noexcept = default;
+};
+
+/// An outcome in words.
+[[nodiscard]] constexpr literal name_of(outcome_kind kind) noexcept
+{
+    switch (kind) {
+    case outcome_kind::pending: return "under way";
+    case outcome_kind::succeeded: return "done";
+    case outcome_kind::executed_unconfirmed: return "executed, not confirmed";
+    case outcome_kind::refused: return "refused by the drive";
+    case outcome_kind::no_place: return "the client has no place for one more drive";
+    case outcome_kind::silent: return "no response";
+    case outcome_kind::stuck: return "the drive does not follow";
+    case outcome_kind::unconfirmed: return "told to stop, not seen to stand";
+    case outcome_kind::in_fault: return "the drive is in fault";
+    case outcome_kind::local_control: return "the drive is in local control";
+    case outcome_kind::reference_limited: return "the reference is outside the drive's limits";
+    case outcome_kind::refused_while_running: return "only possible while the motor is stopped";
+    case outcome_kind::unsupported: return "this drive cannot do that";
+    case outcome_kind::misconfigured: return "the drive's scanner holds other words";
+    case outcome_kind::halted: return "the drive is halted";
+    case outcome_kind::overwritten: return "another master commands the drive, or it lost its power";
+    case outcome_kind::overruled: return "a stop, a fault or another set-up came later";
+    case outcome_kind::contradictory: return "a negative reference and reverse at once";
+    case outcome_kind::unchecked: return "the drive was not checked";
+    case outcome_kind::unsupervised: return "the drive does not watch its link";
+    case outcome_kind::runs_on_without_link: return "the drive runs on when its link is lost";
+    case outcome_kind::other_channel: return "another channel commands the drive";
+    case outcome_kind::not_drive_profile: return "single bits of the control word run the drive";
+    case outcome_kind::restarts_by_itself: return "the drive restarts by itself";
+    case outcome_kind::unknown_register: return "the drive does not have a register that has to be known";
+    case outcome_kind::timeout_too_short: return "the drive's time-out is too short for the line";
+    case outcome_kind::run_input_closed: return "a run input is closed";
+    case outcome_kind::not_taken: return "a setting reads back otherwise";
+    case outcome_kind::started_by_terminals: return "the terminals run the motor";
+    }
+    return "unknown";
+}
+
+} // namespace rtuwire::altivar

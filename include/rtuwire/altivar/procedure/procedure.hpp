@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// A procedure decides and `procedure_runner` acts: what happened goes in as an event, what to do next comes out as an
+// action. So each start, stop or reset is a small function of words, without frames or clocks.
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/altivar/device/drive_layout.hpp>
+#include <rtuwire/altivar/procedure/outcome.hpp>
+#include <rtuwire/ask/commander.hpp>
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// What happened.
+struct event {
+    enum class kind : std::uint8_t {
+        begun,
+        word_read,  ///< `word` is what was read
+        written,    ///< the drive confirmed the write
+        failed,     ///< a read or write failed; `error` tells why
+        pause_over, ///< the pause that was requested has passed
+        late,       ///< the time limit has passed; one more request is allowed
+    };
+    kind what;
+    std::uint16_t word{0};
+    errc error{errc::none};
+};
+
+/// What to do next.
+struct action {
+    enum class kind : std::uint8_t { read, write, pause, end };
+    kind what;
+    std::uint16_t address{0};
+    std::uint16_t word{0};
+    duration length{}; ///< of a pause; of a request, unless zero: it fails if it cannot be sent for this long
+    repetition again{repetition::allowed};
+    effect does{effect::none}; ///< to a motor
+};
+
+[[nodiscard]] constexpr action to_read(std::uint16_t address) noexcept { return {action::kind::read, address}; }
+[[nodiscard]] constexpr action to_write(std::uint16_t address, std::uint16_t word) noexcept
+{
+    return {action::kind::write, address, word};
+}
+[[nodiscard]] constexpr action to_pause(duration length) noexcept { return {action::kind::pause, 0, 0, length}; }
+/// A write after which a motor at rest may turn, or a turning one may turn differently.
+[[nodiscard]] constexpr action to_enable(std::uint16_t address, std::uint16_t word) noexcept
+{
+    action what = to_write(address, word);
+    what.does = effect::enabling;
+    return what;
+}
+/// The same for a drive in fault.
+[[nodiscard]] constexpr action to_reset(std::uint16_t address, std::uint16_t word) noexcept
+{
+    action what = to_write(address, word);
+    what.does = effect::resetting;
+    return what;
+}
+/// A write after which another source may command the motor, or words have another meaning.
+[[nodiscard]] constexpr action to_rearrange(std::uint16_t address, std::uint16_t word) noexcept
+{
+    action what = to_write(address, word);
+    what.does = effect::rearranging;
+    return what;
+}
+/// A control word that takes the motor's power or its speed away.
+[[nodiscard]] constexpr action to_stop(std::uint16_t address, std::uint16_t word) noexcept
+{
+    action what = to_write(address, word);
+    what.does = effect::stopping;
+    return what;
+}
+/// The same action, sent once: where no response comes, the procedure gets the failure.
+[[nodiscard]] constexpr action once(action what) noexcept
+{
+    what.again = repetition::never;
+    return what;
+}
+
+/// The pause between two reads of a word that has to change.
+inline constexpr duration status_period = milliseconds(50);
+
+/// What every procedure has: the drive's layout, and the reason why it ended.
+class procedure {
+public:
+    /// How much longer than its limit a procedure may take to leave the drive safe; zero: one more request.
+    static constexpr duration grace{};
+
+    [[nodiscard]] constexpr altivar::reason const& reason() const noexcept { return reason_; }
+
+    /// Whether it orders its drive to run; this replaces any earlier order.
+    static constexpr bool is_order = false;
+
+    /// Whether it is already withdrawing its own command.
+    [[nodiscard]] static constexpr bool takes_back() noexcept { return false; }
+
+    /// Whether it stops its drive by the user's order, and holds the drive until it ends.
+    static constexpr bool is_stop = false;
+
+    /// Ends a procedure because a stop was ordered later: the drive now belongs to that stop.
+    constexpr action yield() noexcept { return end(outcome_kind::overruled); }
+
+    /// Whether the status read showed a motor without power, or a fault; each call clears the flag that it returns.
+    constexpr bool take_rest() noexcept { return take(has_read_rest_); }
+    constexpr bool take_fault() noexcept { return take(has_read_fault_); }
+
+    /// How long the drive keeps running without any request.
+    [[nodiscard]] constexpr duration drive_timeout() const noexcept { return layout_->longest_silence; }
+
+    /// Ends a procedure that asks for further actions after its limit.
+    constexpr action give_up() noexcept { return end(outcome_kind::stuck); }
+
+protected:
+    explicit constexpr procedure(drive_layout const& layout) noexcept : layout_{&layout} {}
+
+    [[nodiscard]] constexpr drive_layout const& layout() const noexcept { return *layout_; }
+
+    /// Ends; the first outcome counts.
+    constexpr action end(outcome_kind kind, errc error = errc::none) noexcept
+    {
+        if (reason_.kind == outcome_kind::pending) {
+            reason_.kind = kind;
+            reason_.error = error;
+        }
+        return {action::kind::end};
+    }
+
+    /// Ends because a request failed.
+    constexpr action end(errc error) noexcept { return end(kind_for(error), error); }
+
+    static constexpr outcome_kind kind_for(errc error) noexcept
+    {
+        if (error == errc::too_many_ordered) {
+            return outcome_kind::no_place;
+        }
+        return is_exception(error) ? outcome_kind::refused : outcome_kind::silent;
+    }
+
+    /// Keeps the state that a status word shows.
+    constexpr cia402::state note(std::uint16_t status) noexcept
+    {
+        reason_.state = cia402::decode(status);
+        has_read_rest_ = cia402::is_at_rest(reason_.state);
+        has_read_fault_ = cia402::is_in_fault(reason_.state);
+        return reason_.state;
+    }
+
+    constexpr void note_state(cia402::state at) noexcept { reason_.state = at; }
+
+    /// Takes over what a procedure inside this one has read.
+    constexpr void note_readings_of(procedure& inner) noexcept
+    {
+        has_read_rest_ = inner.take_rest();
+        has_read_fault_ = inner.take_fault();
+    }
+    constexpr void note_other_stop() noexcept { reason_.is_other_stop = true; }
+
+    /// Runs the next step of a procedure inside this one, and takes over what it reads. If the inner one fails, this
+    /// one ends with the same outcome: the caller continues only after a success.
+    template <typename Inner> constexpr action run_inside(Inner& inner, event const& what) noexcept
+    {
+        action const next = inner.step(what);
+        note_readings_of(inner);
+        if (next.what != action::kind::end) {
+            return next;
+        }
+        altivar::reason const found = inner.reason();
+        note_state(found.state);
+        if (found.kind == outcome_kind::succeeded) {
+            return next;
+        }
+        return found.kind == outcome_kind::in_fault ? end_in_fault(found.fault) : end(found.kind, found.error);
+    }
+
+    constexpr action end_in_fault(std::uint16_t code) noexcept
+    {
+        reason_.fault = code;
+        return end(outcome_kind::in_fault);
+    }
+
+private:
+    static constexpr bool take(bool& mark) noexcept
+    {
+        bool const is_set = mark;
+        mark = false;
+        return is_set;
+    }
+
+    drive_layout const* layout_;
+    altivar::reason reason_{};
+    bool has_read_rest_{false};
+    bool has_read_fault_{false};
+};
+
+} // namespace rtuwire::altivar

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Runs a procedure as a conversation with one unit: single reads and writes, pauses, and a time limit.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <rtuwire/altivar/procedure/procedure.hpp>
+#include <rtuwire/ask/conversation.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/pdu/write_single_register.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// The conversation of a procedure. It ends at its limit, counted from the first `advance`; or later by the procedure's
+/// grace, or at the end of the one request that is then under way or still has to be sent to leave the drive safe.
+template <typename Script> class procedure_runner : public commander {
+public:
+    constexpr procedure_runner(unit_id unit, Script const& procedure, duration limit) noexcept
+        : procedure_{procedure}, limit_{limit}, unit_{unit}
+    {}
+
+    /// Processes the time: starts the clock, ends pauses, and ends the conversation at its limit.
+    constexpr void advance(instant now) noexcept
+    {
+        now_ = now;
+        if (not has_begun_) {
+            has_begun_ = true;
+            late_at_ = now + limit_;
+            if constexpr (Script::is_stop) {
+                this->note_stop();
+            } else if constexpr (Script::is_order) {
+                this->note_order_to_run();
+            } else {
+                this->note_order();
+            }
+            take(procedure_.step({event::kind::begun}));
+        }
+        if (settled() or is_asking_) {
+            return;
+        }
+        // No limit ends a stop whose control word was never sent.
+        bool const has_to_say = Script::is_stop and action_.does == effect::stopping and not has_said_stop_;
+        if (not is_late_ and reached(now, late_at_) and not has_to_say) {
+            is_late_ = was_warned_ or Script::grace.microseconds == 0;
+            was_warned_ = true;
+            late_at_ = now + Script::grace;
+            if (is_late_ or not procedure_.takes_back()) { // else it uses its grace for that
+                take(procedure_.step({event::kind::late}));
+            }
+        } else if (has_length() and reached(now, pause_end_)) {
+            bool const is_pause = action_.what == action::kind::pause;
+            take(procedure_.step(is_pause ? event{event::kind::pause_over}
+                                          : event{event::kind::failed, 0, errc::bus_jam}));
+        }
+    }
+
+    [[nodiscard]] constexpr unit_id unit() const noexcept { return unit_; }
+
+    /// For the client: what the next request does to the motor, and when a unit counts as lost.
+    [[nodiscard]] constexpr effect intent() const noexcept { return this->effect_now(action_.does); }
+    [[nodiscard]] constexpr duration drive_timeout() const noexcept { return procedure_.drive_timeout(); }
+    [[nodiscard]] static constexpr std::uint8_t tolerated_misses() noexcept { return 1; }
+
+    constexpr void note_loss() noexcept
+    {
+        has_lost_ = has_begun_ and not settled();
+        heed_loss();
+    }
+
+    constexpr std::optional<request_frame> next() noexcept
+    {
+        if (not has_request()) {
+            return std::nullopt;
+        }
+        is_asking_ = true;
+        has_said_stop_ = has_said_stop_ or action_.does == effect::stopping;
+        return request_frame{frame_, action_.again};
+    }
+
+    /// Whether there is a request to send.
+    [[nodiscard]] constexpr bool has_request() const noexcept
+    {
+        return has_begun_ and (action_.what == action::kind::read or action_.what == action::kind::write);
+    }
+
+    constexpr void accept(result<response> const& outcome) noexcept
+    {
+        is_asking_ = false;
+        if (settled()) {
+            return;
+        }
+        take(outcome.error() == errc::overruled ? procedure_.yield() : procedure_.step(event_of(outcome)));
+        heed_loss();
+    }
+
+    /// When `advance` has something to do; nothing while a request is under way.
+    [[nodiscard]] constexpr deadline poll_deadline() const noexcept
+    {
+        if (settled() or is_asking_ or not has_begun_) {
+            return {};
+        }
+        earliest next;
+        if (not is_late_) {
+            next.add(late_at_);
+        }
+        if (has_length()) {
+            next.add(pause_end_);
+        }
+        return next;
+    }
+
+    /// Whether the procedure has ended.
+    [[nodiscard]] constexpr bool settled() const noexcept { return has_begun_ and action_.what == action::kind::end; }
+
+    /// How it ended; `pending` until it is settled.
+    [[nodiscard]] constexpr altivar::reason reason() const noexcept
+    {
+        return settled() ? procedure_.reason() : altivar::reason{};
+    }
+
+    /// Whether it ended with success.
+    [[nodiscard]] constexpr bool succeeded() const noexcept { return reason().kind == outcome_kind::succeeded; }
+
+protected:
+    [[nodiscard]] constexpr Script const& told() const noexcept { return procedure_; }
+
+private:
+    /// The unit was lost: the next action, unless it is a word that stops, would wait until the drive has stopped by
+    /// itself. So it fails now.
+    constexpr void heed_loss() noexcept
+    {
+        if (not has_lost_ or is_asking_) {
+            return;
+        }
+        has_lost_ = false;
+        if (not settled() and action_.does != effect::stopping) {
+            take(procedure_.step({event::kind::failed, 0, errc::unit_lost}));
+        }
+    }
+
+    /// Whether the action is a pause, or a request that may wait only for a limited time.
+    constexpr bool has_length() const noexcept
+    {
+        return action_.what == action::kind::pause or action_.length.microseconds != 0;
+    }
+
+    constexpr event event_of(result<response> const& outcome) const noexcept
+    {
+        if (not outcome) {
+            return {event::kind::failed, 0, outcome.error()};
+        }
+        if (action_.what == action::kind::write) {
+            return {event::kind::written};
+        }
+        constexpr std::size_t size_of_one = 4;
+        byte_view const pdu = outcome->pdu();
+        if (pdu.size() != size_of_one) {
+            return {event::kind::failed, 0, errc::wrong_length};
+        }
+        return {event::kind::word_read, u16_at(pdu, 2)};
+    }
+
+    constexpr void take(action next) noexcept
+    {
+        // After the limit one request is allowed, and no pause.
+        bool const is_request = next.what == action::kind::read or next.what == action::kind::write;
+        if (is_late_ and (next.what == action::kind::pause or (is_request and was_granted_))) {
+            next = procedure_.give_up();
+        }
+        was_granted_ = was_granted_ or (is_late_ and is_request);
+        if (procedure_.take_rest()) {
+            this->note_rest();
+        }
+        if (procedure_.take_fault()) {
+            this->note_fault();
+        }
+        if (Script::is_stop and next.what == action::kind::end) {
+            this->note_stop_over();
+        }
+        action_ = next;
+        pause_end_ = now_ + next.length;
+        if (next.what == action::kind::read) {
+            static_cast<void>(encode_into(frame_, unit_, read_holding_registers{next.address, 1}));
+        } else if (next.what == action::kind::write) {
+            static_cast<void>(encode_into(frame_, unit_, write_single_register{next.address, next.word}));
+        }
+    }
+
+    Script procedure_;
+    action action_{action::kind::pause};
+    duration limit_;
+    instant now_{0};
+    instant late_at_{0};
+    instant pause_end_{0};
+    std::array<std::byte, 8> frame_{};
+    unit_id unit_;
+    bool has_begun_{false};
+    bool is_asking_{false};
+    bool has_said_stop_{false};
+    bool has_lost_{false};
+    bool is_late_{false};
+    bool was_warned_{false}; ///< the limit is over; only the procedure's grace is left
+    bool was_granted_{false};
+};
+
+} // namespace rtuwire::altivar

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Conversations that can command a motor, as far as a client has to know them: which of their requests may move it,
+// which stop it, and what they read. client/orders.hpp says what a client does with that.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+
+#include <rtuwire/ask/conversation.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/unit_id.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// What a request does to a motor.
+enum class effect : std::uint8_t {
+    none,
+    enabling,    ///< the motor may start to turn, or turn in another way
+    resetting,   ///< a fault is reset, after which the motor may turn
+    rearranging, ///< another channel may command the motor, or words in use change their meaning
+    stopping,    ///< the motor loses its power or slows down; a write of function 06, which no other response echoes
+};
+
+/// The base of every conversation that can command the motor of a unit. It notes what its user wants and what it read;
+/// the client takes that over when the conversation visits (`converse` is called for it).
+class commander : public asker {
+public:
+    /// Whether its unit is lost and gets no request now, stop requests included.
+    [[nodiscard]] constexpr bool is_silenced() const noexcept { return is_silenced_; }
+
+protected:
+    /// The user orders something that may move the motor. A stop that begins later cancels the order.
+    constexpr void note_order() noexcept { has_ordered_ = true; }
+
+    /// The same, to run: of two such orders for a unit the later one counts.
+    constexpr void note_order_to_run() noexcept
+    {
+        has_ordered_ = true;
+        takes_over_ = true;
+    }
+
+    /// The user stops: cancels older orders of this unit by any conversation, and none is accepted until the stop is
+    /// over.
+    constexpr void note_stop() noexcept
+    {
+        has_stopped_ = true;
+        is_over_ = false;
+    }
+
+    /// The stop has ended, whatever its outcome.
+    constexpr void note_stop_over() noexcept { is_over_ = true; }
+
+    /// The motor was read without power.
+    constexpr void note_rest() noexcept { has_read_rest_ = true; }
+
+    /// The drive was read in fault: orders given before no longer count.
+    constexpr void note_fault() noexcept { has_read_fault_ = true; }
+
+    /// A stop request that may not be sent now counts as `none`: no other conversation waits for it.
+    [[nodiscard]] constexpr effect effect_now(effect what) const noexcept
+    {
+        return what == effect::stopping and is_silenced_ ? effect::none : what;
+    }
+
+    /// Whether its unit was rearranged through this client since `note_arrangement`.
+    [[nodiscard]] constexpr bool was_rearranged() const noexcept { return was_rearranged_; }
+    constexpr void note_arrangement() noexcept { was_rearranged_ = false; }
+
+    /// Whether another conversation stopped its unit, lost it or read it in fault since `heed_stop`: older readings
+    /// are stale.
+    [[nodiscard]] constexpr bool was_stopped() const noexcept { return was_stopped_; }
+    constexpr void heed_stop() noexcept { was_stopped_ = false; }
+
+private:
+    template <std::size_t> friend class orders;
+    template <std::size_t> friend class stop_holds;
+
+    std::uint32_t stamp_{0}; ///< when the last order or stop was given, in the client's count; 0: never
+    std::uint32_t seen_{0};  ///< the client's count at the last visit
+    bool was_rearranged_{false};
+    bool was_stopped_{false};
+    bool has_ordered_{false};
+    bool takes_over_{false};
+    bool has_come_by_{false};
+    bool has_stopped_{false};
+    bool is_over_{false};
+    bool is_stopping_{false}; ///< a stop that visited, up to its end
+    bool has_read_rest_{false};
+    bool has_read_fault_{false};
+    bool is_silenced_{false};
+};
+
+/// A conversation that commands the motor of one unit. `intent` gives the effect of the request that `next` would
+/// return. `note_loss` tells it that the unit was lost, by a request of any conversation: it may send only stop
+/// requests now. `drive_timeout` is the time after which the unit stops its motor by itself when no request reaches
+/// it; `tolerated_misses` is how many enabling requests in a row may go without a response before the link counts as
+/// lost.
+template <typename T>
+concept commanding_conversation = prompt_conversation<T> and std::derived_from<T, commander> and
+    requires(T const& conversation, T& same)
+{
+    same.note_loss();
+    {
+        conversation.intent()
+        } -> std::same_as<effect>;
+    {
+        conversation.drive_timeout()
+        } -> std::same_as<duration>;
+    {
+        conversation.tolerated_misses()
+        } -> std::same_as<std::uint8_t>;
+};
+
+/// A conversation that stops all units of a line: by broadcasts first, while `is_urgent`, then one by one, by the
+/// commanders that `stops` gives. `may_cut` tells whether a unit's outstanding response need not be waited for.
+template <typename T>
+concept stops_by_broadcast = conversation<T> and std::derived_from<T, commander> and
+    requires(T& conversation, std::uint8_t unit)
+{
+    conversation.stops();
+    {
+        conversation.intent()
+        } -> std::same_as<effect>;
+    {
+        conversation.is_urgent()
+        } -> std::same_as<bool>;
+    {
+        conversation.may_cut(unit)
+        } -> std::same_as<bool>;
+};
+
+} // namespace rtuwire

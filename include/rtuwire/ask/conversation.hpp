@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// The one abstraction between what an application wants of a unit and the line: requests one after the other, each
+// with its response. A read is a conversation, so is a plan or a start-up; the code that runs one need not know which.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+#include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/fixed_buffer.hpp>
+#include <rtuwire/core/result.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/adu.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// Whether a client may send a request again by itself. A command that its user may cancel meanwhile is sent once.
+enum class repetition : std::uint8_t { allowed, never };
+
+/// A request: the bytes of a frame that `encode` made. The client copies them when it takes the request,
+/// so they have to live no longer than the call that returned them.
+class request_frame {
+public:
+    explicit constexpr request_frame(byte_view frame, repetition again = repetition::allowed) noexcept
+        : frame_{frame}, again_{again}
+    {}
+
+    /// Bytes that end with the statement cannot become a request.
+    template <std::size_t Size>
+    request_frame(std::array<std::byte, Size> const&&, repetition = repetition::allowed) = delete;
+    template <std::size_t Size> request_frame(fixed_buffer<Size> const&&, repetition = repetition::allowed) = delete;
+
+    [[nodiscard]] constexpr byte_view frame() const noexcept { return frame_; }
+    [[nodiscard]] constexpr bool may_be_repeated() const noexcept { return again_ == repetition::allowed; }
+
+private:
+    byte_view frame_;
+    repetition again_;
+};
+
+/// A response that belongs to its request: same unit, function, length and echoed fields. Empty after
+/// a broadcast. A view of the client's memory, valid until the client takes the next request.
+class response {
+public:
+    constexpr response() noexcept = default;
+    explicit constexpr response(byte_view pdu) noexcept : pdu_{pdu} {}
+
+    /// The PDU. By value, so that no loop over it holds a reference into a response that is gone; constructed anew,
+    /// because GCC calls memcpy for a copy where it optimises for size (4 bytes).
+    [[nodiscard]] constexpr byte_view pdu() const noexcept { return {pdu_.data(), pdu_.size()}; }
+
+    /// The response to a request of type `Request`; the errors are those of its decoder.
+    template <typename Request> [[nodiscard]] constexpr result<typename Request::response> to() const noexcept
+    {
+        return Request::response::decode(pdu_);
+    }
+
+private:
+    byte_view pdu_;
+};
+
+class turns;
+
+/// The base of every conversation: it holds the number of the request that this conversation has under way, and on
+/// which client, so that an outcome reaches no other conversation. A conversation may be destroyed, moved, copied or
+/// begun anew at any time: the outcome then goes to the object that holds the number, or is dropped.
+class asker {
+public:
+    /// Gives up the last request: its outcome is dropped, never delivered. To be called where a conversation starts
+    /// anew. The request itself may have left and have its effect.
+    constexpr void forget() noexcept { ticket_ |= given_up; }
+
+private:
+    friend class turns;
+
+    /// A ticket is a multiple of this, or a mark of turns.hpp; plus `given_up` it still shows who asked last.
+    static constexpr std::uint32_t step = 16;
+    static constexpr std::uint32_t given_up = 1;
+
+    std::uint32_t ticket_{0};
+    turns const* turns_{nullptr}; ///< whose number it is; null where there is none
+};
+
+/// An asker with requests. `next` returns the next request, or nothing when there is none now; it may be called again
+/// before an outcome came, where the request could not be sent. `accept` takes the outcome of this conversation's last
+/// request, and of no other; it is called before `next` is called again, or never where the request was given up.
+/// `settled` tells that no request follows. A request is a view of its conversation's memory.
+template <typename T>
+concept conversation = std::derived_from<T, asker> and requires(T& conversation, result<response> outcome)
+{
+    {
+        conversation.next()
+        } -> std::same_as<std::optional<request_frame>>;
+    conversation.accept(outcome);
+    {
+        conversation.settled()
+        } -> std::convertible_to<bool>;
+};
+
+/// A conversation that never settles, and says so by a static `settled`: its end cannot be waited for.
+template <typename T>
+concept endless_conversation = conversation<T> and requires
+{
+    typename std::bool_constant<T::settled()>;
+    requires not T::settled();
+};
+
+/// A conversation that pauses, or has a time limit: its caller calls `advance` before `next`, and again at
+/// `poll_deadline`.
+template <typename T>
+concept timed_conversation = conversation<T> and requires(T& conversation, instant now)
+{
+    conversation.advance(now);
+    {
+        conversation.poll_deadline()
+        } -> std::same_as<deadline>;
+};
+
+/// A conversation with one unit whose request is made at the last moment: `next` is called only when the line is free
+/// for that unit.
+template <typename T>
+concept prompt_conversation = conversation<T> and requires(T const& conversation)
+{
+    {
+        conversation.unit()
+        } -> std::same_as<unit_id>;
+};
+
+/// Lets time pass for a timed conversation.
+template <conversation Conversation>
+constexpr void advance_conversation(Conversation& conversation, instant now) noexcept
+{
+    if constexpr (timed_conversation<Conversation>) {
+        conversation.advance(now);
+    }
+}
+
+} // namespace rtuwire

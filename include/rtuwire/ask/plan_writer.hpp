@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Runs a write plan: its requests in order, by function 16. The first failure ends it; what was written before stays
+// written, and `written()` gives the number of confirmed requests.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include <rtuwire/ask/conversation.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/table/device.hpp>
+#include <rtuwire/table/write_plan.hpp>
+#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// The conversation of a write plan with one unit; owns the values and the frame under way.
+template <typename Plan> class plan_writer : public asker {
+    using device = typename Plan::device;
+    static_assert(implements<device>(function_code::write_multiple_registers),
+                  "this device does not implement function 16");
+
+public:
+    constexpr plan_writer(station<device> const& to, Plan const& values) noexcept : plan_{values}, unit_{to.unit()}
+    {
+        prepare();
+    }
+
+    constexpr std::optional<request_frame> next() const& noexcept
+    {
+        if (settled()) {
+            return std::nullopt;
+        }
+        return request_frame{byte_view{frame_}.first(frame_size_)};
+    }
+    std::optional<request_frame> next() const&& = delete;
+
+    constexpr void accept(result<response> const& outcome) noexcept
+    {
+        if (not outcome) {
+            outcome_ = outcome.error();
+        } else if (++written_ == Plan::request_count) {
+            outcome_ = result<void>{};
+        } else {
+            prepare();
+        }
+    }
+
+    /// Whether the outcome is there.
+    [[nodiscard]] constexpr bool settled() const noexcept { return outcome_.error() != errc::pending; }
+
+    /// How the plan ended; `pending` until it is settled.
+    [[nodiscard]] constexpr result<void> outcome() const noexcept { return outcome_; }
+
+    /// How many of the plan's requests the unit has confirmed.
+    [[nodiscard]] constexpr std::size_t written() const noexcept { return written_; }
+
+private:
+    constexpr void prepare() noexcept
+    {
+        register_block<Plan::register_count> words;
+        auto const values = plan_.words(written_);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            words.set(i, values[i]);
+        }
+        register_view const used{words.view().bytes().first(2 * values.size())};
+        auto const frame = encode_into(frame_, unit_, write_multiple_registers{Plan::requests()[written_].start, used});
+        if (frame) {
+            frame_size_ = frame->size();
+        } else {
+            outcome_ = frame.error();
+        }
+    }
+
+    Plan plan_;
+    std::array<std::byte, 9 + 2 * Plan::register_count> frame_{};
+    std::size_t frame_size_{0};
+    std::size_t written_{0};
+    result<void> outcome_{errc::pending};
+    unit_id unit_;
+};
+
+} // namespace rtuwire

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// The conversation of one request: it owns the request and keeps a copy of the response, so that no other traffic can
+// change it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <rtuwire/ask/conversation.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/limits.hpp>
+#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
+#include <rtuwire/wire/pdu/write_single_register.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// The largest response PDU to a request of this type, in bytes.
+template <typename Request> inline constexpr std::size_t largest_response = max_pdu_size;
+template <> inline constexpr std::size_t largest_response<write_single_register> = 5;
+template <typename Words> inline constexpr std::size_t largest_response<write_multiple_registers<Words>> = 5;
+
+/// One request in a frame of at most `FrameSize` bytes, and room for a response PDU of `AnswerSize`.
+template <std::size_t FrameSize, std::size_t AnswerSize> class sized_request : public asker {
+public:
+    /// Encodes the request; where that fails, nothing is sent and `outcome()` says why.
+    template <typename To, pdu Request> constexpr sized_request(To to, Request const& request) noexcept
+    {
+        auto const written = encode_into(frame_, to, request);
+        if (written) {
+            size_ = static_cast<std::uint16_t>(written->size());
+        } else {
+            error_ = written.error();
+        }
+    }
+
+    /// Sends the same request once more; the outcome is then `pending` again.
+    constexpr void begin() noexcept
+    {
+        if (size_ != 0) {
+            forget();
+            error_ = errc::pending;
+        }
+    }
+
+    constexpr std::optional<request_frame> next() const& noexcept
+    {
+        if (settled()) {
+            return std::nullopt;
+        }
+        return request_frame{byte_view{frame_}.first(size_)};
+    }
+    std::optional<request_frame> next() const&& = delete;
+
+    constexpr void accept(result<response> const& outcome) noexcept
+    {
+        error_ = outcome.error();
+        if (not outcome) {
+            return;
+        }
+        byte_view const pdu = outcome->pdu();
+        if (pdu.size() > AnswerSize) {
+            error_ = errc::wrong_length;
+            return;
+        }
+        response_size_ = static_cast<std::uint8_t>(pdu.size());
+        for (std::size_t i = 0; i < pdu.size(); ++i) {
+            response_[i] = pdu[i];
+        }
+    }
+
+    /// Whether the outcome is there.
+    [[nodiscard]] constexpr bool settled() const noexcept { return error_ != errc::pending; }
+
+    /// The outcome; `pending` until it is settled. The response is a view of this conversation's memory.
+    [[nodiscard]] constexpr result<response> outcome() const& noexcept
+    {
+        if (error_ != errc::none) {
+            return error_;
+        }
+        return response{byte_view{response_}.first(response_size_)};
+    }
+    result<response> outcome() const&& = delete;
+
+private:
+    std::array<std::byte, FrameSize> frame_{};
+    std::array<std::byte, AnswerSize> response_{};
+    std::uint16_t size_{0};
+    std::uint8_t response_size_{0};
+    errc error_{errc::pending};
+};
+
+/// The conversation of one request of a type: `single_request ask{unit_id{7}, read_holding_registers{...}}`.
+template <pdu Request>
+class single_request : public sized_request<Request::max_size + adu_overhead, largest_response<Request>> {
+public:
+    template <typename To>
+    constexpr single_request(To to, Request const& request) noexcept
+        : sized_request<Request::max_size + adu_overhead, largest_response<Request>>{to, request}
+    {
+        static_assert(std::same_as<To, unit_id> or broadcastable<Request>,
+                      "a broadcast has no response, so only a write can be broadcast");
+    }
+};
+
+template <typename To, pdu Request> single_request(To, Request) -> single_request<Request>;
+
+} // namespace rtuwire

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// A client whose line and options are constants of the program, for small processors.
+#pragma once
+
+#include <rtuwire/client/client.hpp>
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// The options of a client that is given none.
+inline constexpr client_options default_client_options{};
+
+/// A client that holds neither its line's times nor its options and is zero-initialised: a `constinit` one has no
+/// constructor to run and no image in flash. Each `Timing` makes code of its own, so it is for boards with one line.
+///
+///     constexpr line_timing timing{19'200, character_format::even_8_1}; // outside of functions
+///     constinit static_client<timing> link;
+template <line_timing const& Timing, client_options const& Options = default_client_options,
+          typename Statistics = no_statistics>
+using static_client = basic_client<Statistics, constant<Timing>, constant<Options>>;
+
+/// The same for conversations that command the motors of up to `Units` units: see `drive_client`.
+template <line_timing const& Timing, std::size_t Units = 1, client_options const& Options = default_client_options,
+          typename Statistics = no_statistics>
+using static_drive_client =
+    basic_client<Statistics, constant<Timing>, constant<Options>, quarantine<1>, shared_memory, orders<Units>>;
+
+} // namespace rtuwire

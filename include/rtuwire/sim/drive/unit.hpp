@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// A simulated drive at an address of a line: the drive, its server and its identification.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include <rtuwire/core/literal.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/server/server.hpp>
+#include <rtuwire/sim/drive/drive.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
+
+/// The vendor name of the drives, and their conformity level: regular identification, as a stream.
+inline constexpr literal maker{"Schneider Electric"};
+inline constexpr std::uint8_t printed_conformity = 0x02;
+
+/// The profile of a server with the functions and limits of a device and these objects; without function 43 the
+/// objects are left out.
+template <device_type Device>
+[[nodiscard]] constexpr server_profile line_profile_with(device_objects const& objects) noexcept
+{
+    bool const tells = Device::functions.contains(function_code::encapsulated_interface);
+    return {Device::functions, Device::limits, tells ? objects.with_conformity(printed_conformity) : device_objects{}};
+}
+
+/// The profile of a device that identifies itself as its manual prints.
+template <device_type Device> struct line_profile {
+    static constexpr std::array<device_object, 3> objects{
+        {{vendor_name, maker}, {product_code, Device::reference}, {major_minor_revision, "0201"}}};
+    static constexpr server_profile value = line_profile_with<Device>(identity_of<objects>);
+};
+
+/// A drive on a line. Call `receive`, `sent` and `advance` as for a server; then send what `poll_transmit` returns.
+template <device_type Device> class unit {
+public:
+    constexpr unit(unit_id address, line_timing const& line, instant now) noexcept
+        : unit{address, line, now, line_profile<Device>::value}
+    {}
+
+    /// Identifies itself otherwise than its manual prints; the profile must outlive the unit.
+    constexpr unit(unit_id address, line_timing const& line, instant now, server_profile const& profile) noexcept
+        : node_{address, line, profile}, drive_{now, address.byte()}, line_{drive_.line()}
+    {}
+
+    constexpr void receive(byte_view bytes, instant now) noexcept
+    {
+        if (is_hearing()) {
+            node_.receive(bytes, now);
+        }
+    }
+    constexpr void receive_error(instant now) noexcept { node_.receive_error(now); }
+    constexpr void sent(instant now) noexcept { node_.sent(now); }
+
+    /// Lets time pass for the drive and its server, and serves a waiting request.
+    constexpr void advance(instant now) noexcept
+    {
+        drive_.advance(now);
+        node_.advance(now);
+        if (node_.is_asked()) {
+            drive_.note_contact();
+            ++requests_;
+            node_.serve(drive_, now);
+        }
+        // The response to the write that changed the address still has the old one.
+        node_.listen_as(checked_unit(drive_.address()));
+    }
+
+    [[nodiscard]] constexpr byte_view poll_transmit() noexcept { return node_.poll_transmit(); }
+    [[nodiscard]] constexpr deadline poll_deadline() const noexcept { return node_.poll_deadline(); }
+
+    /// The number of requests to it, including broadcasts.
+    [[nodiscard]] constexpr std::uint32_t requests() const noexcept { return requests_; }
+
+    [[nodiscard]] constexpr sim::drive<Device>& drive() noexcept { return drive_; }
+    [[nodiscard]] constexpr sim::drive<Device> const& drive() const noexcept { return drive_; }
+
+private:
+    static constexpr std::optional<unit_id> checked_unit(std::uint16_t number) noexcept
+    {
+        auto const unit = unit_id::checked(number);
+        return unit ? std::optional{*unit} : std::nullopt;
+    }
+
+    /// False while the drive is silent, and where its settings differ from those of the line.
+    constexpr bool is_hearing() const noexcept { return not drive_.is_silent() and drive_.line() == line_; }
+
+    server node_;
+    sim::drive<Device> drive_;
+    line_setting line_; ///< when it was connected
+    std::uint32_t requests_{0};
+};
+
+} // namespace rtuwire::sim

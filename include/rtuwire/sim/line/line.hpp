@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// A simulated RS-485 line in virtual time, bit by bit, with the faults of real ones. The same seed makes
+// the same faults, so a run is named by one number. No heap, and a simulated second is some thousand
+// steps.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/rtu/line.hpp>
+#include <rtuwire/sim/line/random_source.hpp>
+#include <rtuwire/sim/line/uart.hpp>
+#include <rtuwire/sim/line/waveform.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
+
+/// How often each fault occurs, in a million.
+struct line_faults {
+    std::uint32_t bit_errors{0}; ///< bits that arrive inverted
+    std::uint32_t bursts{0};     ///< frames of which up to 16 neighbouring bits are disturbed
+    std::uint32_t dropped{0};    ///< characters that no receiver gets
+    std::uint32_t added{0};      ///< characters after which another one follows
+    std::uint32_t lost{0};       ///< frames that no receiver gets
+    std::uint32_t repeated{0};   ///< frames that are received twice, the second right after the first
+    std::uint32_t delayed{0};    ///< frames that are sent late, by up to `delay`
+    std::uint32_t glitches{0};   ///< frames before which a short low glitch appears
+    duration delay{};
+    bool is_cut{false}; ///< nothing arrives at all
+};
+
+/// A character as the receivers on the line get it.
+struct character {
+    std::byte byte;
+    bool is_damaged;      ///< a parity or framing error in the receiver
+    std::uint8_t senders; ///< a bit for each of the senders 0 to 7 that contributed to it
+    instant at;           ///< the end of its last stop bit
+
+    [[nodiscard]] constexpr bool is_from(unsigned sender) const noexcept { return ((senders >> sender) & 1U) != 0; }
+};
+
+/// The line. `transmit` puts frames on it, `receive` takes characters off it.
+class line {
+public:
+    static constexpr unsigned max_senders = 8;
+
+    constexpr line(std::uint32_t bits_per_second, character_format format, std::uint32_t seed) noexcept
+        : random_{seed}, bit_ns_{1'000'000'000U / bits_per_second}, format_{format}
+    {}
+
+    /// Sets the faults of what one of the senders 0 to 7 transmits.
+    constexpr void set_faults(unsigned sender, line_faults const& faults) noexcept
+    {
+        faults_[sender % max_senders] = faults;
+    }
+
+    /// The same for all senders.
+    constexpr void set_faults(line_faults const& faults) noexcept { faults_.fill(faults); }
+
+    /// One of the senders 0 to 7 transmits bytes from `at` on, which is not before the character received last.
+    /// Returns when its last stop bit was sent, as the sender sees it.
+    constexpr instant transmit(unsigned sender, byte_view bytes, instant at) noexcept
+    {
+        if (cursor_ >= wave_.size()) {
+            start_over(at);
+        }
+        line_faults const& faults = faults_[sender % max_senders];
+        std::size_t const bits = bytes.size() * bits_per_character(format_);
+        instant const end = at + time_of(bits);
+        if (faults.is_cut or random_.happens(faults.lost)) {
+            return end;
+        }
+        std::size_t place = place_of(at);
+        if (random_.happens(faults.delayed)) {
+            place += random_.below(static_cast<std::uint32_t>(place_of(begin_ + faults.delay)));
+        }
+        if (random_.happens(faults.glitches)) {
+            place = glitch(place);
+        }
+        std::size_t after = lay(sender, bytes, place);
+        if (random_.happens(faults.repeated)) {
+            constexpr std::uint32_t longest_pause = 35; // below t3.5
+            lay(sender, bytes, after + random_.below(longest_pause));
+        }
+        return end;
+    }
+
+    /// The next character that has ended by `now`.
+    constexpr std::optional<character> receive(instant now) noexcept
+    {
+        if (not find_start()) {
+            return std::nullopt;
+        }
+        std::size_t const length = bits_per_character(format_);
+        instant const end = begin_ + time_of(cursor_ + length);
+        if (not reached(now, end)) {
+            return std::nullopt;
+        }
+        received_byte const got = receive_character(format_, wave_.bits_from(cursor_));
+        std::uint8_t const senders = senders_at(cursor_, cursor_ + length);
+        cursor_ += length;
+        return character{got.byte, got.is_damaged, senders, end};
+    }
+
+    /// When the next character has ended.
+    [[nodiscard]] constexpr deadline poll_deadline() noexcept
+    {
+        if (not find_start()) {
+            return std::nullopt;
+        }
+        return begin_ + time_of(cursor_ + bits_per_character(format_));
+    }
+
+private:
+    /// A section of the signal to which one sender contributed.
+    struct part {
+        std::size_t begin{0};
+        std::size_t end{0};
+        std::uint8_t sender{0};
+    };
+
+    constexpr void start_over(instant at) noexcept
+    {
+        wave_.clear();
+        parts_ = {};
+        next_part_ = 0;
+        cursor_ = 0;
+        begin_ = at;
+    }
+
+    /// Rounded up to whole microseconds, so that nothing is received before it ended. Wraps as instants do, because a
+    /// line that is never silent may run for longer than any duration.
+    constexpr duration time_of(std::size_t bits) const noexcept
+    {
+        std::uint64_t const ns = std::uint64_t{bits} * bit_ns_;
+        return duration{static_cast<std::uint32_t>((ns + 999) / 1'000)};
+    }
+
+    constexpr std::size_t place_of(instant at) const noexcept
+    {
+        std::uint64_t const ns = std::uint64_t{(at - begin_).microseconds} * 1'000U;
+        return static_cast<std::size_t>((ns + bit_ns_ - 1) / bit_ns_);
+    }
+
+    /// A transceiver switches its direction: a short low before the frame.
+    constexpr std::size_t glitch(std::size_t place) noexcept
+    {
+        constexpr std::uint32_t longest = 10;
+        std::uint32_t const length = 1 + random_.below(longest);
+        wave_.lay(place, 0, length);
+        return place + length + random_.below(2 * longest);
+    }
+
+    constexpr std::size_t lay(unsigned sender, byte_view bytes, std::size_t place) noexcept
+    {
+        line_faults const& faults = faults_[sender % max_senders];
+        std::size_t const begin = place;
+        for (std::byte const byte : bytes) {
+            if (not random_.happens(faults.dropped)) {
+                wave_.lay(place, character_bits(format_, byte), bits_per_character(format_));
+            }
+            place += bits_per_character(format_);
+            if (random_.happens(faults.added)) {
+                wave_.lay(place, character_bits(format_, to_byte(random_.next())), bits_per_character(format_));
+                place += bits_per_character(format_);
+            }
+        }
+        disturb(faults, begin, place);
+        parts_[next_part_] = {begin, place, static_cast<std::uint8_t>(1U << sender)};
+        next_part_ = (next_part_ + 1) % parts_.size();
+        return place;
+    }
+
+    constexpr void disturb(line_faults const& faults, std::size_t begin, std::size_t end) noexcept
+    {
+        for (std::size_t at = begin; faults.bit_errors > 0 and at < end; ++at) {
+            if (random_.happens(faults.bit_errors)) {
+                wave_.flip(at);
+            }
+        }
+        if (random_.happens(faults.bursts)) {
+            constexpr std::uint32_t longest = 16;
+            std::uint32_t const first = random_.below(static_cast<std::uint32_t>(end - begin));
+            std::uint32_t const pattern = random_.next() | 1U;
+            for (std::uint32_t i = 0; i <= random_.below(longest); ++i) {
+                if (((pattern >> i) & 1U) != 0) {
+                    wave_.flip(begin + first + i);
+                }
+            }
+        }
+    }
+
+    /// Moves to the next start bit; false where the line stays idle.
+    constexpr bool find_start() noexcept
+    {
+        while (cursor_ < wave_.size()) {
+            std::uint32_t const bits = wave_.bits_from(cursor_);
+            auto const idle = static_cast<std::size_t>(std::countr_one(bits));
+            constexpr std::size_t window = 16;
+            if (idle < window) {
+                cursor_ += idle;
+                return cursor_ < wave_.size();
+            }
+            cursor_ += window;
+        }
+        return false;
+    }
+
+    constexpr std::uint8_t senders_at(std::size_t begin, std::size_t end) const noexcept
+    {
+        std::uint8_t all = 0;
+        for (part const& each : parts_) {
+            if (each.begin < end and begin < each.end) {
+                all = static_cast<std::uint8_t>(all | each.sender);
+            }
+        }
+        return all;
+    }
+
+    waveform wave_{};
+    std::array<part, 8> parts_{};
+    std::array<line_faults, max_senders> faults_{};
+    random_source random_;
+    instant begin_{0};
+    std::size_t cursor_{0};
+    std::size_t next_part_{0};
+    std::uint32_t bit_ns_;
+    character_format format_;
+};
+
+} // namespace rtuwire::sim

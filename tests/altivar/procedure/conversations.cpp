@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Start, stop, reset and the rest against simulated drives, over a virtual wire.
+#include <rtuwire/altivar/procedure/start.hpp>
+
+#include "support/catch.hpp"
+#include "support/simulated_bus.hpp"
+
+#include <rtuwire/altivar/atv12.hpp>
+#include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/atv310.hpp>
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/procedure/change_reference.hpp>
+#include <rtuwire/altivar/procedure/configure_scanner.hpp>
+#include <rtuwire/altivar/procedure/reset_fault.hpp>
+#include <rtuwire/altivar/procedure/save_to_eeprom.hpp>
+#include <rtuwire/altivar/procedure/stop.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+using state = cia402::state;
+using transition = cia402::transition;
+
+namespace {
+
+constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
+
+/// A client and one drive at address 7.
+template <typename Device> struct pair : test::simulated_bus<drive_client<4>, Device> {
+    static constexpr station<Device> drive{unit_id{7}};
+
+    pair() : test::simulated_bus<drive_client<4>, Device>{drive_client<4>{test::bus_timing, patient}}
+    {
+        this->add(unit_id{7});
+        this->idle(milliseconds(20));
+    }
+
+    state now_in() { return this->drive_().state_machine().state(); }
+    sim::drive<Device>& drive_() { return test::simulated_bus<drive_client<4>, Device>::drive(0); }
+
+    template <typename Conversation> reason end_of(Conversation conversation)
+    {
+        CHECK(this->run(conversation));
+        return conversation.reason();
+    }
+    bool started()
+    {
+        return end_of(start{drive, 50_Hz}).kind == outcome_kind::succeeded and now_in() == state::operation_enabled;
+    }
+};
+
+template <typename Device> void starts_and_stops()
+{
+    INFO(std::string(Device::name.begin(), Device::name.end()));
+    pair<Device> it;
+    auto const& drive = it.drive;
+    REQUIRE(it.started());
+    auto const taken = it.drive_().state_machine().taken();
+    CHECK((taken & 0b11111) == 0b11111);
+
+    it.idle(milliseconds(1'000));
+    CHECK(it.end_of(change_reference{drive, 30_Hz}).kind == outcome_kind::succeeded);
+    CHECK(it.drive_().word("RFR") == 300);
+    CHECK(it.end_of(start{drive, 30_Hz, run_direction::reverse}).kind == outcome_kind::succeeded);
+    it.idle(milliseconds(5'000));
+    CHECK(it.drive_().motor().frequency() == -30'000);
+
+    constexpr auto known = word_meaning::cia402;
+    constexpr duration limit = milliseconds(30'000);
+    CHECK(it.end_of(stop{drive, stop_by::ramp, limit, known}).kind == outcome_kind::succeeded);
+    CHECK(it.now_in() == state::switch_on_disabled);
+    CHECK(it.drive_().state_machine().last() == transition::t10);
+    CHECK((it.drive_().state_machine().taken() & (1U << 5U)) != 0);
+
+    REQUIRE(it.started());
+    it.idle(milliseconds(1'000));
+    CHECK(it.end_of(stop{drive, stop_by::quick_stop, limit, known}).kind == outcome_kind::succeeded);
+    CHECK(it.drive_().state_machine().last() == transition::t12);
+
+    REQUIRE(it.started());
+    it.idle(milliseconds(1'000));
+    CHECK(it.end_of(stop{drive, stop_by::freewheel}).kind == outcome_kind::succeeded);
+    CHECK(it.drive_().state_machine().last() == transition::t9);
+
+    REQUIRE(it.started());
+    bool const can_halt = Device::layout.halt != 0;
+    auto const halted = it.end_of(stop{drive, stop_by::halt});
+    CHECK(halted.kind == (can_halt ? outcome_kind::succeeded : outcome_kind::unsupported));
+    CHECK(it.now_in() == state::operation_enabled);
+    CHECK(it.drive_().motor().is_at_rest() == can_halt);
+
+    bool const can_brake = Device::layout.dc_injection != 0;
+    auto const braked = it.end_of(stop{drive, stop_by::dc_injection});
+    CHECK(braked.kind == (can_brake ? outcome_kind::succeeded : outcome_kind::unsupported));
+    CHECK(it.end_of(stop{drive}).kind == outcome_kind::succeeded);
+    CHECK(it.end_of(stop{drive}).kind == outcome_kind::succeeded);
+}
+
+template <typename Device> void meets_a_fault()
+{
+    INFO(std::string(Device::name.begin(), Device::name.end()));
+    pair<Device> it;
+    auto const& drive = it.drive;
+    REQUIRE(it.started());
+    it.drive_().inject_fault(9);
+    for (auto const& told : {it.end_of(start{drive, 50_Hz}), it.end_of(stop{drive}),
+                             it.end_of(change_reference{drive, 20_Hz}), it.end_of(reset_fault{drive})}) {
+        CHECK(told.kind == outcome_kind::in_fault);
+        CHECK(told.fault == 9);
+    }
+    CHECK(it.drive_().word("CMD") == 0);
+    it.drive_().clear_cause();
+    CHECK(it.end_of(reset_fault{drive}).kind == outcome_kind::succeeded);
+    CHECK(it.drive_().state_machine().last() == transition::t15);
+    CHECK(it.drive_().word("CMD") == 0);
+    CHECK(it.now_in() == state::switch_on_disabled);
+    CHECK(it.started());
+    CHECK(it.end_of(reset_fault{drive}).kind == outcome_kind::succeeded);
+    CHECK(it.now_in() == state::operation_enabled);
+    it.drive_().inject_fault(16);
+    it.drive_().clear_cause();
+    CHECK(it.end_of(reset_fault{drive}).kind == outcome_kind::succeeded);
+}
+
+template <typename Device> void is_refused()
+{
+    INFO(std::string(Device::name.begin(), Device::name.end()));
+    pair<Device> it;
+    auto const& drive = it.drive;
+    it.drive_().set_local(true);
+    CHECK(it.end_of(start{drive, 50_Hz}).kind == outcome_kind::local_control);
+    it.drive_().set_local(false);
+    it.cut(0, true);
+    auto const told = it.end_of(start{drive, 50_Hz});
+    CHECK(told.kind == outcome_kind::silent);
+    CHECK(told.error == errc::timed_out);
+    it.cut(0, false);
+    REQUIRE(it.started());
+    CHECK(it.end_of(save_to_eeprom{drive}).kind == outcome_kind::refused_while_running);
+    auto const slow = it.end_of(change_reference{drive, 10_Hz, milliseconds(500)});
+    CHECK(slow.kind == outcome_kind::stuck);
+    CHECK(slow.state == state::operation_enabled);
+    CHECK(it.end_of(stop{drive}).kind == outcome_kind::succeeded);
+    CHECK(it.end_of(change_reference{drive, 10_Hz}).kind == outcome_kind::stuck);
+    it.drive_().press_stop();
+    CHECK(it.end_of(save_to_eeprom{drive}).kind == outcome_kind::succeeded);
+    CHECK((it.drive_().word("CMI") & 2) == 0);
+}
+
+} // namespace
+
+TEST_CASE("every drive starts, turns round and stops, in each of its ways")
+{
+    starts_and_stops<atv12::device>();
+    starts_and_stops<atv28::device>();
+    starts_and_stops<atv310::device>();
+    starts_and_stops<atv310::device_2026>();
+    starts_and_stops<atv320::device>();
+}
+
+TEST_CASE("every drive tells its fault, and is reset by an edge")
+{
+    meets_a_fault<atv12::device>();
+    meets_a_fault<atv28::device>();
+    meets_a_fault<atv310::device>();
+    meets_a_fault<atv310::device_2026>();
+    meets_a_fault<atv320::device>();
+}
+
+TEST_CASE("each ending has its reason")
+{
+    is_refused<atv12::device>();
+    is_refused<atv28::device>();
+    is_refused<atv310::device>();
+    is_refused<atv310::device_2026>();
+    is_refused<atv320::device>();
+}
+
+TEST_CASE("a speed is a reference too, and one outside the limits is said to be")
+{
+    pair<atv320::device> it;
+    CHECK(it.end_of(start{it.drive, 1'500_rpm}).kind == outcome_kind::succeeded);
+    it.idle(milliseconds(4'000));
+    CHECK(it.drive_().word("RFRD") == 1'500);
+    auto const told = it.end_of(change_reference{it.drive, 1'800_rpm});
+    CHECK(told.kind == outcome_kind::reference_limited);
+    CHECK(it.drive_().word("RFRD") == 1'500);
+    start again{it.drive, -1'800_rpm};
+    CHECK(it.run(again));
+    CHECK(again.reason().kind == outcome_kind::reference_limited);
+    CHECK(again.running());
+    it.idle(milliseconds(8'000));
+    CHECK(it.drive_().motor().frequency() == -50'000);
+}
+
+TEST_CASE("a scanner is configured only while the motor stands")
+{
+    using inputs = scanner_inputs<atv310::eta, atv310::rfrd, atv310::lcr>;
+    using outputs = scanner_outputs<atv310::cmd, atv310::lfrd>;
+    pair<atv310::device> it;
+    CHECK(it.end_of(configure_scanner<inputs, outputs>{it.drive}).kind == outcome_kind::succeeded);
+    CHECK(it.drive_().word("NMA3") == 3204);
+    CHECK(it.drive_().word("NMA4") == 0);
+    REQUIRE(it.started());
+    CHECK(it.end_of(configure_scanner<inputs, outputs>{it.drive}).kind == outcome_kind::refused_while_running);
+}
+
+TEST_CASE("a start that fails half way takes its command back")
+{
+    pair<atv12::device> it;
+    start run{it.drive, 50_Hz};
+    unsigned steps = 0;
+    while (not run.settled() and steps < 10'000) {
+        it.step([&](instant now) { it.link().converse(run, now); }, milliseconds(10));
+        if (it.now_in() == state::switched_on) {
+            it.drive_().press_stop();
+        }
+        ++steps;
+    }
+    CHECK(run.reason().kind == outcome_kind::stuck);
+    CHECK(it.drive_().word("CMD") != 0x000F);
+    CHECK(it.now_in() != state::operation_enabled);
+}
