@@ -20,8 +20,8 @@ BECOMES = {"==": "!=", "!=": "==", "<": "<=", "<=": "<", ">": ">=", ">=": ">", "
 ENDS = {";", ",", "?", ":", "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>=", "return", "else",
         "case", "requires", "noexcept", "consteval", "constexpr"}
 OPENS = {"(": ")", "[": "]", "{": "}", "<": ">"}
-# Lines that say nothing to a running program, and those that choose one of several equal ways.
-LEFT_OUT = ("#", "static_assert", "template", "namespace")
+# Lines that say nothing to a running program.
+LEFT_OUT = ("#", "static_assert", "namespace")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -55,6 +55,18 @@ class Token:
     end: int
     is_binary: bool = False
     partner: int = -1
+
+
+def is_left_out(code, column):
+    """Whether a place of a line is not changed: a line that says nothing, or the parameters of a template."""
+    if code.lstrip().startswith("template"):
+        depth = 0
+        for at, sign in enumerate(code):
+            depth += (sign == "<") - (sign == ">")
+            if sign == ">" and depth == 0:
+                return column <= at
+        return True
+    return code.lstrip().startswith(LEFT_OUT) or "if constexpr" in code
 
 
 def tokens_of(text):
@@ -149,7 +161,7 @@ def changes_of(header, text):
         new = becomes(token)
         line = text.count("\n", 0, token.start) + 1
         code = lines[line - 1]
-        if new is None or code.lstrip().startswith(LEFT_OUT) or "if constexpr" in code:
+        if new is None or is_left_out(code, token.start - text.rfind("\n", 0, token.start) - 1):
             continue
         span = expression(tokens, at) if tokens[at - 1].text != "operator" else None
         first, last = span or (-1, -1)

@@ -15,10 +15,10 @@ sys.path.insert(0, str(TESTS / "fail"))
 import refusal  # noqa: E402  pylint: disable=wrong-import-position
 
 # Who else is asked, beside the tests of the header's own room.
-ALSO = {"core": ["wire"], "wire": ["server"], "rtu": ["server"], "client": ["defect"], "server": ["defect"],
+ALSO = {"core": ["wire"], "wire": ["server"], "rtu": ["server"], "ask": ["client", "defect"], "client": ["defect"], "server": ["defect"],
         "table": ["client"], "altivar": ["motion_law"]}
 PROOF = re.compile(r"\bstatic_assert|\bSTATIC_(?:REQUIRE|CHECK)")
-INCLUDE = re.compile(r"#include [<\"]((?:rtuwire|support)/[\w/]+\.hpp)[>\"]")
+INCLUDE = re.compile(r"#include [<\"](\w+/[\w/]+\.hpp)[>\"]")
 
 
 class Compiler:
@@ -39,7 +39,7 @@ class Compiler:
             changed = copy / "rtuwire" / change.header
             changed.write_text(change.apply(changed.read_text(encoding="utf-8")), encoding="utf-8")
             flags = [*COMPILE, *self.common, f"-I{copy}"]
-            if change.header == "core/crc16_carryless.hpp":
+            if change.header == "core/crc16/carryless.hpp":
                 flags += CARRYLESS
             paths = self.ordered(change.header, [] if is_switch else self.refused)
             if is_switch:
@@ -84,6 +84,6 @@ class Compiler:
                 if name.startswith("rtuwire/"):
                     found.add(name.removeprefix("rtuwire/"))
                     found |= self.included(PROJECT / "include" / name)
-                else:
+                elif (TESTS / name).exists():
                     found |= self.included(TESTS / name)
         return self.seen[path]
