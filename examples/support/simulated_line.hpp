@@ -53,13 +53,13 @@ public:
 
     void receive(rtuwire::byte_view bytes, rtuwire::instant now) override
     {
-        if (not is_listen_only_) {
+        if (not is_cut_off_) {
             unit_.receive(bytes, now);
         }
     }
     void receive_error(rtuwire::instant now) override
     {
-        if (not is_listen_only_) {
+        if (not is_cut_off_) {
             unit_.receive_error(now);
         }
     }
@@ -80,7 +80,7 @@ public:
     bool suffer(std::string const& what, rtuwire::instant now) override
     {
         if (what == "cut" or what == "join" or what == "deaf" or what == "mute") {
-            is_listen_only_ = what == "cut" or what == "deaf";
+            is_cut_off_ = what == "cut" or what == "deaf";
             is_mute_ = what == "cut" or what == "mute";
             return true;
         }
@@ -91,7 +91,7 @@ private:
     rtuwire::unit_id address_;
     rtuwire::server_profile profile_;
     rtuwire::sim::unit<Device> unit_;
-    bool is_listen_only_{false};
+    bool is_cut_off_{false};
     bool is_mute_{false};
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// What a unit owes and for how long it is asked nothing new: docs/engine-rules.md, rules 17 to 19, to the
+// Missing responses, and for how long a unit gets no new request: docs/engine-rules.md, rules 17 to 19, to the
 // microsecond. The times here are sums of their own.
 #include "client/hand_clock.hpp"
 

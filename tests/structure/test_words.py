@@ -32,6 +32,11 @@ class Words(unittest.TestCase):
     def test_a_line_is_told(self):
         self.assertIn("a.hpp:3:", found("\n\nint octet;")[0])
 
+    def test_pages_are_read_where_they_show_code(self):
+        page = "A heading.\n\n`start{drive, heading::forward}`\n```cpp\nclient link; // a talk\n```\nTalk."
+        self.assertEqual([complaint.split(":")[1] for complaint in words.complaints_of_page("README.md", page)],
+                         ["3", "5"])
+
     def test_some_are_english_in_a_test(self):
         self.assertEqual(len(found("void hear();")), 1)
         self.assertEqual(found("void hear();", "tests/rtu/framer.cpp"), [])

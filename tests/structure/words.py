@@ -9,6 +9,9 @@ import re
 import sys
 
 FOLDERS = ("include", "tests", "examples", "bench", "fuzz")
+# Pages, of which what stands in code is read; the one that lists old names beside new ones is left out.
+PAGES, LEFT_OUT = ("README.md", "docs/*.md"), "changes.md"
+CODE = re.compile(r"```.*?```|`[^`\n]+`", re.DOTALL)
 
 # Parts of an identifier, between underscores, in any letters: what to take instead.
 PARTS = {
@@ -69,14 +72,23 @@ def complaints(path, text):
             for found in COMMENTS.findall(piece["comment"]):
                 yield f"{path}:{line}: the comment says \"{found}\""
         elif piece["name"] and instead_of(piece["name"]):
-            if piece["name"] in IN_HEADERS_ONLY and not str(path).startswith("include"):
+            if piece["name"] in IN_HEADERS_ONLY and str(path).split("/", maxsplit=1)[0] in FOLDERS[1:]:
                 continue
             yield f"{path}:{line}: {piece['name']}, for which the field says {instead_of(piece['name'])}"
+
+
+def complaints_of_page(path, text):
+    """The same of a page's code: its blocks, and what stands between backticks."""
+    for code in CODE.finditer(text):
+        before = text.count("\n", 0, code.start())
+        yield from complaints(path, "\n" * before + code.group())
 
 
 def main(project):
     root = pathlib.Path(project)
     found, files = [], 0
+    for page in (page for pattern in PAGES for page in sorted(root.glob(pattern)) if page.name != LEFT_OUT):
+        found += complaints_of_page(page.relative_to(root), page.read_text(encoding="utf-8"))
     for folder in FOLDERS:
         for path in sorted((root / folder).rglob("*.[ch]pp")):
             files += 1

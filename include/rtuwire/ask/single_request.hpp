@@ -23,8 +23,8 @@ template <typename Request> inline constexpr std::size_t largest_response = max_
 template <> inline constexpr std::size_t largest_response<write_single_register> = 5;
 template <typename Words> inline constexpr std::size_t largest_response<write_multiple_registers<Words>> = 5;
 
-/// One request in a frame of at most `FrameSize` bytes, and room for a response PDU of `AnswerSize`.
-template <std::size_t FrameSize, std::size_t AnswerSize> class sized_request : public asker {
+/// One request in a frame of at most `FrameSize` bytes, and room for a response PDU of `ResponseSize`.
+template <std::size_t FrameSize, std::size_t ResponseSize> class sized_request : public asker {
 public:
     /// Encodes the request; where that fails, nothing is sent and `outcome()` says why.
     template <typename To, pdu Request> constexpr sized_request(To to, Request const& request) noexcept
@@ -62,7 +62,7 @@ public:
             return;
         }
         byte_view const pdu = outcome->pdu();
-        if (pdu.size() > AnswerSize) {
+        if (pdu.size() > ResponseSize) {
             error_ = errc::wrong_length;
             return;
         }
@@ -87,7 +87,7 @@ public:
 
 private:
     std::array<std::byte, FrameSize> frame_{};
-    std::array<std::byte, AnswerSize> response_{};
+    std::array<std::byte, ResponseSize> response_{};
     std::uint16_t size_{0};
     std::uint8_t response_size_{0};
     errc error_{errc::pending};

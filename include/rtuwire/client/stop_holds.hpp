@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Which stop holds which unit. A stop holds its unit from its begin to its end; one that is destroyed before its end
+// Which stop holds which unit. A stop holds its unit from its start to its end; one that is destroyed before its end
 // goes on holding it until another stop of the unit has ended, or `release`. Where there is no place for its unit it
 // holds all units without a place, and every such stop sends its requests: the client does not know whose unit is
 // held.
@@ -17,7 +17,7 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// How long stop requests may be sent after a loss, or after the begin of a stop that follows it.
+/// How long stop requests may be sent after a loss, or after the start of a stop that follows it.
 inline constexpr duration stop_words_after_loss = milliseconds(2'000);
 
 /// The stops under way of one client; the base of its orders.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// A text literal with its length, for the few texts that firmware has to send. Cheaper to include than a
+// A string literal with its length, for the few texts that firmware has to send. Cheaper to include than a
 // string_view.
 #pragma once
 
@@ -16,7 +16,7 @@ class literal {
 public:
     constexpr literal() noexcept = default;
 
-    /// The characters of a literal.
+    /// The characters of a string literal.
     template <std::size_t Size>
     constexpr literal(char const (&characters)[Size]) noexcept : data_{characters}, size_{Size - 1}
     {}

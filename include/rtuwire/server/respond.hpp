@@ -131,7 +131,7 @@ template <register_bank Bank, typename Diagnostics>
     return pdu.view();
 }
 
-/// The same with function 08 as the loop-back only.
+/// The same with function 08 as the loopback only.
 template <register_bank Bank>
 [[nodiscard]] constexpr byte_view respond(byte_view request_pdu, Bank& bank, server_profile const& profile,
                                           byte_span out) noexcept

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Function 08 of a server (Application Protocol 6.8): the loop-back alone, or with the counters of the serial line
+// Function 08 of a server (Application Protocol 6.8): the loopback alone, or with the counters of the serial line
 // and the listen-only mode.
 #pragma once
 

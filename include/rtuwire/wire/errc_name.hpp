@@ -44,9 +44,9 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     case errc::wrong_length: return "wrong length";
     case errc::crc_mismatch: return "CRC mismatch";
     case errc::uart_error: return "parity, framing or overrun error";
-    case errc::wrong_unit: return "answer of another unit";
-    case errc::wrong_function: return "answer to another function";
-    case errc::response_mismatch: return "answer to another request";
+    case errc::wrong_unit: return "response of another unit";
+    case errc::wrong_function: return "response to another function";
+    case errc::response_mismatch: return "response to another request";
     case errc::malformed: return "malformed field";
     case errc::line_echo: return "the request itself came back: the line echoes";
     case errc::collision: return "what was sent came back as something else";

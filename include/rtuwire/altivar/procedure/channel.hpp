@@ -83,7 +83,7 @@ public:
     constexpr action step(event const& what) noexcept
     {
         if (stage_ == stage::looking and what.what != event::kind::late) {
-            return read_status(what);
+            return check_rest(what);
         }
         switch (what.what) {
         case event::kind::begun: return compare_next(0);
@@ -141,7 +141,7 @@ private:
         if (at_ < wanted_.size()) {
             stage_ = stage::looking;
             look_ = at_rest_procedure{layout(), options_};
-            return read_status({event::kind::begun});
+            return check_rest({event::kind::begun});
         }
         if (written_ == 0) {
             address_ = 0;
@@ -158,7 +158,7 @@ private:
         return to_pause(status_period);
     }
 
-    constexpr action read_status(event const& what) noexcept
+    constexpr action check_rest(event const& what) noexcept
     {
         action const next = run_inside(look_, what);
         if (look_.reason().kind == outcome_kind::succeeded) {

@@ -27,7 +27,7 @@ public:
     constexpr action step(event const& what) noexcept
     {
         if (stage_ == stage::looking and what.what != event::kind::late) {
-            return read_status(what);
+            return check_rest(what);
         }
         switch (what.what) {
         case event::kind::word_read: return on_response(what.word);
@@ -56,7 +56,7 @@ private:
         return to_read(address);
     }
 
-    constexpr action read_status(event const& what) noexcept
+    constexpr action check_rest(event const& what) noexcept
     {
         action const next = run_inside(look_, what);
         return look_.reason().kind == outcome_kind::succeeded ? ask(stage::reading_control, layout().cmi) : next;

@@ -36,7 +36,7 @@ public:
     constexpr action step(event const& what) noexcept
     {
         if (stage_ == stage::looking and what.what != event::kind::late) {
-            return read_status(what);
+            return check_rest(what);
         }
         switch (what.what) {
         case event::kind::written: return after_write();
@@ -59,7 +59,7 @@ private:
         return to_read(address);
     }
 
-    constexpr action read_status(event const& what) noexcept
+    constexpr action check_rest(event const& what) noexcept
     {
         action const next = run_inside(look_, what);
         if (look_.reason().kind != outcome_kind::succeeded) {

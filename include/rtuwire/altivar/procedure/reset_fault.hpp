@@ -24,7 +24,7 @@ public:
         case event::kind::begun:
         case event::kind::pause_over: return to_read(layout().eta);
         case event::kind::word_read:
-            return stage_ == stage::reading_fault ? end_in_fault(what.word) : read_status(what.word);
+            return stage_ == stage::reading_fault ? end_in_fault(what.word) : judge_status(what.word);
         case event::kind::written: return after_write();
         case event::kind::failed: return end(what.error);
         case event::kind::late: break;
@@ -36,7 +36,7 @@ public:
 private:
     enum class stage : std::uint8_t { looking, low, high, low_again, checking, reading_fault };
 
-    constexpr action read_status(std::uint16_t status) noexcept
+    constexpr action judge_status(std::uint16_t status) noexcept
     {
         cia402::state const at = note(status);
         if (at == cia402::state::unknown or at == cia402::state::fault_reaction_active) {

@@ -30,7 +30,7 @@ public:
     constexpr action step(event const& what) noexcept
     {
         if (not has_looked_ and what.what != event::kind::late) {
-            return read_status(what);
+            return check_rest(what);
         }
         switch (what.what) {
         case event::kind::word_read: return on_response(what.word);
@@ -45,7 +45,7 @@ public:
     }
 
 private:
-    constexpr action read_status(event const& what) noexcept
+    constexpr action check_rest(event const& what) noexcept
     {
         action const next = run_inside(look_, what);
         has_looked_ = look_.reason().kind == outcome_kind::succeeded;

@@ -82,9 +82,9 @@ private:
     constexpr action ask(asked what, std::uint16_t address) noexcept
     {
         asked_ = what;
-        action read_status = to_read(address);
-        read_status.length = looks_first() ? longest_wait : duration{};
-        return read_status;
+        action next = to_read(address);
+        next.length = looks_first() ? longest_wait : duration{};
+        return next;
     }
 
     constexpr action stop_again() noexcept
