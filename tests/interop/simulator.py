@@ -77,13 +77,13 @@ class Repetitions:
 repetitions = Repetitions()
 
 
-def asked(question):
+def asked(request):
     """What a unit answers to a request of pymodbus, an exception too. Without an answer the request is made
     again, which counts."""
     from pymodbus.exceptions import ModbusIOException
     while True:
         try:
-            answer = question()
+            answer = request()
         except ModbusIOException as error:
             answer = error
         if not isinstance(answer, ModbusIOException):

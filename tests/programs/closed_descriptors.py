@@ -15,7 +15,7 @@ from controller import LIMIT, UNIT, Checks, Drive, demo, own_group, soon
 from frames import Line, are_frames, with_crc
 
 STANDARD = (0, 1, 2)
-SEVERAL = 40  # bytes: five questions
+SEVERAL = 40  # bytes: five requests
 ETA = with_crc(bytes([UNIT, 3, 0x0C, 0x81, 0, 1]))
 
 

@@ -121,7 +121,7 @@ CASES = {"pipe": nobody_reads, "ctrl-s": somebody_presses_ctrl_s, "stopped": it_
 def simulate_answers(program, name, check):
     """Its drives answer although nobody reads what it was asked to show."""
     reader, writer = full_pipe()
-    question = with_crc(bytes([UNIT, 3, *ETA[name].to_bytes(2, "big"), 0, 1]))
+    request = with_crc(bytes([UNIT, 3, *ETA[name].to_bytes(2, "big"), 0, 1]))
     with Line() as line:
         process = subprocess.Popen([program, "--drive", f"{name}:{UNIT}", "--port", line.name],
                                    stdin=subprocess.PIPE, stdout=writer, stderr=writer)
@@ -130,7 +130,7 @@ def simulate_answers(program, name, check):
         time.sleep(PAUSE)
         for _ in range(3):
             before = len(line.heard)
-            line.say(question)
+            line.say(request)
             check(soon(lambda count=before: len(line.heard) > count, 1), "it answers", line.heard[before:])
         process.terminate()
         check(soon(lambda: process.poll() is not None), "it ends")

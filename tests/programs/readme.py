@@ -34,16 +34,16 @@ def compiled(compiler, project, program, target):
 
 
 def with_call(program, call):
-    """The client's program with one more question in it, behind its line."""
+    """The client's program with one more request in it, behind its line."""
     head, tail = program.split(OPEN_PORT)
     end, rest = tail.split(";\n", 1)
     return f"{head}{OPEN_PORT}{end};\n{call}static_cast<void>(written);\n{rest}"
 
 
-def answer(near, question, limit=1.0):
+def answer(near, request, limit=1.0):
     """What comes back; asked again, because a server hears nothing before its line was silent once."""
     for _ in range(10):
-        os.write(near, with_crc(question))
+        os.write(near, with_crc(request))
         heard, end = b"", time.monotonic() + limit
         while time.monotonic() < end and not heard:
             if select.select([near], [], [], end - time.monotonic())[0]:
@@ -56,11 +56,11 @@ def answer(near, question, limit=1.0):
 
 def served(near):
     """What is wrong with the answers of this server, or an empty string."""
-    for question, wanted in [(READ_101, "07 03 02 00 00"), (WRITE_101, "07 06 00 65 12 34"),
+    for request, wanted in [(READ_101, "07 03 02 00 00"), (WRITE_101, "07 06 00 65 12 34"),
                              (READ_101, "07 03 02 12 34"), (READ_100, "07 03 02 12 34")]:
-        heard = answer(near, question)
+        heard = answer(near, request)
         if heard != with_crc(bytes.fromhex(wanted)):
-            return f"asked {question.hex(' ')}, heard {heard.hex(' ')}, not {wanted}"
+            return f"asked {request.hex(' ')}, heard {heard.hex(' ')}, not {wanted}"
     return ""
 
 

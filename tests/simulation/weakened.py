@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: BSL-1.0
 """Weakens one constant of the engines at a time, and looks whether the simulation reports it.
 
-    python3 tests/simulation/weakened.py [--questions N] [--seed S] [--bad B] [--jobs J] [--compiler C] [--headers H]
+    python3 tests/simulation/weakened.py [--requests N] [--seed S] [--bad B] [--jobs J] [--compiler C] [--headers H]
                                        [--anyway] [NAME...]
 
 Each weakening is an exact change of one text in a copy of the headers. It fails where that text is not there
-exactly once, where the simulation finds nothing wrong within N questions, or where nothing of what it finds
+exactly once, where the simulation finds nothing wrong within N requests, or where nothing of what it finds
 is of the kind that this weakening must show; and where there are faults without it.
 """
 import argparse
@@ -122,7 +122,7 @@ def simulate(headers, place, options):
                            "-o", str(program)], capture_output=True, text=True, check=False)
     if made.returncode != 0:
         return made
-    return subprocess.run([program, str(options.questions), str(options.seed), "any", str(options.bad)],
+    return subprocess.run([program, str(options.requests), str(options.seed), "any", str(options.bad)],
                           capture_output=True, text=True, check=False)
 
 
@@ -136,17 +136,17 @@ def attempt(weakening, options):
         if run.stderr:
             return False, run.stderr
     found = {name: int(after) for name, after in
-             re.findall(r"^\d+ (.+), the first after (\d+) questions$", run.stdout, re.MULTILINE)}
+             re.findall(r"^\d+ (.+), the first after (\d+) requests$", run.stdout, re.MULTILINE)}
     shown = {name: after for name, after in found.items() if name in weakening.shows}
     if run.returncode == 0 or not shown:
         return False, "not reported; found were " + (", ".join(found) or "no faults") + "\n" + run.stdout
     name = min(shown, key=shown.get)
-    return True, f"{name} after {shown[name]} questions"
+    return True, f"{name} after {shown[name]} requests"
 
 
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    arguments.add_argument("--questions", type=int, default=1_000_000)
+    arguments.add_argument("--requests", type=int, default=1_000_000)
     arguments.add_argument("--seed", type=int, default=1)
     arguments.add_argument("--bad", type=int, default=200, help="seeds with a fault that are enough")
     arguments.add_argument("--jobs", type=int, default=2)
