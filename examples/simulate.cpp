@@ -7,11 +7,10 @@
 #include <string>
 #include <vector>
 
-#include <rtuwire/port/posix_serial.hpp>
-#include <rtuwire/port/pseudo_terminal.hpp>
-#include <rtuwire/wire/errc_name.hpp>
+#include <rtuwire/frames.hpp>
+#include <rtuwire/port.hpp>
 
-#include "support/orders.hpp"
+#include "support/line_reader.hpp"
 #include "support/say.hpp"
 #include "support/signals.hpp"
 #include "support/simulated_line.hpp"
@@ -120,7 +119,7 @@ int serve(Port& port, std::string const& path, line_timing const& timing, option
     if (standard_output.failure() != 0) {
         return 1; // nobody knows where the drives are
     }
-    orders input{STDIN_FILENO};
+    line_reader input{STDIN_FILENO};
     while (failed and noted.end == 0) {
         failed = line.pass(milliseconds(20));
         while (auto const order = input.next()) {

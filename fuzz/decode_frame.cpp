@@ -7,6 +7,8 @@
 
 #include <rtuwire/rtuwire.hpp>
 
+#include "../tests/support/pdus.hpp"
+
 using namespace rtuwire;
 
 namespace {
@@ -43,18 +45,7 @@ void decode_all(byte_view frame)
     if (not heard) {
         return;
     }
-    decode<read_holding_registers>(*heard, frame);
-    decode<read_holding_registers_response>(*heard, frame);
-    decode<write_single_register>(*heard, frame);
-    decode<write_multiple_registers<>>(*heard, frame);
-    decode<write_multiple_registers_response>(*heard, frame);
-    decode<read_write_multiple_registers<>>(*heard, frame);
-    decode<read_write_multiple_registers_response>(*heard, frame);
-    decode<diagnostics<>>(*heard, frame);
-    decode<read_device_identification>(*heard, frame);
-    decode<device_identification>(*heard, frame);
-    decode<exception_response>(*heard, frame);
-    decode<raw_pdu<>>(*heard, frame);
+    test::all_pdus::for_each([&]<typename Pdu>() { decode<Pdu>(*heard, frame); });
 }
 
 } // namespace

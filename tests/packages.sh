@@ -18,9 +18,10 @@ packages_of() {
         afl) echo afl++ pkg-config libmodbus-dev ;;
         bench) echo pkg-config libbenchmark-dev libmodbus-dev valgrind strace ;;
         portability) echo g++-s390x-linux-gnu g++-arm-linux-gnueabihf g++-aarch64-linux-gnu qemu-user-static clang-19 libc++-19-dev libc++abi-19-dev ;;
+        avr) echo clang-19 gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib ;;
         style) echo clang-format clang-tidy ;;
         *)
-            echo "packages.sh: no group '$1'; the groups are examples build tests interop arm emulator clang afl bench portability style" >&2
+            echo "packages.sh: no group '$1'; the groups are examples build tests interop arm emulator clang afl bench portability avr style" >&2
             return 1
             ;;
     esac

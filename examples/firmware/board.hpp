@@ -9,8 +9,7 @@
 
 #include RTUWIRE_BOARD
 
-#include <rtuwire/core/literal.hpp>
-#include <rtuwire/core/time.hpp>
+#include <rtuwire/frames.hpp>
 
 /// A program defines these two when it uses the line: the interrupt of its UART, and the clock's, which comes
 /// each millisecond. They have one priority, so neither comes in between the other.

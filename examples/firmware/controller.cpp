@@ -8,13 +8,8 @@
 
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
-#include <rtuwire/altivar/procedure/stop.hpp>
-#include <rtuwire/ask/poller.hpp>
-#include <rtuwire/cia402/command.hpp>
-#include <rtuwire/client/static_client.hpp>
-#include <rtuwire/client/statistics.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/client.hpp>
+#include <rtuwire/drives.hpp>
 
 #ifndef RTUWIRE_DRIVE
 #define RTUWIRE_DRIVE atv320
@@ -90,7 +85,7 @@ void print_counts(counters const& seen)
 }
 
 /// One round of the plan each second; false when one failed.
-bool watch(controller& it, unsigned seconds)
+bool poll_rounds(controller& it, unsigned seconds)
 {
     poller<monitor> panel{drive};
     for (unsigned second = 0; second < seconds; ++second) {
@@ -138,7 +133,7 @@ int main()
     start up{drive, 30_Hz};
     it.run(up);
     bool const is_up = report("start: ", up.reason());
-    bool const is_seen = is_up and watch(it, 4);
+    bool const is_seen = is_up and poll_rounds(it, 4);
     stop down{drive};
     it.run(down);
     print_counts(it.link.statistics().line());

@@ -5,9 +5,8 @@
 #include "board.hpp"
 #include "frames.hpp"
 
-#include <rtuwire/server/response_frame.hpp>
-#include <rtuwire/server/typed_bank.hpp>
-#include <rtuwire/table/register.hpp>
+#include <rtuwire/client.hpp>
+#include <rtuwire/server.hpp>
 
 using namespace rtuwire;
 

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <rtuwire/core/bytes.hpp>
+#include <rtuwire/frames.hpp>
 
 namespace board {
 

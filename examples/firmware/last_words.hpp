@@ -6,7 +6,7 @@
 
 #include "board.hpp"
 
-#include <rtuwire/core/bytes.hpp>
+#include <rtuwire/frames.hpp>
 
 namespace board {
 

@@ -6,9 +6,7 @@
 
 #include <atomic>
 
-#include <rtuwire/core/bytes.hpp>
-#include <rtuwire/core/time.hpp>
-#include <rtuwire/rtu/interrupt_queue.hpp>
+#include <rtuwire/client.hpp>
 
 namespace board {
 

@@ -4,9 +4,8 @@
 #include "board.hpp"
 #include "line.hpp"
 
-#include <rtuwire/server/server.hpp>
-#include <rtuwire/server/typed_bank.hpp>
-#include <rtuwire/table/register.hpp>
+#include <rtuwire/client.hpp>
+#include <rtuwire/server.hpp>
 
 using namespace rtuwire;
 

@@ -5,7 +5,7 @@
 #include "line.hpp"
 
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/sim/drive/unit.hpp>
+#include <rtuwire/sim.hpp>
 
 using namespace rtuwire;
 

@@ -11,7 +11,7 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/port/serial_settings.hpp>
+#include <rtuwire/port.hpp>
 
 #include "arguments.hpp"
 

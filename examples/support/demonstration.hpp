@@ -8,15 +8,9 @@
 #include <chrono>
 #include <string>
 
-#include <rtuwire/altivar/cyclic/cyclic.hpp>
-#include <rtuwire/altivar/procedure/identify.hpp>
-#include <rtuwire/ask/poller.hpp>
-#include <rtuwire/client/blocking.hpp>
-#include <rtuwire/client/bus.hpp>
-#include <rtuwire/client/statistics.hpp>
-#include <rtuwire/port/chrono.hpp>
-#include <rtuwire/port/posix_serial.hpp>
-#include <rtuwire/wire/errc_name.hpp>
+#include <rtuwire/client.hpp>
+#include <rtuwire/drives.hpp>
+#include <rtuwire/port.hpp>
 
 #include "emergency_stop.hpp"
 #include "logbook.hpp"

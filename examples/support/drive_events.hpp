@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <rtuwire/core/time.hpp>
-#include <rtuwire/wire/register_view.hpp>
+#include <rtuwire/frames.hpp>
 
 #include "command_line.hpp"
 

@@ -7,8 +7,7 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/ask/access.hpp>
-#include <rtuwire/table/read_plan.hpp>
+#include <rtuwire/client.hpp>
 
 namespace examples {
 

@@ -14,11 +14,9 @@
 
 #include <unistd.h>
 
-#include <rtuwire/cia402/command.hpp>
-#include <rtuwire/port/posix_serial.hpp>
-#include <rtuwire/table/device.hpp>
-#include <rtuwire/wire/adu.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/client.hpp>
+#include <rtuwire/drives.hpp>
+#include <rtuwire/port.hpp>
 
 namespace examples {
 

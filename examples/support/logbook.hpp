@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <rtuwire/cia402/state.hpp>
+#include <rtuwire/drives.hpp>
 
 #include "plot.hpp"
 #include "say.hpp"

@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include <rtuwire/altivar/device/words.hpp>
-#include <rtuwire/cia402/state.hpp>
+#include <rtuwire/drives.hpp>
 
 #include "drive_panel.hpp"
 #include "say.hpp"

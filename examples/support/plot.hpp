@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <rtuwire/cia402/state.hpp>
+#include <rtuwire/drives.hpp>
 
 #include "say.hpp"
 

@@ -10,7 +10,7 @@
 
 #include <unistd.h>
 
-#include <rtuwire/core/literal.hpp>
+#include <rtuwire/frames.hpp>
 
 #include "printer.hpp"
 

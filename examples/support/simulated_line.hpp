@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include <rtuwire/rtu/receive_from.hpp>
-#include <rtuwire/sim/drive/unit.hpp>
+#include <rtuwire/client.hpp>
+#include <rtuwire/sim.hpp>
 
 #include "command_line.hpp"
 #include "drive_events.hpp"

@@ -12,9 +12,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <rtuwire/port/pseudo_terminal.hpp>
+#include <rtuwire/port.hpp>
 
-#include "orders.hpp"
+#include "line_reader.hpp"
 #include "simulated_line.hpp"
 
 namespace examples {
@@ -81,7 +81,7 @@ private:
                                    rtuwire::line_timing const& timing, int from) noexcept
     {
         simulated_line line{port, timing};
-        orders input{from};
+        line_reader input{from};
         line.add(name, unit);
         bool is_good = true;
         while (is_good and not(input.has_ended() and line.is_at_rest())) {

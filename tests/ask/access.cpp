@@ -86,7 +86,24 @@ PROOF("a request that does not fit its frame is not asked", asks_only_what_fits)
 
 using monitor = read_plan<atv12::device, atv12::rfr, atv12::lcr, atv12::acc>;
 STATIC_CHECK(monitor::request_count == 2);
-STATIC_CHECK(same_bytes(monitor::frames(2)[1], "02 03 23 29 00 01 5E 75"_hex));
+STATIC_CHECK(same_bytes(read_frames<monitor>(unit_id{2})[1], "02 03 23 29 00 01 5E 75"_hex));
+
+constexpr bool frames_are_of_the_blocks()
+{
+    for (std::uint32_t unit = 1; unit <= 247; unit += 41) {
+        unit_id const of{*unit_id::checked(unit)};
+        auto const frames = read_frames<monitor>(of);
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            address_block const block = monitor::requests()[i];
+            auto const frame = encode(of, read_holding_registers{block.start, block.count});
+            if (not same_bytes(frames[i], *frame)) {
+                return false;
+            }
+        }
+    }
+    return read_frames<monitor>(unit_id{2}).size() == monitor::request_count;
+}
+PROOF("the frames of a plan are those of its blocks", frames_are_of_the_blocks)
 
 constexpr bool polls()
 {
@@ -98,7 +115,7 @@ constexpr bool polls()
     unit.link.converse(conversation, unit.now);
     unit.run(conversation, milliseconds(10));
     bool const waits =
-        conversation.outcome() == errc::pending and conversation.latest().get<atv12::rfr>() == signed_decihertz{};
+        conversation.outcome() == errc::busy and conversation.latest().get<atv12::rfr>() == signed_decihertz{};
     unit.say("01 03 02 00 0D 79 81"_hex);
     unit.link.converse(conversation, unit.now);
     auto const& now = conversation.latest();

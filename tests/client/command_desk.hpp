@@ -15,14 +15,17 @@ namespace rtuwire::test {
 
 /// Commands the motor of one unit: one request at a time, with whatever effect is wanted.
 struct hand_commander : commander {
+    static constexpr conversation_properties properties{.urgency = urgency::stop_of_unit,
+                                                        .freshness = freshness::when_free};
+
     unsigned of;
     effect wanted{effect::none};
     repetition again{repetition::never};
     bool has_request{false};
     std::uint8_t tolerates{0};
     duration timeout{milliseconds(5'000)}; ///< of its drive
-    errc told{errc::pending};
-    unsigned losses{0}; ///< that it was told of
+    std::optional<errc> told{};            ///< its last outcome
+    unsigned losses{0};                    ///< that it was told of
     frame_bytes frame{};
 
     explicit hand_commander(unsigned unit, std::uint8_t tolerated = 0) : of{unit}, tolerates{tolerated} {}
@@ -63,10 +66,12 @@ private:
 
 /// Stops everyone: broadcasts, as many as are wanted, and the stops of some units.
 struct hand_for_all : commander {
+    static constexpr conversation_properties properties{.urgency = urgency::stop_of_all};
+
     std::array<hand_commander, 1> each;
     bool has_request{false};
-    unsigned to{0}; ///< whom its words are for; 0: everyone
-    errc told{errc::pending};
+    unsigned to{0};             ///< whom its words are for; 0: everyone
+    std::optional<errc> told{}; ///< its last outcome
     frame_bytes frame{};
 
     explicit hand_for_all(unsigned unit) : each{hand_commander{unit}} {}
@@ -118,7 +123,7 @@ template <std::size_t Places> struct command_desk : hand_clock<drive_client<Plac
     template <typename Conversation> bool says(Conversation& conversation)
     {
         conversation.has_request = true;
-        conversation.told = errc::pending;
+        conversation.told = std::nullopt;
         link.converse(conversation, now());
         return leaves();
     }
@@ -145,8 +150,8 @@ template <std::size_t Places> struct command_desk : hand_clock<drive_client<Plac
         pass(5'000);
     }
 
-    /// Says it and is answered: `none`; or what it is told instead; `pending` where it has to wait.
-    errc does(hand_commander& conversation, effect what)
+    /// Says it and is answered: `none`; or what it is told instead; nothing where it has to wait.
+    std::optional<errc> does(hand_commander& conversation, effect what)
     {
         if (says(conversation, what)) {
             hear(response_to(left));
@@ -172,7 +177,7 @@ template <std::size_t Places> struct command_desk : hand_clock<drive_client<Plac
     bool is_lost(unsigned unit) const { return link.motor_orders().is_lost(static_cast<std::uint8_t>(unit)); }
 
     /// Orders its motor to run, and its words are answered.
-    errc runs(hand_commander& conversation)
+    std::optional<errc> runs(hand_commander& conversation)
     {
         conversation.note_order_to_run();
         return does(conversation, effect::enabling);

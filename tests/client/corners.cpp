@@ -4,13 +4,15 @@
 #include <rtuwire/client/bus.hpp>
 #include <rtuwire/client/client.hpp>
 
+#include <optional>
+
 #include "support/catch.hpp"
 #include "support/manual_unit.hpp"
 
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/ask/access.hpp>
+#include <rtuwire/client/line/quarantine.hpp>
 #include <rtuwire/client/line_echo_probe.hpp>
-#include <rtuwire/client/quarantine.hpp>
 #include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/hex.hpp>
 
@@ -63,7 +65,7 @@ template <typename Conversation> struct one_slot {
 /// Asks the same for ever.
 struct endless : asker {
     single_request<read_holding_registers> request{one, read_holding_registers{3201, 1}};
-    errc last{errc::pending};
+    std::optional<errc> last{};
     std::optional<request_frame> next() const { return request.next(); }
     void accept(result<response> const& outcome) { last = outcome.error(); }
     static constexpr bool settled() { return false; }
@@ -71,6 +73,7 @@ struct endless : asker {
 
 /// The same with a request that is made when it can leave.
 struct prompt : endless {
+    static constexpr conversation_properties properties{.freshness = freshness::when_free};
     static constexpr unit_id unit() { return one; }
 };
 
@@ -229,7 +232,7 @@ TEST_CASE("a silent unit is asked at least every ten minutes")
 TEST_CASE("a line whose unit refuses the probe has no echo, one without a unit is unknown")
 {
     line_echo_probe refused{one};
-    CHECK(refused.outcome() == errc::pending);
+    CHECK(refused.outcome() == errc::busy);
     refused.accept(errc::illegal_data_address);
     CHECK((refused.outcome() == result<bool>{false}));
     line_echo_probe silent{one};

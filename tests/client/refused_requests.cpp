@@ -5,6 +5,8 @@
 #include <rtuwire/client/bus.hpp>
 #include <rtuwire/client/client.hpp>
 
+#include <optional>
+
 #include "support/catch.hpp"
 #include "support/manual_unit.hpp"
 
@@ -19,11 +21,11 @@ namespace {
 
 /// Asks with a frame that is none.
 struct bad_request : asker {
-    errc told{errc::pending};
+    std::optional<errc> told{};
 
     static std::optional<request_frame> next() { return request_frame{byte_view{}}; }
     void accept(result<response> const& outcome) { told = outcome.error(); }
-    bool settled() const { return told != errc::pending; }
+    bool settled() const { return told.has_value(); }
 };
 
 using plan = read_plan<atv12::device, atv12::eta, atv12::acc>;
@@ -72,7 +74,7 @@ TEST_CASE("a probe of a line tells what it found")
 {
     line_echo_probe probe{*unit_id::checked(1)};
     CHECK_FALSE(probe.settled());
-    CHECK(probe.outcome() == errc::pending);
+    CHECK(probe.outcome() == errc::busy);
     probe.accept(errc::line_echo);
     CHECK(probe.settled());
     CHECK(probe.outcome() == true);

@@ -79,6 +79,8 @@ private:
 /// Wants to be asked for its request only when the line is free for its unit.
 class prompt_request : public asker {
 public:
+    static constexpr conversation_properties properties{.freshness = freshness::when_free};
+
     explicit prompt_request(instant due) : due_{due} {}
 
     unit_id unit() const { return unit_id{1}; }

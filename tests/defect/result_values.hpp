@@ -53,9 +53,9 @@ static void values_are_checked()
     end const transition_rule = end_of([&] { consume(pair(errc::timed_out)->second); });
     CHECK(transition_rule.is_trap);
     CHECK(transition_rule.left == static_cast<int>(errc::timed_out));
-    end const star = end_of([&] { consume((*pair(errc::pending)).first); });
+    end const star = end_of([&] { consume((*pair(errc::busy)).first); });
     CHECK(star.is_trap);
-    CHECK(star.left == static_cast<int>(errc::pending));
+    CHECK(star.left == static_cast<int>(errc::busy));
 
     // A failure says why.
     CHECK(end_of([&] { consume(result<int>{static_cast<errc>(told(0))}.has_value()); }).is_trap);

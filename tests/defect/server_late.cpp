@@ -5,6 +5,7 @@
 #include <rtuwire/server/server.hpp>
 
 #include "support/catch.hpp"
+#include "support/server_on_a_line.hpp"
 
 #include <rtuwire/core/hex.hpp>
 
@@ -12,7 +13,7 @@ using namespace rtuwire;
 
 namespace {
 
-constexpr line_timing line{19'200, character_format::even_8_1};
+constexpr auto line = test::usual_line;
 constexpr auto write_3 = "01 06 00 01 00 03 98 0B"_hex;
 constexpr auto read_0 = "01 03 00 00 00 01 84 0A"_hex;
 constexpr auto read_1 = "01 03 00 01 00 01 D5 CA"_hex;
@@ -24,46 +25,19 @@ constexpr auto noise = "55"_hex;
 constexpr duration limit = line.frame_end() + milliseconds(100);
 constexpr duration long_after = milliseconds(1'200);
 
-struct unit_1 {
-    server node{unit_id{1}, line};
-    word_bank<4> bank{};
-    instant now{0xFFFF'FFFFU - 3'000'000U};
-
+struct unit_1 : test::server_on_a_line<> {
     unit_1()
     {
         static_cast<void>(bank.set(0, 0x1111));
         static_cast<void>(bank.set(1, 0x2222));
-        node.advance(now);
-        sleep(milliseconds(10));
     }
 
-    /// Time passes, and the loop is busy elsewhere.
-    void sleep(duration length)
-    {
-        now = now + length;
-        node.advance(now);
-    }
-    void hear(byte_view bytes)
-    {
-        now = now + line.characters(bytes.size());
-        node.receive(bytes, now);
-    }
-    void pass(duration length)
-    {
-        sleep(length);
-        node.serve(bank, now);
-    }
     /// What it sends within 10 ms.
     byte_view says()
     {
         pass(microseconds(0));
         pass(milliseconds(10));
-        byte_view const frame = node.poll_transmit();
-        if (not frame.empty()) {
-            now = now + line.characters(frame.size());
-            node.sent(now);
-        }
-        return frame;
+        return send();
     }
 };
 
@@ -72,9 +46,9 @@ struct unit_1 {
 TEST_CASE("defect: D5 a server served late answers the request that came last")
 {
     unit_1 unit;
-    unit.hear(read_0);
+    unit.receive(read_0);
     unit.now = unit.now + long_after; // the client gave up, and asks for the next
-    unit.hear(read_1);
+    unit.receive(read_1);
     CHECK(same_bytes(unit.says(), says_2222));
 }
 
@@ -85,7 +59,7 @@ TEST_CASE("defect: D5 both requests in one lump, as a buffer hands them over lat
     byte_writer out{both};
     out.bytes(write_3);
     out.bytes(read_0);
-    unit.hear(both);
+    unit.receive(both);
     CHECK(same_bytes(unit.says(), says_1111));
     CHECK(unit.bank.get(1) == 0x2222);
 }
@@ -94,12 +68,12 @@ TEST_CASE("defect: D5 a write that waited too long is neither executed nor answe
 {
     for (auto const& request : {write_3, everyone_writes_3}) {
         unit_1 unit;
-        unit.hear(request);
+        unit.receive(request);
         unit.now = unit.now + long_after;
         unit.node.serve(unit.bank, unit.now);
         CHECK(unit.bank.get(1) == 0x2222);
         CHECK(unit.says().empty());
-        unit.hear(read_0);
+        unit.receive(read_0);
         CHECK(same_bytes(unit.says(), says_1111));
     }
 }
@@ -108,7 +82,7 @@ TEST_CASE("defect: D5 the time counts from the request's last byte, to the micro
 {
     for (bool const is_late : {false, true}) {
         unit_1 unit;
-        unit.hear(write_3);
+        unit.receive(write_3);
         instant const end = unit.now;
         unit.sleep(line.t3_5());
         CHECK(unit.node.poll_deadline() == deadline{end + limit});
@@ -126,15 +100,15 @@ TEST_CASE("defect: D5 the time counts from the request's last byte, to the micro
 TEST_CASE("defect: D5 a response that waits for silence is dropped when bytes arrive")
 {
     unit_1 unit;
-    unit.hear(read_0);
+    unit.receive(read_0);
     unit.pass(microseconds(100));
-    unit.hear(read_1);
+    unit.receive(read_1);
     CHECK(same_bytes(unit.says(), says_2222));
-    unit.hear(read_0);
+    unit.receive(read_0);
     unit.pass(line.t3_5());
-    unit.hear(noise); // ready to leave
+    unit.receive(noise); // ready to leave
     CHECK(unit.says().empty());
-    unit.hear(read_1);
+    unit.receive(read_1);
     CHECK(same_bytes(unit.says(), says_2222));
 }
 
@@ -143,7 +117,7 @@ TEST_CASE("defect: D16 a server that is never told of the end of one response go
     unit_1 unit;
     unsigned answered = 0;
     for (unsigned i = 0; i < 1'000; ++i) {
-        unit.hear(read_0);
+        unit.receive(read_0);
         unit.pass(microseconds(0));
         unit.pass(milliseconds(3));
         byte_view const frame = unit.node.poll_transmit();
@@ -160,7 +134,7 @@ TEST_CASE("defect: D16 a server that is never told of the end of one response go
 TEST_CASE("defect: D16 it has a deadline for that, and listens after the next silence")
 {
     unit_1 unit;
-    unit.hear(read_0);
+    unit.receive(read_0);
     instant const asked = unit.now;
     unit.pass(microseconds(0));
     unit.pass(line.t3_5());
@@ -178,21 +152,21 @@ TEST_CASE("defect: D16 it has a deadline for that, and listens after the next si
     CHECK(unit.node.poll_deadline() == deadline{end + line.frame_end()});
     unit.sleep(line.frame_end());
     CHECK_FALSE(unit.node.poll_deadline());
-    unit.hear(read_1);
+    unit.receive(read_1);
     CHECK(same_bytes(unit.says(), says_2222));
 }
 
 TEST_CASE("defect: D16 the end of a response that is told late does no harm")
 {
     unit_1 unit;
-    unit.hear(read_0);
+    unit.receive(read_0);
     unit.pass(microseconds(0));
     unit.pass(line.t3_5());
     REQUIRE(unit.node.poll_transmit().size() == says_1111.size());
     unit.pass(milliseconds(500));
     unit.pass(milliseconds(500));
-    unit.hear(byte_view{read_1}.first(4));
+    unit.receive(byte_view{read_1}.first(4));
     unit.node.sent(unit.now);
-    unit.hear(byte_view{read_1}.subspan(4));
+    unit.receive(byte_view{read_1}.subspan(4));
     CHECK(same_bytes(unit.says(), says_2222));
 }

@@ -3,7 +3,7 @@
 // Who commands, set for all drives at once.
 // EXPECT: a command, a channel or an address is not written to all drives at once
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/broadcast_setting.hpp>
+#include <rtuwire/altivar/procedure/commissioning/broadcast_setting.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

@@ -3,7 +3,7 @@
 // Factory settings for all drives at once, by somebody who does not say that he knows what they take away.
 // EXPECT: this word orders factory settings, a save or a recall
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/broadcast_setting.hpp>
+#include <rtuwire/altivar/procedure/commissioning/broadcast_setting.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

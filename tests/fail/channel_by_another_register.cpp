@@ -3,7 +3,7 @@
 // A register that chooses no channel, as a setting of a channel.
 // EXPECT: this register chooses no channel
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/channel.hpp>
+#include <rtuwire/altivar/procedure/commissioning/channel.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

@@ -4,7 +4,7 @@
 // EXPECT: this conversation never ends: no slot would ask behind it
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
-#include <rtuwire/altivar/procedure/broadcast_stop.hpp>
+#include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
 #include <rtuwire/client/bus.hpp>
 
 using namespace rtuwire;

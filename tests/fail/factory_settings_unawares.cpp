@@ -3,7 +3,7 @@
 // Factory settings, ordered by somebody who does not say that he knows what they take away.
 // EXPECT: factory settings may take the line's control and the drive's address away
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/restore_factory_settings.hpp>
+#include <rtuwire/altivar/procedure/commissioning/restore_factory_settings.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

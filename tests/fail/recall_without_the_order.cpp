@@ -4,7 +4,7 @@
 // EXPECT: this device cannot recall its saved settings over the line
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/recall_from_eeprom.hpp>
+#include <rtuwire/altivar/procedure/commissioning/recall_from_eeprom.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

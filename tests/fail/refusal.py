@@ -5,7 +5,8 @@
     python3 refusal.py COMPILER INCLUDE_DIR FILE
 
 The file names its sentences on lines that start with `// EXPECT:`; each must be in the output. A file with a line
-`// CASES: 6` is compiled with -DREFUSED=1 to 6, and must fail so each time.
+`// CASES: 6` is compiled with -DREFUSED=1 to 6, and must fail so each time. Where `likeliest.txt` beside the file
+names it, a reader must find the sentences at once: see `hidden`.
 """
 import os
 import re
@@ -16,12 +17,39 @@ import sys
 FLAGS = ["-std=c++20", "-Wall", "-Wextra", "-Werror", "-fmessage-length=0", "-c", "-o", os.devnull]
 NO_ECHO = {"clang": "-fno-caret-diagnostics", "gcc": "-fno-diagnostics-show-caret"}
 
+# What a reader sees at once.
+FIRST_LINES = 5
+LONGEST_LINE = 400
+
 
 def compiles(compiler, include_dir, file, *more):
-    family = "clang" if "clang" in os.path.basename(compiler) else "gcc"
-    done = subprocess.run([compiler, *FLAGS, NO_ECHO[family], "-I", include_dir, *more, file], text=True,
+    done = subprocess.run([compiler, *FLAGS, "-I", include_dir, *more, file], text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     return done.returncode == 0, done.stdout
+
+
+def no_echo(compiler):
+    return NO_ECHO["clang" if "clang" in os.path.basename(compiler) else "gcc"]
+
+
+def likeliest(folder):
+    """The names of the files that stand for the likeliest mistakes."""
+    path = os.path.join(folder, "likeliest.txt")
+    if not os.path.exists(path):
+        return []
+    with open(path, encoding="utf-8") as lines:
+        return [line.split()[0] for line in lines if line.strip() and not line.startswith("#")]
+
+
+def hidden(sentence, output):
+    """Why a reader of the whole output, echoes included, does not find a sentence at once, or an empty string."""
+    for number, line in enumerate(output.splitlines(), 1):
+        told = re.sub(r"^\S+?:(\d+:\d+:)? *", "", line)
+        if len(told) > LONGEST_LINE:
+            return f"line {number} has {len(told)} characters"
+        if sentence in told and re.match(r"(error|note|fatal error): ", told):
+            return "" if number <= FIRST_LINES else f"it stands in line {number}"
+    return "it stands in no message"
 
 
 def complaint(compiler, include_dir, file):
@@ -32,16 +60,22 @@ def complaint(compiler, include_dir, file):
     cases = re.search(r"^// CASES: *(\d+)$", text, re.MULTILINE)
     if not expected:
         return "no line starts with `// EXPECT:`"
+    is_likely = os.path.splitext(os.path.basename(file))[0] in likeliest(os.path.dirname(file))
     accepted, output = compiles(compiler, include_dir, file)
     if not accepted:
         return f"does not compile as it is:\n{output}"
     for case in range(1, int(cases[1]) + 1 if cases else 2):
-        accepted, output = compiles(compiler, include_dir, file, f"-DREFUSED={case}")
+        accepted, output = compiles(compiler, include_dir, file, f"-DREFUSED={case}", no_echo(compiler))
         if accepted:
             return f"is accepted with -DREFUSED={case}"
         for sentence in expected:
             if sentence not in output:
                 return f"is refused with -DREFUSED={case}, but without saying `{sentence}`:\n{output}"
+        _, shown = compiles(compiler, include_dir, file, f"-DREFUSED={case}") if is_likely else (False, "")
+        for sentence in expected if is_likely else []:
+            reason = hidden(sentence, shown)
+            if reason:
+                return f"says `{sentence}` with -DREFUSED={case}, but not at once: {reason}\n{shown}"
     return ""
 
 

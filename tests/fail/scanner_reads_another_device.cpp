@@ -4,7 +4,7 @@
 // EXPECT: this device has no such register
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/configure_scanner.hpp>
+#include <rtuwire/altivar/procedure/commissioning/configure_scanner.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

@@ -3,7 +3,7 @@
 // One register among those that a scanner writes, which is only read.
 // EXPECT: the scanner cannot write a read-only register
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/configure_scanner.hpp>
+#include <rtuwire/altivar/procedure/commissioning/configure_scanner.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

@@ -12,9 +12,10 @@ COMPILER = sys.argv.pop(1) if len(sys.argv) > 1 else "c++"
 
 
 class Refusal(unittest.TestCase):
-    def complaint(self, source):
+    def complaint(self, source, likeliest=""):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder, "act.cpp")
+            pathlib.Path(folder, "likeliest.txt").write_text(f"# Names.\n{likeliest}\n", encoding="utf-8")
             file.write_text(source, encoding="utf-8")
             return refusal.complaint(COMPILER, folder, str(file))
 
@@ -50,6 +51,28 @@ class Refusal(unittest.TestCase):
 
     def test_a_file_without_an_expectation_does_not_pass(self):
         self.assertIn("EXPECT", self.complaint("#ifdef REFUSED\n#error no\n#endif\n"))
+
+    def test_a_sentence_behind_the_first_lines_passes_only_where_it_may(self):
+        above = "".join(f"static_assert(sizeof(int) == 1, \"a duck of {i}\");\n" for i in range(5))
+        source = "// EXPECT: a goose\n#ifdef REFUSED\n" + above + "static_assert(sizeof(int) == 1, \"a goose\");\n#endif\n"
+        self.assertEqual(self.complaint(source), "")
+        self.assertIn("at once: it stands in line", self.complaint(source, "act  talks of ducks"))
+
+    def test_a_sentence_behind_a_long_line_passes_only_where_it_may(self):
+        source = ("// EXPECT: a goose\n#ifdef REFUSED\nstatic_assert(sizeof(int) == 1, \"" + 400 * "duck" + "\");\n"
+                  "static_assert(sizeof(int) == 1, \"a goose\");\n#endif\n")
+        self.assertEqual(self.complaint(source), "")
+        self.assertIn("at once: line", self.complaint(source, "act"))
+
+    def test_a_sentence_at_once_passes(self):
+        self.assertEqual(self.complaint(
+            "// EXPECT: a goose\n#ifdef REFUSED\nstatic_assert(sizeof(int) == 1, \"a goose\");\n#endif\n", "act"), "")
+
+    def test_the_likeliest_mistakes_are_twenty_or_more_files(self):
+        folder = pathlib.Path(__file__).parent
+        names = refusal.likeliest(str(folder))
+        self.assertGreaterEqual(len(set(names)), 20)
+        self.assertEqual([name for name in names if not (folder / f"{name}.cpp").exists()], [])
 
 
 if __name__ == "__main__":

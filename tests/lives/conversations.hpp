@@ -9,14 +9,14 @@
 #include "lives/setting.hpp"
 
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
-#include <rtuwire/altivar/procedure/broadcast_stop.hpp>
-#include <rtuwire/altivar/procedure/change_reference.hpp>
-#include <rtuwire/altivar/procedure/configure_scanner.hpp>
-#include <rtuwire/altivar/procedure/direct_control.hpp>
-#include <rtuwire/altivar/procedure/reset_fault.hpp>
-#include <rtuwire/altivar/procedure/save_to_eeprom.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
-#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/altivar/procedure/commissioning/configure_scanner.hpp>
+#include <rtuwire/altivar/procedure/commissioning/save_to_eeprom.hpp>
+#include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
+#include <rtuwire/altivar/procedure/motion/change_reference.hpp>
+#include <rtuwire/altivar/procedure/motion/direct_control.hpp>
+#include <rtuwire/altivar/procedure/motion/reset_fault.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
+#include <rtuwire/altivar/procedure/motion/stop.hpp>
 #include <rtuwire/ask/single_request.hpp>
 
 namespace rtuwire::lives {

@@ -67,6 +67,8 @@ struct timed : virtual plain {
     }
 };
 struct prompt : virtual plain {
+    static constexpr rtuwire::conversation_properties properties{.freshness = rtuwire::freshness::when_free};
+
     prompt() = default;
     prompt(prompt const&) = default;
     prompt& operator=(prompt const&) = default;

@@ -71,8 +71,9 @@ struct engine_conversation : rtuwire::asker {
     }
     bool settled() const { return says.is_settled; }
 };
-/// The same with a unit of its own.
+/// The same with a unit of its own, for which the line must be free.
 struct prompt_engine_conversation : engine_conversation {
+    static constexpr rtuwire::conversation_properties properties{.freshness = rtuwire::freshness::when_free};
     std::uint8_t own_unit{1};
     rtuwire::unit_id unit() const { return *rtuwire::unit_id::checked(own_unit); }
 };

@@ -10,10 +10,10 @@
 
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
-#include <rtuwire/altivar/procedure/broadcast_stop.hpp>
-#include <rtuwire/altivar/procedure/restore_factory_settings.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
-#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/altivar/procedure/commissioning/restore_factory_settings.hpp>
+#include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
+#include <rtuwire/altivar/procedure/motion/stop.hpp>
 #include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include <rtuwire/altivar/procedure/direct_control.hpp>
-#include <rtuwire/altivar/procedure/recall_from_eeprom.hpp>
-#include <rtuwire/altivar/procedure/release_link.hpp>
-#include <rtuwire/altivar/procedure/save_to_eeprom.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/commissioning/recall_from_eeprom.hpp>
+#include <rtuwire/altivar/procedure/commissioning/release_link.hpp>
+#include <rtuwire/altivar/procedure/commissioning/save_to_eeprom.hpp>
+#include <rtuwire/altivar/procedure/motion/direct_control.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

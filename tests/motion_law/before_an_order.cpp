@@ -13,7 +13,7 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/supervision.hpp>
+#include <rtuwire/altivar/procedure/inspection/supervision.hpp>
 #include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;

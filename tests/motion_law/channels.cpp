@@ -13,8 +13,8 @@
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/channel.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/commissioning/channel.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

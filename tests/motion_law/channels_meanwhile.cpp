@@ -10,10 +10,10 @@
 
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/channel.hpp>
-#include <rtuwire/altivar/procedure/direct_control.hpp>
-#include <rtuwire/altivar/procedure/release_link.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/commissioning/channel.hpp>
+#include <rtuwire/altivar/procedure/commissioning/release_link.hpp>
+#include <rtuwire/altivar/procedure/motion/direct_control.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

@@ -10,8 +10,8 @@
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
-#include <rtuwire/altivar/procedure/broadcast_stop.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;
@@ -28,32 +28,31 @@ constexpr client_options patient{.response_timeout = milliseconds(100), .retries
 constexpr client_options slow{.response_timeout = milliseconds(1'000), .retries = 2};
 
 /// Two later drives and an older one on a bus, running.
-struct hall : test::colliding_line<bus<6>> {
-    test::engine_node<sim::unit<atv320::device>>& first;
-    test::engine_node<sim::unit<atv320::device>>& second;
-    test::engine_node<sim::unit<atv28::device>>& old;
+struct hall : test::colliding_line<bus<6>, atv320::device, atv320::device, atv28::device> {
+    using base = test::colliding_line<bus<6>, atv320::device, atv320::device, atv28::device>;
 
     explicit hall(client_options const& options = patient)
-        : test::colliding_line<bus<6>>{bus<6>{test::colliding_timing, options}}, first{add(press)}, second{add(pump)},
-          old{add(fan)}
+        : base{bus<6>{test::colliding_timing, options}, press, pump, fan}
     {
-        pass([](instant) {}, milliseconds(20));
+        run_for(milliseconds(20));
     }
+
+    auto& first() { return unit<0>(); }
+    auto& second() { return unit<1>(); }
+    auto& old() { return unit<2>(); }
 
     template <typename Conversation> void bring_up(std::size_t slot, Conversation& conversation)
     {
-        instant const end = now() + milliseconds(5'000);
-        while (not conversation.settled() and not reached(now(), end)) {
-            step([&](instant at) { link().converse(slot, conversation, at); }, end);
-        }
+        run_until([&] { return conversation.settled(); }, milliseconds(5'000),
+                  [&](instant at) { link().converse(slot, conversation, at); });
         REQUIRE(conversation.running());
     }
 
-    template <typename Node> static bool has_power(Node const& node)
+    template <typename Unit> static bool has_power(Unit const& unit)
     {
-        return cia402::has_power(node.engine.drive().state_machine().state());
+        return cia402::has_power(unit.drive().state_machine().state());
     }
-    bool has_any_power() const { return has_power(first) or has_power(second) or has_power(old); }
+    bool has_any_power() { return has_power(first()) or has_power(second()) or has_power(old()); }
 };
 
 } // namespace
@@ -66,7 +65,7 @@ TEST_CASE("motion law: S13 everyone is stopped while a start climbs and a cycle 
         hall it;
         cyclic<atv320::device> loop{pump, {.period = milliseconds(50)}};
         auto const cycle = [&](instant at) { it.link().converse(0, loop, at); };
-        it.pass(cycle, milliseconds(600));
+        it.run_for(milliseconds(600), cycle);
         REQUIRE(loop.run(1'200_rpm));
         start go{press, 50_Hz};
         start old{fan, 30_Hz};
@@ -75,25 +74,23 @@ TEST_CASE("motion law: S13 everyone is stopped while a start climbs and a cycle 
             it.link().converse(1, go, at);
             it.link().converse(2, old, at);
         };
-        it.pass(work, milliseconds(after_ms));
+        it.run_for(milliseconds(after_ms), work);
         broadcast_stop all{press, pump, fan};
-        it.pass(
-            [&](instant at) {
-                it.link().run_urgent(all, at);
-                work(at);
-            },
-            milliseconds(20'000));
+        it.run_for(milliseconds(20'000), [&](instant at) {
+            it.link().run_urgent(all, at);
+            work(at);
+        });
         REQUIRE(all.settled());
         CHECK_FALSE(it.has_any_power());
         CHECK(all.succeeded());
         // Neither does what was ordered before come back, nor does a stray command to run start anybody.
-        it.pass(work, milliseconds(5'000));
+        it.run_for(milliseconds(5'000), work);
         CHECK_FALSE(it.has_any_power());
         CHECK_FALSE(loop.control().is_ordered());
         // A new order is taken.
         CHECK(loop.run(1'200_rpm));
-        it.pass(work, milliseconds(2'000));
-        CHECK(it.second.engine.drive().state_machine().state() == state::operation_enabled);
+        it.run_for(milliseconds(2'000), work);
+        CHECK(it.second().drive().state_machine().state() == state::operation_enabled);
         ++moments;
     }
     CHECK(moments == 300);
@@ -108,26 +105,22 @@ TEST_CASE("motion law: S14 the broadcast that stops leaves at once behind a ques
         it.bring_up(1, go);
         single_request request{absent.unit(), read_holding_registers{3'201, 1}};
         auto const ask = [&](instant at) { it.link().converse(0, request, at); };
-        it.pass(ask, milliseconds(after_ms));
+        it.run_for(milliseconds(after_ms), ask);
         REQUIRE_FALSE(request.settled());
         broadcast_stop all{press, pump, fan};
         instant const asked = it.now();
-        std::size_t const before = it.spoken();
-        instant const end = asked + milliseconds(500);
-        while (it.spoken() == before and not reached(it.now(), end)) {
-            it.step(
-                [&](instant at) {
-                    it.link().run_urgent(all, at);
-                    ask(at);
-                },
-                end);
-        }
+        std::size_t const before = it.wire().spoken();
+        it.run_until([&] { return it.wire().spoken() != before; }, milliseconds(500),
+                     [&](instant at) {
+                         it.link().run_urgent(all, at);
+                         ask(at);
+                     });
         // A request that is leaving leaves whole, and the line is silent for t3.5.
-        CHECK(it.spoke_at() - asked < milliseconds(10));
-        it.pass([&](instant at) { it.link().run_urgent(all, at); }, milliseconds(400));
-        CHECK_FALSE(hall::has_power(it.first));
+        CHECK(it.wire().spoke_at() - asked < milliseconds(10));
+        it.run_for(milliseconds(400), [&](instant at) { it.link().run_urgent(all, at); });
+        CHECK_FALSE(hall::has_power(it.first()));
         // Its asker was told.
-        it.pass(ask, milliseconds(20));
+        it.run_for(milliseconds(20), ask);
         CHECK(request.outcome().error() == errc::cancelled);
     }
 }
@@ -135,7 +128,7 @@ TEST_CASE("motion law: S14 the broadcast that stops leaves at once behind a ques
 TEST_CASE("motion law: S14 an answer that is arriving is let in, and one that an ATV28 owes is waited for")
 {
     hall it{slow};
-    it.old.latency = milliseconds(300);
+    it.old().latency = milliseconds(300);
     start go{press, 50_Hz};
     it.bring_up(1, go);
     single_request request{fan.unit(), read_holding_registers{atv28::device::layout.eta, 1}};
@@ -143,24 +136,20 @@ TEST_CASE("motion law: S14 an answer that is arriving is let in, and one that an
     for (bool const cuts : {false, true}) {
         INFO("cuts an ATV28 short: " << cuts);
         request.begin();
-        it.pass(ask, milliseconds(100));
+        it.run_for(milliseconds(100), ask);
         REQUIRE_FALSE(request.settled());
         broadcast_stop all{broadcast_stop_options{.cuts_short = cuts}, press, pump, fan};
         instant const asked = it.now();
-        std::size_t const before = it.spoken();
-        instant const end = asked + milliseconds(900);
-        while (it.spoken() == before and not reached(it.now(), end)) {
-            it.step(
-                [&](instant at) {
-                    it.link().run_urgent(all, at);
-                    ask(at);
-                },
-                end);
-        }
-        duration const waited = it.spoke_at() - asked;
+        std::size_t const before = it.wire().spoken();
+        it.run_until([&] { return it.wire().spoken() != before; }, milliseconds(900),
+                     [&](instant at) {
+                         it.link().run_urgent(all, at);
+                         ask(at);
+                     });
+        duration const waited = it.wire().spoke_at() - asked;
         CHECK((waited < milliseconds(10)) == cuts);
         CHECK(waited < milliseconds(260)); // 300 ms and a response of 7 bytes, of which 100 ms are over
-        it.pass([&](instant at) { it.link().run_urgent(all, at); }, milliseconds(8'000));
+        it.run_for(milliseconds(8'000), [&](instant at) { it.link().run_urgent(all, at); });
         CHECK(all.settled());
         CHECK_FALSE(it.has_any_power());
     }
@@ -173,15 +162,13 @@ TEST_CASE("motion law: S14 the broadcast never speaks into an answer that has be
         INFO(after << " half milliseconds after the request");
         hall it{slow};
         single_request request{pump.unit(), read_holding_registers{3'201, 1}};
-        it.pass([&](instant at) { it.link().converse(0, request, at); }, microseconds(500 * after + 1));
+        it.run_for(microseconds(500 * after + 1), [&](instant at) { it.link().converse(0, request, at); });
         broadcast_stop all{press, pump};
-        it.pass(
-            [&](instant at) {
-                it.link().run_urgent(all, at);
-                it.link().converse(0, request, at);
-            },
-            milliseconds(60));
-        CHECK(it.spoke_over() == 0);
+        it.run_for(milliseconds(60), [&](instant at) {
+            it.link().run_urgent(all, at);
+            it.link().converse(0, request, at);
+        });
+        CHECK(it.wire().spoke_over() == 0);
         arrived += request.outcome().has_value() ? 1U : 0U;
     }
     // The request takes 4.6 ms, the silence behind it 2, the response 4.
@@ -194,33 +181,29 @@ TEST_CASE("motion law: S13 a drive that is not among those to stop loses its ord
     hall it;
     cyclic<atv320::device> loop{pump, {.period = milliseconds(50)}};
     auto const cycle = [&](instant at) { it.link().converse(0, loop, at); };
-    it.pass(cycle, milliseconds(600));
+    it.run_for(milliseconds(600), cycle);
     REQUIRE(loop.run(1'200_rpm));
-    it.pass(cycle, milliseconds(3'000));
-    REQUIRE(hall::has_power(it.second));
+    it.run_for(milliseconds(3'000), cycle);
+    REQUIRE(hall::has_power(it.second()));
     start turn{fan, 30_Hz};
     it.bring_up(1, turn);
     // The 8501 of an ATV320 stops the pump as well; what counts is that nothing brings it up again.
     broadcast_stop all{broadcast_stop_options{.left_out = atv320::device::layout.cmd}, fan};
     bool was_refused = false;
-    instant const end = it.now() + milliseconds(20'000);
-    while (not all.settled() and not reached(it.now(), end)) {
-        it.step(
-            [&](instant at) {
-                it.link().run_urgent(all, at);
-                cycle(at);
-                was_refused = was_refused or not loop.control().is_ordered();
-                if (not all.settled() and not loop.control().is_ordered() and not hall::has_power(it.second)) {
-                    loop.run(1'200_rpm); // too early
-                }
-            },
-            end);
-    }
+    it.run_until([&] { return all.settled(); }, milliseconds(20'000),
+                 [&](instant at) {
+                     it.link().run_urgent(all, at);
+                     cycle(at);
+                     was_refused = was_refused or not loop.control().is_ordered();
+                     if (not all.settled() and not loop.control().is_ordered() and not hall::has_power(it.second())) {
+                         loop.run(1'200_rpm); // too early
+                     }
+                 });
     CHECK(all.succeeded());
     CHECK(was_refused);
     // Nobody waited for the pump: it may still be on its ramp, and stays off after it.
-    it.pass(cycle, milliseconds(10'000));
-    CHECK_FALSE(hall::has_power(it.second));
+    it.run_for(milliseconds(10'000), cycle);
+    CHECK_FALSE(hall::has_power(it.second()));
 }
 
 TEST_CASE("motion law: S38 a family is left out of the broadcasts, and its drives are stopped one by one")
@@ -234,18 +217,14 @@ TEST_CASE("motion law: S38 a family is left out of the broadcasts, and its drive
     broadcast_stop all{broadcast_stop_options{.left_out = atv28::device::layout.cmd}, press, fan};
     bool writes_400 = false;
     bool writes_8501 = false;
-    instant const end = it.now() + milliseconds(20'000);
-    while (not all.settled() and not reached(it.now(), end)) {
-        it.step(
-            [&](instant at) {
-                it.link().run_urgent(all, at);
-                if (auto const next = all.next(); next and next->frame()[0] == std::byte{0}) {
-                    writes_400 = writes_400 or u16_at(next->frame(), 2) == 400;
-                    writes_8501 = writes_8501 or u16_at(next->frame(), 2) == 8'501;
-                }
-            },
-            end);
-    }
+    it.run_until([&] { return all.settled(); }, milliseconds(20'000),
+                 [&](instant at) {
+                     it.link().run_urgent(all, at);
+                     if (auto const next = all.next(); next and next->frame()[0] == std::byte{0}) {
+                         writes_400 = writes_400 or u16_at(next->frame(), 2) == 400;
+                         writes_8501 = writes_8501 or u16_at(next->frame(), 2) == 8'501;
+                     }
+                 });
     CHECK(all.succeeded());
     CHECK_FALSE(writes_400);
     CHECK(writes_8501);

@@ -13,9 +13,9 @@
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
-#include <rtuwire/altivar/procedure/direct_control.hpp>
-#include <rtuwire/altivar/procedure/reset_fault.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/motion/direct_control.hpp>
+#include <rtuwire/altivar/procedure/motion/reset_fault.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;

@@ -10,11 +10,11 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
-#include <rtuwire/altivar/procedure/broadcast_stop.hpp>
-#include <rtuwire/altivar/procedure/direct_control.hpp>
-#include <rtuwire/altivar/procedure/reset_fault.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
-#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
+#include <rtuwire/altivar/procedure/motion/direct_control.hpp>
+#include <rtuwire/altivar/procedure/motion/reset_fault.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
+#include <rtuwire/altivar/procedure/motion/stop.hpp>
 #include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;
@@ -155,7 +155,7 @@ TEST_CASE("motion law: the STOP key pressed behind a start's first look ends it"
         it.drive(0).press_stop();
         it.pass(work, milliseconds(3'500));
         CHECK_FALSE(it.has_power());
-        CHECK((is_direct ? run.reason().kind : go.reason().kind) == outcome_kind::stuck);
+        CHECK((is_direct ? run.reason().kind : go.reason().kind) == outcome_kind::stop_key);
     }
 }
 
@@ -204,7 +204,7 @@ TEST_CASE("motion law: S22 the same of a start whose next look is lost")
     it.cut(0, false);
     it.pass(work, milliseconds(4'000));
     CHECK_FALSE(it.has_power());
-    CHECK(go.reason().kind == outcome_kind::stuck);
+    CHECK(go.reason().kind == outcome_kind::state_timeout);
 }
 
 TEST_CASE("motion law: a halt that may not look becomes the ramp within a second")

@@ -11,7 +11,7 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/save_to_eeprom.hpp>
+#include <rtuwire/altivar/procedure/commissioning/save_to_eeprom.hpp>
 #include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;

@@ -14,10 +14,10 @@
 
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
-#include <rtuwire/altivar/procedure/broadcast.hpp>
-#include <rtuwire/altivar/procedure/save_to_eeprom.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
-#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/altivar/procedure/commissioning/save_to_eeprom.hpp>
+#include <rtuwire/altivar/procedure/motion/broadcast_freewheel.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
+#include <rtuwire/altivar/procedure/motion/stop.hpp>
 #include <rtuwire/ask/access.hpp>
 #include <rtuwire/client/bus.hpp>
 

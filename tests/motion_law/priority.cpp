@@ -10,8 +10,8 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
-#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
+#include <rtuwire/altivar/procedure/motion/stop.hpp>
 #include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;

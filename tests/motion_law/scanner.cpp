@@ -11,7 +11,7 @@
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
-#include <rtuwire/altivar/procedure/configure_scanner.hpp>
+#include <rtuwire/altivar/procedure/commissioning/configure_scanner.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

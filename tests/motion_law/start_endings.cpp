@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/core/crc16.hpp>
 
 using namespace rtuwire;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

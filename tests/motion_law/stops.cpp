@@ -12,8 +12,8 @@
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
-#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
+#include <rtuwire/altivar/procedure/motion/stop.hpp>
 #include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;
@@ -221,7 +221,7 @@ TEST_CASE("motion law: S34 a stop that is taken and not obeyed says so")
         });
         stop rest{it.drive, stop_by::ramp, milliseconds(3'000)};
         REQUIRE(it.run(rest));
-        CHECK(rest.reason().kind == outcome_kind::stuck);
+        CHECK(rest.reason().kind == outcome_kind::state_timeout);
         CHECK(rest.reason().state == state::operation_enabled);
     });
 }

@@ -13,7 +13,7 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/watch.hpp>
+#include <rtuwire/altivar/procedure/inspection/watch.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -110,7 +110,7 @@ TEST_CASE("a watch tells of a fault, and keeps what it saw while the line is cut
         watched<Device> it;
         CHECK(it.eye.link_lost());
         CHECK(it.eye.state() == state::unknown);
-        CHECK(it.eye.error() == errc::pending);
+        CHECK(it.eye.error() == errc::busy);
         it.run_by_other_master(250);
         it.look_for(milliseconds(5'000));
         CHECK(it.eye.frequency() == signed_decihertz{250});

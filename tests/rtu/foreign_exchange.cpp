@@ -51,8 +51,12 @@ constexpr bool takes_a_response_for_one()
     end_hint const whole = told_of(response);
     end_hint const part = told_of(byte_view{response}.first(6));
     end_hint const begun = told_of(byte_view{response}.first(3));
-    return whole.is_here and whole.is_response and whole.is_open and whole.next == 8 and not part.is_here and
-           part.next == 7 and not begun.is_here and begun.next == 7;
+    using test::is;
+    return is(whole.is_here, "the whole frame has its end") and is(whole.is_response, "it is a response") and
+           is(whole.is_open, "by the other rule a byte more") and
+           is(whole.next == 8, "so it is asked again at eight") and is(not part.is_here, "six bytes have no end") and
+           is(part.next == 7, "after six bytes, seven are asked for") and
+           is(not begun.is_here, "three bytes have no end") and is(begun.next == 7, "after three bytes, seven as well");
 }
 PROOF("where the response ends and a request might go on, it ends as the response", takes_a_response_for_one)
 

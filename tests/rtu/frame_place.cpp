@@ -7,7 +7,7 @@
 
 #include "support/proof.hpp"
 
-#include <rtuwire/rtu/framer.hpp>
+#include <rtuwire/rtu/frame_cutter.hpp>
 
 using namespace rtuwire;
 
@@ -35,7 +35,8 @@ concept keeps_a_front = requires(Receiver receiver)
 {
     receiver.receive_behind(1);
 };
-template <std::size_t Front> using receiver_behind = framer<direction::response, stored<line_timing>, Front>;
+template <std::size_t Front>
+using receiver_behind = detail::frame_receiver<direction::response, stored<line_timing>, Front>;
 STATIC_CHECK(keeps_a_front<receiver_behind<1>>and keeps_a_front<receiver_behind<256>>);
 STATIC_CHECK(not keeps_a_front<receiver_behind<0>>);
 

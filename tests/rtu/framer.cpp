@@ -207,26 +207,6 @@ constexpr bool the_edge_of_silence()
 }
 PROOF("a lump starts a new frame when its own time and t3.5 have passed", the_edge_of_silence)
 
-constexpr auto asks_2 = "02 03 0C 81 00 01 D7 41"_hex;
-constexpr auto writes_2 = "02 06 21 35 00 00 93 CB"_hex;
-
-constexpr bool looks_addressed_to()
-{
-    listener_of<direction::response> listener;
-    bool const nobody = not listener_of<direction::request>{}.receiver.is_foreign_response();
-    listener.hear("02 03 00"_hex);
-    listener.pause(milliseconds(10));
-    bool const too_short =
-        listener.fault() == errc::frame_too_short and not listener.receiver.looks_addressed_to(asks_2);
-    listener.hear("02 03 00 00"_hex);
-    bool const starts = not listener.receiver.is_at_start();
-    listener.pause(milliseconds(10));
-    return nobody and too_short and starts and listener.fault() == errc::crc_mismatch and
-           listener.receiver.looks_addressed_to(asks_2) and not listener.receiver.looks_addressed_to(writes_2) and
-           listener.receiver.is_at_start();
-}
-PROOF("what has a frame's size and begins like a response claims to be one", looks_addressed_to)
-
 constexpr bool host_gaps()
 {
     auto const host = line_timing::host(19'200, character_format::even_8_1);

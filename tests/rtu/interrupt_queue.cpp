@@ -64,9 +64,12 @@ constexpr bool keeps_order_and_times()
     line.receive_overrun(instant{31});
     line.receive(0x13_b, instant{40});
     line.deliver_to(seen, instant{50});
-    return seen.count == 6 and seen.got(0, 10, 0x11) and seen.got(1, 20, 0x12) and seen.is(2, 's', 25) and
-           seen.is(3, 'e', 30) and seen.is(4, 'e', 31) and seen.got(5, 40, 0x13) and line.is_empty() and
-           line.overflows() == 0;
+    using test::is;
+    return is(seen.count == 6, "six events are delivered") and is(seen.got(0, 10, 0x11), "the first byte") and
+           is(seen.got(1, 20, 0x12), "the second byte") and is(seen.is(2, 's', 25), "the end of a transmission") and
+           is(seen.is(3, 'e', 30), "the receive error") and is(seen.is(4, 'e', 31), "the overrun") and
+           is(seen.got(5, 40, 0x13), "the third byte") and is(line.is_empty(), "the queue is empty then") and
+           is(line.overflows() == 0, "none was dropped");
 }
 PROOF("interrupt queue: events keep their order and their times", keeps_order_and_times)
 
@@ -176,8 +179,12 @@ constexpr bool second_drop_is_told()
     full.line.deliver_to(full.seen, instant{20});
     full.line.receive(0x16_b, instant{21});
     full.line.deliver_to(full.seen, instant{22});
-    return full.seen.count == 7 and full.seen.got(0, 11, 0x15) and full.seen.got(4, 15, 0x15) and
-           full.seen.is(5, 'e', 20) and full.seen.got(6, 21, 0x16) and full.line.overflows() == 2;
+    using test::is;
+    return is(full.seen.count == 7, "seven events are delivered") and
+           is(full.seen.got(0, 11, 0x15), "the first byte") and
+           is(full.seen.got(4, 15, 0x15), "the last byte that had room") and
+           is(full.seen.is(5, 'e', 20), "an error for the second drop") and
+           is(full.seen.got(6, 21, 0x16), "the byte after it") and is(full.line.overflows() == 2, "two were dropped");
 }
 PROOF("interrupt queue: another drop is told again", second_drop_is_told)
 

@@ -5,6 +5,7 @@
 
 #include "support/byte_list.hpp"
 #include "support/catch.hpp"
+#include "support/server_on_a_line.hpp"
 
 #include <rtuwire/core/hex.hpp>
 
@@ -15,7 +16,6 @@ using test::glued;
 
 namespace {
 
-constexpr line_timing line{19'200, character_format::even_8_1};
 constexpr device_object objects[] = {{vendor_name, "vendor"}, {1, "code"}, {2, "0100"}};
 constexpr server_profile profile{.identity = identity_of<objects>};
 
@@ -89,23 +89,8 @@ constexpr row rows[] = {
 constexpr auto good = "01 03 00 00 00 01 84 0A"_hex;
 constexpr auto good_response = "01 03 02 00 00 B8 44"_hex;
 
-struct unit_1 {
-    server node{unit_id{1}, line, profile};
-    watched_bank bank{};
-    instant now{0xFFFF'0000U};
-
-    unit_1()
-    {
-        pass({});
-        pass(milliseconds(10));
-    }
-
-    void pass(duration length)
-    {
-        now = now + length;
-        node.advance(now);
-        node.serve(bank, now);
-    }
+struct unit_1 : test::server_on_a_line<server, watched_bank> {
+    unit_1() : server_on_a_line{test::usual_line, profile} {}
 
     /// What it answers to bytes that come in lumps of a size.
     byte_list response_to(byte_view heard, std::size_t lump)
@@ -113,9 +98,7 @@ struct unit_1 {
         byte_list said;
         for (; not heard.empty(); heard = heard.subspan(lump < heard.size() ? lump : heard.size())) {
             byte_view const some = heard.first(lump < heard.size() ? lump : heard.size());
-            now = now + line.characters(some.size());
-            node.receive(some, now);
-            pass({});
+            hear(some);
         }
         for (unsigned i = 0; i < 8; ++i) {
             pass(line.t3_5());

@@ -41,9 +41,12 @@ constexpr bool writes_no_word_more()
     constexpr register_block two{0x1234, 0x5678};
     word_bank<4> bank{100};
     static_cast<void>(bank.set(102, 7));
-    bool const first = bank.write(100, two.view()) == errc::none and bank.get(102) == 7;
-    return first and bank.write(102, two.view()) == errc::none and bank.get(100) == 0x1234 and
-           bank.get(101) == 0x5678 and bank.get(102) == 0x1234 and bank.get(103) == 0x5678;
+    using test::is;
+    bool const first = is(bank.write(100, two.view()) == errc::none, "a write of the first two") and
+                       is(bank.get(102) == 7, "the third is as it was");
+    return first and is(bank.write(102, two.view()) == errc::none, "a write of the last two") and
+           is(bank.get(100) == 0x1234, "the first word") and is(bank.get(101) == 0x5678, "the second word") and
+           is(bank.get(102) == 0x1234, "the third word") and is(bank.get(103) == 0x5678, "the fourth word");
 }
 PROOF("as many words are written as there are values", writes_no_word_more)
 

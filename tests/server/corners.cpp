@@ -4,6 +4,7 @@
 #include <rtuwire/server/server.hpp>
 
 #include "support/catch.hpp"
+#include "support/server_on_a_line.hpp"
 
 #include <rtuwire/core/hex.hpp>
 
@@ -11,7 +12,7 @@ using namespace rtuwire;
 
 namespace {
 
-constexpr line_timing line{19'200, character_format::even_8_1};
+constexpr auto line = test::usual_line;
 constexpr unit_id one{1};
 constexpr auto loop = "08 00 00 A5 37"_hex;
 constexpr auto short_one = "08 00"_hex;
@@ -74,23 +75,7 @@ template <typename Bank, std::size_t Size> std::uint32_t exception_to(std::array
     return response.size() == 2 and to_u8(response[0]) >= 0x80 ? to_u8(response[1]) : 0U;
 }
 
-struct unit_1 {
-    server node{one, line};
-    word_bank<4> bank{};
-    instant now{0};
-
-    unit_1()
-    {
-        node.advance(now);
-        pass(milliseconds(10));
-    }
-    void pass(duration length)
-    {
-        now = now + length;
-        node.advance(now);
-        node.serve(bank, now);
-    }
-};
+using unit_1 = test::server_on_a_line<>;
 
 } // namespace
 

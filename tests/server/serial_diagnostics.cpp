@@ -4,6 +4,7 @@
 #include <rtuwire/server/serial_diagnostics.hpp>
 
 #include "support/proof.hpp"
+#include "support/server_on_a_line.hpp"
 
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/server/server.hpp>
@@ -13,30 +14,19 @@ using namespace rtuwire;
 
 namespace {
 
-constexpr line_timing line{19'200, character_format::even_8_1};
-constexpr unit_id one{1};
 constexpr std::uint16_t nothing = 0xFFFF;
 
 /// Unit 1 with one register, and its line.
-template <typename Server = counting_server> struct counted {
-    Server node;
-    word_bank<1> bank{};
-    instant now{0};
-
-    constexpr counted() : node{one, line} { pass(milliseconds(10)); }
-
-    constexpr void pass(duration length)
-    {
-        node.advance(now);
-        now = now + length;
-        node.advance(now);
-        node.serve(bank, now);
-    }
+template <typename Server = counting_server> struct counted : test::server_on_a_line<Server, word_bank<1>> {
+    using base = test::server_on_a_line<Server, word_bank<1>>;
+    using base::line;
+    using base::node;
+    using base::now;
+    using base::pass;
 
     constexpr void hear(byte_view bytes)
     {
-        now = now + line.characters(bytes.size());
-        node.receive(bytes, now);
+        this->receive(bytes);
         pass(line.t3_5());
     }
 

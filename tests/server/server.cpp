@@ -4,6 +4,7 @@
 #include <rtuwire/server/server.hpp>
 
 #include "support/proof.hpp"
+#include "support/server_on_a_line.hpp"
 
 #include <rtuwire/core/hex.hpp>
 
@@ -11,55 +12,8 @@ using namespace rtuwire;
 
 namespace {
 
-constexpr line_timing line{19'200, character_format::even_8_1};
-
-/// Unit 1 with four registers, and a clock that starts five seconds before it wraps.
-struct unit_1 {
-    server node{unit_id{1}, line};
-    word_bank<4> bank{};
-    instant now{0xFFFF'FFFFU - 5'000'000U};
-
-    constexpr unit_1()
-    {
-        node.advance(now);
-        pass(milliseconds(10));
-    }
-
-    constexpr void pass(duration length)
-    {
-        now = now + length;
-        node.advance(now);
-        node.serve(bank, now);
-    }
-
-    constexpr void hear(byte_view bytes)
-    {
-        now = now + line.characters(bytes.size());
-        node.receive(bytes, now);
-        pass({});
-    }
-
-    /// Whether it answers these bytes after t3.5, and listens again.
-    constexpr bool says(byte_view bytes)
-    {
-        if (not node.poll_transmit().empty()) {
-            return false;
-        }
-        pass(line.t3_5());
-        byte_view const frame = node.poll_transmit();
-        bool const right = same_bytes(frame, bytes);
-        now = now + line.characters(frame.size());
-        node.sent(now);
-        pass(line.t3_5());
-        return right;
-    }
-
-    constexpr bool is_silent()
-    {
-        pass(milliseconds(500));
-        return node.poll_transmit().empty();
-    }
-};
+constexpr auto line = test::usual_line;
+using unit_1 = test::server_on_a_line<>;
 
 constexpr auto write_3 = "01 06 00 01 00 03 98 0B"_hex;
 constexpr auto read_1 = "01 03 00 01 00 01 D5 CA"_hex;

@@ -4,6 +4,7 @@
 #include <rtuwire/server/server.hpp>
 
 #include "support/proof.hpp"
+#include "support/server_on_a_line.hpp"
 
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/wire/pdu/device_identification.hpp>
@@ -17,17 +18,14 @@ using namespace rtuwire;
 namespace {
 
 /// A host's times: its silence is long, and between the frames here there is none.
-constexpr auto line = line_timing::host(19'200, character_format::even_8_1);
+constexpr auto host_line = line_timing::host(19'200, character_format::even_8_1);
 
-/// Our unit 1, unit 2 with as many registers, and the clock.
-struct two_units {
-    server ours{unit_id{1}, line};
-    server other{unit_id{2}, line};
-    word_bank<16> bank{};
+/// Our unit 1, and unit 2 with as many registers on the same line.
+struct two_units : test::server_on_a_line<server, word_bank<16>> {
+    server other{unit_id{2}, host_line};
     word_bank<16> others{};
-    instant now{0};
 
-    constexpr two_units()
+    constexpr two_units() : server_on_a_line{host_line}
     {
         pass({});
         pass(milliseconds(60));
@@ -35,17 +33,14 @@ struct two_units {
 
     constexpr void pass(duration length)
     {
-        now = now + length;
-        ours.advance(now);
-        ours.serve(bank, now);
+        server_on_a_line::pass(length);
         other.advance(now);
         other.serve(others, now);
     }
 
     constexpr void hear(byte_view bytes)
     {
-        now = now + line.characters(bytes.size());
-        ours.receive(bytes, now);
+        receive(bytes);
         pass({});
     }
     template <pdu Request> constexpr void hear(unit_id unit, Request const& request)
@@ -71,8 +66,7 @@ struct two_units {
     {
         hear(unit_id{1}, write_single_register{1, word});
         pass(line.t3_5());
-        now = now + line.characters(ours.poll_transmit().size());
-        ours.sent(now);
+        static_cast<void>(send());
         return bank.get(1) == word;
     }
 };
@@ -117,7 +111,7 @@ constexpr bool not_after_a_lost_request()
     two_units it;
     it.hear(response); // its request was not heard
     bool const is_listen_only = not it.obeys(3);
-    it.pass(line.frame_end());
+    it.pass(host_line.frame_end());
     return is_listen_only and it.obeys(4);
 }
 PROOF("a response without its request silences the ear until the line is quiet", not_after_a_lost_request)
@@ -207,7 +201,7 @@ constexpr bool broadcast_behind()
     two_units it;
     it.hear(asks_for_one);
     it.hear(one_word);
-    it.pass(line.t3_5());
+    it.pass(host_line.t3_5());
     it.hear(everyone_writes_3);
     return it.bank.get(1) == 3;
 }
@@ -220,7 +214,7 @@ constexpr bool broadcast_glued()
     two_units it;
     it.hear(request);
     it.hear(request);
-    bool const ends = not it.ours.poll_deadline();
+    bool const ends = not it.node.poll_deadline();
     it.hear("00 06 00 01 00 03 99 DA"_hex);
     return ends and it.bank.get(1) == 3;
 }
@@ -232,7 +226,7 @@ constexpr bool damaged_response()
     it.hear(unit_id{2}, read_holding_registers{0, 4});
     it.hear("02 03 08 01 06 00 01 00 03 98 0B DA 99"_hex);
     bool const is_listen_only = not it.obeys(3);
-    it.pass(line.frame_end());
+    it.pass(host_line.frame_end());
     return is_listen_only and it.obeys(4);
 }
 PROOF("after a damaged response only silence opens the ear", damaged_response)

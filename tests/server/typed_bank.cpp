@@ -98,15 +98,20 @@ constexpr bool writes_and_reads_all()
 {
     pump_bank registers;
     register_view const two{two_words};
-    bool ok = registers.get<actual>() == decihertz{0} and registers.get<apart>() == count16{0} and
-              registers.check_write(10, two) == errc::none and registers.write(10, two) == errc::none;
-    ok = ok and registers.get<setpoint>() == decihertz{500} and registers.get<speed>() == signed_rpm{-100} and
-         registers.take_written<setpoint>() and registers.take_written<speed>() and
-         not registers.take_written<actual>();
+    using test::is;
+    bool ok = is(registers.get<actual>() == decihertz{0}, "zero without a factory value") and
+              is(registers.get<apart>() == count16{0}, "zero in the register apart") and
+              is(registers.check_write(10, two) == errc::none, "the write is allowed") and
+              is(registers.write(10, two) == errc::none, "the write is done");
+    ok = ok and is(registers.get<setpoint>() == decihertz{500}, "the first word") and
+         is(registers.get<speed>() == signed_rpm{-100}, "the second word, below zero") and
+         is(registers.take_written<setpoint>(), "the first was written") and
+         is(registers.take_written<speed>(), "the second was written") and
+         is(not registers.take_written<actual>(), "the third was not");
     std::array<std::byte, 6> place{};
     byte_writer out{place};
-    ok = ok and registers.read(10, 3, out) == errc::none;
-    return ok and same_bytes(out.written(), "01 F4 FF 9C 00 00"_hex);
+    ok = ok and is(registers.read(10, 3, out) == errc::none, "the read is done");
+    return ok and is(same_bytes(out.written(), "01 F4 FF 9C 00 00"_hex), "all three words are read");
 }
 PROOF("all words of a range are written and read, in their order", writes_and_reads_all)
 

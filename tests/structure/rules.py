@@ -8,6 +8,8 @@ import pathlib
 import re
 import sys
 
+import declarations
+
 # "wire": {"core"} reads "wire may include core" and, with it, whatever core may include.
 MAY_INCLUDE = {
     "core": set(),
@@ -24,10 +26,11 @@ MAY_INCLUDE = {
     "altivar": {"altivar/device"},
     "sim/drive": {"server", "altivar/device"},
     "sim/line": {"rtu"},
+    "sim/bench.hpp": {"client", "server", "sim/drive", "sim/line"},
     "port": {"core", "rtu/line.hpp", "wire/errc.hpp", "wire/errc_name.hpp"},
 }
 UMBRELLA = "rtuwire.hpp"
-OPERATING_SYSTEM = "port"
+OPERATING_SYSTEM, DOOR_OF_THE_PORT = "port", "port.hpp"
 
 # Each of these is cheap to compile and available on a bare machine.
 STANDARD = set("array bit compare concepts cstddef cstdint limits optional ratio span type_traits"
@@ -39,7 +42,11 @@ MULTIPLIES = {"core/crc16/carryless.hpp": {"wmmintrin.h", "arm_neon.h"}}
 
 SPDX = ("// SPDX-FileCopyrightText: 2026 The rtuwire authors",
         "// SPDX-License-Identifier: BSL-1.0")
-LONGEST = 400
+LONGEST, LARGEST_CLASS = 350, 200
+# Lines of the median header; percent of lines with a comment.
+MEDIAN, COMMENTS, TABLE_OF_A_DRIVE = (90, 140), (15, 25), re.compile(r"altivar/device/atv")
+# Headers side by side; one file a function there.
+MOST_IN_A_FOLDER, AS_LONG_AS_THE_SPECIFICATION = 14, {"wire/pdu"}
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]+)[>"]', re.MULTILINE)
 
@@ -65,14 +72,21 @@ class Tree:
                     for path in root.rglob("*.hpp")})
 
     def portable(self):
-        return [header for header in self.texts if room_of(header) != OPERATING_SYSTEM]
+        return [header for header in self.texts if room_of(header) != OPERATING_SYSTEM and header != DOOR_OF_THE_PORT]
 
 
 def room_of(header):
-    """The folder, or both of two, where the outer one has several rooms."""
+    """The folder, or both of two, where the outer one has several rooms; a header may be its own."""
+    if header in MAY_INCLUDE:
+        return header
     folders = header.split("/")[:-1]
     inner = "/".join(folders[:2])
     return inner if inner in MAY_INCLUDE else "/".join(folders[:1])
+
+
+def is_door(header):
+    """A header for programs, above all rooms."""
+    return "/" not in header
 
 
 def reach(room):
@@ -95,10 +109,49 @@ def form(tree):
             yield f"{header}: {len(lines)} lines, more than {LONGEST}"
 
 
+def folders(tree):
+    """Rooms that a person can look through."""
+    held = {}
+    for header in tree.texts:
+        held.setdefault(header.rpartition("/")[0], []).append(header)
+    for folder, headers in held.items():
+        if len(headers) > MOST_IN_A_FOLDER and folder not in AS_LONG_AS_THE_SPECIFICATION:
+            yield f"{folder}: {len(headers)} headers side by side, more than {MOST_IN_A_FOLDER}"
+
+
+def classes(tree):
+    """Classes that a person can keep in mind: from the head to the closing brace."""
+    for header, text in tree.texts.items():
+        code = declarations.code_of(text)
+        for space, begin, end in declarations.statements(code):
+            words = code[begin:end]
+            found = declarations.name_of(words)
+            lines = words.strip().count("\n") + 1
+            if found and found[0] == "type" and lines > LARGEST_CLASS:
+                yield f"{header}: {found[1]} has {lines} lines, more than {LARGEST_CLASS}"
+
+
+def shape(tree):
+    """The house as a whole: the median header, and how much of it is comments. Tables of registers are left out."""
+    texts = [text for header, text in tree.texts.items() if "/" in header and not TABLE_OF_A_DRIVE.search(header)]
+    lengths = sorted(text.count("\n") for text in texts)
+    median = lengths[len(lengths) // 2]
+    if not MEDIAN[0] <= median <= MEDIAN[1]:
+        yield f"the median header has {median} lines, not {MEDIAN[0]} to {MEDIAN[1]}"
+    lines = [line for text in texts for line in text.splitlines()[len(SPDX):]
+             if line.strip() and not line.startswith("#include")]
+    share = 100 * sum("//" in line for line in lines) // max(len(lines), 1)
+    if not COMMENTS[0] <= share <= COMMENTS[1]:
+        yield f"{share} % of the lines hold a comment, not {COMMENTS[0]} to {COMMENTS[1]} %"
+
+
 def layers(tree):
     for header, targets in tree.ours.items():
         room = room_of(header)
-        if header == UMBRELLA:
+        for target in targets:
+            if is_door(target) and not is_door(header):
+                yield f"{header}: includes {target}, a door"
+        if is_door(header):
             continue
         if room not in MAY_INCLUDE:
             yield f"{header}: is in no room of the layer rule"
@@ -107,7 +160,7 @@ def layers(tree):
         for target in targets:
             if target not in tree.texts:
                 yield f"{header}: includes {target}, which does not exist"
-            elif target not in allowed and room_of(target) not in allowed:
+            elif not is_door(target) and target not in allowed and room_of(target) not in allowed:
                 yield f"{header}: {room} may not include {target}"
 
 
@@ -157,7 +210,7 @@ def umbrella(tree):
             yield f"{UMBRELLA}: includes {header}, which needs an operating system"
 
 
-RULES = {rule.__name__: rule for rule in (form, layers, standard_includes, cycles, umbrella)}
+RULES = {rule.__name__: rule for rule in (form, folders, classes, shape, layers, standard_includes, cycles, umbrella)}
 
 
 def main(project, *names):

@@ -48,8 +48,13 @@ class Layers(unittest.TestCase):
         self.refused("altivar__device__atv320", "ask/access.hpp")
         self.refused("altivar__procedure__start", "client/client.hpp")
         self.refused("altivar__procedure__start", "altivar/cyclic/cyclic.hpp")
-        self.refused("sim__drive__drive", "altivar/procedure/start.hpp")
+        self.refused("sim__drive__drive", "altivar/procedure/motion/start.hpp")
         self.refused("sim__drive__drive", "sim/line/line.hpp")
+        self.refused("sim__line__line", "client/client.hpp")
+
+    def test_a_header_that_is_a_room_of_its_own(self):
+        self.allowed("sim__bench", "client/client.hpp")
+        self.assertEqual(len(self.complaints(sim__other="sim/line/line.hpp", sim__line__line="")), 1)
 
     def test_one_header_of_a_room_is_not_the_room(self):
         self.refused("table__table", "wire/adu.hpp")
@@ -59,6 +64,13 @@ class Layers(unittest.TestCase):
         for below in ("core", "wire", "rtu", "table", "client", "server"):
             for above in ("cia402", "altivar/device", "altivar/procedure", "sim/drive", "port"):
                 self.refused(f"{below}__a", f"{above}/b.hpp")
+
+    def test_doors_include_everything_and_no_room_a_door(self):
+        self.allowed("client", "client/client.hpp")
+        self.allowed("client", "frames.hpp")
+        self.allowed("port", "port/chrono.hpp")
+        self.refused("client__client", "frames.hpp")
+        self.refused("altivar__atv320", "drives.hpp")
 
     def test_unknown_rooms_and_missing_headers_are_reported(self):
         self.assertEqual(len(self.complaints(utils__misc="")), 1)
@@ -102,6 +114,33 @@ class Others(unittest.TestCase):
         self.assertEqual(count(rtuwire="core/a.hpp", core__a="core/b.hpp", core__b=""), 0)
         self.assertEqual(count(rtuwire="core/a.hpp", core__a="", core__b=""), 1)
         self.assertEqual(count(rtuwire="port/a.hpp", port__a=""), 1)
+        self.assertEqual(count(rtuwire="", port="port/a.hpp", port__a=""), 0)
+
+    def test_folders(self):
+        def count(folder, headers):
+            return len(list(rules.folders(rules.Tree({f"{folder}/a{number}.hpp": "" for number in range(headers)}))))
+        self.assertEqual(count("core", rules.MOST_IN_A_FOLDER), 0)
+        self.assertEqual(count("core", rules.MOST_IN_A_FOLDER + 1), 1)
+        self.assertEqual(count("wire/pdu", rules.MOST_IN_A_FOLDER + 1), 0)
+
+    def test_shape(self):
+        def count(lines, comments, header="core/a.hpp"):
+            text = "\n".join(rules.SPDX) + "\n" + "int a; // a\n" * comments + "int a;\n" * (lines - 2 - comments)
+            return len(list(rules.shape(rules.Tree({header: text, "core/b.hpp": text, "client.hpp": ""}))))
+        self.assertEqual(count(100, 20), 0)
+        self.assertEqual(count(80, 15), 1)
+        self.assertEqual(count(150, 30), 1)
+        self.assertEqual(count(100, 10), 1)
+        self.assertEqual(count(100, 30), 1)
+
+    def test_classes(self):
+        def count(kind, lines):
+            text = f"namespace a {{\n// before\ntemplate <int B>\n{kind} c {{\n" + "int d;\n" * (lines - 3) + "};\n}\n"
+            return len(list(rules.classes(rules.Tree({"core/a.hpp": text}))))
+        self.assertEqual(count("class", rules.LARGEST_CLASS), 0)
+        self.assertEqual(count("class", rules.LARGEST_CLASS + 1), 1)
+        self.assertEqual(count("struct", rules.LARGEST_CLASS + 1), 1)
+        self.assertEqual(count("namespace", rules.LARGEST_CLASS + 1), 0)
 
     def test_form(self):
         def count(text):

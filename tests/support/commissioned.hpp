@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include <rtuwire/altivar/procedure/supervision_report.hpp>
+#include <rtuwire/altivar/procedure/inspection/supervision_report.hpp>
 
 namespace rtuwire::test {
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "support/catch.hpp"
+#include "support/fact.hpp"
 
 namespace rtuwire::test {
 

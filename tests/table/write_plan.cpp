@@ -22,8 +22,10 @@ constexpr bool keeps_the_words_in_address_order()
     ramps const plan{4_s, 1.3_s, 2_s, 3_s};
     auto const first = plan.words(0);
     auto const second = plan.words(1);
-    return first.size() == 2 and first[0] == 13 and first[1] == 20 and second.size() == 2 and second[0] == 30 and
-           second[1] == 40;
+    using test::is;
+    return is(first.size() == 2, "the first request has two words") and is(first[0] == 13, "its first") and
+           is(first[1] == 20, "its second") and is(second.size() == 2, "the second request has two words") and
+           is(second[0] == 30, "its first") and is(second[1] == 40, "its second");
 }
 PROOF("the words stand in the order of their addresses", keeps_the_words_in_address_order)
 

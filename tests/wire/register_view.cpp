@@ -77,10 +77,14 @@ PROOF("registers for which there is no room are not copied in part", copies_all_
 constexpr bool holds_registers_in_wire_order()
 {
     register_block block{0x0102, 0x0304, 0x0506};
-    bool const reads = block[0] == 0x0102 and block[1] == 0x0304 and block[2] == 0x0506;
+    using test::is;
+    bool const reads = is(block[0] == 0x0102, "the first register") and is(block[1] == 0x0304, "the second") and
+                       is(block[2] == 0x0506, "the third");
     block.set(1, 0xFEDC);
-    return reads and block[0] == 0x0102 and block[1] == 0xFEDC and block[2] == 0x0506 and
-           block.view().bytes()[2] == std::byte{0xFE} and block.size() == 3;
+    return reads and is(block[0] == 0x0102, "the register before") and
+           is(block[1] == 0xFEDC, "the one that was set") and is(block[2] == 0x0506, "the register behind") and
+           is(block.view().bytes()[2] == std::byte{0xFE}, "its high byte comes first") and
+           is(block.size() == 3, "size");
 }
 PROOF("a block holds its registers in wire order", holds_registers_in_wire_order)
 

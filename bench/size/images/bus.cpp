@@ -5,7 +5,7 @@
 
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/ask/poller.hpp>
 #include <rtuwire/client/bus.hpp>
 

@@ -4,7 +4,7 @@
 #include "board.hpp"
 
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/ask/poller.hpp>
 #include <rtuwire/client/static_client.hpp>
 

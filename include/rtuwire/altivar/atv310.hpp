@@ -4,4 +4,13 @@
 // The door to the registers of the ATV310, of 2014 and of 2026. What is done with them stands in altivar/procedure and altivar/cyclic.
 #pragma once
 
+// What refuses a mistake stands directly below this door, each header before those that include it: GCC prints a line
+// for every header between the source and the one that refuses, and its sentence comes after them.
+#include <rtuwire/core/units.hpp>
+#include <rtuwire/table/table.hpp>
+#include <rtuwire/wire/unit_id.hpp>
+
+#include <rtuwire/table/device.hpp>
+#include <rtuwire/table/setting.hpp>
+
 #include <rtuwire/altivar/device/atv310.hpp>

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Conversations that can command a motor, as far as a client has to know them: which of their requests may move it,
-// which stop it, and what they read. client/orders.hpp says what a client does with that.
+// which stop it, and what they read. client/order/orders.hpp says what a client does with that.
+// Internal: may change with any version.
 #pragma once
 
 #include <concepts>
@@ -93,15 +94,16 @@ private:
     bool is_silenced_{false};
 };
 
-/// A conversation that commands the motor of one unit. `intent` gives the effect of the request that `next` would
-/// return. `note_loss` tells it that the unit was lost, by a request of any conversation: it may send only stop
-/// requests now. `drive_timeout` is the time after which the unit stops its motor by itself when no request reaches
-/// it; `tolerated_misses` is how many enabling requests in a row may go without a response before the link counts as
-/// lost.
+/// A conversation that commands the motor of one unit: it declares `urgency::stop_of_unit`. `intent` gives the effect
+/// of the request that `next` would return. `note_loss` tells it that the unit was lost, by a request of any
+/// conversation: it may send only stop requests now. `drive_timeout` is the time after which the unit stops its motor
+/// by itself when no request reaches it; `tolerated_misses` is how many enabling requests in a row may go without a
+/// response before the link counts as lost.
 template <typename T>
 concept commanding_conversation = prompt_conversation<T> and std::derived_from<T, commander> and
     requires(T const& conversation, T& same)
 {
+    requires(properties_of<T>.urgency == urgency::stop_of_unit);
     same.note_loss();
     {
         conversation.intent()
@@ -114,12 +116,14 @@ concept commanding_conversation = prompt_conversation<T> and std::derived_from<T
         } -> std::same_as<std::uint8_t>;
 };
 
-/// A conversation that stops all units of a line: by broadcasts first, while `is_urgent`, then one by one, by the
-/// commanders that `stops` gives. `may_cut` tells whether a unit's outstanding response need not be waited for.
+/// A conversation that stops all units of a line: it declares `urgency::stop_of_all`. It stops them by broadcasts
+/// first, while `is_urgent`, then one by one, by the commanders that `stops` gives. `may_cut` tells whether a unit's
+/// outstanding response need not be waited for.
 template <typename T>
 concept stops_by_broadcast = conversation<T> and std::derived_from<T, commander> and
     requires(T& conversation, std::uint8_t unit)
 {
+    requires(properties_of<T>.urgency == urgency::stop_of_all);
     conversation.stops();
     {
         conversation.intent()
@@ -131,5 +135,28 @@ concept stops_by_broadcast = conversation<T> and std::derived_from<T, commander>
         conversation.may_cut(unit)
         } -> std::same_as<bool>;
 };
+
+/// Whether a conversation has all that its properties need; what is missing is refused in a sentence.
+template <conversation T> [[nodiscard]] constexpr bool has_what_it_declares() noexcept
+{
+    static_assert(declares_in_public<T>, "the `properties` of a conversation are public, and of the type "
+                                         "`static constexpr conversation_properties`");
+    constexpr conversation_properties declared = properties_of<T>;
+    static_assert(declared.freshness == freshness::any_time or prompt_conversation<T>,
+                  "a conversation that declares freshness::when_free has a unit(): `unit_id unit() const`");
+    static_assert(declared.urgency == urgency::in_turn or std::derived_from<T, commander>,
+                  "a conversation that declares an urgency derives from commander");
+    static_assert(declared.urgency != urgency::in_turn or not std::derived_from<T, commander>,
+                  "a commander declares its urgency: a stop comes before all other requests");
+    static_assert(declared.urgency != urgency::stop_of_unit or declared.freshness == freshness::when_free,
+                  "a conversation that declares urgency::stop_of_unit also declares freshness::when_free");
+    static_assert(declared.urgency != urgency::stop_of_unit or declared.freshness == freshness::any_time or
+                      commanding_conversation<T>,
+                  "a conversation that declares urgency::stop_of_unit has note_loss(), intent(), drive_timeout() and "
+                  "tolerated_misses()");
+    static_assert(declared.urgency != urgency::stop_of_all or stops_by_broadcast<T>,
+                  "a conversation that declares urgency::stop_of_all has stops(), intent(), is_urgent() and may_cut()");
+    return true;
+}
 
 } // namespace rtuwire

@@ -24,6 +24,29 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// Whether a client may send a request again by itself. A command that its user may cancel meanwhile is sent once.
 enum class repetition : std::uint8_t { allowed, never };
 
+/// When a conversation makes its request.
+enum class freshness : std::uint8_t {
+    any_time,  ///< `next` may be called while the line is still busy or the unit is held
+    when_free, ///< `next` is called only when the line is free for its `unit()`: the request holds the latest values
+};
+
+/// Which of its requests come before those of other conversations.
+/// Internal.
+enum class urgency : std::uint8_t {
+    in_turn,      ///< none
+    stop_of_unit, ///< those that stop the motor of its unit: see `commanding_conversation`
+    stop_of_all,  ///< those that stop all units: see `stops_by_broadcast`
+};
+
+/// What a conversation declares of itself, by a public `static constexpr conversation_properties properties{...}`.
+/// Nothing else in a conversation stands for one of these: a `unit()` alone means nothing to a client.
+struct conversation_properties {
+    rtuwire::urgency urgency{rtuwire::urgency::in_turn};
+    /// Of all its requests; where it is allowed, a single `request_frame` can still forbid it.
+    rtuwire::repetition repetition{rtuwire::repetition::allowed};
+    rtuwire::freshness freshness{rtuwire::freshness::any_time};
+};
+
 /// A request: the bytes of a frame that `encode` made. The client copies them when it takes the request,
 /// so they have to live no longer than the call that returned them.
 class request_frame {
@@ -73,6 +96,9 @@ class turns;
 /// begun anew at any time: the outcome then goes to the object that holds the number, or is dropped.
 class asker {
 public:
+    /// What a conversation declares that says nothing else.
+    static constexpr conversation_properties properties{};
+
     /// Gives up the last request: its outcome is dropped, never delivered. To be called where a conversation starts
     /// anew. The request itself may have left and have its effect.
     constexpr void forget() noexcept { ticket_ |= given_up; }
@@ -105,6 +131,7 @@ concept conversation = std::derived_from<T, asker> and requires(T& conversation,
 };
 
 /// A conversation that never settles, and says so by a static `settled`: its end cannot be waited for.
+/// Internal.
 template <typename T>
 concept endless_conversation = conversation<T> and requires
 {
@@ -114,6 +141,7 @@ concept endless_conversation = conversation<T> and requires
 
 /// A conversation that pauses, or has a time limit: its caller calls `advance` before `next`, and again at
 /// `poll_deadline`.
+/// Internal.
 template <typename T>
 concept timed_conversation = conversation<T> and requires(T& conversation, instant now)
 {
@@ -123,17 +151,45 @@ concept timed_conversation = conversation<T> and requires(T& conversation, insta
         } -> std::same_as<deadline>;
 };
 
-/// A conversation with one unit whose request is made at the last moment: `next` is called only when the line is free
-/// for that unit.
+/// Whether what a conversation declares can be read: a private member cannot.
+/// Internal.
+template <typename T>
+concept declares_in_public = std::same_as<std::remove_cv_t<decltype(T::properties)>, conversation_properties>;
+
+/// What a conversation declares of itself; the defaults where it declares nothing.
+/// Internal.
+template <typename T> inline constexpr conversation_properties properties_of{};
+template <typename T>
+    requires declares_in_public<T>
+inline constexpr conversation_properties properties_of<T> = T::properties;
+
+/// A request of a conversation, not to be repeated where that declares `repetition::never`.
+/// Internal.
+template <conversation T>
+[[nodiscard]] constexpr request_frame const& as_declared(request_frame const& request) noexcept
+{
+    return request;
+}
+template <conversation T>
+    requires(properties_of<T>.repetition == repetition::never)
+[[nodiscard]] constexpr request_frame as_declared(request_frame const& request) noexcept
+{
+    return request_frame{request.frame(), repetition::never};
+}
+
+/// A conversation with one unit that declares `freshness::when_free`.
+/// Internal.
 template <typename T>
 concept prompt_conversation = conversation<T> and requires(T const& conversation)
 {
+    requires(properties_of<T>.freshness == freshness::when_free);
     {
         conversation.unit()
         } -> std::same_as<unit_id>;
 };
 
 /// Lets time pass for a timed conversation.
+/// Internal.
 template <conversation Conversation>
 constexpr void advance_conversation(Conversation& conversation, instant now) noexcept
 {

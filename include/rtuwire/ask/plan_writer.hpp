@@ -3,6 +3,7 @@
 //
 // Runs a write plan: its requests in order, by function 16. The first failure ends it; what was written before stays
 // written, and `written()` gives the number of confirmed requests.
+// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -10,6 +11,7 @@
 #include <optional>
 
 #include <rtuwire/ask/conversation.hpp>
+#include <rtuwire/ask/finite_conversation.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/write_plan.hpp>
@@ -18,7 +20,7 @@
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The conversation of a write plan with one unit; owns the values and the frame under way.
-template <typename Plan> class plan_writer : public asker {
+template <typename Plan> class plan_writer : public finite_conversation {
     using device = typename Plan::device;
     static_assert(implements<device>(function_code::write_multiple_registers),
                   "this device does not implement function 16");
@@ -41,19 +43,13 @@ public:
     constexpr void accept(result<response> const& outcome) noexcept
     {
         if (not outcome) {
-            outcome_ = outcome.error();
+            settle(outcome.error());
         } else if (++written_ == Plan::request_count) {
-            outcome_ = result<void>{};
+            settle(errc::none);
         } else {
             prepare();
         }
     }
-
-    /// Whether the outcome is there.
-    [[nodiscard]] constexpr bool settled() const noexcept { return outcome_.error() != errc::pending; }
-
-    /// How the plan ended; `pending` until it is settled.
-    [[nodiscard]] constexpr result<void> outcome() const noexcept { return outcome_; }
 
     /// How many of the plan's requests the unit has confirmed.
     [[nodiscard]] constexpr std::size_t written() const noexcept { return written_; }
@@ -71,7 +67,7 @@ private:
         if (frame) {
             frame_size_ = frame->size();
         } else {
-            outcome_ = frame.error();
+            settle(frame.error());
         }
     }
 
@@ -79,7 +75,6 @@ private:
     std::array<std::byte, 9 + 2 * Plan::register_count> frame_{};
     std::size_t frame_size_{0};
     std::size_t written_{0};
-    result<void> outcome_{errc::pending};
     unit_id unit_;
 };
 

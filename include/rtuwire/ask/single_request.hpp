@@ -11,6 +11,7 @@
 #include <optional>
 
 #include <rtuwire/ask/conversation.hpp>
+#include <rtuwire/ask/finite_conversation.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/pdu/write_multiple_registers.hpp>
@@ -19,12 +20,14 @@
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The largest response PDU to a request of this type, in bytes.
+/// Internal.
 template <typename Request> inline constexpr std::size_t largest_response = max_pdu_size;
 template <> inline constexpr std::size_t largest_response<write_single_register> = 5;
 template <typename Words> inline constexpr std::size_t largest_response<write_multiple_registers<Words>> = 5;
 
 /// One request in a frame of at most `FrameSize` bytes, and room for a response PDU of `ResponseSize`.
-template <std::size_t FrameSize, std::size_t ResponseSize> class sized_request : public asker {
+/// Internal.
+template <std::size_t FrameSize, std::size_t ResponseSize> class sized_request : public finite_conversation {
 public:
     /// Encodes the request; where that fails, nothing is sent and `outcome()` says why.
     template <typename To, pdu Request> constexpr sized_request(To to, Request const& request) noexcept
@@ -33,16 +36,15 @@ public:
         if (written) {
             size_ = static_cast<std::uint16_t>(written->size());
         } else {
-            error_ = written.error();
+            settle(written.error());
         }
     }
 
-    /// Sends the same request once more; the outcome is then `pending` again.
+    /// Sends the same request once more; it is then no longer settled. One that could not be encoded stays settled.
     constexpr void begin() noexcept
     {
         if (size_ != 0) {
-            forget();
-            error_ = errc::pending;
+            reopen();
         }
     }
 
@@ -57,40 +59,35 @@ public:
 
     constexpr void accept(result<response> const& outcome) noexcept
     {
-        error_ = outcome.error();
         if (not outcome) {
-            return;
+            return settle(outcome.error());
         }
         byte_view const pdu = outcome->pdu();
         if (pdu.size() > ResponseSize) {
-            error_ = errc::wrong_length;
-            return;
+            return settle(errc::wrong_length);
         }
+        settle(errc::none);
         response_size_ = static_cast<std::uint8_t>(pdu.size());
         for (std::size_t i = 0; i < pdu.size(); ++i) {
             response_[i] = pdu[i];
         }
     }
 
-    /// Whether the outcome is there.
-    [[nodiscard]] constexpr bool settled() const noexcept { return error_ != errc::pending; }
-
-    /// The outcome; `pending` until it is settled. The response is a view of this conversation's memory.
+    /// The response, or why there is none; `busy` until it is settled. It is a view of this conversation's memory.
     [[nodiscard]] constexpr result<response> outcome() const& noexcept
     {
-        if (error_ != errc::none) {
-            return error_;
+        if (error() != errc::none) {
+            return error();
         }
         return response{byte_view{response_}.first(response_size_)};
     }
     result<response> outcome() const&& = delete;
 
 private:
+    std::uint16_t size_{0};
     std::array<std::byte, FrameSize> frame_{};
     std::array<std::byte, ResponseSize> response_{};
-    std::uint16_t size_{0};
     std::uint8_t response_size_{0};
-    errc error_{errc::pending};
 };
 
 /// The conversation of one request of a type: `single_request ask{unit_id{7}, read_holding_registers{...}}`.

@@ -24,7 +24,9 @@ enum class command : std::uint8_t {
 };
 
 /// Bits of the control word that are not a command.
+/// Internal.
 inline constexpr std::uint16_t halt_bit = 0x0100;
+/// Internal.
 inline constexpr std::uint16_t fault_reset_bit = 0x0080;
 
 /// The control word of a command; 0 for `none`, which is also "disable voltage".
@@ -43,6 +45,7 @@ inline constexpr std::uint16_t fault_reset_bit = 0x0080;
 }
 
 /// The command in bits 0 to 3 of a control word: the tables print an x for bit 7 in all of these.
+/// Internal.
 [[nodiscard]] constexpr command recognise(std::uint16_t word) noexcept
 {
     if ((word & 0x02) == 0) {
@@ -59,6 +62,7 @@ inline constexpr std::uint16_t fault_reset_bit = 0x0080;
 
 /// Whether a control word resets a fault, given the one before it: by a rising edge of bit 7. In a fault no other bit
 /// has an effect; in any other state the edge has none.
+/// Internal.
 [[nodiscard]] constexpr bool is_reset_edge(std::uint16_t before, std::uint16_t word) noexcept
 {
     return (word & ~before & fault_reset_bit) != 0;

@@ -3,6 +3,7 @@
 //
 // The next command on the way to a target state, from any state. A command is sent once and its state awaited; where
 // there is no command, the drive itself must change state first.
+// Internal: may change with any version.
 #pragma once
 
 #include <rtuwire/cia402/command.hpp>

@@ -27,9 +27,11 @@ enum class state : std::uint8_t {
 };
 
 /// Bit 5 of the status word, low during a quick stop.
+/// Internal.
 inline constexpr std::uint16_t no_quick_stop_bit = 0x20;
 
 /// The bits of a status word that encode one state.
+/// Internal.
 struct state_pattern {
     std::uint16_t mask;
     std::uint16_t value;
@@ -37,6 +39,7 @@ struct state_pattern {
 };
 
 /// The eight patterns; no word matches two of them.
+/// Internal.
 inline constexpr std::array<state_pattern, 8> state_patterns{{
     {0x4F, 0x00, state::not_ready_to_switch_on},
     {0x4F, 0x40, state::switch_on_disabled},
@@ -61,6 +64,7 @@ inline constexpr std::array<state_pattern, 8> state_patterns{{
 
 /// The bits 0 to 6 of a drive's status word in a state, without bit 4; 0 for `unknown`. Bit 5 is open in some states:
 /// low in "switch on disabled" and before, as the manuals print it; high in a fault, unless a quick stop led there.
+/// Internal.
 [[nodiscard]] constexpr std::uint16_t status_bits(state of) noexcept
 {
     bool const is_fault = of == state::fault or of == state::fault_reaction_active;

@@ -40,6 +40,7 @@ enum class transition : std::uint8_t {
 };
 
 /// How a drive's state machine differs from the profile's.
+/// Internal.
 struct state_machine_options {
     bool enables_from_ready{false};      ///< has transition 3B
     bool quick_stop_waits{false};        ///< transition 12 waits for "disable voltage"
@@ -47,6 +48,7 @@ struct state_machine_options {
 };
 
 /// One transition that a command causes.
+/// Internal.
 struct transition_rule {
     transition number;
     state from;
@@ -56,6 +58,7 @@ struct transition_rule {
 
 /// The transitions that commands cause. The others happen by themselves: 0 and 1 at power-up, 12 at the end of a
 /// quick stop, 13 and 14 when a fault is detected.
+/// Internal.
 inline constexpr std::array<transition_rule, 16> transition_rules{{
     {transition::t2, state::switch_on_disabled, command::shutdown, state::ready_to_switch_on},
     {transition::t3, state::ready_to_switch_on, command::switch_on, state::switched_on},
@@ -76,6 +79,7 @@ inline constexpr std::array<transition_rule, 16> transition_rules{{
 }};
 
 /// Whether a drive with these options has a transition.
+/// Internal.
 [[nodiscard]] constexpr bool is_present(transition number, state_machine_options const& options) noexcept
 {
     if (number == transition::t3b) {

@@ -19,6 +19,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// A serial port: it has a clock; `write` accepts all bytes before a deadline and sends them at the line's pace;
 /// `read` returns the bytes that are there or arrive before a deadline (none: an empty span). It may also report
 /// damaged bytes: see `reports_receive_errors`.
+/// Internal.
 template <typename T>
 concept serial_port = requires(T& port, byte_view out, byte_span in, instant until)
 {
@@ -124,7 +125,7 @@ private:
         client_.cancel(conversation, now);
         client_.sent(now);
         bool const is_asked = client_.is_asked_by(conversation);
-        if (client_.deliver(conversation, false, now) == errc::pending and is_asked) {
+        if (not client_.deliver(conversation, false, now) and is_asked) {
             conversation.forget();
             conversation.accept(errc::cancelled);
         }

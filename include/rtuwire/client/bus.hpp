@@ -6,57 +6,38 @@
 // the line.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
-#include <rtuwire/client/client.hpp>
-#include <rtuwire/core/filled.hpp>
+#include <rtuwire/ask/commander.hpp>
+#include <rtuwire/client/slot/bus_options.hpp>
+#include <rtuwire/client/slot/bus_slots.hpp>
+#include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
-
-/// How a bus treats units that do not answer.
-struct bus_options {
-    /// How much of the line's time all silent units together may cost, in percent, 1 to 100; a value outside counts as
-    /// the nearer limit.
-    std::uint8_t silent_share{10};
-    /// After how many requests without a response a unit counts as silent; a unit that never responded, after one.
-    std::uint8_t silent_after{2};
-};
-
-/// How a bus treats one unit.
-struct slot_options {
-    retry_policy with{};
-    /// The least time from the end of a transaction with this unit to the next request to it.
-    duration least_idle{};
-    /// The longest time from one request to this unit to the next; zero where it does not matter. A silent unit is
-    /// sent a request only where its whole time-out ends before any such time of a unit that is not silent, and before
-    /// two thirds of the time after which an ordered unit stops by itself. This setting does not speed up the
-    /// conversation.
-    duration longest_gap{};
-};
 
 /// A client for `Slots` conversations. In each pass call `receive`, `sent` and `advance` as for a client; then
 /// `converse` once for every slot in use, in the same order; then send what `poll_transmit` returns. Sleep no longer
 /// than until `poll_deadline`. For the lifetimes of conversations see `basic_client`; a slot for which `converse` is
 /// no longer called costs the others nothing, or its time-out once.
-template <std::size_t Slots, typename Statistics = no_statistics> class bus {
+template <std::size_t Slots, typename Statistics = no_statistics> class bus : bus_slots<Slots, Statistics> {
     static_assert(Slots > 0 and Slots < 0xFF, "a bus has 1 to 254 slots");
+    using places = bus_slots<Slots, Statistics>;
+    using places::asked_at_;
+    using places::client_;
+    using places::is_probe_limited_;
+    using places::last_probed_;
+    using places::probe_at_;
+    using places::slots_;
+    using places::wake_at;
+    using typename places::slot;
 
 public:
     explicit constexpr bus(line_timing const& line, client_options const& options = {},
                            bus_options const& share = {}) noexcept
-        : client_{line, options}, share_{share}
-    {
-        constexpr std::uint8_t all = 100;
-        std::uint8_t const wanted = share.silent_share;
-        share_.silent_share = wanted == 0 ? std::uint8_t{1} : wanted < all ? wanted : all;
-        for (slot& each : slots_) {
-            each.options.with.response_timeout = options.response_timeout;
-            each.options.with.retries = options.retries;
-        }
-    }
+        : places{line, options, share}
+    {}
 
     /// Sets how one slot's unit is treated. Slots from `Slots` on are ignored.
     constexpr void set(std::size_t index, slot_options const& options) noexcept
@@ -100,19 +81,20 @@ public:
         own.is_present = not conversation.settled();
         bool const wants_turn =
             not conversation.settled() and not is_urgent_ and not is_held_back(conversation, index, now);
-        if (errc const came = client_.deliver(conversation, wants_turn, now); came != errc::pending) {
-            note_health(own, came, now);
+        if (auto const came = client_.deliver(conversation, wants_turn, now)) {
+            places::note_health(own, *came, now);
         }
         advance_conversation(conversation, now);
         client_.command(conversation, now);
         own.order_gap = order_gap_of(conversation);
-        wake_at(own.wake, wake_of(conversation), now);
+        wake_at(own.wake, places::wake_of(conversation), now);
         if (is_urgent_ or is_held_back(conversation, index, now)) {
             return;
         }
-        if (errc const asked = client_.ask(conversation, now, own_retry_policy(own)); asked != errc::none) {
-            if (asked != errc::busy) {
-                last_probed_ = is_silent(own) ? index : last_probed_; // it had its turn
+        turn_result const turn = client_.ask(conversation, now, places::own_retry_policy(own));
+        if (turn != turn_result::asked) {
+            if (turn != turn_result::waits) {
+                last_probed_ = places::is_silent(own) ? index : last_probed_; // it had its turn
             }
             return;
         }
@@ -123,7 +105,7 @@ public:
             own.failures = 0;
             own.has_responded = false;
         }
-        last_probed_ = is_silent(own) ? index : last_probed_;
+        last_probed_ = places::is_silent(own) ? index : last_probed_;
     }
 
     /// The same for a conversation that comes before all slots, such as a stop of all units. Call it before
@@ -137,8 +119,9 @@ public:
         advance_conversation(conversation, now);
         client_.command(conversation, now);
         is_urgent_ = not conversation.settled() and is_urgent(conversation);
-        wake_at(urgent_wake_, wake_of(conversation), now);
-        if (not conversation.settled() and client_.ask(conversation, now, slots_[0].options.with) == errc::none) {
+        wake_at(urgent_wake_, places::wake_of(conversation), now);
+        if (not conversation.settled() and
+            client_.ask(conversation, now, slots_[0].options.with) == turn_result::asked) {
             asked_at_ = now; // a slot may get its outcome, where the conversation moved there
         }
     }
@@ -187,33 +170,10 @@ public:
     /// Whether a slot's unit counts as silent: see `bus_options`.
     [[nodiscard]] constexpr bool is_silent(std::size_t index) const noexcept
     {
-        return index < Slots and is_silent(slots_[index]);
+        return index < Slots and places::is_silent(slots_[index]);
     }
 
 private:
-    struct slot {
-        slot_options options{};
-        instant not_before{0}; ///< the end of the rest
-        instant last_asked{0};
-        deadline wake{};
-        duration order_gap{}; ///< from one request to the next while its unit is ordered; 0: none
-        std::uint8_t unit{0}; ///< of the last request; `failures` and `has_responded` are its
-        std::uint8_t failures{0};
-        bool is_resting{false};
-        bool is_here{false};    ///< came by in this pass
-        bool is_present{false}; ///< came by in this pass or the one before, not settled
-        bool has_responded{false};
-    };
-
-    template <typename Conversation> static constexpr deadline wake_of(Conversation const& conversation) noexcept
-    {
-        if constexpr (timed_conversation<Conversation>) {
-            return conversation.poll_deadline();
-        } else {
-            return {};
-        }
-    }
-
     /// Whether a conversation's request is a stop request: no rest and no probing holds it back.
     template <typename Conversation> static constexpr bool stops_now(Conversation const& conversation) noexcept
     {
@@ -229,57 +189,6 @@ private:
         }
     }
 
-    /// Notes a time at which `converse` is to be called again for a conversation; a time that has come needs no note,
-    /// because this is that call.
-    static constexpr void wake_at(deadline& wake, deadline const& next, instant now) noexcept
-    {
-        if (next and not reached(now, *next) and not(wake and reached(*next, *wake))) {
-            wake = *next;
-        }
-    }
-
-    constexpr void note_health(slot& own, errc error, instant now) noexcept
-    {
-        own.not_before = now + own.options.least_idle;
-        own.is_resting = own.options.least_idle.microseconds != 0;
-        if (client_.asked_unit() == 0) {
-            return; // no unit responds to a broadcast
-        }
-        if (error == errc::none or is_exception(error)) {
-            own.failures = 0;
-            own.has_responded = true;
-        } else if (error != errc::cancelled) {
-            own.failures = static_cast<std::uint8_t>(own.failures + (own.failures < 0xFF ? 1 : 0));
-            charge(now - asked_at_, now);
-        }
-    }
-
-    /// Delays the next request to a silent unit by the share of time that the others get for this loss of time.
-    constexpr void charge(duration cost, instant now) noexcept
-    {
-        constexpr std::uint32_t longest_rest = 600'000'000;
-        constexpr std::uint32_t longest = 1'800'000'000;
-        std::uint32_t const others = 100U - share_.silent_share;
-        std::uint32_t const part = cost.microseconds / share_.silent_share + 1;
-        std::uint32_t const rest = others == 0 or part <= longest_rest / others ? part * others : longest_rest;
-        std::uint32_t const all = rest + (is_probe_limited_ ? (probe_at_ - asked_at_).microseconds : 0);
-        probe_at_ = now + microseconds(all < longest ? all : longest);
-        is_probe_limited_ = true;
-    }
-
-    constexpr bool is_silent(slot const& own) const noexcept
-    {
-        return own.failures != 0 and (own.failures >= share_.silent_after or not own.has_responded);
-    }
-
-    /// A request to a silent unit has no retries.
-    constexpr retry_policy own_retry_policy(slot const& own) const noexcept
-    {
-        retry_policy with = own.options.with;
-        with.retries = is_silent(own) ? std::uint8_t{0} : with.retries;
-        return with;
-    }
-
     /// Whether a conversation must wait in its slot. A stop request need not wait; a conversation that commands a
     /// motor does not wait because of another unit that was asked in this slot before.
     template <typename Conversation>
@@ -292,66 +201,7 @@ private:
                 return false;
             }
         }
-        return is_held_back(index, now);
-    }
-
-    /// Whether a slot must wait; its `wake`, or a time that `poll_deadline` knows, then says until when.
-    constexpr bool is_held_back(std::size_t index, instant now) noexcept
-    {
-        slot& own = slots_[index];
-        if (own.is_resting) {
-            return true;
-        }
-        if (not is_silent(own)) {
-            return false;
-        }
-        if (is_probe_limited_) {
-            return true;
-        }
-        if (next_to_probe(index) == index and fits(index, now)) {
-            return false;
-        }
-        // The other slot's conversation may settle later in this pass, or be gone in the next.
-        wake_at(own.wake, now + own.options.with.response_timeout, now);
-        return true;
-    }
-
-    /// The silent slot whose turn it is: after the last one that was asked, the first for which `converse` is called;
-    /// `own` is one of these.
-    constexpr std::size_t next_to_probe(std::size_t own) const noexcept
-    {
-        std::size_t at = last_probed_;
-        do {
-            at = at + 1 == Slots ? 0 : at + 1;
-        } while (at != own and not is_candidate(slots_[at]));
-        return at;
-    }
-
-    constexpr bool is_candidate(slot const& each) const noexcept
-    {
-        return each.is_present and not each.is_resting and is_silent(each) and not client_.is_held(each.unit);
-    }
-
-    /// Whether the time-out of a silent unit ends before any other unit has to be asked. Other silent units do not
-    /// count: two of them would wait for each other for ever.
-    constexpr bool fits(std::size_t index, instant now) const noexcept
-    {
-        instant const end = now + slots_[index].options.with.response_timeout + line().characters(2 * max_adu_size);
-        for (std::size_t i = 0; i < Slots; ++i) {
-            slot const& other = slots_[i];
-            bool const matters = i != index and other.is_present and other.unit != 0 and not is_silent(other);
-            if (matters and
-                (is_before(other, other.options.longest_gap, end) or is_before(other, other.order_gap, end))) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    /// Whether a unit has to be asked before `end`, where it may wait no longer than `gap`.
-    static constexpr bool is_before(slot const& other, duration gap, instant end) noexcept
-    {
-        return gap != duration{} and not reached(other.last_asked + gap, end);
+        return places::is_held_back(index, now);
     }
 
     /// A third of the drive's time-out is left for the turns of others after a probe.
@@ -365,18 +215,9 @@ private:
         }
     }
 
-    basic_client<Statistics, stored<line_timing>, stored<client_options>, quarantine<Slots>, shared_memory,
-                 orders<Slots>>
-        client_;
-    bus_options share_;
-    std::array<slot, Slots> slots_{filled<Slots>(slot{})};
-    deadline urgent_wake_{};
-    instant asked_at_{0};
-    instant probe_at_{0};
-    std::size_t last_probed_{Slots - 1};
-    bool is_probe_limited_{false};
     bool is_urgent_{false};
     bool is_new_pass_{false}; ///< somebody came by since the last `advance`
+    deadline urgent_wake_{};
 };
 
 } // namespace rtuwire

@@ -19,7 +19,7 @@ class line_echo_probe : public word_read {
 public:
     explicit constexpr line_echo_probe(unit_id unit) noexcept : word_read{unit, address} {}
 
-    /// Whether the line echoes; `pending` until it is settled. Errors: those of the client, where the unit did not
+    /// Whether the line echoes; `busy` until it is settled. Errors: those of the client, where the unit did not
     /// respond at all. An exception is a response.
     [[nodiscard]] constexpr result<bool> outcome() const noexcept
     {

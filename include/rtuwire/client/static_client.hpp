@@ -10,6 +10,7 @@
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The options of a client that is given none.
+/// Internal.
 inline constexpr client_options default_client_options{};
 
 /// A client that holds neither its line's times nor its options and is zero-initialised: a `constinit` one has no

@@ -34,6 +34,7 @@ enum class line_event : std::uint8_t {
 };
 
 /// What a frame counts as, by the error that was found in it.
+/// Internal.
 [[nodiscard]] constexpr line_event event_of(errc found) noexcept
 {
     if (found == errc::none) {
@@ -42,11 +43,10 @@ enum class line_event : std::uint8_t {
     if (is_exception(found)) {
         return line_event::exception;
     }
-    // In the order of errc.
-    if (found <= errc::wrong_length) {
+    if (found == errc::frame_too_short or found == errc::frame_too_long or found == errc::wrong_length) {
         return line_event::length;
     }
-    if (found <= errc::uart_error) {
+    if (found == errc::crc_mismatch or found == errc::uart_error) {
         return line_event::crc;
     }
     return found == errc::wrong_unit ? line_event::foreign : line_event::mismatch;
@@ -87,6 +87,7 @@ private:
 };
 
 /// Counts nothing.
+/// Internal.
 struct no_statistics {
     static constexpr void note(line_event, std::uint8_t) noexcept {}
     static constexpr void note_exception(errc, std::uint8_t) noexcept {}
@@ -225,6 +226,7 @@ private:
 };
 
 /// Notes a frame that arrived by `now`, after a request to `unit`, by the error that was found in it.
+/// Internal.
 template <typename Statistics>
 constexpr void note_frame(Statistics& to, line_event what, errc found, std::uint8_t unit, instant now) noexcept
 {

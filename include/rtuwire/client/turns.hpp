@@ -4,6 +4,7 @@
 // Which conversation asked last, and which may ask next: in the order in which they visit (`converse` is called for
 // them), beginning after the one that was served last. Knows a conversation by the number that it holds; compares no
 // addresses, so that a conversation may be destroyed, moved, or made anew in the same place.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +19,13 @@ enum class standing : std::uint8_t {
     waits,
     is_next, ///< waits, and its turn comes before that of all others that wait
     is_last, ///< asked last
+};
+
+/// What came of a conversation's turn.
+enum class turn_result : std::uint8_t {
+    asked,  ///< its request was taken
+    waits,  ///< it is not its turn
+    passed, ///< it has no request now, its unit is held, or its request was refused
 };
 
 /// The turns on one line.
@@ -59,8 +67,8 @@ public:
         return who.ticket_ == number_ and who.turns_ == this;
     }
 
-    /// The same, also where it has given up its request. Inlined: 16 bytes less on a Cortex-M0+.
-    [[nodiscard, gnu::always_inline]] constexpr bool is_last(asker const& who) const noexcept
+    /// The same, also where it has given up its request.
+    [[nodiscard]] constexpr bool is_last(asker const& who) const noexcept
     {
         return who.ticket_ - number_ <= asker::given_up and who.turns_ == this;
     }
@@ -84,7 +92,7 @@ public:
     /// A conversation that may have to wait visits. The next in turn is the first that visits twice, beginning after
     /// the one that asked, so that one that is gone in the next pass is never the next. It stays the next while it
     /// visits; otherwise the first that visits twice meanwhile is next. A function of its own, which is smaller.
-    [[gnu::noinline]] constexpr standing visit(asker& who) noexcept
+    constexpr standing visit(asker& who) noexcept
     {
         if (is_last(who)) {
             return standing::is_last;

@@ -21,21 +21,25 @@ using byte_view = std::span<std::byte const>;
 using byte_span = std::span<std::byte>;
 
 /// The low eight bits of a value as a byte.
+/// Internal.
 [[nodiscard]] constexpr std::byte to_byte(std::uint32_t value) noexcept
 {
     return static_cast<std::byte>(value & 0xFFU);
 }
 
 /// A byte as a number.
+/// Internal.
 [[nodiscard]] constexpr std::uint8_t to_u8(std::byte value) noexcept { return static_cast<std::uint8_t>(value); }
 
 /// Two bytes, most significant first, as a number.
+/// Internal.
 [[nodiscard]] constexpr std::uint16_t to_u16(std::byte high, std::byte low) noexcept
 {
     return static_cast<std::uint16_t>((std::uint32_t{to_u8(high)} << 8U) | to_u8(low));
 }
 
 /// The big-endian word at an offset. The caller has checked that `offset + 2 <= bytes.size()`.
+/// Internal.
 [[nodiscard]] constexpr std::uint16_t u16_at(byte_view bytes, std::size_t offset) noexcept
 {
     // From one pointer: compilers then load both bytes at once.
@@ -44,6 +48,7 @@ using byte_span = std::span<std::byte>;
 }
 
 /// Writes a word as two bytes, most significant first.
+/// Internal.
 constexpr void put_u16(std::byte* at, std::uint16_t value) noexcept
 {
     at[0] = to_byte(std::uint32_t{value} >> 8U);
@@ -51,6 +56,7 @@ constexpr void put_u16(std::byte* at, std::uint16_t value) noexcept
 }
 
 /// Eight bytes, the first in the lowest bits.
+/// Internal.
 [[nodiscard]] constexpr std::uint64_t word_at(std::byte const* at) noexcept
 {
     return std::uint64_t{to_u8(at[0])} | std::uint64_t{to_u8(at[1])} << 8U | std::uint64_t{to_u8(at[2])} << 16U |
@@ -59,6 +65,7 @@ constexpr void put_u16(std::byte* at, std::uint16_t value) noexcept
 }
 
 /// Whether two views hold the same bytes.
+/// Internal.
 [[nodiscard]] constexpr bool same_bytes(byte_view left, byte_view right) noexcept
 {
     if (left.size() != right.size()) {
@@ -108,7 +115,6 @@ public:
     }
 
     /// Appends `count` bytes that the caller writes, at once; null, and not ok, when they do not fit.
-    /// Force-inlined: the call would cost as much as the work.
     [[nodiscard, gnu::always_inline]] constexpr std::byte* take(std::size_t count) noexcept
     {
         if (not room_for(count)) {

@@ -3,6 +3,7 @@
 //
 // Where a class gets a setting from: a copy in the object (`stored`), or a constant of the program
 // (`constant`), which takes no memory and lets the compiler calculate with it. Both are read by `get`.
+// Internal: may change with any version.
 #pragma once
 
 #include <type_traits>

@@ -33,6 +33,7 @@ enum class crc_form : std::uint8_t {
 
 /// The form in use: the program's choice by `-DRTUWIRE_CRC_FORM=byte_table`, or carry-less multiplication
 /// where the processor has it, the form without tables on 32 bits, `host` elsewhere.
+/// Internal.
 inline constexpr crc_form default_crc_form = crc_form::RTUWIRE_CRC_FORM;
 
 /// A CRC that is updated byte by byte, so that a receiver has it when the last byte arrives. Over a whole

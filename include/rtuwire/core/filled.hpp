@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // An array of equal values, for types without a default value.
+// Internal: may change with any version.
 #pragma once
 
 #include <array>

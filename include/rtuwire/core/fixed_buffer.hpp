@@ -3,6 +3,7 @@
 //
 // An array with a length, for bytes whose number is known only after encoding. Owns its storage,
 // never allocates, and never holds more than its capacity.
+// Internal: may change with any version.
 #pragma once
 
 #include <array>

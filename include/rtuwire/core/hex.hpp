@@ -15,6 +15,7 @@
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The text of a hexadecimal literal, as a template argument.
+/// Internal.
 template <std::size_t Size> struct hex_literal {
     char literal[Size]{};
 
@@ -40,6 +41,7 @@ template <std::size_t Size> struct hex_literal {
 void a_hex_literal_holds_only_hexadecimal_digits_and_spaces();
 
 /// The value of one hexadecimal digit of a literal.
+/// Internal.
 [[nodiscard]] constexpr std::uint8_t hex_digit(char digit) noexcept
 {
     if (digit >= '0' and digit <= '9') {

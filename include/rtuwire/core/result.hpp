@@ -36,6 +36,7 @@ enum class errc : std::uint8_t;
 [[noreturn]] inline void a_failed_result_has_an_error() noexcept { a_failed_result_has_no_value(errc{}); }
 
 /// Whether misuse is checked here: always in a constant expression.
+/// Internal.
 [[nodiscard, gnu::always_inline]] constexpr bool is_misuse_caught() noexcept
 {
     return RTUWIRE_CHECKED or __builtin_is_constant_evaluated();

@@ -41,6 +41,7 @@ struct duration {
 
 /// The longest duration: 35 minutes. Half the counter's range is 47 s more, so that an engine may add the
 /// time of its frame before a deadline looks as if it had passed.
+/// Internal.
 inline constexpr duration longest_duration{35U * 60U * 1'000'000U};
 
 constexpr duration operator+(duration left, duration right) noexcept
@@ -62,6 +63,7 @@ inline void a_duration_is_at_most_35_minutes() noexcept {}
 inline void a_duration_is_not_negative() noexcept {}
 
 /// `count` times `Size` microseconds; at run time, the nearest duration.
+/// Internal.
 template <std::uint32_t Size, std::integral Count> [[nodiscard]] constexpr duration duration_of(Count count) noexcept
 {
     if (std::cmp_less(count, 0)) {
@@ -124,6 +126,7 @@ using deadline = std::optional<instant>;
 
 /// The earliest of several times, added one by one: the same as a `deadline`, without making one for each
 /// time. Always inlined, so that it stays in registers.
+/// Internal.
 class earliest {
 public:
     [[gnu::always_inline]] constexpr void add(instant at) noexcept

@@ -58,16 +58,18 @@ struct dimensionless {
 };
 
 /// Whether every whole number of `From` steps is a whole number of `To` steps.
+/// Internal.
 template <typename From, typename To> inline constexpr bool is_finer = std::ratio_divide<From, To>::den == 1;
 
 /// Whether a `To` holds every `From`, multiplied by a factor.
+/// Internal.
 template <std::integral From, std::integral To> [[nodiscard]] consteval bool holds_all(std::intmax_t factor) noexcept
 {
     using from = std::numeric_limits<From>;
     using to = std::numeric_limits<To>;
-    bool const has_sign = std::cmp_less(from::min(), 0);
-    return std::cmp_less_equal(from::max(), std::intmax_t{to::max()} / factor) and
-           (not has_sign or std::cmp_less_equal(std::intmax_t{to::min()} / factor, from::min()));
+    bool const has_sign = std::cmp_less((from::min)(), 0);
+    return std::cmp_less_equal((from::max)(), std::intmax_t{(to::max)()} / factor) and
+           (not has_sign or std::cmp_less_equal(std::intmax_t{(to::min)()} / factor, (from::min)()));
 }
 
 /// Not constexpr, so that in a constant expression the compiler reports this name. At run time it does
@@ -116,10 +118,10 @@ private:
     template <std::integral Count> static constexpr Rep nearest(Count count) noexcept
     {
         using limits = std::numeric_limits<Rep>;
-        bool const is_below = std::cmp_less(count, limits::min());
-        if (is_below or std::cmp_greater(count, limits::max())) {
+        bool const is_below = std::cmp_less(count, (limits::min)());
+        if (is_below or std::cmp_greater(count, (limits::max)())) {
             this_amount_does_not_fit_the_target();
-            return is_below ? limits::min() : limits::max();
+            return is_below ? (limits::min)() : (limits::max)();
         }
         return static_cast<Rep>(count);
     }
@@ -137,16 +139,16 @@ template <typename Target, std::integral Rep, typename Scale>
     using to = std::numeric_limits<target_rep>;
     using wide = std::numeric_limits<std::int64_t>;
     std::int64_t const count = amount.count();
-    bool const is_above = count > wide::max() / factor::num;
-    bool const is_below = count < wide::min() / factor::num;
-    std::int64_t const steps = is_above ? wide::max() : is_below ? wide::min() : count * factor::num / factor::den;
-    if (is_above or std::cmp_greater(steps, to::max())) {
+    bool const is_above = count > (wide::max)() / factor::num;
+    bool const is_below = count < (wide::min)() / factor::num;
+    std::int64_t const steps = is_above ? (wide::max)() : is_below ? (wide::min)() : count * factor::num / factor::den;
+    if (is_above or std::cmp_greater(steps, (to::max)())) {
         this_amount_does_not_fit_the_target();
-        return Target{to::max()};
+        return Target{(to::max)()};
     }
-    if (is_below or std::cmp_less(steps, to::min())) {
+    if (is_below or std::cmp_less(steps, (to::min)())) {
         this_amount_does_not_fit_the_target();
-        return Target{to::min()};
+        return Target{(to::min)()};
     }
     return Target{static_cast<target_rep>(steps)};
 }
@@ -200,9 +202,11 @@ template <char... Digits> struct decimal {
     {
         bool after_point = false;
         std::intmax_t steps = 1;
-        ((after_point = after_point or Digits == '.',
-          steps *= after_point and Digits != '.' and Digits != '\'' ? 10 : 1),
-         ...);
+        auto const read = [&](char digit) {
+            after_point = after_point or digit == '.';
+            steps *= after_point and digit != '.' and digit != '\'' ? 10 : 1;
+        };
+        (read(Digits), ...);
         return steps;
     }
 

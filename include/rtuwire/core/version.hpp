@@ -1,12 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The version of rtuwire and how it is built. Everything is in an inline namespace that names the version and
-// the switches that change code, so that two files of one program that were built differently (say, one with
-// -mpclmul) do not share a function by mistake. User code leaves it out: `rtuwire::client`.
+// The version of rtuwire, the language that it needs, and how it is built. Everything is in an inline namespace
+// that names the version and the switches that change code, so that two files of one program that were built
+// differently (say, one with -mpclmul) do not share a function by mistake. User code leaves it out:
+// `rtuwire::client`. Every header includes this one before its own first declaration.
 #pragma once
 
-/// The version, as major * 10000 + minor * 100 + patch.
+// The flag to add, in the words of the tool that runs the compiler.
+#if __cplusplus < 202002L && (!defined(_MSVC_LANG) || _MSVC_LANG < 202002L)
+#if __cplusplus > 201703L
+#error "rtuwire needs C++20, of which this compiler has only a part: GCC 12, Clang 14 or later"
+#elif defined(PLATFORMIO)
+#error "rtuwire needs C++20. platformio.ini: build_unflags = -std=gnu++11 -std=gnu++17, build_flags = -std=gnu++20"
+#elif defined(ARDUINO)
+#error "rtuwire needs C++20. platform.local.txt beside the board's platform.txt: compiler.cpp.extra_flags=-std=gnu++20"
+#elif defined(ESP_PLATFORM)
+#error "rtuwire needs C++20. CMakeLists.txt: target_compile_options(${COMPONENT_LIB} PRIVATE -std=gnu++20)"
+#else
+#error "rtuwire needs C++20. GCC and Clang: -std=c++20; CMake: target_compile_features(<target> PRIVATE cxx_std_20)"
+#endif
+#endif
+
+/// The version for the preprocessor: major * 10000 + minor * 100 + patch.
 #define RTUWIRE_VERSION 100
 
 /// Whether reading the value of a result that has none, or a register that a view does not have, is caught at
@@ -39,17 +55,17 @@
 #endif
 #endif
 
-#define RTUWIRE_JOIN_NAMES(version, checked, form) version##_##checked##_##form
+#define RTUWIRE_JOIN_NAMES(version, checked, form) v##version##_##checked##_##form
 #define RTUWIRE_JOIN(version, checked, form) RTUWIRE_JOIN_NAMES(version, checked, form)
 #if RTUWIRE_CHECKED
-#define RTUWIRE_BUILD RTUWIRE_JOIN(v0_1, checked, RTUWIRE_CRC_FORM)
+#define RTUWIRE_BUILD RTUWIRE_JOIN(RTUWIRE_VERSION, checked, RTUWIRE_CRC_FORM)
 #else
-#define RTUWIRE_BUILD RTUWIRE_JOIN(v0_1, unchecked, RTUWIRE_CRC_FORM)
+#define RTUWIRE_BUILD RTUWIRE_JOIN(RTUWIRE_VERSION, unchecked, RTUWIRE_CRC_FORM)
 #endif
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// The version, for programs: major * 10000 + minor * 100 + patch.
+/// The same version for the language.
 inline constexpr int version = RTUWIRE_VERSION;
 
 } // namespace rtuwire

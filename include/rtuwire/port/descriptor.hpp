@@ -3,6 +3,7 @@
 //
 // A POSIX file descriptor of a serial line: owned, read and written with deadlines. Turns every failure into
 // an errc, and reports a vanished device at once and at each further call.
+// Internal: may change with any version.
 #pragma once
 
 #include <cerrno>

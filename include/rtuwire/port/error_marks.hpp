@@ -3,6 +3,7 @@
 //
 // What a terminal delivers when it marks damaged bytes (termios, PARMRK): FF 00 x is a byte x with a parity
 // or framing error, FF 00 00 also a break, and FF FF is an undamaged byte FF.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>

@@ -3,6 +3,7 @@
 //
 // A serial device locked against other programs. Undoes what it changed, in whichever way it closes: the
 // kernel keeps the flag of TIOCEXCL as long as any process has the device open.
+// Internal: may change with any version.
 #pragma once
 
 #include <cerrno>

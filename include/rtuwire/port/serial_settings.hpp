@@ -94,6 +94,7 @@ struct serial_settings {
 }
 
 /// The control flags of a character format: 8 data bits, parity, stop bits, receiver on, no modem lines.
+/// Internal.
 [[nodiscard]] inline tcflag_t control_flags(character_format format) noexcept
 {
     tcflag_t const common = CS8 | CREAD | CLOCAL;
@@ -108,12 +109,14 @@ struct serial_settings {
 
 /// The driver's part of a device number, as Linux encodes it. <sys/sysmacros.h> has a function for it, but
 /// defines macros called `major` and `minor`.
+/// Internal.
 [[nodiscard]] constexpr unsigned device_major(std::uint64_t number) noexcept
 {
     return static_cast<unsigned>(number >> 8U & 0xFFFU) | static_cast<unsigned>(number >> 32U & 0xFFFF'F000U);
 }
 
 /// Whether a device is a pseudo-terminal, which has no wire and so no parity.
+/// Internal.
 [[nodiscard]] inline bool is_pseudo_terminal([[maybe_unused]] int device) noexcept
 {
 #ifdef __linux__
@@ -131,11 +134,13 @@ struct serial_settings {
 }
 
 /// Input flags that let a device mark the bytes that arrived damaged; `error_marks` reads the marks.
+/// Internal.
 inline constexpr tcflag_t marks_errors = INPCK | PARMRK;
 
 /// Sets up an open device; bytes pass unchanged, except as the input flags say. Errors: `device_not_serial`,
 /// `device_setting_refused` when the device does not keep the bit rate, the character format or the input
 /// flags.
+/// Internal.
 [[nodiscard]] inline result<void> apply_line(int device, serial_settings const& settings,
                                              tcflag_t input_flags = 0) noexcept
 {
@@ -173,6 +178,7 @@ inline constexpr tcflag_t marks_errors = INPCK | PARMRK;
 }
 
 /// Asks the driver to pass bytes on at once. Where it is not offered, only time is lost.
+/// Internal.
 inline void request_low_latency([[maybe_unused]] int device) noexcept
 {
 #if defined(TIOCGSERIAL) && defined(ASYNC_LOW_LATENCY)
@@ -186,6 +192,7 @@ inline void request_low_latency([[maybe_unused]] int device) noexcept
 
 /// Asks the driver for RS-485 direction control. Error: `device_setting_refused` where it is required
 /// and not offered.
+/// Internal.
 [[nodiscard]] inline result<void> apply_rs485([[maybe_unused]] int device, rs485_mode mode) noexcept
 {
     if (mode == rs485_mode::leave) {

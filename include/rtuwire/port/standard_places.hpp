@@ -3,6 +3,7 @@
 //
 // Keeps a serial line off the descriptor numbers 0, 1 and 2. A program may be started with these closed; the
 // line would get one of them, and what the program prints would go to the drives.
+// Internal: may change with any version.
 #pragma once
 
 #include <array>

@@ -5,6 +5,7 @@
 // its response may come, which the length rules of requests would misread. It is not certain to come: the
 // next frame of that unit and function may be a request again. A receiver of responses needs none of this,
 // and it costs nothing there.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
@@ -69,12 +70,8 @@ public:
         return {next, is_request or response == size, not is_request, may and next == size + 1U};
     }
 
-    /// The size by the rule of one direction; 0 where it gives none. Not inlined, because it is called twice:
-    /// that saves 170 bytes.
-    [[gnu::noinline]] static constexpr std::size_t rule_size(direction dir, byte_view so_far) noexcept
-    {
-        return size_hint(dir, so_far);
-    }
+    /// The size by the rule of one direction; 0 where it gives none.
+    static constexpr std::size_t rule_size(direction dir, byte_view so_far) noexcept { return size_hint(dir, so_far); }
 
     /// Whether a frame with these first bytes may be a request. One response in 65 536 has a right CRC where
     /// a request would have it; few of these hold a quantity that functions 01 to 04 allow.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Where a frame begins in the framer's memory.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>

@@ -22,6 +22,34 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+namespace detail {
+
+/// Loads what the other side stores: an acquiring load sees all that was written before the releasing store it reads.
+template <typename T> [[nodiscard]] constexpr T load(T const& from) noexcept
+{
+    return std::is_constant_evaluated() ? from : __atomic_load_n(&from, __ATOMIC_ACQUIRE);
+}
+template <typename T> constexpr void store(T& to, T value) noexcept
+{
+    if (std::is_constant_evaluated()) {
+        to = value;
+    } else {
+        __atomic_store_n(&to, value, __ATOMIC_RELEASE);
+    }
+}
+
+/// Reports an overrun. A server that counts overruns has a separate function for it.
+template <typename Engine> constexpr void report_overrun(Engine& engine, instant at) noexcept
+{
+    if constexpr (requires { engine.receive_overrun(at); }) {
+        engine.receive_overrun(at);
+    } else {
+        engine.receive_error(at);
+    }
+}
+
+} // namespace detail
+
 /// Passes the events of a line from interrupts to a loop. The interrupts call `receive`, `receive_error`,
 /// `receive_overrun` and `sent`; they all have one priority, so that none of them interrupts another. The
 /// loop calls `deliver_to`. Both take their times from the same clock.
@@ -90,7 +118,7 @@ public:
     /// server. Later events wait for the next call, so that time never goes back.
     template <typename Engine> constexpr void deliver_to(Engine& engine, instant now) noexcept
     {
-        index const end = load(in_);
+        index const end = detail::load(in_);
         while (out_ != end) {
             if (not reached(now, time_of(out_)) and not is_told_drop(out_)) {
                 return;
@@ -99,7 +127,7 @@ public:
         }
         // Bytes were dropped and no event has come after them. Their times are not known here: the line is
         // taken to have been busy until now.
-        if (load(has_dropped_) != 0 and not has_told_ and load(in_) == end) {
+        if (detail::load(has_dropped_) != 0 and not has_told_ and detail::load(in_) == end) {
             has_told_ = true;
             told_at_ = now;
             tell_drop(engine, now);
@@ -110,8 +138,8 @@ public:
     /// sleeps only when it is true, and unmasks: then no interrupt comes between the check and the sleep.
     [[nodiscard]] constexpr bool is_empty() const noexcept
     {
-        bool const has_drop_to_tell = load(has_dropped_) != 0 and not has_told_;
-        return load(in_) == out_ and not has_drop_to_tell;
+        bool const has_drop_to_tell = detail::load(has_dropped_) != 0 and not has_told_;
+        return detail::load(in_) == out_ and not has_drop_to_tell;
     }
 
     /// In the loop: how often bytes were dropped because the queue was full; the number of receive errors
@@ -124,20 +152,6 @@ private:
     /// Two places are always kept free for "sent": the second is for a drop that must come before it.
     static constexpr std::size_t kept_for_sent = 2;
 
-    // An acquiring load sees all that was written before the releasing store it reads.
-    template <typename T> static constexpr T load(T const& from) noexcept
-    {
-        return std::is_constant_evaluated() ? from : __atomic_load_n(&from, __ATOMIC_ACQUIRE);
-    }
-    template <typename T> static constexpr void store(T& to, T value) noexcept
-    {
-        if (std::is_constant_evaluated()) {
-            to = value;
-        } else {
-            __atomic_store_n(&to, value, __ATOMIC_RELEASE);
-        }
-    }
-
     static constexpr std::size_t place_of(index position) noexcept { return position % Capacity; }
 
     constexpr instant time_of(index position) const noexcept { return instant{times_[place_of(position)]}; }
@@ -146,24 +160,24 @@ private:
 
     constexpr void put(kind what, std::byte value, instant at) noexcept
     {
-        std::size_t const free = Capacity - static_cast<index>(written_ - load(out_));
+        std::size_t const free = Capacity - static_cast<index>(written_ - detail::load(out_));
         std::size_t const wanted = 1U + has_dropped_;
         bool const is_sent = what == kind::sent;
         if (free < (is_sent ? 1U : wanted + kept_for_sent)) {
             dropped_at_ = at;
             // In this order: the loop that sees the drop also sees all that came before it.
             publish();
-            store(has_dropped_, std::uint8_t{1});
+            detail::store(has_dropped_, std::uint8_t{1});
             return;
         }
         if (has_dropped_ != 0 and free >= wanted) {
             write(kind::drop, {}, dropped_at_);
-            store(has_dropped_, std::uint8_t{0});
+            detail::store(has_dropped_, std::uint8_t{0});
         }
         write(what, value, at);
     }
 
-    constexpr void publish() noexcept { store(in_, written_); }
+    constexpr void publish() noexcept { detail::store(in_, written_); }
 
     constexpr void write(kind what, std::byte value, instant at) noexcept
     {
@@ -189,11 +203,11 @@ private:
             deliver_bytes(engine, end, at);
             return;
         }
-        store(out_, next(out_));
+        detail::store(out_, next(out_));
         switch (what) {
         case kind::byte: break;
         case kind::error: engine.receive_error(at); break;
-        case kind::overrun: tell_overrun(engine, at); break;
+        case kind::overrun: detail::report_overrun(engine, at); break;
         case kind::sent: engine.sent(at); break;
         case kind::drop:
             if (not was_told) { // else reported already
@@ -216,24 +230,14 @@ private:
             bytes[count++] = values_[place_of(out)];
             out = next(out);
         } while (out != end and kinds_[place_of(out)] == kind::byte and time_of(out) == at);
-        store(out_, out);
+        detail::store(out_, out);
         engine.receive(byte_view{bytes.data(), count}, at);
     }
 
     template <typename Engine> constexpr void tell_drop(Engine& engine, instant at) noexcept
     {
         ++overflows_;
-        tell_overrun(engine, at);
-    }
-
-    /// A server that counts overruns has a separate function for it.
-    template <typename Engine> static constexpr void tell_overrun(Engine& engine, instant at) noexcept
-    {
-        if constexpr (requires { engine.receive_overrun(at); }) {
-            engine.receive_overrun(at);
-        } else {
-            engine.receive_error(at);
-        }
+        detail::report_overrun(engine, at);
     }
 
     // Written by the interrupt.

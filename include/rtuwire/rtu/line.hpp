@@ -18,6 +18,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 enum class character_format : std::uint8_t { even_8_1, odd_8_1, none_8_1, none_8_2 };
 
 /// Bits of one character, start bit included: 10 or 11.
+/// Internal.
 [[nodiscard]] constexpr std::uint32_t bits_per_character(character_format format) noexcept
 {
     return format == character_format::none_8_1 ? 10 : 11;

@@ -25,6 +25,7 @@ struct device_object {
 };
 
 /// The largest object number of an access category: 02, 7F or FF.
+/// Internal.
 [[nodiscard]] constexpr std::uint8_t last_object_of(identification_access access) noexcept
 {
     if (access == identification_access::basic) {
@@ -34,6 +35,7 @@ struct device_object {
 }
 
 /// The conformity level of a device whose largest object number is `last_object`, with single access: 81, 82 or 83.
+/// Internal.
 [[nodiscard]] constexpr std::uint8_t conformity_of(std::uint8_t last_object) noexcept
 {
     if (last_object > last_object_of(identification_access::regular)) {
@@ -100,6 +102,7 @@ constexpr void write_object(byte_writer& out, device_object const& object) noexc
 }
 
 /// The bytes of objects known at compile time.
+/// Internal.
 template <auto const& Objects> [[nodiscard]] consteval auto bytes_of() noexcept
 {
     constexpr std::size_t size = [] {
@@ -118,6 +121,7 @@ template <auto const& Objects> [[nodiscard]] consteval auto bytes_of() noexcept
 }
 
 /// The storage of these bytes.
+/// Internal.
 template <auto const& Objects> inline constexpr auto object_bytes = bytes_of<Objects>();
 
 /// The identity made of objects known at compile time: an array, or a std::array, of `device_object` at namespace or
@@ -133,6 +137,7 @@ inline constexpr device_objects identity_of = [] {
 /// `illegal_function` for a type other than 14 or without objects, `illegal_data_value` for another size or access,
 /// `illegal_data_address` for a single object that does not exist. A stream that asks for an unknown object starts at
 /// the first.
+/// Internal.
 [[nodiscard]] constexpr errc write_identification(pdu_buffer& pdu, device_objects const& objects) noexcept
 {
     constexpr std::size_t request_size = read_device_identification::max_size;

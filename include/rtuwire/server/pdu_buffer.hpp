@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // The memory of a PDU: a server writes its response over the request, in the memory of the frame.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>

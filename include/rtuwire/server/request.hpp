@@ -24,13 +24,28 @@ struct server_profile {
     device_objects identity{}; ///< without objects, function 43 is not supported
 };
 
+/// The head of a request, decoded once: what executes, refuses and counts it takes this, and reads no byte again.
+/// Internal.
+struct request_head {
+    function_code function;
+    bool is_broadcast; ///< to every unit: no response is sent
+
+    /// Whether it has an effect: a broadcast has one with functions 06 and 16 only.
+    [[nodiscard]] constexpr bool has_effect() const noexcept
+    {
+        return not is_broadcast or function == function_code::write_single_register or
+               function == function_code::write_multiple_registers;
+    }
+};
+
 /// The registers that a request of function 03, 06, 16 or 23 reads and writes. A half that the function does not have
 /// has quantity 0.
+/// Internal.
 struct register_access {
     register_view values{}; ///< a view of the request's bytes
     std::size_t read_count{0};
     std::uint16_t write_start{0};
-    std::uint16_t read_start; ///< set by `decode_access`
+    std::uint16_t read_start{0};
 
     static constexpr std::size_t read_half_size = 4;
 
@@ -72,17 +87,15 @@ struct register_access {
     }
 };
 
-/// Decodes a request of functions 03, 06, 16 and 23 into `access`. `illegal_function` for any other function and for
-/// one with a limit of 0; `illegal_data_value` when quantity, byte count and size do not agree or a limit of the
-/// device is exceeded; `access` is then undefined. Force-inlined, so that small processors keep it in registers.
-[[nodiscard, gnu::always_inline]] inline constexpr errc decode_access(byte_view pdu, device_limits const& limits,
-                                                                      register_access& access) noexcept
+/// Decodes the fields of a request of functions 03, 06, 16 and 23, which follow the function, into `access`.
+/// `illegal_function` for any other function and for one with a limit of 0; `illegal_data_value` when quantity, byte
+/// count and size do not agree or a limit of the device is exceeded; `access` is then undefined.
+/// Internal.
+[[nodiscard]] constexpr errc decode_access(function_code function, byte_view fields, device_limits const& limits,
+                                           register_access& access) noexcept
 {
-    auto const function = static_cast<function_code>(to_u8(pdu[0]));
     bool const is_read = function == function_code::read_holding_registers;
-    byte_view fields = pdu.subspan(1);
     std::size_t write_limit = 0;
-    access.read_start = 0;
     if (function == function_code::write_single_register) {
         return access.take_value(fields) ? errc::none : errc::illegal_data_value;
     }

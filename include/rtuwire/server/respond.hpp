@@ -20,6 +20,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Executes functions 03, 06, 16 and 23: both halves are checked before the write, and the write comes before the
 /// read. The words read are appended to `out`.
+/// Internal.
 template <register_bank Bank>
 [[nodiscard]] constexpr errc access_registers(register_access const& asked, Bank& bank, byte_writer& out) noexcept
 {
@@ -42,13 +43,15 @@ template <register_bank Bank>
 }
 
 /// Answers a request of functions 03, 06, 16 and 23.
+/// Internal.
 template <register_bank Bank>
-[[nodiscard]] constexpr errc respond_to_access(pdu_buffer& pdu, Bank& bank, server_profile const& profile) noexcept
+[[nodiscard]] constexpr errc respond_to_access(function_code function, pdu_buffer& pdu, Bank& bank,
+                                               server_profile const& profile) noexcept
 {
     constexpr std::size_t echo_size = 5;
     constexpr std::size_t head_size = 2;
     register_access asked;
-    if (errc const wrong = decode_access(pdu.view(), profile.limits, asked); wrong != errc::none) {
+    if (errc const wrong = decode_access(function, pdu.view().subspan(1), profile.limits, asked); wrong != errc::none) {
         return wrong;
     }
     byte_writer out{pdu.bytes.subspan(head_size)};
@@ -58,20 +61,21 @@ template <register_bank Bank>
     if (out.size() != 2U * asked.read_count) {
         return errc::server_device_failure;
     }
-    pdu.size = echo_size; // the bytes that a write repeats are in place
-    if (asked.read_count > 0) {
+    bool const reads = asked.read_count > 0;
+    if (reads) {
         pdu.bytes[1] = static_cast<std::byte>(out.size());
-        pdu.size = head_size + out.size();
     }
+    // The bytes that a write repeats are in place.
+    pdu.size = reads ? head_size + out.size() : echo_size;
     return errc::none;
 }
 
-/// Answers any request; an error is the exception to send.
+/// Answers a request of a function below 80; an error is the exception to send.
+/// Internal.
 template <register_bank Bank, typename Diagnostics>
-[[nodiscard]] constexpr errc respond_to(pdu_buffer& pdu, Bank& bank, server_profile const& profile,
-                                        Diagnostics& line) noexcept
+[[nodiscard]] constexpr errc respond_to(function_code function, pdu_buffer& pdu, Bank& bank,
+                                        server_profile const& profile, Diagnostics& line) noexcept
 {
-    auto const function = static_cast<function_code>(to_u8(pdu.bytes[0]));
     if (not profile.functions.contains(function)) {
         return errc::illegal_function;
     }
@@ -81,7 +85,24 @@ template <register_bank Bank, typename Diagnostics>
     if (function == function_code::encapsulated_interface) {
         return write_identification(pdu, profile.identity);
     }
-    return respond_to_access(pdu, bank, profile);
+    return respond_to_access(function, pdu, bank, profile);
+}
+
+/// Replaces a request PDU of a function below 80 by its response or an exception; returns the exception, or none.
+/// Internal.
+template <register_bank Bank, typename Diagnostics>
+constexpr errc execute(function_code function, pdu_buffer& pdu, Bank& bank, server_profile const& profile,
+                       Diagnostics& line) noexcept
+{
+    errc const wrong = respond_to(function, pdu, bank, profile, line);
+    if (wrong != errc::none) {
+        pdu.bytes[0] |= std::byte{exception_bit};
+        // An error that has no code on the wire (a local cause, `unlisted_exception`) is sent as 04.
+        bool const has_code = static_cast<std::uint8_t>(wrong) < static_cast<std::uint8_t>(errc::unlisted_exception);
+        pdu.bytes[1] = static_cast<std::byte>(has_code ? wrong : errc::server_device_failure);
+        pdu.size = 2;
+    }
+    return wrong;
 }
 
 /// Replaces a request PDU sent to one unit by its response or an exception (function + 80, code). In this order:
@@ -97,6 +118,7 @@ template <register_bank Bank, typename Diagnostics>
 ///   words, 04.
 /// An error of a bank that is no exception code below 7F is sent as 04. A normal response holds the words read (03,
 /// 23), or the first five bytes of the request (06, 16).
+/// Internal.
 template <register_bank Bank, typename Diagnostics>
 constexpr void respond_in_place(pdu_buffer& pdu, Bank& bank, server_profile const& profile, Diagnostics& line) noexcept
 {
@@ -104,14 +126,7 @@ constexpr void respond_in_place(pdu_buffer& pdu, Bank& bank, server_profile cons
         pdu.size = 0;
         return;
     }
-    std::uint8_t const function = to_u8(pdu.bytes[0]);
-    errc const wrong = respond_to(pdu, bank, profile, line);
-    if (wrong != errc::none) {
-        pdu.bytes[0] = to_byte(function | exception_bit);
-        // An error that has no code on the wire (a local cause, `unlisted_exception`) is sent as 04.
-        pdu.bytes[1] = static_cast<std::byte>(wrong < errc::unlisted_exception ? wrong : errc::server_device_failure);
-        pdu.size = 2;
-    }
+    static_cast<void>(execute(static_cast<function_code>(to_u8(pdu.bytes[0])), pdu, bank, profile, line));
 }
 
 /// The same for a request in other memory. Writes the response into `out`, of at least 253 bytes, and returns the
@@ -138,13 +153,6 @@ template <register_bank Bank>
 {
     loopback_only line;
     return respond(request_pdu, bank, profile, out, line);
-}
-
-/// Whether a request has an effect as a broadcast: functions 06 and 16. No response is sent to it.
-[[nodiscard]] constexpr bool may_be_broadcast(byte_view request_pdu) noexcept
-{
-    return is_pdu_of(request_pdu, function_code::write_single_register) or
-           is_pdu_of(request_pdu, function_code::write_multiple_registers);
 }
 
 } // namespace rtuwire

@@ -25,11 +25,12 @@ template <register_bank Bank, typename Diagnostics>
     if (not is_meant or check_frame(place.first(size)) != errc::none) {
         return {};
     }
-    pdu_buffer pdu{place.subspan(1).first<max_pdu_size>(), size - adu_overhead};
-    if (is_broadcast and not may_be_broadcast(pdu.view())) {
+    request_head const asked{static_cast<function_code>(to_u8(place[1])), is_broadcast};
+    if (not asked.has_effect() or to_u8(asked.function) >= exception_bit) {
         return {};
     }
-    respond_in_place(pdu, bank, profile, line);
+    pdu_buffer pdu{place.subspan(1).first<max_pdu_size>(), size - adu_overhead};
+    static_cast<void>(execute(asked.function, pdu, bank, profile, line));
     return is_broadcast or pdu.size == 0 ? byte_span{} : append_crc(place, pdu.size);
 }
 

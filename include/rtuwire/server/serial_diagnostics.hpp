@@ -17,6 +17,7 @@
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The counting functions of a server without counters.
+/// Internal.
 struct no_counts {
     static constexpr void note_message() noexcept {}
     static constexpr void note_error() noexcept {}
@@ -28,6 +29,7 @@ struct no_counts {
 };
 
 /// A server without function 08: exception 01.
+/// Internal.
 struct no_diagnostics : no_counts {
     [[nodiscard]] static constexpr errc response(pdu_buffer&) noexcept { return errc::illegal_function; }
 };
@@ -70,6 +72,7 @@ struct loopback_only : no_counts {
 /// (0000) sets 12 to 0. 04 (0000) begins the listen-only mode: it gets no response, and after it only a sub-function
 /// 01 with allowed data to this unit is executed, also without a response (0F is 1 after it). In listen-only mode
 /// nothing is an exception.
+/// Internal.
 class serial_diagnostics {
 public:
     /// Replaces a request of function 08 by its response: 00: its own data; 02 and 0B to 12: a word; 01, 03, 0A and

@@ -4,15 +4,18 @@
 // The server on a line (SL 2.4.2): receives requests to its unit and broadcasts, responds to the former, and sends
 // nothing else. Owns neither the wire, nor a clock, nor the registers.
 //
-//   phase         event                                          -> next phase
-//   listening     a whole request to this unit or everyone       -> asked
-//   asked         serve                                          -> responding; listening where no response is due
-//                 bytes; its time limit                          -> listening, the request is dropped
-//   responding    poll_transmit after t3.5 of silence            -> transmitting
-//                 bytes; its time limit                          -> listening, the response is dropped
-//   transmitting  sent                                           -> listening
-//                 its time limit                                 -> listening after the next silence
+//   event                                  listening  asked       responding    transmitting
+//   a whole request to this unit or all    asked      asked (1)   asked (1)     stays
+//   any other byte                         stays      listening   listening     stays
+//   a damaged byte                         stays      stays       stays         stays
+//   serve, a response is due               -          responding  stays         stays
+//   serve, none is due                     -          listening   -             -
+//   poll_transmit after t3.5 of silence    stays      stays       transmitting  stays
+//   poll_transmit before                   stays      stays       stays         stays
+//   sent                                   stays      stays       stays         listening
+//   its time limit                         -          listening   listening     listening (2)
 //
+// (1) the newer one: what waited is dropped, and so it is where the table says listening. (2) after the next silence.
 // Time limit: for asked and responding, frame_end + response_limit after the request's last byte; for transmitting,
 // the time of the response's characters and response_limit more.
 #pragma once
@@ -22,7 +25,7 @@
 
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/rtu/framer.hpp>
+#include <rtuwire/rtu/frame_cutter.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/server/respond.hpp>
 #include <rtuwire/wire/unit_id.hpp>
@@ -60,6 +63,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// a request are decoded as the next frame, which may be the newer request. A response is sent when t3.5 has passed
 /// since the last byte, damaged or not; it is dropped if an undamaged byte arrives before `poll_transmit` returns it,
 /// or at the time limit. The request was executed even then.
+/// Internal.
 template <typename Diagnostics> class basic_server {
 public:
     /// Listens as `unit`; the profile, and the objects in it, must outlive the server.
@@ -150,20 +154,18 @@ public:
         }
         diagnostics_.note_request();
         pdu_buffer pdu{framer_.storage().subspan(1).first<max_pdu_size>(), pdu_size_};
-        bool const is_broadcast = to_u8(framer_.storage()[0]) == 0;
-        bool const is_meant = not is_broadcast or may_be_broadcast(pdu.view());
-        bool const is_listen_only =
-            diagnostics_.is_listen_only() and (is_broadcast or not is_pdu_of(pdu.view(), function_code::diagnostics));
-        if (is_meant and not is_listen_only) {
-            respond_in_place(pdu, bank, *profile_, diagnostics_);
-            count(pdu.view());
-        } else {
+        request_head const asked{static_cast<function_code>(to_u8(pdu.bytes[0])), is_broadcast_};
+        bool const is_restart = asked.function == function_code::diagnostics and not asked.is_broadcast;
+        if (diagnostics_.is_listen_only() and not is_restart) {
             pdu.size = 0;
-            if (not is_listen_only) {
-                diagnostics_.note_exception(errc::illegal_function);
+        } else {
+            errc const wrong = asked.has_effect() ? execute(asked.function, pdu, bank, *profile_, diagnostics_)
+                                                  : errc::illegal_function;
+            if (wrong != errc::none) {
+                diagnostics_.note_exception(wrong);
             }
         }
-        if (is_broadcast or pdu.size == 0) {
+        if (asked.is_broadcast or pdu.size == 0) {
             diagnostics_.count_no_response();
             phase_ = phase::listening;
             return;
@@ -230,6 +232,7 @@ private:
         std::uint8_t expected = exception_bit; // no response
         if (not framer_.is_foreign_response() and not heard.is_exception()) {
             if (heard.unit() == unit_ or heard.unit() == 0) {
+                is_broadcast_ = heard.unit() == 0;
                 pdu_size_ = static_cast<std::uint8_t>(heard.pdu().size());
                 until_ = framer_.last_activity() + framer_.line().frame_end() + response_limit;
                 phase_ = phase::asked;
@@ -238,13 +241,6 @@ private:
             }
         }
         framer_.note_foreign_request(heard.unit(), expected);
-    }
-
-    constexpr void count(byte_view response) noexcept
-    {
-        if (not response.empty() and (to_u8(response[0]) & exception_bit) != 0) {
-            diagnostics_.note_exception(exception_error(to_u8(response[1])));
-        }
     }
 
     /// Drops the waiting request, or its response.
@@ -260,9 +256,10 @@ private:
     phase phase_{phase::listening};
     std::uint8_t unit_;
     std::uint8_t pdu_size_{0}; ///< of the request, then of the response
+    bool is_broadcast_{false}; ///< whether the request goes to every unit
     instant until_{0};         ///< when the phase ends by itself, unless it is listening
     server_profile const* profile_;
-    framer<direction::request> framer_;
+    detail::frame_receiver<direction::request> framer_;
     [[no_unique_address]] Diagnostics diagnostics_{};
 };
 

@@ -131,7 +131,7 @@ private:
 
     static constexpr bool fits(rule const& limits, std::uint16_t word) noexcept
     {
-        std::int32_t const raw = limits.is_signed ? static_cast<std::int16_t>(word) : word;
+        std::int32_t const raw = limits.is_signed ? std::int32_t{static_cast<std::int16_t>(word)} : std::int32_t{word};
         return raw >= limits.lowest and raw <= limits.highest and not limits.gap.contains(raw) and
                has_meaning(limits.listed, word);
     }

@@ -48,27 +48,35 @@ struct link_timeout {
     bool is_adjustable{true};
 };
 
+/// What a device type has to say, each part for itself.
+/// Internal.
+template <typename T>
+concept has_name = std::convertible_to<decltype(T::name), literal>;
+/// Internal.
+template <typename T>
+concept has_functions = std::convertible_to<decltype(T::functions), function_set>;
+/// Internal.
+template <typename T>
+concept has_limits = std::convertible_to<decltype(T::limits), device_limits>;
+/// Internal.
+template <typename T>
+concept has_units = std::convertible_to<decltype(T::units), unit_range>;
+/// Internal.
+template <typename T>
+concept has_readable = std::convertible_to<decltype((T::readable)), std::span<address_range const>>;
+/// Internal.
+template <typename T>
+concept has_registers = std::convertible_to<decltype(T::registers::size), std::size_t>;
+
 /// A device type. `registers` is a `table`; `readable` lists what one read may span.
 template <typename T>
-concept device_type = requires
-{
-    {
-        T::name
-        } -> std::convertible_to<literal>;
-    {
-        T::functions
-        } -> std::convertible_to<function_set>;
-    {
-        T::limits
-        } -> std::convertible_to<device_limits>;
-    {
-        T::units
-        } -> std::convertible_to<unit_range>;
-    {std::span<address_range const>{T::readable}};
-    {
-        T::registers::size
-        } -> std::convertible_to<std::size_t>;
-};
+concept device_type =
+    has_name<T> and has_functions<T> and has_limits<T> and has_units<T> and has_readable<T> and has_registers<T>;
+
+/// Whether a device has a register, in its own steps or in others. Named, so that a compiler that says why it refuses
+/// one prints the device and the register, not the whole table.
+/// Internal.
+template <typename Device, auto const& R> inline constexpr bool has_register = Device::registers::template contains<R>;
 
 /// Never defined: reached only in a constant expression, so that the compiler prints the name.
 void unit_address_is_outside_the_range_of_this_device();
@@ -89,8 +97,16 @@ private:
     unit_id unit_;
 };
 
-/// One device on a line: its type and its unit address.
-template <device_type Device> class station {
+/// One device on a line: its type, which is a `device_type`, and its unit address.
+template <typename Device> class station {
+    static_assert(has_name<Device>, "a device has a name: `static constexpr literal name`");
+    static_assert(has_functions<Device>, "a device has functions: `static constexpr function_set functions`");
+    static_assert(has_limits<Device>, "a device has limits: `static constexpr device_limits limits`");
+    static_assert(has_units<Device>, "a device has unit addresses: `static constexpr unit_range units`");
+    static_assert(has_readable<Device>, "a device lists what a read may span: `static constexpr std::array<"
+                                        "address_range, N> readable`");
+    static_assert(has_registers<Device>, "a device has registers: `using registers = table<...>`");
+
 public:
     using device = Device;
 
@@ -116,6 +132,7 @@ private:
 };
 
 /// Whether a device implements a function.
+/// Internal.
 template <device_type Device> [[nodiscard]] constexpr bool implements(function_code function) noexcept
 {
     return Device::functions.contains(function);
@@ -123,6 +140,7 @@ template <device_type Device> [[nodiscard]] constexpr bool implements(function_c
 
 /// Whether every address from `first` to `last` can be read: each is a described register or lies in
 /// a range that the device's description calls readable.
+/// Internal.
 template <device_type Device>
 [[nodiscard]] constexpr bool is_readable_across(std::uint16_t first, std::uint16_t last) noexcept
 {

@@ -24,6 +24,7 @@ struct named_value {
 template <typename E> inline constexpr std::array<named_value, 0> enumerators{};
 
 /// A list of names, for a specialisation of `enumerators`.
+/// Internal.
 template <typename E, std::size_t Count>
 [[nodiscard]] consteval std::array<named_value, Count> name_list(named_value const (&names)[Count]) noexcept
 {
@@ -35,6 +36,7 @@ template <typename E, std::size_t Count>
 }
 
 /// The values of an enumeration that its names list; none where it has no names.
+/// Internal.
 template <typename E>
 inline constexpr auto listed_values = [] {
     std::array<std::uint16_t, enumerators<E>.size()> values{};
@@ -45,6 +47,7 @@ inline constexpr auto listed_values = [] {
 }();
 
 /// Whether a word means something, given the words that do; with an empty list, any word does.
+/// Internal.
 [[nodiscard]] constexpr bool has_meaning(std::span<std::uint16_t const> listed, std::uint16_t word) noexcept
 {
     bool is_listed = listed.empty();

@@ -42,6 +42,7 @@ struct flags {
 };
 
 /// Bits that none of the available manuals explains.
+/// Internal.
 enum class unnamed_bit : std::uint8_t {};
 
 } // namespace rtuwire

@@ -3,6 +3,7 @@
 //
 // Finds the index of a key in a list, in a few steps whatever the list's length: the compiler searches a
 // table of a hundred registers some thousand times.
+// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -59,20 +60,20 @@ public:
     [[nodiscard]] constexpr index_pair duplicate() const noexcept { return duplicate_; }
 
 private:
-    static constexpr std::size_t slots = std::bit_ceil(2 * Size + 1);
+    static constexpr std::size_t slot_count = std::bit_ceil(2 * Size + 1);
 
     /// The slot that holds the key, or the empty one where it would be.
     [[nodiscard]] constexpr std::size_t slot_of(Key const& key) const noexcept
     {
-        std::size_t slot = hash_of(key) % slots;
+        std::size_t slot = hash_of(key) % slot_count;
         while (places_[slot] != 0 and not(keys_[places_[slot] - 1U] == key)) {
-            slot = (slot + 1) % slots;
+            slot = (slot + 1) % slot_count;
         }
         return slot;
     }
 
     std::array<Key, Size> keys_;
-    std::array<std::uint16_t, slots> places_{}; ///< one more than the place; 0 where empty
+    std::array<std::uint16_t, slot_count> places_{}; ///< one more than the place; 0 where empty
     index_pair duplicate_{};
 };
 

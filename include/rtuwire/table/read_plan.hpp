@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Any registers of a device, read with the fewest requests that it allows. The compiler makes the plan; only
-// the requests' bytes and the values reach the target.
+// Any registers of a device, read with the fewest requests that it allows. The compiler makes the plan: blocks of
+// addresses, of which ask/poller.hpp makes the frames. Knows no frame.
 #pragma once
 
 #include <array>
@@ -10,8 +10,6 @@
 #include <cstdint>
 #include <span>
 
-#include <rtuwire/core/bytes.hpp>
-#include <rtuwire/core/crc16.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/request_plan.hpp>
@@ -21,6 +19,7 @@
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The addresses of some registers, rising.
+/// Internal.
 template <auto const&... Registers> [[nodiscard]] constexpr auto rising_addresses() noexcept
 {
     std::array<std::uint16_t, sizeof...(Registers)> addresses{Registers.address...};
@@ -31,8 +30,7 @@ template <auto const&... Registers> [[nodiscard]] constexpr auto rising_addresse
 /// The requests that read `Registers` of `Device`, and the type that stores the values.
 template <device_type Device, auto const&... Registers> class read_plan {
     static_assert(sizeof...(Registers) > 0, "a plan reads at least one register");
-    static_assert((Device::registers::template contains<Registers> and ...),
-                  "a plan reads registers of one device only");
+    static_assert((has_register<Device, Registers> and ...), "a plan reads registers of one device only");
     static_assert((has_own_steps<Registers> and ...),
                   "another register sets this register's steps: name them with restepped");
     static_assert(first_duplicate(std::array{Registers.address...}).second == 0, "a plan reads each register once");
@@ -49,23 +47,6 @@ public:
     static constexpr std::size_t register_count = sizeof...(Registers);
     static constexpr std::size_t request_count = plan.count;
 
-    /// The frames of all requests to one unit, complete with their CRC; a constant when the unit is one.
-    [[nodiscard]] static constexpr auto frames(std::uint8_t unit) noexcept
-    {
-        std::array<std::array<std::byte, 8>, request_count> all{};
-        for (std::size_t i = 0; i < request_count; ++i) {
-            byte_writer out{all[i]};
-            out.u8(unit);
-            out.u8(to_u8(function_code::read_holding_registers));
-            out.u16(plan.blocks[i].start);
-            out.u16(plan.blocks[i].count);
-            std::uint16_t const crc = crc16(out.written());
-            out.u8(crc);
-            out.u8(std::uint32_t{crc} >> 8U);
-        }
-        return all;
-    }
-
     /// The requests, in the order of their addresses.
     static constexpr std::span<address_block const> requests() noexcept { return plan.view(); }
 
@@ -75,7 +56,7 @@ public:
     class snapshot {
     public:
         /// The value of a register of the plan, 0 before the first round.
-        template <auto const& R> [[nodiscard]] constexpr value_of<R> get() const noexcept
+        template <auto const& R> [[nodiscard]] constexpr auto get() const noexcept
         {
             static_assert(contains<R>, "this register is not in the plan of this snapshot");
             return from_word<value_of<R>>(words_[place_of(R.address)]);

@@ -78,7 +78,7 @@ public:
         std::int64_t const product = within(std::int64_t{other} * multiplier, -most, most);
         using raw_limits = std::numeric_limits<std::int32_t>;
         return static_cast<std::int32_t>(
-            within(product * numerator_ / denominator_, raw_limits::min(), raw_limits::max()));
+            within(product * numerator_ / denominator_, (raw_limits::min)(), (raw_limits::max)()));
     }
 
 private:
@@ -95,6 +95,7 @@ private:
 };
 
 /// The smallest or largest value of a register named by another register.
+/// Internal.
 [[nodiscard]] constexpr bound share_of(literal code, std::uint16_t numerator, std::uint16_t denominator) noexcept
 {
     return bound{code, numerator, denominator};
@@ -102,18 +103,30 @@ private:
 
 /// A limit that is the product of two registers' raw counts, divided: by 10 where one of them counts
 /// tenths and the product whole units.
+/// Internal.
 [[nodiscard]] constexpr bound product_of(literal code, literal factor, std::uint16_t denominator) noexcept
 {
     return bound{code, 1, denominator, factor};
 }
 
 /// Raw counts from `first` to `last`, both included; none while `last` is below `first`.
+/// Internal.
 struct count_range {
     std::int32_t first{0};
     std::int32_t last{-1};
 
     [[nodiscard]] constexpr bool contains(std::int32_t raw) const noexcept { return raw >= first and raw <= last; }
 };
+
+/// What a row leaves out. Named constants, because a compiler copies them in half the time in which it makes them anew.
+/// Internal.
+inline constexpr bound open_bound{};
+/// Internal.
+inline constexpr literal no_text{};
+/// Internal.
+inline constexpr std::optional<std::int32_t> unknown_count{};
+/// Internal.
+inline constexpr count_range no_gap{};
 
 /// One register whose values are of type `T`: a quantity, an enumeration or a bit field.
 template <typename T> struct reg {
@@ -122,13 +135,13 @@ template <typename T> struct reg {
     literal code;          ///< the manufacturer's mnemonic, in upper case
     std::uint16_t address; ///< as it stands on the wire
     access mode{access::read_write};
-    bound min{};                           ///< in raw counts
-    bound max{};                           ///< in raw counts
-    std::optional<std::int32_t> factory{}; ///< the value as delivered, in raw counts, where known
-    literal name{};                        ///< for display
+    bound min = open_bound;                              ///< in raw counts
+    bound max = open_bound;                              ///< in raw counts
+    std::optional<std::int32_t> factory = unknown_count; ///< the value as delivered, in raw counts, where known
+    literal name = no_text;                              ///< for display
     provenance source{provenance::documented};
-    literal steps_set_by{};          ///< the register that sets the size of a step, where one does
-    count_range gap{};               ///< inside the limits, but never to be written
+    literal steps_set_by = no_text;  ///< the register that sets the size of a step, where one does
+    count_range gap = no_gap;        ///< inside the limits, but never to be written
     void const* counted_as{nullptr}; ///< the register that this one counts in other steps
 };
 
@@ -147,6 +160,7 @@ template <typename T>
 concept register_enumeration = std::is_enum_v<T> and std::same_as<std::underlying_type_t<T>, std::uint16_t>;
 
 /// A quantity that one register can hold.
+/// Internal.
 template <typename T>
 concept register_quantity = requires(T value)
 {
@@ -159,10 +173,12 @@ concept register_quantity = requires(T value)
 };
 
 /// What a register can hold.
+/// Internal.
 template <typename T>
 concept register_value = bit_field<T> or register_enumeration<T> or register_quantity<T>;
 
 /// A value as the word that stands on the wire.
+/// Internal.
 template <register_value T> [[nodiscard]] constexpr std::uint16_t to_word(T value) noexcept
 {
     if constexpr (register_quantity<T>) {
@@ -175,6 +191,7 @@ template <register_value T> [[nodiscard]] constexpr std::uint16_t to_word(T valu
 }
 
 /// The value of a word from the wire; every word has one.
+/// Internal.
 template <register_value T> [[nodiscard]] constexpr T from_word(std::uint16_t word) noexcept
 {
     if constexpr (register_quantity<T>) {
@@ -187,6 +204,7 @@ template <register_value T> [[nodiscard]] constexpr T from_word(std::uint16_t wo
 }
 
 /// The raw count of a word: negative only in a register of signed numbers.
+/// Internal.
 template <register_value T> [[nodiscard]] constexpr std::int32_t raw_count(std::uint16_t word) noexcept
 {
     if constexpr (register_quantity<T>) {
@@ -198,10 +216,12 @@ template <register_value T> [[nodiscard]] constexpr std::int32_t raw_count(std::
 
 /// Whether two references name one register. Not by address: GCC with -fsanitize=undefined does not compare
 /// the addresses of two objects in a constant expression.
+/// Internal.
 template <auto const& Left, auto const& Right> inline constexpr bool is_same_register = false;
 template <auto const& R> inline constexpr bool is_same_register<R, R> = true;
 
 /// The words that mean something in a register: those that its enumeration lists; without a list, any.
+/// Internal.
 template <register_value T> [[nodiscard]] constexpr std::span<std::uint16_t const> listed_words() noexcept
 {
     if constexpr (register_enumeration<T>) {
@@ -215,6 +235,7 @@ template <register_value T> [[nodiscard]] constexpr std::span<std::uint16_t cons
 template <auto const& R> using value_of = typename std::remove_cvref_t<decltype(R)>::value_type;
 
 /// Whether a register's steps are always the same size.
+/// Internal.
 template <auto const& R> inline constexpr bool has_own_steps = R.steps_set_by.size() == 0;
 
 /// A register whose steps another register sets, counted in steps that the caller knows. It can be named

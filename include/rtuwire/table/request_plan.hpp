@@ -3,6 +3,7 @@
 //
 // How to cover a set of addresses with the fewest requests: among the plans with the fewest, the one that
 // reads or writes the fewest registers. Knows addresses and a limit, no device and no frame.
+// Internal: may change with any version.
 #pragma once
 
 #include <array>

@@ -5,9 +5,11 @@
 // or `clamped`. Limits that depend on other registers are checked where their values are known.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <ratio>
+#include <type_traits>
 
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/units.hpp>
@@ -31,7 +33,7 @@ template <auto const& R> [[nodiscard]] constexpr std::int32_t lowest() noexcept
         return R.min.raw();
     }
     if constexpr (register_quantity<value_of<R>>) {
-        return std::numeric_limits<typename value_of<R>::rep>::min();
+        return (std::numeric_limits<typename value_of<R>::rep>::min)();
     } else {
         return 0;
     }
@@ -44,40 +46,58 @@ template <auto const& R> [[nodiscard]] constexpr std::int32_t highest() noexcept
         return R.max.raw();
     }
     if constexpr (register_quantity<value_of<R>>) {
-        return std::numeric_limits<typename value_of<R>::rep>::max();
+        return (std::numeric_limits<typename value_of<R>::rep>::max)();
     } else {
         return 0xFFFF;
     }
 }
 
-/// Whether a register's values are quantities of a dimension.
-template <typename Value, typename Dimension> inline constexpr bool measures_dimension = false;
-template <register_quantity Value, typename Dimension>
-inline constexpr bool measures_dimension<Value, Dimension> = std::same_as<typename Value::dimension, Dimension>;
+/// Whether a type is a quantity, of any dimension and width.
+/// Internal.
+template <typename T>
+concept any_quantity = requires
+{
+    typename T::dimension;
+    typename T::scale;
+};
+
+/// Whether a quantity measures what a register holds.
+/// Internal.
+template <typename Value, typename Amount> inline constexpr bool measures_the_same = false;
+template <any_quantity Value, any_quantity Amount>
+inline constexpr bool measures_the_same<Value, Amount> =
+    std::same_as<typename Value::dimension, typename Amount::dimension>;
 
 /// A value within the limits of register `R`.
 template <auto const& R> class setting {
 public:
     using value_type = value_of<R>;
 
-    /// A quantity known at compile time, a whole number of this register's steps and within its limits.
-    template <typename Dimension, std::integral Rep, typename Scale>
-        requires measures_dimension<value_type, Dimension>
-    consteval setting(quantity<Dimension, Rep, Scale> amount) noexcept : word_{word_of(amount)} {}
-
-    /// Refused: a quantity of another dimension than this register holds.
-    template <typename Dimension, std::integral Rep, typename Scale>
-        requires(not measures_dimension<value_type, Dimension>)
-    consteval setting(quantity<Dimension, Rep, Scale>) noexcept : word_{0}
+    /// A value known at compile time and within the limits: a quantity that is a whole number of this register's
+    /// steps, an enumerator or a bit field. One constructor that calls no other before it refuses: GCC prints a line
+    /// for each call above the sentence. A plain number and another dimension are taken in order to be refused in
+    /// plain words.
+    template <typename Value>
+        requires std::same_as<Value, value_type> or any_quantity<Value> or std::is_arithmetic_v<Value>
+    consteval setting(Value value) noexcept : word_{static_cast<std::uint16_t>(numerator(value) / denominator<Value>)}
     {
-        static_assert(measures_dimension<value_type, Dimension>,
+        static_assert(not std::is_arithmetic_v<Value>,
+                      "a plain number is no setting: give it a unit (3_s), or name an enumerator or bits");
+        static_assert(not any_quantity<Value> or measures_the_same<value_type, Value>,
                       "this value measures something else than the register");
-    }
-
-    /// An enumerator or bit field known at compile time.
-    consteval setting(value_type value) noexcept requires(not register_quantity<value_type>) : word_{to_word(value)}
-    {
-        refuse_outside(raw_count<value_type>(word_));
+        std::int64_t const raw = numerator(value) / denominator<Value>;
+        if (numerator(value) % denominator<Value> != 0) {
+            value_is_not_a_whole_number_of_register_steps();
+        }
+        if (raw > highest<R>()) {
+            value_is_above_the_register_maximum();
+        }
+        if (raw < lowest<R>()) {
+            value_is_below_the_register_minimum();
+        }
+        if (raw >= R.gap.first and raw <= R.gap.last) {
+            value_is_never_written_to_this_register();
+        }
         if (not has_meaning(listed_words<value_type>(), word_)) {
             value_has_no_meaning_in_this_register();
         }
@@ -131,28 +151,22 @@ private:
     struct proven {};
     constexpr setting(proven, std::uint16_t word) noexcept : word_{word} {}
 
-    static constexpr void refuse_outside(std::int64_t raw) noexcept
-    {
-        if (raw > highest<R>()) {
-            value_is_above_the_register_maximum();
-        }
-        if (raw < lowest<R>()) {
-            value_is_below_the_register_minimum();
-        }
-        if (raw >= R.gap.first and raw <= R.gap.last) {
-            value_is_never_written_to_this_register();
-        }
-    }
+    /// How many of a value's units make one step of the register, as a fraction; 1 where either counts none.
+    template <typename Value, bool = measures_the_same<value_type, Value>> struct ratio_of : std::ratio<1> {};
+    template <typename Value>
+    struct ratio_of<Value, true> : std::ratio_divide<typename Value::scale, typename value_type::scale> {};
+    template <typename Value> static constexpr std::int64_t denominator = ratio_of<Value>::den;
 
-    template <typename Amount> static constexpr std::uint16_t word_of(Amount amount) noexcept
+    /// A value in raw counts, times the denominator.
+    template <typename Value> static constexpr std::int64_t numerator(Value value) noexcept
     {
-        using factor = std::ratio_divide<typename Amount::scale, typename value_type::scale>;
-        std::int64_t const scaled = std::int64_t{amount.count()} * factor::num;
-        if (scaled % factor::den != 0) {
-            value_is_not_a_whole_number_of_register_steps();
+        if constexpr (any_quantity<Value>) {
+            return std::int64_t{value.count()} * ratio_of<Value>::num;
+        } else if constexpr (std::is_arithmetic_v<Value>) {
+            return 0;
+        } else {
+            return raw_count<Value>(to_word(value));
         }
-        refuse_outside(scaled / factor::den);
-        return static_cast<std::uint16_t>(scaled / factor::den);
     }
 
     std::uint16_t word_;

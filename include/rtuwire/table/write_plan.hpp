@@ -3,6 +3,7 @@
 //
 // Any settings of a device, written with the fewest requests that it allows: neighbours go into one request,
 // and only registers that were named are written.
+// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -11,6 +12,7 @@
 #include <span>
 
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/table/device.hpp>
 #include <rtuwire/table/read_plan.hpp>
 #include <rtuwire/table/setting.hpp>
 
@@ -19,8 +21,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// The requests that write `Registers` of `Device`, and the words of their settings.
 template <device_type Device, auto const&... Registers> class write_plan {
     static_assert(sizeof...(Registers) > 0, "a plan writes at least one register");
-    static_assert((Device::registers::template contains<Registers> and ...),
-                  "a plan writes registers of one device only");
+    static_assert((has_register<Device, Registers> and ...), "a plan writes registers of one device only");
     static_assert((has_own_steps<Registers> and ...),
                   "another register sets this register's steps: name them with restepped");
     static_assert(((Registers.mode != access::read_only) and ...), "this register is read-only");

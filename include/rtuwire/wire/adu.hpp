@@ -23,6 +23,7 @@
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// What can be encoded: it checks that it is allowed on the wire, tells its length, and writes itself.
+/// Internal.
 template <typename T>
 concept pdu = requires(T const& value, byte_writer& out)
 {
@@ -39,13 +40,16 @@ concept pdu = requires(T const& value, byte_writer& out)
 };
 
 /// A PDU that needs no response, only an effect, so that it may be broadcast.
+/// Internal.
 template <typename T>
 concept broadcastable = pdu<T> and T::may_be_broadcast;
 
 /// A frame with room for the longest PDU of the type.
+/// Internal.
 template <pdu P> using frame_of = fixed_buffer<P::max_size + adu_overhead>;
 
 /// The PDU of a frame of at least 4 bytes.
+/// Internal.
 [[nodiscard]] constexpr byte_view pdu_of(byte_view frame) noexcept
 {
     // Not a subspan, which first checks whether its size means "all".
@@ -82,6 +86,7 @@ private:
 
 /// Completes a frame whose unit byte and PDU are in `place` already: appends the CRC. `place` has room for
 /// it.
+/// Internal.
 constexpr byte_span append_crc(byte_span place, std::size_t pdu_size) noexcept
 {
     std::size_t const end = 1 + pdu_size;
@@ -94,6 +99,7 @@ constexpr byte_span append_crc(byte_span place, std::size_t pdu_size) noexcept
 /// Writes unit, PDU and CRC into `out`, without checking that this request may go to the unit. Returns the
 /// part of `out` written. Errors: what the PDU's own check finds, or `buffer_too_small`; `out` is then
 /// unchanged.
+/// Internal.
 template <pdu P>
 [[nodiscard]] constexpr result<byte_span> encode_adu(byte_span out, std::uint8_t unit, P const& value) noexcept
 {

@@ -34,7 +34,6 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     case errc::invalid_function: return "function code outside 1..127";
     case errc::not_for_broadcast: return "not possible as a broadcast";
     case errc::busy: return "a transaction is under way";
-    case errc::pending: return "not ended yet";
     case errc::finished: return "ended already";
     case errc::overruled: return "a stop, a fault or a set-up came after the order, or a stop is under way";
     case errc::unit_lost: return "the unit did not answer, and its order is gone";

@@ -3,6 +3,7 @@
 //
 // The length of a frame, from its first bytes: one table, a rule for each function and direction (AP 6).
 // Sizes are of the whole ADU. Knows no CRC and no time.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
@@ -156,7 +157,9 @@ struct raw_length {
     }
     std::size_t const word = u16_at(adu, counted - 2);
     if (counts == length_rule::word_count) {
-        return {size + word, true};
+        // Where a size has 16 bits, the sum would wrap; such a frame is refused anyway.
+        bool const may_wrap = sizeof(std::size_t) < sizeof(std::uint32_t) and word > max_adu_size;
+        return {may_wrap ? word : size + word, true};
     }
     return word == 0 ? raw_length{} : raw_length{size, true};
 }

@@ -23,18 +23,22 @@ enum class function_code : std::uint8_t {
 };
 
 /// The bit that marks an exception response (AP 7).
+/// Internal.
 inline constexpr std::uint8_t exception_bit = 0x80;
 
 /// A code as it stands on the wire.
+/// Internal.
 [[nodiscard]] constexpr std::uint8_t to_u8(function_code code) noexcept { return static_cast<std::uint8_t>(code); }
 
 /// Whether a PDU is a request or normal response of a function.
+/// Internal.
 [[nodiscard]] constexpr bool is_pdu_of(byte_view pdu, function_code code) noexcept
 {
     return not pdu.empty() and to_u8(pdu[0]) == to_u8(code);
 }
 
 /// Writes a function and its first two fields: what most requests begin with.
+/// Internal.
 constexpr void write_head(byte_writer& out, function_code code, std::uint32_t first, std::uint32_t second) noexcept
 {
     constexpr std::size_t size = 5;
@@ -64,7 +68,7 @@ private:
     {
         auto const number = to_u8(code);
         if (number > 0 and number < 0x80) {
-            words_[number / 32U] |= 1U << (number % 32U);
+            words_[number / 32U] |= std::uint32_t{1} << (number % 32U);
         }
     }
 

@@ -12,10 +12,12 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-inline constexpr std::size_t min_adu_size = 4;       ///< unit, function, CRC (SL 2.5.1.1)
-inline constexpr std::size_t max_adu_size = 256;     ///< SL 2.5.1.1
-inline constexpr std::size_t max_pdu_size = 253;     ///< AP 4.1
-inline constexpr std::size_t adu_overhead = 3;       ///< unit in front, two bytes of CRC behind
+inline constexpr std::size_t min_adu_size = 4;   ///< unit, function, CRC (SL 2.5.1.1)
+inline constexpr std::size_t max_adu_size = 256; ///< SL 2.5.1.1
+inline constexpr std::size_t max_pdu_size = 253; ///< AP 4.1
+/// Internal.
+inline constexpr std::size_t adu_overhead = 3; ///< unit in front, two bytes of CRC behind
+/// Internal.
 inline constexpr std::size_t exception_adu_size = 5; ///< AP 7
 
 inline constexpr std::uint16_t max_read_quantity = 125;           ///< AP 6.3
@@ -35,6 +37,7 @@ struct device_limits {
 };
 
 /// Whether a quantity lies in 1..limit.
+/// Internal.
 [[nodiscard]] constexpr bool is_quantity(std::size_t quantity, std::size_t limit) noexcept
 {
     return quantity - 1U < limit; // 0 wraps: one comparison
@@ -42,6 +45,7 @@ struct device_limits {
 
 /// Whether `quantity` registers from `start` end at 65535 or before; computed in 32 bits, so that
 /// no sum wraps.
+/// Internal.
 [[nodiscard]] constexpr bool is_address_range(std::uint16_t start, std::size_t quantity) noexcept
 {
     return quantity <= 0x1'0000U - std::uint32_t{start};

@@ -29,7 +29,8 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 }
 
 /// Checks that there is a register at this index among `count`, where `is_misuse_caught()`.
-[[gnu::always_inline]] constexpr void require_register(std::size_t index, std::size_t count) noexcept
+/// Internal.
+constexpr void require_register(std::size_t index, std::size_t count) noexcept
 {
     if (is_misuse_caught() and index >= count) {
         there_is_no_such_register();
@@ -100,7 +101,7 @@ private:
         to[3] = four[3];
     }
 
-    byte_view bytes_;
+    byte_view bytes_{};
 };
 
 /// `Count` registers in wire order, stored in place.
@@ -157,12 +158,14 @@ template <typename... Values> register_block(Values...) -> register_block<sizeof
 
 /// The most bytes that a request's words can have, where its function allows `Most` registers. A request owns
 /// its words, a `register_block`, or has a `register_view` of words that are stored elsewhere.
+/// Internal.
 template <typename Words, std::size_t Most> inline constexpr std::size_t bytes_at_most = 2 * Most;
 template <std::size_t Count, std::size_t Most>
 inline constexpr std::size_t bytes_at_most<register_block<Count>, Most> = 2 * (Count < Most ? Count : Most);
 
 /// Decodes the response of function 03 or 23 in a PDU: a byte count and as many bytes, two for each of 1..125
 /// registers. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
+/// Internal.
 template <typename Response>
 [[nodiscard]] constexpr result<Response> decode_registers(byte_view pdu, function_code function) noexcept
 {

@@ -15,6 +15,7 @@
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Whether the first `size` bytes of the response are those of the request.
+/// Internal.
 [[nodiscard]] constexpr bool repeats(byte_view request_pdu, byte_view response_pdu, std::size_t size) noexcept
 {
     return request_pdu.size() >= size and same_bytes(request_pdu.first(size), response_pdu.first(size));
@@ -22,6 +23,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The size of the longest response to a request, an ADU; final where the response's bytes tell its end, so
 /// that no silence need follow. Where the request does not tell the size it is the largest possible.
+/// Internal.
 [[nodiscard]] constexpr length_hint longest_response(byte_view request_adu) noexcept
 {
     std::uint8_t const code = to_u8(request_adu[1]);
@@ -38,19 +40,21 @@ namespace rtuwire::inline RTUWIRE_BUILD {
         tells_end = to_u8(request_adu[2]) == identification_mei_type;
     } else if (request_adu.size() >= 8 and (code == to_u8(function_code::read_holding_registers) or
                                             code == to_u8(function_code::read_write_multiple_registers))) {
-        std::size_t const told = 5U + 2U * u16_at(request_adu, 4);
-        size = told < max_adu_size ? told : max_adu_size;
+        std::size_t const quantity = u16_at(request_adu, 4);
+        size = quantity <= max_read_quantity ? 5U + 2U * quantity : max_adu_size;
     }
     return {size, tells_end};
 }
 
 /// The size alone.
+/// Internal.
 [[nodiscard]] constexpr std::size_t response_size(byte_view request_adu) noexcept
 {
     return longest_response(request_adu).size();
 }
 
 /// Compares a page of identification with its request.
+/// Internal.
 [[nodiscard]] constexpr errc check_identification(byte_view request_pdu, byte_view response_pdu) noexcept
 {
     constexpr std::size_t count_at = 6;
@@ -68,6 +72,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Compares the fields of a normal response with its request; both PDUs are of one function. Inlined in
 /// `check_response`, where it is smaller than a separate function.
+/// Internal.
 [[nodiscard, gnu::always_inline]] constexpr errc check_fields(byte_view request_pdu, byte_view response_pdu) noexcept
 {
     // A raw request may be shorter than its function allows; then there is nothing to compare with.
@@ -79,7 +84,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     switch (static_cast<function_code>(to_u8(request_pdu[0]))) {
     case function_code::read_holding_registers:
     case function_code::read_write_multiple_registers: {
-        std::size_t const bytes = request_pdu.size() < 5 ? 0U : 2U * u16_at(request_pdu, 3);
+        std::uint32_t const bytes = request_pdu.size() < 5 ? 0U : std::uint32_t{2} * u16_at(request_pdu, 3);
         bool const fits = response_pdu.size() == 2 + bytes and to_u8(response_pdu[1]) == bytes;
         return fits ? errc::none : errc::wrong_length;
     }

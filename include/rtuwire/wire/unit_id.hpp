@@ -19,6 +19,7 @@ void a_unit_address_is_1_to_247();
 
 /// A number in source code that is a unit address. A class of its own, because Clang 14 crashes on the second
 /// use of a class whose own constructor is consteval.
+/// Internal.
 class unit_number {
 public:
     consteval unit_number(int number) noexcept : byte_{static_cast<std::uint8_t>(number)}
@@ -62,10 +63,12 @@ private:
 };
 
 /// Every unit on the line; none answers.
+/// Internal.
 struct broadcast_t {};
 inline constexpr broadcast_t broadcast{};
 
 /// One unit, or all of them: what a write may be sent to.
+/// Internal.
 class destination {
 public:
     constexpr destination(unit_id unit) noexcept : byte_{unit.byte()} {}

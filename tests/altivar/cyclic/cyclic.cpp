@@ -13,9 +13,9 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/broadcast.hpp>
-#include <rtuwire/altivar/procedure/identify.hpp>
-#include <rtuwire/altivar/procedure/reset_fault.hpp>
+#include <rtuwire/altivar/procedure/inspection/identify.hpp>
+#include <rtuwire/altivar/procedure/motion/broadcast_freewheel.hpp>
+#include <rtuwire/altivar/procedure/motion/reset_fault.hpp>
 #include <rtuwire/core/hex.hpp>
 
 using namespace rtuwire;
@@ -162,7 +162,7 @@ template <typename Device> void never_resumes()
     it.far().press_stop();
     it.pass(milliseconds(5'000));
     CHECK(it.now_in() != state::operation_enabled);
-    CHECK(it.loop.control().reason().kind == outcome_kind::stuck);
+    CHECK(it.loop.control().reason().kind == outcome_kind::stop_key);
     CHECK(it.order());
     it.pass(milliseconds(2'000));
     CHECK(it.now_in() == state::operation_enabled);
@@ -464,7 +464,7 @@ TEST_CASE("an order that a drive does not follow is dropped in time")
     it.now = it.now + milliseconds(400);
     it.loop.advance(it.now);
     CHECK_FALSE(it.loop.control().is_ordered());
-    CHECK(it.loop.control().reason().kind == outcome_kind::stuck);
+    CHECK(it.loop.control().reason().kind == outcome_kind::state_timeout);
 }
 
 TEST_CASE("a fault reset that is asked for in each pass resets the fault")

@@ -131,7 +131,7 @@ constexpr bool drops_when_the_drive_falls_back()
     control.note_status(ready, false);
     cyclic_control enabling = ordered(ready);
     enabling.note_status(operation_enabled, false);
-    return is_dropped(control, outcome_kind::stuck) and enabling.is_ordered();
+    return is_dropped(control, outcome_kind::fell_back) and enabling.is_ordered();
 }
 PROOF("a drive that falls back has lost its order", drops_when_the_drive_falls_back)
 
@@ -146,8 +146,8 @@ constexpr bool drops_at_the_stop_key()
     again.note_status(operation_enabled, false);
     bool const is_still = again.is_ordered();
     again.note_status(with_stop_key, false);
-    return is_dropped(control, outcome_kind::stuck) and was_before and is_still and
-           is_dropped(again, outcome_kind::stuck);
+    return is_dropped(control, outcome_kind::stop_key) and was_before and is_still and
+           is_dropped(again, outcome_kind::stop_key);
 }
 PROOF("the stop key drops an order, but not one that was given while it was pressed", drops_at_the_stop_key)
 

@@ -108,7 +108,7 @@ constexpr bool enables_in_time_from_the_first_order()
     it.loop.advance(ordered + milliseconds(3'000) - microseconds(1));
     ok = ok and it.loop.control().is_ordered();
     it.loop.advance(ordered + milliseconds(3'000));
-    return ok and not it.loop.control().is_ordered() and it.loop.control().reason().kind == outcome_kind::stuck;
+    return ok and not it.loop.control().is_ordered() and it.loop.control().reason().kind == outcome_kind::state_timeout;
 }
 PROOF("an order has three seconds to be followed, from when it was first given", enables_in_time_from_the_first_order)
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Start, stop, reset and the rest against simulated drives, over a virtual wire.
-#include <rtuwire/altivar/procedure/start.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
 
 #include "support/catch.hpp"
 #include "support/simulated_bus.hpp"
@@ -10,11 +10,11 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/change_reference.hpp>
-#include <rtuwire/altivar/procedure/configure_scanner.hpp>
-#include <rtuwire/altivar/procedure/reset_fault.hpp>
-#include <rtuwire/altivar/procedure/save_to_eeprom.hpp>
-#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/altivar/procedure/commissioning/configure_scanner.hpp>
+#include <rtuwire/altivar/procedure/commissioning/save_to_eeprom.hpp>
+#include <rtuwire/altivar/procedure/motion/change_reference.hpp>
+#include <rtuwire/altivar/procedure/motion/reset_fault.hpp>
+#include <rtuwire/altivar/procedure/motion/stop.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -138,10 +138,10 @@ template <typename Device> void is_refused()
     REQUIRE(it.started());
     CHECK(it.end_of(save_to_eeprom{drive}).kind == outcome_kind::refused_while_running);
     auto const slow = it.end_of(change_reference{drive, 10_Hz, milliseconds(500)});
-    CHECK(slow.kind == outcome_kind::stuck);
+    CHECK(slow.kind == outcome_kind::state_timeout);
     CHECK(slow.state == state::operation_enabled);
     CHECK(it.end_of(stop{drive}).kind == outcome_kind::succeeded);
-    CHECK(it.end_of(change_reference{drive, 10_Hz}).kind == outcome_kind::stuck);
+    CHECK(it.end_of(change_reference{drive, 10_Hz}).kind == outcome_kind::aborted);
     it.drive_().press_stop();
     CHECK(it.end_of(save_to_eeprom{drive}).kind == outcome_kind::succeeded);
     CHECK((it.drive_().word("CMI") & 2) == 0);
@@ -217,7 +217,7 @@ TEST_CASE("a start that fails half way takes its command back")
         }
         ++steps;
     }
-    CHECK(run.reason().kind == outcome_kind::stuck);
+    CHECK(run.reason().kind == outcome_kind::stop_key);
     CHECK(it.drive_().word("CMD") != 0x000F);
     CHECK(it.now_in() != state::operation_enabled);
 }

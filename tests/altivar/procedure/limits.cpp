@@ -9,9 +9,9 @@
 
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/change_reference.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
-#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/altivar/procedure/motion/change_reference.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
+#include <rtuwire/altivar/procedure/motion/stop.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -100,7 +100,7 @@ constexpr bool is_taken_back_beyond_the_limit()
     ok = ok and not it.conversation.settled() and it.writes(cmd, 0x0000);
     it.miss();
     it.wait(1'000);
-    return ok and it.conversation.settled() and it.conversation.reason().kind == outcome_kind::stuck;
+    return ok and it.conversation.settled() and it.conversation.reason().kind == outcome_kind::state_timeout;
 }
 PROOF("what a start gave is taken back for half a minute behind its limit, however bad the line is",
       is_taken_back_beyond_the_limit)
@@ -133,9 +133,9 @@ constexpr reason told_of_a_stop(std::uint16_t first, std::uint16_t last, bool is
 constexpr bool tells_what_is_true()
 {
     constexpr auto back = static_cast<std::uint16_t>(-300), slower_back = static_cast<std::uint16_t>(-200);
-    return told_of_a_stop(300, 300, true).kind == outcome_kind::stuck and
-           told_of_a_stop(300, 310, true).kind == outcome_kind::stuck and
-           told_of_a_stop(back, back, true).kind == outcome_kind::stuck and
+    return told_of_a_stop(300, 300, true).kind == outcome_kind::state_timeout and
+           told_of_a_stop(300, 310, true).kind == outcome_kind::state_timeout and
+           told_of_a_stop(back, back, true).kind == outcome_kind::state_timeout and
            told_of_a_stop(300, 200, true).kind == outcome_kind::unconfirmed and
            told_of_a_stop(back, slower_back, true).kind == outcome_kind::unconfirmed and
            told_of_a_stop(300, 300, false).kind == outcome_kind::unconfirmed;

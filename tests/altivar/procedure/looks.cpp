@@ -8,13 +8,13 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/at_rest.hpp>
-#include <rtuwire/altivar/procedure/channel.hpp>
-#include <rtuwire/altivar/procedure/direct_control.hpp>
-#include <rtuwire/altivar/procedure/recall_from_eeprom.hpp>
-#include <rtuwire/altivar/procedure/release_link.hpp>
-#include <rtuwire/altivar/procedure/restore_factory_settings.hpp>
-#include <rtuwire/altivar/procedure/supervision.hpp>
+#include <rtuwire/altivar/procedure/commissioning/channel.hpp>
+#include <rtuwire/altivar/procedure/commissioning/recall_from_eeprom.hpp>
+#include <rtuwire/altivar/procedure/commissioning/release_link.hpp>
+#include <rtuwire/altivar/procedure/commissioning/restore_factory_settings.hpp>
+#include <rtuwire/altivar/procedure/inspection/at_rest.hpp>
+#include <rtuwire/altivar/procedure/inspection/supervision.hpp>
+#include <rtuwire/altivar/procedure/motion/direct_control.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -148,7 +148,7 @@ constexpr bool is_ready_without_a_wiring_register()
 PROOF("an input counts where nobody says how it is wired", is_ready_without_a_wiring_register)
 
 constexpr at_rest_procedure look{later, {}};
-STATIC_CHECK(ends(told(look, begins, read(starting)), outcome_kind::stuck));
+STATIC_CHECK(ends(told(look, begins, read(starting)), outcome_kind::aborted));
 STATIC_CHECK(ends(told(look, begins, read(running)), outcome_kind::refused_while_running));
 STATIC_CHECK(ends(told(look, begins, read(quick)), outcome_kind::refused_while_running));
 STATIC_CHECK(ends(told(look, begins, read(reacting), read(5)), outcome_kind::in_fault));
@@ -228,9 +228,9 @@ STATIC_CHECK(ends(behind_the_write(read(running), written), outcome_kind::starte
 STATIC_CHECK(ends(behind_the_write(read(running), fails(errc::timed_out)), outcome_kind::started_by_terminals,
                   errc::timed_out));
 STATIC_CHECK(ends(behind_the_write(fails(errc::timed_out)), outcome_kind::silent, errc::timed_out));
-STATIC_CHECK(ends(behind_the_write(late), outcome_kind::stuck, errc::timed_out));
+STATIC_CHECK(ends(behind_the_write(late), outcome_kind::aborted, errc::timed_out));
 STATIC_CHECK(ends(told(one, begins, fails(errc::timed_out)), outcome_kind::silent, errc::timed_out));
-STATIC_CHECK(ends(told(one, begins, read(1), late), outcome_kind::stuck, errc::timed_out));
+STATIC_CHECK(ends(told(one, begins, read(1), late), outcome_kind::aborted, errc::timed_out));
 STATIC_CHECK(ends(told(one, begins, read(1), read(locked), written, fails(missing)), outcome_kind::refused, missing));
 
 using atv28::link_procedure;
@@ -249,8 +249,8 @@ STATIC_CHECK(ends(told(release, begins, read(fault_28), read(9)), outcome_kind::
 STATIC_CHECK(ends(told(release, begins, read(free_28), fails(errc::timed_out)), outcome_kind::silent, errc::timed_out));
 STATIC_CHECK(ends(told(release, begins, read(free_28), written, goes_on, read(running_28), fails(errc::timed_out)),
                   outcome_kind::started_by_terminals, errc::timed_out));
-STATIC_CHECK(ends(told(release, begins, late), outcome_kind::stuck, errc::timed_out));
-STATIC_CHECK(ends(told(release, begins, read(free_28), written, late), outcome_kind::stuck, errc::timed_out));
+STATIC_CHECK(ends(told(release, begins, late), outcome_kind::aborted, errc::timed_out));
+STATIC_CHECK(ends(told(release, begins, read(free_28), written, late), outcome_kind::aborted, errc::timed_out));
 
 constexpr recall_procedure recall{old, {.run_inputs = 0}};
 STATIC_CHECK(ends(told(recall, begins, read(fault_28), read(9)), outcome_kind::in_fault));
@@ -283,7 +283,7 @@ PROOF("a direct start that does not run by its limit is taken back", gives_up_at
 STATIC_CHECK(ends(told(go, begins, fails(errc::timed_out)), outcome_kind::silent, errc::timed_out));
 STATIC_CHECK(ends(told(go, begins, read(fault_28), read(9)), outcome_kind::in_fault));
 STATIC_CHECK(told(go, begins, read(fault_28), read(9)).fault == 9);
-STATIC_CHECK(ends(told(go, begins, late), outcome_kind::stuck));
+STATIC_CHECK(ends(told(go, begins, late), outcome_kind::aborted));
 // Somebody commanded it between the look and its word: what was told is taken back.
 constexpr bool gives_up_where_it_is_not_locked()
 {

@@ -7,8 +7,8 @@
 #include "support/simulated_bus.hpp"
 
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
-#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
+#include <rtuwire/altivar/procedure/motion/stop.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

@@ -11,13 +11,13 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic_control.hpp>
-#include <rtuwire/altivar/procedure/change_reference.hpp>
-#include <rtuwire/altivar/procedure/configure_scanner.hpp>
-#include <rtuwire/altivar/procedure/identify.hpp>
-#include <rtuwire/altivar/procedure/reset_fault.hpp>
-#include <rtuwire/altivar/procedure/save_to_eeprom.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
-#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/altivar/procedure/commissioning/configure_scanner.hpp>
+#include <rtuwire/altivar/procedure/commissioning/save_to_eeprom.hpp>
+#include <rtuwire/altivar/procedure/inspection/identify.hpp>
+#include <rtuwire/altivar/procedure/motion/change_reference.hpp>
+#include <rtuwire/altivar/procedure/motion/reset_fault.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
+#include <rtuwire/altivar/procedure/motion/stop.hpp>
 #include <rtuwire/core/hex.hpp>
 
 using namespace rtuwire;
@@ -179,7 +179,7 @@ TEST_CASE("at their limits all end, and none leaves a command behind")
     stubborn running{.status = enabled, .frequency = 300};
     while (running.response(stopping)) {
     }
-    CHECK(stopping.conversation.reason().kind == outcome_kind::stuck);
+    CHECK(stopping.conversation.reason().kind == outcome_kind::state_timeout);
 
     by_hand<stop> slowing{stop{drive, stop_by::ramp, milliseconds(200)}};
     while (running.response(slowing)) {
@@ -216,7 +216,7 @@ TEST_CASE("at their limits all end, and none leaves a command behind")
     stubborn waiting{.status = ready};
     while (waiting.response(starting)) {
     }
-    CHECK(starting.conversation.reason().kind == outcome_kind::stuck);
+    CHECK(starting.conversation.reason().kind == outcome_kind::state_timeout);
     CHECK(waiting.written == 0);
 
     by_hand<scanned> hasty{scanned{drive, milliseconds(0)}};
@@ -232,12 +232,12 @@ TEST_CASE("a script that wishes on after its limit gets one request, and no paus
     register_read.now = register_read.now + milliseconds(200);
     register_read.hear_word(0); // the one that is granted
     CHECK(register_read.conversation.settled());
-    CHECK(register_read.conversation.reason().kind == outcome_kind::stuck);
+    CHECK(register_read.conversation.reason().kind == outcome_kind::aborted);
 
     by_hand<procedure_runner<tireless>> pausing{{unit_id{7}, tireless{action::kind::pause}, milliseconds(100)}};
     CHECK_FALSE(pausing.asks());
     CHECK(pausing.conversation.settled());
-    CHECK(pausing.conversation.reason().kind == outcome_kind::stuck);
+    CHECK(pausing.conversation.reason().kind == outcome_kind::aborted);
 }
 
 TEST_CASE("a state that nobody knows is looked at again")
@@ -370,7 +370,7 @@ TEST_CASE("a cycle ramps a motor down whose state it cannot read, and drops an o
     law.note_status(0x0240, true); // known, remote
     REQUIRE(law.run(1'500));
     law.note_late();
-    CHECK(law.reason().kind == outcome_kind::stuck);
+    CHECK(law.reason().kind == outcome_kind::state_timeout);
     CHECK_FALSE(law.is_ordered());
     law.note_status(0x0267, false); // a state that there is not
     CHECK(law.state() == cia402::state::unknown);

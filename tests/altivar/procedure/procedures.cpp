@@ -11,13 +11,13 @@
 
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/altivar/procedure/change_reference.hpp>
-#include <rtuwire/altivar/procedure/channel.hpp>
-#include <rtuwire/altivar/procedure/configure_scanner.hpp>
-#include <rtuwire/altivar/procedure/reset_fault.hpp>
-#include <rtuwire/altivar/procedure/save_to_eeprom.hpp>
-#include <rtuwire/altivar/procedure/start.hpp>
-#include <rtuwire/altivar/procedure/stop.hpp>
+#include <rtuwire/altivar/procedure/commissioning/channel.hpp>
+#include <rtuwire/altivar/procedure/commissioning/configure_scanner.hpp>
+#include <rtuwire/altivar/procedure/commissioning/save_to_eeprom.hpp>
+#include <rtuwire/altivar/procedure/motion/change_reference.hpp>
+#include <rtuwire/altivar/procedure/motion/reset_fault.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
+#include <rtuwire/altivar/procedure/motion/stop.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -93,7 +93,7 @@ constexpr bool gives_up_where_the_drive_falls_back()
     ok = ok and writes(it.step(word(0x0250)), cmd, 0x0000); // switch on disabled: what was given is taken back
     ok = ok and reads(it.step({kind::written}), eta);
     ok = ok and it.step(word(0x0250)).what == action::kind::end;
-    return ok and it.reason().kind == outcome_kind::stuck;
+    return ok and it.reason().kind == outcome_kind::fell_back;
 }
 PROOF("a start ends where the drive goes down after a command", gives_up_where_the_drive_falls_back)
 

@@ -100,9 +100,12 @@ constexpr bool keeps_its_fields_apart()
     constexpr auto bytes = "2B 0E 02 83 FF 04 01 03 02 48 69"_hex;
     test::exact_bytes const pdu{bytes};
     auto const read = device_identification::decode(pdu.view());
-    return read and read->access == identification_access::regular and read->conformity == 0x83 and
-           read->more_follows and read->next_object == 4 and read->count == 1 and
-           same_bytes(*read->find(3), "48 69"_hex) and not read->find(4);
+    using test::is;
+    return is(read.has_value(), "it decodes") and is(read->access == identification_access::regular, "access") and
+           is(read->conformity == 0x83, "conformity") and is(read->more_follows, "more follows") and
+           is(read->next_object == 4, "next object") and is(read->count == 1, "count") and
+           is(same_bytes(*read->find(3), "48 69"_hex), "the object that is there") and
+           is(not read->find(4), "the object that is not");
 }
 PROOF("a page's fields are not taken for each other", keeps_its_fields_apart)
 

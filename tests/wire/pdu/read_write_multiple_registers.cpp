@@ -45,8 +45,10 @@ constexpr bool keeps_its_fields_apart()
     register_block const values{0x0506, 0x0708};
     read_write_multiple_registers const both{0x0102, 3, 0x0304, values};
     return survives(both, [](read_write_multiple_registers<> const& read) {
-        return read.read_start == 0x0102 and read.read_count == 3 and read.write_start == 0x0304 and
-               read.values.size() == 2 and read.values[0] == 0x0506 and read.values[1] == 0x0708;
+        using test::is;
+        return is(read.read_start == 0x0102, "read_start") and is(read.read_count == 3, "read_count") and
+               is(read.write_start == 0x0304, "write_start") and is(read.values.size() == 2, "two values") and
+               is(read.values[0] == 0x0506, "the first value") and is(read.values[1] == 0x0708, "the second value");
     });
 }
 PROOF("the two halves of function 23 are not taken for each other", keeps_its_fields_apart)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // The words that a cycle reads and writes, and its requests. A frame is valid until the next one is made.
+// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -32,7 +33,7 @@ public:
     {
         if (slot >= 2 and slot < words::outputs) {
             outputs_[slot] = word;
-            in_use_ |= 1U << slot;
+            in_use_ |= std::uint32_t{1} << slot;
         }
     }
     /// A bit for each output that was set.

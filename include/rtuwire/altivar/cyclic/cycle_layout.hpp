@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Which registers a device's cycle reads and writes in each period.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>

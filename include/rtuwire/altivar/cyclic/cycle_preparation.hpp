@@ -3,13 +3,14 @@
 //
 // What a cycle reads before it writes, and again after everything that could have changed it: whether the drive may
 // be commanded, and whether its scanner holds the words of the cycle.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
 #include <rtuwire/altivar/cyclic/cycle_layout.hpp>
-#include <rtuwire/altivar/procedure/supervision.hpp>
+#include <rtuwire/altivar/procedure/inspection/supervision.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>

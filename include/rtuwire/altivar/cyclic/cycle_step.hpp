@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // The requests of a cycle, and when it reads back what it wrote.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstdint>

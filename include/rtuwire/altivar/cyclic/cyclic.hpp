@@ -3,7 +3,7 @@
 //
 // Keeps a drive running: one exchange a period, by function 23 over the scanner where the device supports it for
 // these words, by functions 03 and 16 elsewhere. Before the first order it checks that the drive would stop by itself
-// (altivar/procedure/supervision.hpp).
+// (altivar/procedure/inspection/supervision.hpp).
 #pragma once
 
 #include <cstddef>
@@ -30,6 +30,9 @@ template <device_type Device> class cyclic : public commander {
     using words = cycle_layout<Device>;
 
 public:
+    static constexpr conversation_properties properties{
+        .urgency = urgency::stop_of_unit, .repetition = repetition::never, .freshness = freshness::when_free};
+
     explicit constexpr cyclic(station<Device> const& drive, cyclic_options const& options = {}) noexcept
         : steps_{drive.unit(), options}, enable_timeout_{options.enable_timeout}, tolerated_misses_{
                                                                                       options.tolerated_misses}
@@ -143,7 +146,7 @@ public:
             steps_.note_stopped();
         }
         is_asking_ = true;
-        return request_frame{steps_.ask(was_rearranged), repetition::never};
+        return request_frame{steps_.ask(was_rearranged)};
     }
 
     constexpr void accept(result<response> const& outcome) noexcept

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include <rtuwire/altivar/procedure/supervision_report.hpp>
+#include <rtuwire/altivar/procedure/inspection/supervision_report.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 

@@ -5,14 +5,11 @@
 // of 8. What neither prints comes from the parameter file of the ATV12, and is marked so.
 #pragma once
 
-#include <array>
-#include <cstdint>
-
 #include <rtuwire/altivar/device/compact_values.hpp>
 #include <rtuwire/altivar/device/drive_layout.hpp>
+#include <rtuwire/altivar/device/family.hpp>
 #include <rtuwire/altivar/device/words.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/rtu/line.hpp>
 #include <rtuwire/table/device.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv310 {
@@ -192,20 +189,9 @@ inline constexpr reg<count16> nc8{.code = "NC8", .address = 12768, .min = {0}, .
 // clang-format on
 
 /// An ATV310 by its manual of 2014.
-struct device {
+struct device : family_device {
     static constexpr literal name{"atv310"};
     static constexpr literal reference{"ATV310H037N4"}; ///< one of the family, as function 43 returns it
-    static constexpr function_set functions{function_code::read_holding_registers, function_code::write_single_register,
-                                            function_code::write_multiple_registers,
-                                            function_code::read_write_multiple_registers,
-                                            function_code::encapsulated_interface};
-    static constexpr device_limits limits{63, 61, 4, 4};
-    static constexpr unit_range units{1, 247};
-    static constexpr std::array<address_range, 0> readable{}; ///< nothing is known beyond the table
-    static constexpr character_format formats[]{character_format::odd_8_1, character_format::even_8_1,
-                                                character_format::none_8_1, character_format::none_8_2};
-    static constexpr std::uint32_t rates[]{4'800, 9'600, 19'200, 38'400};
-    static constexpr link_timeout silence{milliseconds(10'000), milliseconds(30'000)};
     static constexpr auto const& speed_reference = lfrd;
     static constexpr auto const& frequency_reference = lfr;
     static constexpr drive_layout layout{.cmd = cmd.address,

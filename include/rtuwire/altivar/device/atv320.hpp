@@ -5,14 +5,11 @@
 // Ramp times count in steps that INR sets.
 #pragma once
 
-#include <array>
-#include <cstdint>
-
 #include <rtuwire/altivar/device/atv320_values.hpp>
 #include <rtuwire/altivar/device/drive_layout.hpp>
+#include <rtuwire/altivar/device/family.hpp>
 #include <rtuwire/altivar/device/words.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/rtu/line.hpp>
 #include <rtuwire/table/device.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
@@ -216,7 +213,7 @@ inline constexpr reg<count16> nc8{.code = "NC8", .address = 12768, .min = {0}, .
 // clang-format on
 
 /// An ATV320.
-struct device {
+struct device : family_device {
     static constexpr literal name{"atv320"};
     static constexpr literal reference{"ATV320U07M2B"}; ///< one of the family, as function 43 returns it
     static constexpr function_set functions{
@@ -224,12 +221,6 @@ struct device {
         function_code::write_multiple_registers, function_code::read_write_multiple_registers,
         function_code::encapsulated_interface,   function_code::diagnostics};
     static constexpr device_limits limits{63, 61, 20, 20};
-    static constexpr unit_range units{1, 247};
-    static constexpr std::array<address_range, 0> readable{}; ///< nothing is known beyond the table
-    static constexpr character_format formats[]{character_format::odd_8_1, character_format::even_8_1,
-                                                character_format::none_8_1, character_format::none_8_2};
-    static constexpr std::uint32_t rates[]{4'800, 9'600, 19'200, 38'400};
-    static constexpr link_timeout silence{milliseconds(10'000), milliseconds(30'000)};
     static constexpr auto const& speed_reference = lfrd;
     static constexpr auto const& frequency_reference = lfr;
     static constexpr drive_layout layout{.cmd = cmd.address,

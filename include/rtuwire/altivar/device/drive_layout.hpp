@@ -14,18 +14,24 @@
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Status bits that all Altivars share, beside those of the state.
+/// Internal.
 inline constexpr std::uint16_t remote_bit = 0x0200; ///< 0 in local control
 inline constexpr std::uint16_t reference_reached_bit = 0x0400;
+/// Internal.
 inline constexpr std::uint16_t reference_limited_bit = 0x0800; ///< below LSP or above HSP
+/// Internal.
 inline constexpr std::uint16_t stop_key_bit = 0x4000;
 inline constexpr std::uint16_t runs_backwards_bit = 0x8000;
 
 /// Control bits that all Altivars share.
+/// Internal.
 inline constexpr std::uint16_t reverse_bit = 0x0800;
+/// Internal.
 inline constexpr std::uint16_t save_bit = 0x0002; ///< of CMI
 
 /// The registers with a drive's reaction to a lost link, its channels of command and reference, and its automatic
 /// restart. Address 0: the drive has no such register.
+/// Internal.
 struct safeguard_layout {
     std::uint16_t sll{0};             ///< reaction to a lost link
     std::uint16_t tto{0};             ///< time-out, 0.1 s
@@ -43,6 +49,7 @@ struct safeguard_layout {
 };
 
 /// Addresses and behaviour of one device.
+/// Internal.
 struct drive_layout {
     std::uint16_t cmd; ///< control word
     std::uint16_t eta; ///< status word
@@ -70,6 +77,7 @@ struct drive_layout {
 };
 
 /// CHCF of a drive whose control word runs and reverses by single bits.
+/// Internal.
 inline constexpr std::uint16_t io_profile = 3;
 
 /// How a drive interprets its control word. One with an I/O profile (ATV320, CHCF) may run on the words that stop all

@@ -18,6 +18,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 enum class run_direction : std::uint8_t { forward, reverse };
 
 /// A reference as a register write. Its word is signed: below zero turns the motor in reverse.
+/// Internal.
 struct reference_write {
     std::uint16_t address;
     std::uint16_t word;

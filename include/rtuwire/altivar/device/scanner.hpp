@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Where the scanner of a drive has its slots: registers that one request reads or writes in place of others.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstdint>

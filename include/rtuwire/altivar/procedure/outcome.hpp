@@ -21,7 +21,10 @@ enum class outcome_kind : std::uint8_t {
     refused,               ///< by an exception: `error` tells which
     no_place,              ///< the client cannot keep one more order: see `drive_client`
     silent,                ///< no response was accepted; `error` tells why
-    stuck,                 ///< the state did not change in time, or fell back; a stop: confirmed, and not obeyed
+    state_timeout,         ///< the drive did not reach the state or speed in time; a stop: confirmed, and not obeyed
+    fell_back,             ///< the drive had reached a state, and left it without a command from here
+    stop_key,              ///< the drive shows that its STOP key was pressed
+    aborted,               ///< given up: the drive is in no state for it, or the limit was over too early
     unconfirmed,           ///< a stop: its word was confirmed, or the motor slows down; no standstill was read
     in_fault,              ///< the drive is in fault; `fault` is its LFT
     local_control,         ///< the drive is commanded locally, at its keypad or terminals
@@ -67,7 +70,10 @@ struct reason {
     case outcome_kind::refused: return "refused by the drive";
     case outcome_kind::no_place: return "the client has no place for one more drive";
     case outcome_kind::silent: return "no response";
-    case outcome_kind::stuck: return "the drive does not follow";
+    case outcome_kind::state_timeout: return "the drive did not follow in time: look at its state and its ramp";
+    case outcome_kind::fell_back: return "the drive fell back by itself: look at its power and its terminals";
+    case outcome_kind::stop_key: return "the drive's STOP key was pressed: look who is at the drive";
+    case outcome_kind::aborted: return "given up before it was done: look at the drive's state and the time limit";
     case outcome_kind::unconfirmed: return "told to stop, not seen to stand";
     case outcome_kind::in_fault: return "the drive is in fault";
     case outcome_kind::local_control: return "the drive is in local control";

@@ -3,6 +3,7 @@
 //
 // A procedure decides and `procedure_runner` acts: what happened goes in as an event, what to do next comes out as an
 // action. So each start, stop or reset is a small function of words, without frames or clocks.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstdint>
@@ -112,7 +113,7 @@ public:
     [[nodiscard]] constexpr duration drive_timeout() const noexcept { return layout_->longest_silence; }
 
     /// Ends a procedure that asks for further actions after its limit.
-    constexpr action give_up() noexcept { return end(outcome_kind::stuck); }
+    constexpr action give_up() noexcept { return end(outcome_kind::aborted); }
 
 protected:
     explicit constexpr procedure(drive_layout const& layout) noexcept : layout_{&layout} {}

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Runs a procedure as a conversation with one unit: single reads and writes, pauses, and a time limit.
+// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -22,6 +23,10 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// grace, or at the end of the one request that is then under way or still has to be sent to leave the drive safe.
 template <typename Script> class procedure_runner : public commander {
 public:
+    /// Each action says whether its request may be repeated.
+    static constexpr conversation_properties properties{.urgency = urgency::stop_of_unit,
+                                                        .freshness = freshness::when_free};
+
     constexpr procedure_runner(unit_id unit, Script const& procedure, duration limit) noexcept
         : procedure_{procedure}, limit_{limit}, unit_{unit}
     {}

@@ -6,6 +6,7 @@
 // k that is a power of 2. Modulo x + 1 the message is its parity. Of the two remainders modulo T that
 // fit 16 bits, r and r + T, the CRC is the one with the parity of the message. All words are reflected:
 // bit 0 is the highest power.
+// Internal: may change with any version.
 #pragma once
 
 #include <array>

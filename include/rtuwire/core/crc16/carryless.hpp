@@ -6,6 +6,7 @@
 // by the power of x that follows from its distance to the end, modulo the polynomial, so that no product
 // waits for another; the sum has 80 bits, and two more products in a row give its CRC. All words are
 // reflected: bit 0 is the highest power.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // CRC-16/MODBUS from tables: the effect of shifting out 4 or 8 bits at some distance from the end.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // The channels from which a drive takes its commands and its reference, by its settings and its logic inputs.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/sim/drive/image.hpp>
-#include <rtuwire/sim/drive/register_index.hpp>
+#include <rtuwire/sim/drive/registers/image.hpp>
+#include <rtuwire/sim/drive/registers/register_index.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
@@ -39,6 +40,38 @@ struct channel_choice {
     bool is_forced_local{false}; ///< an input takes it away
     bool is_io_profile{false};   ///< bit 0 of the command word is RUN
     bool is_run_closed{false};   ///< the terminals command to run: LI1, two wires, by level
+};
+
+/// Who commands the drive: the link by the settings, unless a key or an input takes the command away, or the link has
+/// given it to the terminals.
+class command_source {
+public:
+    constexpr void choose(channel_choice const& now) noexcept { choice_ = now; }
+    [[nodiscard]] constexpr channel_choice const& choice() const noexcept { return choice_; }
+
+    /// Whether the settings give the command to the link, and nothing at the drive takes it away.
+    [[nodiscard]] constexpr bool may_be_link() const noexcept { return choice_.is_link and not is_forced_local(); }
+
+    /// Whether the link commands.
+    [[nodiscard]] constexpr bool is_link() const noexcept { return may_be_link() and not is_released_; }
+
+    /// Whether a key or an input at the drive has taken the command from Modbus.
+    [[nodiscard]] constexpr bool is_forced_local() const noexcept { return is_at_keypad_ or choice_.is_forced_local; }
+    [[nodiscard]] constexpr bool is_at_keypad() const noexcept { return is_at_keypad_; }
+    constexpr void set_at_keypad(bool is_at_keypad) noexcept { is_at_keypad_ = is_at_keypad; }
+
+    /// The link gives the control to the terminals, or takes it back; returns whether that changed it.
+    constexpr bool set_released(bool is_released) noexcept
+    {
+        bool const is_new = is_released_ != is_released;
+        is_released_ = is_released;
+        return is_new;
+    }
+
+private:
+    channel_choice choice_{};
+    bool is_at_keypad_{false};
+    bool is_released_{false};
 };
 
 /// A view of the channel settings in an image, which outlives it.

@@ -3,6 +3,7 @@
 //
 // Which channel commands a simulated drive and what the command words did: its state machine, the edges of the words,
 // direct control, the keys on the drive, the fault. Knows neither registers nor a motor.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +18,42 @@ namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// How a motor is stopped; `as_set` is the setting of the register STT.
 enum class stopping : std::uint8_t { none, ramp, fast, freewheel, injection, as_set };
+
+/// Whether a command word is one of direct control.
+[[nodiscard]] constexpr bool is_direct(std::uint16_t word, altivar::drive_layout const& layout) noexcept
+{
+    return (word & layout.direct_control) != 0;
+}
+
+/// The five words of direct control have bits 1 and 3 set; others remove the power.
+[[nodiscard]] constexpr bool is_direct_run(std::uint16_t word) noexcept
+{
+    constexpr std::uint16_t enabled = 0x000A;
+    return (word & enabled) == enabled;
+}
+
+/// Whether a command word gives the control to the terminals.
+[[nodiscard]] constexpr bool releases_link(std::uint16_t word, altivar::drive_layout const& layout) noexcept
+{
+    constexpr std::uint16_t release_link = 0x0100;
+    return is_direct(word, layout) and (word & release_link) != 0;
+}
+
+/// How the bits of a command word stop a motor in operation; `none` where it may turn.
+[[nodiscard]] constexpr stopping how_it_stops_by(std::uint16_t word, altivar::drive_layout const& layout) noexcept
+{
+    constexpr std::uint16_t ramp_stop = 0x1000, dc_stop = 0x2000, fast_stop = 0x4000;
+    if (not is_direct(word, layout)) {
+        return (word & layout.halt) != 0 ? stopping::as_set : stopping::none;
+    }
+    if ((word & fast_stop) != 0) {
+        return stopping::fast;
+    }
+    if ((word & dc_stop) != 0) {
+        return stopping::injection;
+    }
+    return (word & ramp_stop) != 0 ? stopping::ramp : stopping::none;
+}
 
 /// The command side of a drive.
 class control {
@@ -34,13 +71,10 @@ public:
     [[nodiscard]] constexpr bool has_fault() const noexcept { return cia402::is_in_fault(state_machine_.state()); }
 
     /// Whether Modbus commands the drive.
-    [[nodiscard]] constexpr bool is_by_link() const noexcept
-    {
-        return choice_.is_link and not is_forced_local() and not is_released_;
-    }
+    [[nodiscard]] constexpr bool is_by_link() const noexcept { return source_.is_link(); }
 
     /// Whether a key or an input at the drive has taken the command from Modbus.
-    [[nodiscard]] constexpr bool is_forced_local() const noexcept { return is_at_keypad_ or choice_.is_forced_local; }
+    [[nodiscard]] constexpr bool is_forced_local() const noexcept { return source_.is_forced_local(); }
 
     /// Whether the command asks for the other direction.
     [[nodiscard]] constexpr bool is_reversed() const noexcept
@@ -55,12 +89,12 @@ public:
             return stopping::fast;
         }
         if (state_machine_.state() != cia402::state::operation_enabled or state_machine_.is_leaving()) {
-            return is_by_link() and not choice_.is_io_profile ? stopping::ramp : stopping::as_set;
+            return is_by_link() and not source_.choice().is_io_profile ? stopping::ramp : stopping::as_set;
         }
         if (is_abandoned_) {
             return stopping::as_set;
         }
-        return is_by_link() ? how_the_word_stops() : stopping::none;
+        return is_by_link() ? how_it_stops_by(last_command_, *layout_) : stopping::none;
     }
 
     /// Power-up: nothing before it is remembered. A drive with direct control follows its terminals until the link
@@ -68,7 +102,7 @@ public:
     constexpr void power_up() noexcept
     {
         *this = control{*layout_};
-        is_released_ = layout_->direct_control != 0;
+        source_.set_released(layout_->direct_control != 0);
         state_machine_.power_up();
     }
     constexpr void initialised() noexcept { state_machine_.initialised(); }
@@ -90,12 +124,12 @@ public:
     constexpr void choose(channel_choice const& now) noexcept
     {
         bool const was_by_link = is_by_link();
-        choice_ = now;
+        source_.choose(now);
         if (was_by_link != is_by_link()) {
             state_machine_.fall_back();
         }
-        if (not is_by_link() and not is_at_keypad_) {
-            run_by_level(choice_.is_run_closed);
+        if (not is_by_link() and not source_.is_at_keypad()) {
+            run_by_level(now.is_run_closed);
         }
     }
 
@@ -104,8 +138,8 @@ public:
     {
         std::uint16_t const before = last_command_;
         last_command_ = word;
-        if (choice_.is_link and not is_forced_local()) {
-            set_released(is_direct(word) and (word & release_link) != 0);
+        if (source_.may_be_link() and source_.set_released(releases_link(word, *layout_))) {
+            state_machine_.fall_back();
         }
         if (not is_by_link()) {
             return false;
@@ -162,7 +196,7 @@ public:
     /// Gives the command to the keypad, or takes it back.
     constexpr void set_local(bool is_local) noexcept
     {
-        is_at_keypad_ = is_local;
+        source_.set_at_keypad(is_local);
         if (is_local) {
             state_machine_.fall_back();
         }
@@ -180,36 +214,6 @@ public:
     }
 
 private:
-    static constexpr std::uint16_t release_link = 0x0100; ///< CMD, with the bit of direct control
-    static constexpr std::uint16_t ramp_stop = 0x1000;
-    static constexpr std::uint16_t dc_stop = 0x2000;
-    static constexpr std::uint16_t fast_stop = 0x4000;
-
-    constexpr bool is_direct(std::uint16_t word) const noexcept { return (word & layout_->direct_control) != 0; }
-
-    constexpr stopping how_the_word_stops() const noexcept
-    {
-        if (not is_direct(last_command_)) {
-            return (last_command_ & layout_->halt) != 0 ? stopping::as_set : stopping::none;
-        }
-        if ((last_command_ & fast_stop) != 0) {
-            return stopping::fast;
-        }
-        if ((last_command_ & dc_stop) != 0) {
-            return stopping::injection;
-        }
-        return (last_command_ & ramp_stop) != 0 ? stopping::ramp : stopping::none;
-    }
-
-    /// The link gives the control to the terminals, or takes it back.
-    constexpr void set_released(bool is_released) noexcept
-    {
-        if (is_released_ != is_released) {
-            is_released_ = is_released;
-            state_machine_.fall_back();
-        }
-    }
-
     /// In a fault only the edge of bit 7 has an effect, in words of any kind.
     constexpr bool reset_by(std::uint16_t before, std::uint16_t word) noexcept
     {
@@ -224,23 +228,12 @@ private:
     constexpr void follow(std::uint16_t word) noexcept
     {
         constexpr std::uint16_t run = 0x0001;
-        if (choice_.is_io_profile) {
+        if (source_.choice().is_io_profile) {
             run_by_level((word & run) != 0);
-        } else if (is_direct(word)) {
-            apply_directly(word);
+        } else if (is_direct(word, *layout_)) {
+            is_direct_run(word) ? state_machine_.enable_directly() : state_machine_.fall_back();
         } else {
             state_machine_.apply(cia402::recognise(word), false);
-        }
-    }
-
-    /// The five words of direct control have bits 1 and 3 set; others remove the power.
-    constexpr void apply_directly(std::uint16_t word) noexcept
-    {
-        constexpr std::uint16_t enabled = 0x000A;
-        if ((word & enabled) == enabled) {
-            state_machine_.enable_directly();
-        } else {
-            state_machine_.fall_back();
         }
     }
 
@@ -255,12 +248,10 @@ private:
 
     altivar::drive_layout const* layout_;
     sim::state_machine state_machine_;
-    channel_choice choice_{};
+    command_source source_{};
     std::uint16_t last_command_{0};
     std::uint16_t fault_{0};
     bool has_cause_{false};
-    bool is_at_keypad_{false};
-    bool is_released_{false};
     bool is_abandoned_{false};
     bool is_stop_held_{false};
     bool is_stopped_by_key_{false};

@@ -3,6 +3,7 @@
 //
 // What a drive demands of its motor: a frequency in a direction, or a kind of stop; from its commands, its channels,
 // its limits and a link that may be lost.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +12,11 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/drive/channels.hpp>
 #include <rtuwire/sim/drive/control.hpp>
-#include <rtuwire/sim/drive/fault_record.hpp>
-#include <rtuwire/sim/drive/image.hpp>
 #include <rtuwire/sim/drive/motor.hpp>
 #include <rtuwire/sim/drive/parameters.hpp>
-#include <rtuwire/sim/drive/register_index.hpp>
+#include <rtuwire/sim/drive/registers/fault_record.hpp>
+#include <rtuwire/sim/drive/registers/image.hpp>
+#include <rtuwire/sim/drive/registers/register_index.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
 

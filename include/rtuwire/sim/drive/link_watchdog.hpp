@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // How a drive supervises its serial link: after the first request, each next one must come within the time-out.
+// Internal: may change with any version.
 #pragma once
 
 #include <rtuwire/core/time.hpp>

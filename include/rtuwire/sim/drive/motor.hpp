@@ -3,6 +3,7 @@
 //
 // A motor on a ramp: its frequency in millihertz, its current and its thermal state. Plausible, not exact; integers
 // only, and any step of time is one calculation.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstdint>

@@ -3,6 +3,7 @@
 //
 // What the words of a drive's settings mean to its model: ramps, speed limits, the motor's nameplate, the supervision
 // of the link.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +12,9 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/drive/control.hpp>
-#include <rtuwire/sim/drive/image.hpp>
 #include <rtuwire/sim/drive/motor.hpp>
-#include <rtuwire/sim/drive/register_index.hpp>
+#include <rtuwire/sim/drive/registers/image.hpp>
+#include <rtuwire/sim/drive/registers/register_index.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
 

@@ -2,7 +2,23 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // The drive's side of the state machine: its state, what a control word does, what happens by itself. Knows no motor:
-// "at rest" and "the cause is gone" are reported to it.
+// "at rest" and "the cause is gone" are reported to it. Commands take the transitions of cia402/transition.hpp; the
+// others are its own (number, or - where the profile has none):
+//
+//   state                  event                                  -> next state
+//   any                    power_up                               -> not ready to switch on      0
+//   not ready to switch on initialised                            -> switch on disabled          1
+//   ready to switch on     enable operation, without 3B           -> operation enabled           3, then 4
+//   operation enabled      switch on                              -> the same, leaving           -
+//   leaving                at_rest                                -> switched on                 5
+//                          enable operation                       -> operation enabled           -
+//   quick stop active      at_rest, unless the quick stop waits   -> switch on disabled          12
+//   any but a fault        trip                                   -> fault reaction active       13
+//   fault reaction active  at_rest                                -> fault                       14
+//   fault                  fault reset, once the cause is gone    -> switch on disabled          15
+//   any but a fault and
+//   not ready to switch on enable_directly                        -> operation enabled           -
+// Internal: may change with any version.
 #pragma once
 
 #include <cstdint>
@@ -112,7 +128,7 @@ private:
         state_ = to;
         last_ = number;
         is_leaving_ = false;
-        taken_ |= 1U << static_cast<unsigned>(number);
+        taken_ |= std::uint32_t{1} << static_cast<unsigned>(number);
     }
 
     cia402::state_machine_options options_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // The contents of a simulated drive's monitoring registers.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +12,10 @@
 #include <rtuwire/cia402/state.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/drive/channels.hpp>
-#include <rtuwire/sim/drive/image.hpp>
 #include <rtuwire/sim/drive/motor.hpp>
 #include <rtuwire/sim/drive/parameters.hpp>
-#include <rtuwire/sim/drive/register_index.hpp>
+#include <rtuwire/sim/drive/registers/image.hpp>
+#include <rtuwire/sim/drive/registers/register_index.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
 

@@ -17,6 +17,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// The vendor name of the drives, and their conformity level: regular identification, as a stream.
 inline constexpr literal maker{"Schneider Electric"};
+/// Internal.
 inline constexpr std::uint8_t printed_conformity = 0x02;
 
 /// The profile of a server with the functions and limits of a device and these objects; without function 43 the

@@ -37,6 +37,7 @@ struct line_faults {
 };
 
 /// A character as the receivers on the line get it.
+/// Internal.
 struct character {
     std::byte byte;
     bool is_damaged;      ///< a parity or framing error in the receiver
@@ -53,6 +54,13 @@ public:
 
     constexpr line(std::uint32_t bits_per_second, character_format format, std::uint32_t seed) noexcept
         : random_{seed}, bit_ns_{1'000'000'000U / bits_per_second}, format_{format}
+    {}
+
+    /// A line whose characters have a parity bit and take the time that `timing` gives.
+    constexpr line(line_timing const& timing, std::uint32_t seed) noexcept
+        : random_{seed}, bit_ns_{timing.characters(1).microseconds * 1'000U /
+                                 bits_per_character(character_format::even_8_1)},
+          format_{character_format::even_8_1}
     {}
 
     /// Sets the faults of what one of the senders 0 to 7 transmits.
@@ -146,7 +154,7 @@ private:
     constexpr std::size_t place_of(instant at) const noexcept
     {
         std::uint64_t const ns = std::uint64_t{(at - begin_).microseconds} * 1'000U;
-        return static_cast<std::size_t>((ns + bit_ns_ - 1) / bit_ns_);
+        return static_cast<std::uint32_t>((ns + bit_ns_ - 1) / bit_ns_);
     }
 
     /// A transceiver switches its direction: a short low before the frame.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Deterministic pseudo-random numbers: the same seed gives the same sequence. For simulations; not for secrets.
+// Internal: may change with any version.
 #pragma once
 
 #include <cstdint>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // One character on a wire: start bit, data, parity, stop. Bit 0 of a pattern comes first; idle is 1.
+// Internal: may change with any version.
 #pragma once
 
 #include <bit>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // A section of the signal on a two-wire line, bit by bit: idle high, pulled low by any sender.
+// Internal: may change with any version.
 #pragma once
 
 #include <array>

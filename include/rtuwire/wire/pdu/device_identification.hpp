@@ -21,10 +21,12 @@ inline constexpr std::uint8_t product_code = 0x01;
 inline constexpr std::uint8_t major_minor_revision = 0x02;
 
 /// The type byte of read device identification within function 43.
+/// Internal.
 inline constexpr std::uint8_t identification_mei_type = 0x0E;
 
 /// How many objects (number, length and text of each) these bytes hold; 0 where the last one is incomplete or
 /// the numbers do not rise.
+/// Internal.
 [[nodiscard]] constexpr std::size_t objects_in(byte_view bytes) noexcept
 {
     std::byte const* at = bytes.data();

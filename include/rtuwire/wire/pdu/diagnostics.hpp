@@ -30,6 +30,7 @@ enum class subfunction : std::uint16_t {
 };
 
 /// Whether the data of a normal response are those of its request (AP 6.8.1); the others count or report.
+/// Internal.
 [[nodiscard]] constexpr bool repeats_data(subfunction what) noexcept
 {
     return what == subfunction::return_query_data or what == subfunction::restart_communications or

@@ -14,6 +14,7 @@
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The most data bytes that a raw PDU can have.
+/// Internal.
 template <typename Bytes> inline constexpr std::size_t raw_bytes_at_most = max_pdu_size - 1U;
 template <std::size_t Size>
 inline constexpr std::size_t raw_bytes_at_most<std::array<std::byte, Size>> =

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Saves a drive's settings to its EEPROM, and clears the order: a CMI that keeps the bit set wears
+// the memory out. Orders left in CMI from before are not repeated with it.
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/altivar/procedure/procedure_runner.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/table/device.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// Decides a save, word by word.
+/// Internal.
+class save_procedure : public procedure {
+public:
+    explicit constexpr save_procedure(drive_layout const& layout) noexcept : procedure{layout} {}
+
+    constexpr action step(event const& what) noexcept
+    {
+        switch (what.what) {
+        case event::kind::begun: return to_read(layout().eta);
+        case event::kind::word_read: return on_response(what.word);
+        case event::kind::written: return after_write();
+        case event::kind::pause_over: return layout().shows_eeprom_access ? to_read(layout().eti) : take_back();
+        case event::kind::failed: return abort(what.error);
+        case event::kind::late: break;
+        }
+        return abort(errc::timed_out);
+    }
+
+private:
+    enum class stage : std::uint8_t { looking, reading_control, saving, taking_back };
+
+    constexpr action on_response(std::uint16_t word) noexcept
+    {
+        switch (stage_) {
+        case stage::looking:
+            if (cia402::has_power(note(word))) {
+                return end(outcome_kind::refused_while_running);
+            }
+            stage_ = stage::reading_control;
+            return to_read(layout().cmi);
+        case stage::reading_control:
+            control_ = static_cast<std::uint16_t>(word & ~layout().cmi_orders);
+            stage_ = stage::saving;
+            return to_write(layout().cmi, static_cast<std::uint16_t>(control_ | save_bit));
+        case stage::saving:
+        case stage::taking_back: break;
+        }
+        constexpr std::uint16_t eeprom_access = 0x0001;
+        return (word & eeprom_access) != 0 ? to_pause(status_period) : take_back();
+    }
+
+    constexpr action take_back() noexcept
+    {
+        stage_ = stage::taking_back;
+        return to_write(layout().cmi, control_);
+    }
+
+    constexpr action after_write() noexcept
+    {
+        return stage_ == stage::taking_back ? end(outcome_kind::succeeded) : to_pause(layout().eeprom_time);
+    }
+
+    /// Ends, but not with the bit set.
+    constexpr action abort(errc error) noexcept
+    {
+        action const over = end(error);
+        return stage_ == stage::saving ? take_back() : over;
+    }
+
+    std::uint16_t control_{0};
+    stage stage_{stage::looking};
+};
+
+/// Saves all settings of a stopped drive. The memory endures this 100 000 times in the drive's life: call
+/// it when a person has finished a change, never in a cycle. The order is cleared at the end, also
+/// where the save failed.
+class save_to_eeprom : public procedure_runner<save_procedure> {
+public:
+    template <device_type Device>
+    explicit constexpr save_to_eeprom(station<Device> const& drive, duration limit = milliseconds(5'000)) noexcept
+        : procedure_runner{drive.unit(), save_procedure{Device::layout}, limit}
+    {}
+};
+
+} // namespace rtuwire::altivar

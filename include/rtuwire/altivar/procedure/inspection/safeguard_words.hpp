@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What the words of a drive's safeguard registers mean for an order: which register each check reads, and which words
+// forbid an order. It knows no requests and no accepted risks.
+// Internal: may change with any version.
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/altivar/device/drive_layout.hpp>
+#include <rtuwire/altivar/procedure/inspection/supervision_report.hpp>
+#include <rtuwire/altivar/procedure/outcome.hpp>
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// What is read, in this order: the channel defines what the others mean.
+enum class safeguard : std::uint8_t {
+    reaction,
+    timeout,
+    mode,
+    command,
+    reference,
+    local_input,
+    restart,
+    disable,
+    wiring,
+    inputs,
+    status, ///< every drive has it
+};
+
+/// The words that were read of a drive's safeguards.
+class safeguard_words {
+public:
+    explicit constexpr safeguard_words(std::uint16_t run_inputs) noexcept : run_inputs_{run_inputs} {}
+
+    /// The register to read; 0 where the drive has none.
+    [[nodiscard]] constexpr std::uint16_t address_of(safeguard what, drive_layout const& layout) const noexcept
+    {
+        safeguard_layout const& at = layout.safeguards;
+        bool const is_local_first = at.is_local_at_power_up;
+        switch (what) {
+        case safeguard::reaction: return at.nto != 0 ? layout.cmi : at.sll;
+        case safeguard::timeout: return at.tto;
+        case safeguard::mode: return at.chcf;
+        case safeguard::command: return mode_ == together ? std::uint16_t{0} : at.cd1;
+        case safeguard::reference: return at.fr1;
+        case safeguard::local_input: return at.flo;
+        case safeguard::restart: return at.atr;
+        case safeguard::disable: return at.dotd;
+        case safeguard::wiring: return is_local_first ? at.tcc : std::uint16_t{0};
+        case safeguard::inputs: return is_local_first ? at.inputs : std::uint16_t{0};
+        case safeguard::status: break;
+        }
+        return layout.eta;
+    }
+
+    /// Why a word forbids an order; `succeeded` where it does not. Notes in the report what it says besides.
+    constexpr outcome_kind judge(safeguard what, std::uint16_t word, safeguard_layout const& at,
+                                 supervision_report& report) noexcept
+    {
+        constexpr std::uint16_t by_modbus = 10, reference_by_modbus = 164;
+        switch (what) {
+        case safeguard::reaction: return judge_reaction(word, at, report.period);
+        case safeguard::timeout: return judge_timeout(word, report.period);
+        case safeguard::mode: return judge_mode(word);
+        case safeguard::command: return unless(word == by_modbus, outcome_kind::other_channel);
+        case safeguard::reference: return unless(word == reference_by_modbus, outcome_kind::other_channel);
+        case safeguard::local_input: report.has_local_input = word != 0; break;
+        // 2 on an ATV28: after a mains failure it restarts by its terminals, which counts as well.
+        case safeguard::restart: return unless(word == 0, outcome_kind::restarts_by_itself);
+        case safeguard::disable: stops_on_ramp_ = word == 1; break;
+        case safeguard::wiring: is_three_wire_ = word == 1; break;
+        case safeguard::inputs: return judge_inputs(word);
+        case safeguard::status: return unless((word & remote_bit) != 0, outcome_kind::local_control);
+        }
+        return outcome_kind::succeeded;
+    }
+
+    /// What the drive's control words mean.
+    [[nodiscard]] constexpr word_meaning meaning(drive_layout const& layout) const noexcept
+    {
+        bool const is_known = mode_ == together or mode_ == apart;
+        bool const has_one_meaning = layout.chcf == 0 or is_known;
+        bool const is_on_ramp = layout.safeguards.dotd == 0 or stops_on_ramp_;
+        return has_one_meaning and is_on_ramp ? word_meaning::cia402 : word_meaning::unknown;
+    }
+
+private:
+    static constexpr std::uint16_t together = 1, apart = 2;
+
+    static constexpr outcome_kind unless(bool is_right, outcome_kind kind) noexcept
+    {
+        return is_right ? outcome_kind::succeeded : kind;
+    }
+
+    constexpr outcome_kind judge_reaction(std::uint16_t word, safeguard_layout const& at, period_rule& period) noexcept
+    {
+        if (at.nto != 0) {
+            is_watched_ = (word & at.nto) == 0;
+            period.timeout = is_watched_ ? at.fixed_timeout : duration{};
+            return unless(is_watched_, outcome_kind::unsupervised);
+        }
+        is_watched_ = word != 0;
+        switch (word) {
+        case 0: return outcome_kind::unsupervised;
+        case 1: // 1, 2, 6, 7, 8: freewheel, as STT sets, ramp, fast stop, DC injection
+        case 2:
+        case 6:
+        case 7:
+        case 8: return outcome_kind::succeeded;
+        case 4:
+        case 5: return outcome_kind::runs_on_without_link;
+        default: return outcome_kind::unknown_register;
+        }
+    }
+
+    constexpr outcome_kind judge_timeout(std::uint16_t word, period_rule& period) const noexcept
+    {
+        period.timeout = is_watched_ ? milliseconds(100) * word : duration{};
+        return unless(word != 0, outcome_kind::unsupervised);
+    }
+
+    constexpr outcome_kind judge_mode(std::uint16_t word) noexcept
+    {
+        mode_ = word;
+        if (word == io_profile) {
+            return outcome_kind::not_drive_profile;
+        }
+        return unless(word == together or word == apart, outcome_kind::unknown_register);
+    }
+
+    constexpr outcome_kind judge_inputs(std::uint16_t word) const noexcept
+    {
+        bool const asks_to_run = not is_three_wire_ and (word & run_inputs_) != 0;
+        return unless(not asks_to_run, outcome_kind::run_input_closed);
+    }
+
+    std::uint16_t run_inputs_;
+    std::uint16_t mode_{0};
+    bool is_watched_{true};
+    bool stops_on_ramp_{false};
+    bool is_three_wire_{false};
+};
+
+} // namespace rtuwire::altivar

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What has to be known about a drive before its first order: that it would stop by itself when its line goes silent,
+// that Modbus commands it, and that it would not start by itself. It reads and never writes. A wrong setting is refused
+// and its register reported, unless the risk was accepted by its name.
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/altivar/procedure/inspection/safeguard_words.hpp>
+#include <rtuwire/altivar/procedure/inspection/supervision_report.hpp>
+#include <rtuwire/altivar/procedure/procedure_runner.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/table/device.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// Decides the check, word by word. It ends as `succeeded` where the drive may be ordered.
+/// Internal.
+class supervision_procedure : public procedure {
+public:
+    explicit constexpr supervision_procedure(drive_layout const& layout,
+                                             supervision_options const& options = {}) noexcept
+        : procedure{layout}, options_{options}, words_{options.run_inputs}
+    {
+        report_.period.longest_gap = options.longest_gap;
+    }
+
+    /// Takes the result of an earlier check.
+    constexpr supervision_procedure(drive_layout const& layout, supervision_report const& found) noexcept
+        : procedure{layout}, report_{found}, words_{0}, is_known_{true}
+    {}
+
+    constexpr action step(event const& what) noexcept
+    {
+        switch (what.what) {
+        case event::kind::begun: return is_known_ ? end(report_.finding) : ask();
+        case event::kind::word_read: return go_on(judge(what.word), what.word);
+        case event::kind::failed: return go_without(what.error);
+        case event::kind::written:
+        case event::kind::pause_over:
+        case event::kind::late: break;
+        }
+        return end(outcome_kind::silent, errc::timed_out);
+    }
+
+    [[nodiscard]] constexpr supervision_report const& report() const noexcept { return report_; }
+
+    /// How long the drive keeps running without a request, as it was read; else the longest that can be set.
+    [[nodiscard]] constexpr duration drive_timeout() const noexcept
+    {
+        bool const is_read = report_.period.timeout != duration{};
+        return is_read ? report_.period.timeout : layout().longest_silence;
+    }
+
+private:
+    constexpr std::uint16_t address() const noexcept { return words_.address_of(at_, layout()); }
+
+    constexpr action ask() noexcept
+    {
+        while (address() == 0) {
+            at_ = after(at_);
+        }
+        return to_read(address());
+    }
+
+    static constexpr safeguard after(safeguard at) noexcept
+    {
+        return static_cast<safeguard>(static_cast<unsigned>(at) + 1U);
+    }
+
+    constexpr outcome_kind judge(std::uint16_t word) noexcept
+    {
+        if (at_ == safeguard::status) {
+            note(word);
+        }
+        return words_.judge(at_, word, layout().safeguards, report_);
+    }
+
+    /// Skips a register that the drive does not have; any other error ends the check.
+    constexpr action go_without(errc error) noexcept
+    {
+        if (error != errc::illegal_data_address) {
+            return end(error);
+        }
+        bool const is_needed = at_ != safeguard::local_input and at_ != safeguard::disable and at_ != safeguard::wiring;
+        return go_on(is_needed ? outcome_kind::unknown_register : outcome_kind::succeeded, 0, error);
+    }
+
+    constexpr action go_on(outcome_kind found, std::uint16_t word, errc error = errc::none) noexcept
+    {
+        if (found != outcome_kind::succeeded) {
+            report_.address = address();
+            report_.word = word;
+            if (not accepts(found)) {
+                return conclude(found, error);
+            }
+        }
+        if (at_ == safeguard::status) {
+            return finish();
+        }
+        at_ = after(at_);
+        return ask();
+    }
+
+    constexpr action conclude(outcome_kind found, errc error = errc::none) noexcept
+    {
+        report_.finding = found;
+        return end(found, error);
+    }
+
+    /// Whether a finding is accepted; an accepted one is kept in the report.
+    constexpr bool accepts(outcome_kind found) noexcept
+    {
+        for (named_risk const& each : named_risks) {
+            if (each.found == found and options_.risks.*each.risk) {
+                report_.accepted.*each.risk = true;
+                return true;
+            }
+        }
+        return false;
+    }
+
+    constexpr action finish() noexcept
+    {
+        report_.words = words_.meaning(layout());
+        if (not report_.period.holds()) {
+            report_.address = layout().safeguards.tto;
+            report_.word = static_cast<std::uint16_t>(report_.period.timeout.microseconds / 100'000);
+            if (not accepts(outcome_kind::timeout_too_short)) {
+                return conclude(outcome_kind::timeout_too_short);
+            }
+        }
+        return conclude(outcome_kind::succeeded);
+    }
+
+    supervision_options options_{};
+    supervision_report report_{};
+    safeguard_words words_;
+    safeguard at_{safeguard::reaction};
+    bool is_known_{false}; ///< an earlier check gave the report
+};
+
+/// Checks a drive before its first order: at most nine reads. It ends as `succeeded` (`ready`), or with the reason
+/// against it; the report then names the register and its word, and for `timeout_too_short` both times. An ATV12 and
+/// an ATV310 have no ATR; a second channel that an input switches to (CCS, RFC) is not checked.
+class check_supervision : public procedure_runner<supervision_procedure> {
+public:
+    template <device_type Device>
+    explicit constexpr check_supervision(station<Device> const& drive, supervision_options const& options = {},
+                                         duration limit = milliseconds(10'000)) noexcept
+        : procedure_runner{drive.unit(), supervision_procedure{Device::layout, options}, limit}
+    {}
+
+    /// Whether the drive may be ordered, accepted risks included.
+    [[nodiscard]] constexpr bool ready() const noexcept { return succeeded(); }
+
+    /// What was found; complete once it is settled.
+    [[nodiscard]] constexpr supervision_report const& report() const noexcept { return told().report(); }
+};
+
+} // namespace rtuwire::altivar

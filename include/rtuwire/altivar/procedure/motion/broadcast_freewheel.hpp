@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// One command to every drive of a kind on the line at once. A broadcast gets no response: only reading each drive
+// shows whether it was obeyed. altivar/procedure/motion/broadcast_stop.hpp does that, too.
+#pragma once
+
+#include <rtuwire/ask/single_request.hpp>
+#include <rtuwire/cia402/command.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/table/device.hpp>
+#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/unit_id.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// Removes the power from every motor whose drive has its control word where `Device` has it: one broadcast of "disable
+/// voltage". The motors coast. A line with ATV28 and later drives needs one of each.
+template <device_type Device> [[nodiscard]] constexpr auto broadcast_freewheel() noexcept
+{
+    return single_request{broadcast,
+                          write_single_register{Device::layout.cmd, cia402::word_of(cia402::command::disable_voltage)}};
+}
+
+} // namespace rtuwire::altivar

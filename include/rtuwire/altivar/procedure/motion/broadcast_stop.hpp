@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Stops all drives of a line: by broadcasts, which reach every drive at once and get no response, then each drive by
+// its own address, until its state shows that it stands. No emergency stop: it uses a line that can fail.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <rtuwire/altivar/procedure/motion/stop.hpp>
+#include <rtuwire/ask/commander.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/table/device.hpp>
+#include <rtuwire/wire/pdu/write_single_register.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// How all drives are stopped.
+struct broadcast_stop_options {
+    /// Whether all motors coast. Else they do a quick stop, unless an ATV320 whose control words may have another
+    /// meaning is among the drives: then all coast.
+    bool freewheel{false};
+    /// What is known about the control words of all ATV320s on the line: see `stop`.
+    word_meaning known{word_meaning::unknown};
+    /// Whether the first broadcast is sent even while the response of an ATV28 is missing. That drive then reports a
+    /// communication fault, and stops because of it.
+    bool cuts_short{false};
+    /// A control word's address that is not broadcast to, because something else on the line has another register there
+    /// (8501; an ATV28's is 400). The drives that have it there are stopped by their own addresses alone. 0: none.
+    std::uint16_t left_out{0};
+    /// From the first broadcast to the last; at least the longest response time-out on the line, so that a response
+    /// that was cut short cannot collide with all of them.
+    duration last_after{milliseconds(1'000)};
+    /// How long each drive may take to stand.
+    duration limit{milliseconds(30'000)};
+};
+
+/// The broadcasts of a line's families of drives, three rounds of them.
+/// Internal.
+class broadcast_rounds {
+public:
+    explicit constexpr broadcast_rounds(broadcast_stop_options const& options) noexcept
+        : left_out_{options.left_out}, known_{options.known}, coasts_{options.freewheel}
+    {}
+
+    /// Adds one more drive to those that have to stop.
+    constexpr void add(drive_layout const& layout) noexcept
+    {
+        coasts_ = coasts_ or (layout.chcf != 0 and known_ == word_meaning::unknown);
+        bool is_there = layout.cmd == left_out_ or size_ == families_.size();
+        for (std::size_t i = 0; i < size_; ++i) {
+            is_there = is_there or families_[i] == layout.cmd;
+        }
+        if (not is_there) {
+            families_[size_] = layout.cmd;
+            ++size_;
+        }
+    }
+
+    [[nodiscard]] constexpr bool is_over() const noexcept { return round_ == rounds or size_ == 0; }
+    [[nodiscard]] constexpr bool is_last_round() const noexcept { return round_ + 1 == rounds; }
+    [[nodiscard]] constexpr bool coasts() const noexcept { return coasts_; }
+
+    /// The broadcast that is due.
+    [[nodiscard]] constexpr write_single_register request() const noexcept
+    {
+        auto const command = coasts_ ? cia402::command::disable_voltage : cia402::command::quick_stop;
+        return {families_[at_], cia402::word_of(command)};
+    }
+    constexpr void next() noexcept
+    {
+        at_ = at_ + 1 == size_ ? 0 : at_ + 1;
+        round_ = static_cast<std::uint8_t>(round_ + (at_ == 0 ? 1 : 0));
+    }
+
+private:
+    static constexpr std::uint8_t rounds = 3;
+
+    std::array<std::uint16_t, 4> families_{};
+    std::size_t size_{0};
+    std::size_t at_{0};
+    std::uint16_t left_out_;
+    std::uint8_t round_{0};
+    word_meaning known_;
+    bool coasts_;
+};
+
+/// Stops the drives that it is given, and every other on the line that has its control word where one of them has it:
+/// `broadcast_stop all{press, pump, fan}`, or with options in front. Give it to `bus::run_urgent`, or to a client's
+/// `converse` before all others. A request under way on the line is given up, unless its response is arriving. No
+/// request enables a drive of this line until its user gives a new order after the end. `reason(i)` tells how the i-th
+/// drive's stop ended, as for `stop`.
+template <std::size_t Drives> class broadcast_stop : public commander {
+public:
+    static constexpr conversation_properties properties{.urgency = urgency::stop_of_all};
+
+    template <device_type... Device>
+    explicit constexpr broadcast_stop(broadcast_stop_options const& options, station<Device> const&... drives) noexcept
+        : broadcast_stop{options, rounds_of<Device...>(options), drives...}
+    {}
+    template <device_type... Device>
+    explicit constexpr broadcast_stop(station<Device> const&... drives) noexcept
+        : broadcast_stop{broadcast_stop_options{}, drives...}
+    {}
+
+    constexpr void advance(instant now) noexcept
+    {
+        if (not has_begun_) {
+            has_begun_ = true;
+            last_at_ = now + options_.last_after;
+            this->note_stop();
+        }
+        is_last_due_ = is_last_due_ or reached(now, last_at_);
+        if (rounds_.is_over()) {
+            for (stop& each : stops_) {
+                each.advance(now);
+            }
+            note_end();
+        }
+    }
+
+    constexpr std::optional<request_frame> next() noexcept
+    {
+        if (not rounds_.is_over()) {
+            return is_waiting() ? std::nullopt : ask_everyone();
+        }
+        at_ = candidate();
+        return stops_[at_].is_silenced() ? std::nullopt : stops_[at_].next();
+    }
+
+    constexpr void accept(result<response> const& outcome) noexcept
+    {
+        if (not rounds_.is_over()) {
+            return rounds_.next(); // lost or not: a broadcast has no response
+        }
+        stops_[at_].accept(outcome);
+        note_end();
+    }
+
+    [[nodiscard]] constexpr deadline poll_deadline() const noexcept
+    {
+        earliest next;
+        if (has_begun_ and not rounds_.is_over()) {
+            if (is_waiting()) {
+                next.add(last_at_);
+            }
+            return next;
+        }
+        for (stop const& each : stops_) {
+            next.add(each.poll_deadline());
+        }
+        return next;
+    }
+
+    /// Whether every drive's stop has ended.
+    [[nodiscard]] constexpr bool settled() const noexcept
+    {
+        bool is_settled = rounds_.is_over();
+        for (stop const& each : stops_) {
+            is_settled = is_settled and each.settled();
+        }
+        return is_settled;
+    }
+
+    /// Whether every drive's state showed that it stands.
+    [[nodiscard]] constexpr bool succeeded() const noexcept
+    {
+        bool is_done = settled();
+        for (stop const& each : stops_) {
+            is_done = is_done and each.succeeded();
+        }
+        return is_done;
+    }
+
+    /// How the stop of a drive ended; `pending` before, and from `Drives` on.
+    [[nodiscard]] constexpr altivar::reason reason(std::size_t drive) const noexcept
+    {
+        return drive < Drives ? stops_[drive].reason() : altivar::reason{};
+    }
+
+    /// For the client: see ask/commander.hpp.
+    [[nodiscard]] constexpr effect intent() const noexcept
+    {
+        if (not rounds_.is_over()) {
+            return has_begun_ and not is_waiting() ? effect::stopping : effect::none;
+        }
+        return stops_[candidate()].intent();
+    }
+    [[nodiscard]] constexpr bool is_urgent() const noexcept { return not rounds_.is_over(); }
+    [[nodiscard]] constexpr bool may_cut(std::uint8_t unit) const noexcept
+    {
+        if (rounds_.is_over()) {
+            return stops_[candidate()].unit().byte() == unit;
+        }
+        for (std::size_t i = 0; i < Drives; ++i) {
+            if (fails_when_cut_[i] and stops_[i].unit().byte() == unit) {
+                return options_.cuts_short;
+            }
+        }
+        return true;
+    }
+    [[nodiscard]] constexpr std::array<stop, Drives>& stops() noexcept { return stops_; }
+
+private:
+    template <device_type... Device>
+    constexpr broadcast_stop(broadcast_stop_options const& options, broadcast_rounds const& rounds,
+                             station<Device> const&... drives) noexcept
+        : stops_{stop{drives, rounds.coasts() ? stop_by::freewheel : stop_by::quick_stop, options.limit,
+                      options.known}...},
+          fails_when_cut_{Device::layout.fails_when_cut_short...}, rounds_{rounds}, options_{options}
+    {}
+
+    template <device_type... Device>
+    static constexpr broadcast_rounds rounds_of(broadcast_stop_options const& options) noexcept
+    {
+        broadcast_rounds rounds{options};
+        (rounds.add(Device::layout), ...);
+        return rounds;
+    }
+
+    /// The last round waits until no response can still be on the line.
+    constexpr bool is_waiting() const noexcept { return rounds_.is_last_round() and not is_last_due_; }
+
+    constexpr std::optional<request_frame> ask_everyone() noexcept
+    {
+        static_cast<void>(encode_into(frame_, broadcast, rounds_.request()));
+        return request_frame{frame_};
+    }
+
+    /// The stop that sends next: words that stop come first, then the others in turn.
+    constexpr std::size_t candidate() const noexcept
+    {
+        std::size_t found = at_;
+        bool has_found = false;
+        for (std::size_t i = 1; i <= Drives; ++i) {
+            std::size_t const at = (at_ + i) % Drives;
+            if (stops_[at].intent() == effect::stopping) {
+                return at;
+            }
+            if (not has_found and stops_[at].has_request() and not stops_[at].is_silenced()) {
+                has_found = true;
+                found = at;
+            }
+        }
+        return found;
+    }
+
+    constexpr void note_end() noexcept
+    {
+        if (settled()) {
+            this->note_stop_over();
+        }
+    }
+
+    std::array<stop, Drives> stops_;
+    std::array<bool, Drives> fails_when_cut_;
+    broadcast_rounds rounds_;
+    broadcast_stop_options options_;
+    std::array<std::byte, 8> frame_{};
+    instant last_at_{0};
+    std::size_t at_{0};
+    bool has_begun_{false};
+    bool is_last_due_{false};
+};
+
+template <device_type... Device>
+broadcast_stop(broadcast_stop_options const&, station<Device> const&...) -> broadcast_stop<sizeof...(Device)>;
+template <device_type... Device> broadcast_stop(station<Device> const&...) -> broadcast_stop<sizeof...(Device)>;
+
+} // namespace rtuwire::altivar

@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Direct control of an ATV28: one control word runs it, without the states of the drive profile, so there is no step
+// between a motor at rest and one that turns. The reference is written and read back before that word.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include <rtuwire/altivar/device/atv28.hpp>
+#include <rtuwire/altivar/device/reference.hpp>
+#include <rtuwire/altivar/procedure/motion/order_procedure.hpp>
+#include <rtuwire/altivar/procedure/procedure_runner.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/table/device.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv28 {
+
+/// Control words with bit 15, outside the states of the drive profile: those that run have bits 1 and 3 set, and so
+/// have those that stop.
+/// Internal.
+inline constexpr std::uint16_t direct_run = 0x800A; ///< at the reference, which has a sign
+/// Internal.
+inline constexpr std::uint16_t direct_run_reverse = 0x880A;
+/// Internal.
+inline constexpr std::uint16_t direct_ramp_stop = 0x900A;
+/// Internal.
+inline constexpr std::uint16_t direct_dc_stop = 0xA00A;
+/// Internal.
+inline constexpr std::uint16_t direct_fast_stop = 0xC00A;
+
+/// How a direct word stops the motor.
+enum class direct_stop_by : std::uint8_t { ramp, dc_injection, fast_stop };
+
+/// The layout with one of these words where `stop` has its DC injection: all three keep the power, so they are sent
+/// only after a status read that found the drive running.
+/// Internal.
+template <std::uint16_t Word>
+inline constexpr drive_layout stopping_by = [] {
+    drive_layout same = device::layout;
+    same.dc_injection = Word;
+    return same;
+}();
+
+/// Internal.
+[[nodiscard]] constexpr drive_layout const& layout_stopping_by(direct_stop_by how) noexcept
+{
+    switch (how) {
+    case direct_stop_by::ramp: return stopping_by<direct_ramp_stop>;
+    case direct_stop_by::fast_stop: return stopping_by<direct_fast_stop>;
+    case direct_stop_by::dc_injection: break;
+    }
+    return stopping_by<direct_dc_stop>;
+}
+
+/// Stops a running drive by the ramp, the DC injection or the fast stop of its direct control. It reads the status
+/// before it writes; where the read fails it becomes the ramp of the drive profile and sets `reason().is_other_stop`.
+/// At standstill the drive is brought to "switch on disabled". An ordinary `stop` sends its word first: prefer it where
+/// time matters.
+class direct_stop : public procedure_runner<stop_procedure> {
+public:
+    constexpr direct_stop(station<device> const& drive, direct_stop_by how,
+                          duration limit = milliseconds(30'000)) noexcept
+        : procedure_runner{drive.unit(),
+                           stop_procedure{layout_stopping_by(how), stop_by::dc_injection, word_meaning::cia402}, limit}
+    {}
+};
+
+/// Decides a direct start, word by word.
+/// Internal.
+class direct_start_procedure : public order_procedure {
+public:
+    constexpr direct_start_procedure(reference_write reference, supervision_procedure const& check) noexcept
+        : order_procedure{device::layout, check}, reference_{reference}
+    {}
+
+    constexpr action step(event const& what) noexcept
+    {
+        if (stage_ == stage::aborting) {
+            return come_to_rest(what);
+        }
+        if (stage_ == stage::examining and what.what != event::kind::late) {
+            return clear_behind(examine(what), what.word);
+        }
+        switch (what.what) {
+        case event::kind::begun: return read(stage::meeting, layout().eta);
+        case event::kind::word_read: return stage_ == stage::meeting ? meet(what) : on_response(what.word);
+        case event::kind::written: return after_write();
+        case event::kind::pause_over: return read(stage::confirming, layout().eta);
+        case event::kind::failed: return abort(kind_for(what.error), what.error);
+        case event::kind::late: break;
+        }
+        bool const was_checked = stage_ != stage::meeting and stage_ != stage::examining;
+        return abort(was_checked ? outcome_kind::state_timeout : outcome_kind::aborted);
+    }
+
+private:
+    enum class stage : std::uint8_t {
+        meeting,   ///< the first status read
+        examining, ///< the check whether it may be ordered
+        looking,
+        clearing,          ///< the control word is written 0000
+        writing_reference, ///< the reference is written
+        reading_reference, ///< and read back
+        reading_command,   ///< CMD must still hold the 0000 written before
+        looking_again,
+        running,
+        confirming,
+        reading_fault,
+        aborting,
+    };
+
+    constexpr action read(stage next, std::uint16_t address) noexcept
+    {
+        stage_ = next;
+        return once(to_read(address));
+    }
+
+    constexpr action write(stage next, std::uint16_t address, std::uint16_t word) noexcept
+    {
+        stage_ = next;
+        return once(to_enable(address, word));
+    }
+
+    constexpr action meet(event const& what) noexcept
+    {
+        stage_ = stage::examining;
+        static_cast<void>(is_key_pressed(what.word));
+        return clear_behind(examine({event::kind::begun}), what.word);
+    }
+
+    /// `status` is a status word once the check has ended.
+    constexpr action clear_behind(action const& next, std::uint16_t status) noexcept
+    {
+        if (not is_ready()) {
+            return next;
+        }
+        stage_ = stage::looking;
+        return judge(status);
+    }
+
+    constexpr action after_write() noexcept
+    {
+        switch (stage_) {
+        case stage::clearing: return write(stage::writing_reference, reference_.address, reference_.word);
+        case stage::writing_reference: return read(stage::reading_reference, reference_.address);
+        case stage::running:
+        case stage::meeting:
+        case stage::examining:
+        case stage::looking:
+        case stage::reading_reference:
+        case stage::reading_command:
+        case stage::looking_again:
+        case stage::confirming:
+        case stage::reading_fault:
+        case stage::aborting: break;
+        }
+        return read(stage::confirming, layout().eta);
+    }
+
+    constexpr action on_response(std::uint16_t word) noexcept
+    {
+        switch (stage_) {
+        case stage::reading_reference:
+            return word == reference_.word ? read(stage::reading_command, layout().cmd)
+                                           : abort(outcome_kind::not_taken);
+        case stage::reading_command:
+            // Another word: another client wrote it, or the drive was switched off and on.
+            return word == 0 ? read(stage::looking_again, layout().eta) : abort(outcome_kind::overwritten);
+        case stage::reading_fault: return trip(word);
+        case stage::meeting:
+        case stage::examining:
+        case stage::looking:
+        case stage::clearing:
+        case stage::writing_reference:
+        case stage::looking_again:
+        case stage::running:
+        case stage::confirming:
+        case stage::aborting: break;
+        }
+        return judge(word);
+    }
+
+    constexpr action judge(std::uint16_t status) noexcept
+    {
+        cia402::state const at = note(status);
+        if (cia402::is_in_fault(at)) {
+            return read(stage::reading_fault, layout().lft);
+        }
+        if ((status & remote_bit) == 0) {
+            return abort(outcome_kind::local_control);
+        }
+        if (stage_ == stage::confirming) {
+            return confirm(at, status);
+        }
+        if (is_key_pressed(status)) {
+            return abort(outcome_kind::stop_key);
+        }
+        if (stage_ == stage::looking) {
+            return cia402::has_power(at) ? end(outcome_kind::refused_while_running)
+                                         : write(stage::clearing, layout().cmd, 0);
+        }
+        if (at != cia402::state::switch_on_disabled) {
+            return abort(outcome_kind::aborted);
+        }
+        may_run_ = true;
+        return write(stage::running, layout().cmd, direct_run);
+    }
+
+    constexpr action confirm(cia402::state at, std::uint16_t status) noexcept
+    {
+        if (at != cia402::state::operation_enabled) {
+            return to_pause(status_period);
+        }
+        return end((status & reference_limited_bit) != 0 ? outcome_kind::reference_limited : outcome_kind::succeeded);
+    }
+
+    constexpr action trip(std::uint16_t code) noexcept
+    {
+        note_code(code);
+        return abort(outcome_kind::in_fault);
+    }
+
+    /// Ends, but withdraws the commands sent.
+    constexpr action abort(outcome_kind kind, errc error = errc::none) noexcept
+    {
+        bool const is_before_all = stage_ == stage::meeting or stage_ == stage::examining or stage_ == stage::looking;
+        bool const has_told = not is_before_all and (stage_ != stage::reading_fault or may_run_);
+        if (not has_told) {
+            return finish(kind, error);
+        }
+        stage_ = stage::aborting;
+        return take_back(kind, error, may_run_ ? stop_by::ramp : stop_by::freewheel, word_meaning::cia402);
+    }
+
+    reference_write reference_;
+    stage stage_{stage::meeting};
+    bool may_run_{false};
+};
+
+/// Starts a drive at rest by direct control, at 50_Hz or 1500_rpm; a negative reference is in reverse, so that one
+/// sign holds the direction (880A is never sent). No request is repeated: one lost frame ends the start, and the
+/// commands sent are withdrawn. A drive that already runs is refused: `change_reference` is for that. The drive is
+/// first checked as by a `start`.
+class direct_start : public procedure_runner<direct_start_procedure> {
+public:
+    constexpr direct_start(station<device> const& drive, reference<device> const& at,
+                           duration limit = milliseconds(3'000), supervision_options const& options = {}) noexcept
+        : procedure_runner{drive.unit(),
+                           direct_start_procedure{at.write(), supervision_procedure{device::layout, options}}, limit}
+    {}
+    constexpr direct_start(station<device> const& drive, reference<device> const& at, duration limit,
+                           supervision_report const& found) noexcept
+        : procedure_runner{drive.unit(),
+                           direct_start_procedure{at.write(), supervision_procedure{device::layout, found}}, limit}
+    {}
+
+    /// What was found before the order.
+    [[nodiscard]] constexpr supervision_report const& supervision() const noexcept { return told().report(); }
+
+    /// Whether the motor runs as ordered, or at the nearest limit.
+    [[nodiscard]] constexpr bool running() const noexcept
+    {
+        return succeeded() or reason().kind == outcome_kind::reference_limited;
+    }
+};
+
+} // namespace rtuwire::altivar::atv28

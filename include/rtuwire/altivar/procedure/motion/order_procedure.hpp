@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What every order to run has in common: the check of the drive before it, the STOP key meanwhile, and the withdrawal.
+// Internal: may change with any version.
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/altivar/procedure/inspection/supervision.hpp>
+#include <rtuwire/altivar/procedure/motion/stop.hpp>
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// The base of the procedures that order a drive to run.
+class order_procedure : public procedure {
+public:
+    static constexpr bool is_order = true;
+
+    /// The time to stop a drive that was commanded to run and must not.
+    static constexpr duration grace{milliseconds(30'000)};
+
+    [[nodiscard]] constexpr supervision_report const& report() const noexcept { return check_.report(); }
+    [[nodiscard]] constexpr duration drive_timeout() const noexcept { return check_.drive_timeout(); }
+    [[nodiscard]] constexpr bool takes_back() const noexcept { return kind_ != outcome_kind::pending; }
+
+protected:
+    constexpr order_procedure(drive_layout const& layout, supervision_procedure const& check) noexcept
+        : procedure{layout}, check_{check}, rest_{layout, stop_by::freewheel, word_meaning::unknown}
+    {}
+
+    /// Continues the check. Where the drive is ready after it, the last word read was a status word.
+    constexpr action examine(event const& what) noexcept { return run_inside(check_, what); }
+    [[nodiscard]] constexpr bool is_ready() const noexcept { return check_.reason().kind == outcome_kind::succeeded; }
+
+    /// Whether the STOP key was pressed since the status read before. A drive that was stopped by the key earlier shows
+    /// it until it runs: the result for the first status read is nothing new, and the caller discards it.
+    constexpr bool is_key_pressed(std::uint16_t status) noexcept
+    {
+        bool const is_shown = (status & stop_key_bit) != 0;
+        bool const is_new = is_shown and not shows_key_;
+        shows_key_ = is_shown;
+        return is_new;
+    }
+
+    /// Keeps the drive's LFT; an outcome in fault reports it.
+    constexpr void note_code(std::uint16_t code) noexcept { fault_ = code; }
+
+    constexpr action finish(outcome_kind kind, errc error) noexcept
+    {
+        return kind == outcome_kind::in_fault ? end_in_fault(fault_) : end(kind, error);
+    }
+
+    /// Withdraws the commands sent, and ends with this outcome when the drive stands.
+    constexpr action take_back(outcome_kind kind, errc error, stop_by mode, word_meaning known) noexcept
+    {
+        kind_ = kind;
+        error_ = error;
+        plan_rest(mode, known);
+        return rest_.step({event::kind::begun}); // never ends the procedure
+    }
+    constexpr action come_to_rest(event const& what) noexcept
+    {
+        action const next = rest_.step(what);
+        note_readings_of(rest_);
+        if (next.what != action::kind::end) {
+            return next;
+        }
+        note_state(rest_.reason().state);
+        return finish(kind_, error_);
+    }
+
+private:
+    /// Not inlined: its stack space is free again when the stop begins.
+    [[gnu::noinline]] constexpr void plan_rest(stop_by mode, word_meaning known) noexcept
+    {
+        rest_ = stop_procedure{layout(), mode, known};
+    }
+
+    supervision_procedure check_;
+    stop_procedure rest_;
+    std::uint16_t fault_{0};
+    outcome_kind kind_{outcome_kind::pending};
+    errc error_{errc::none};
+    bool shows_key_{false}; ///< at the last look
+};
+
+} // namespace rtuwire::altivar

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Clears a fault: bit 7 low, high, and low again, because only its rising edge counts. A drive without a fault is
+// not written to.
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/altivar/procedure/procedure_runner.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/table/device.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// Decides a reset, word by word.
+/// Internal.
+class reset_procedure : public procedure {
+public:
+    explicit constexpr reset_procedure(drive_layout const& layout) noexcept : procedure{layout} {}
+
+    constexpr action step(event const& what) noexcept
+    {
+        switch (what.what) {
+        case event::kind::begun:
+        case event::kind::pause_over: return to_read(layout().eta);
+        case event::kind::word_read:
+            return stage_ == stage::reading_fault ? end_in_fault(what.word) : judge_status(what.word);
+        case event::kind::written: return after_write();
+        case event::kind::failed: return end(what.error);
+        case event::kind::late: break;
+        }
+        stage_ = stage::reading_fault;
+        return to_read(layout().lft);
+    }
+
+private:
+    enum class stage : std::uint8_t { looking, low, high, low_again, checking, reading_fault };
+
+    constexpr action judge_status(std::uint16_t status) noexcept
+    {
+        cia402::state const at = note(status);
+        if (at == cia402::state::unknown or at == cia402::state::fault_reaction_active) {
+            return to_pause(status_period);
+        }
+        if (at != cia402::state::fault) {
+            return end(outcome_kind::succeeded);
+        }
+        if (stage_ == stage::checking) {
+            return to_pause(status_period);
+        }
+        return send_command(stage::low, 0);
+    }
+
+    constexpr action send_command(stage next, std::uint16_t word) noexcept
+    {
+        stage_ = next;
+        return to_reset(layout().cmd, word);
+    }
+
+    constexpr action after_write() noexcept
+    {
+        if (stage_ == stage::low) {
+            return send_command(stage::high, cia402::fault_reset_bit);
+        }
+        if (stage_ == stage::high) {
+            return send_command(stage::low_again, 0);
+        }
+        stage_ = stage::checking;
+        return to_read(layout().eta);
+    }
+
+    stage stage_{stage::looking};
+};
+
+/// Clears a fault whose cause is gone. Where it is not, the outcome is `in_fault` with its LFT.
+class reset_fault : public procedure_runner<reset_procedure> {
+public:
+    template <device_type Device>
+    explicit constexpr reset_fault(station<Device> const& drive, duration limit = milliseconds(2'000)) noexcept
+        : procedure_runner{drive.unit(), reset_procedure{Device::layout}, limit}
+    {}
+};
+
+} // namespace rtuwire::altivar

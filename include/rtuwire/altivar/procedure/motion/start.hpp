@@ -1,0 +1,340 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Starts a drive. It checks first that the drive would stop by itself: see check_supervision. Then it reads ETA and
+// writes CMD, again and again until operation is enabled. The link may be lost for good between any two frames.
+// Whichever frames arrived, the motor turns neither in a direction nor faster than was ordered before or is ordered
+// now: the reference, whose sign is the direction, is sent in one write before the command that enables. That command
+// is sent only to a drive whose control word is still the one written last. A drive that falls back on the way, for
+// example because STOP was pressed, is not enabled again; the commands sent are withdrawn.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include <rtuwire/altivar/device/reference.hpp>
+#include <rtuwire/altivar/procedure/motion/order_procedure.hpp>
+#include <rtuwire/altivar/procedure/procedure_runner.hpp>
+#include <rtuwire/cia402/next_command.hpp>
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// Where a start is.
+/// Internal.
+enum class start_stage : std::uint8_t {
+    meeting,   ///< the first status read
+    examining, ///< the check whether it may be ordered
+    enabling,
+    reading_direction, ///< of a drive that already runs
+    redirecting,       ///< the reference of a drive that already runs is written
+    writing_reference, ///< the reference is written
+    checking,          ///< the control word is read back
+    enabled,           ///< the command to run was sent
+    reading_fault,
+    aborting,
+};
+
+/// The commands that a start has sent, and how often a request was not answered since.
+/// Internal.
+class sent_commands {
+public:
+    constexpr void note(cia402::command sent) noexcept
+    {
+        last_ = sent;
+        is_taken_ = false;
+        is_any_ = true;
+        may_run_ = may_run_ or sent == cia402::command::enable_operation;
+    }
+    /// The drive answered, and confirmed the command.
+    constexpr void note_response() noexcept { misses_ = 0; }
+    constexpr void note_taken() noexcept { is_taken_ = true; }
+    /// A command that was not answered may have to be sent again.
+    constexpr void forget_unless_taken() noexcept { last_ = is_taken_ ? last_ : cia402::command::none; }
+
+    /// A request failed: whether the start has to end. A drive that may already run has to be stopped soon.
+    constexpr bool must_end(errc error) noexcept
+    {
+        ++misses_;
+        bool const is_final = is_exception(error) or error == errc::unit_lost or error == errc::too_many_ordered;
+        return is_final or not is_any_ or misses_ > (may_run_ ? 1 : 3);
+    }
+
+    [[nodiscard]] constexpr cia402::command last() const noexcept { return last_; }
+    [[nodiscard]] constexpr bool is_any() const noexcept { return is_any_; }
+    /// The command to run was sent, answered or not.
+    [[nodiscard]] constexpr bool may_run() const noexcept { return may_run_; }
+
+private:
+    cia402::command last_{cia402::command::none};
+    bool is_any_{false};
+    bool is_taken_{false};
+    bool may_run_{false};
+    std::uint8_t misses_{0};
+};
+
+/// Decides a start, word by word. "Undo" withdraws the commands, by 0000 where the motor cannot turn yet and on the
+/// ramp where it may, and then ends so. Before the first command, "undo" and "read ETA" end it at once.
+///
+/// | stage             | word read                 | confirmed  | no response | refused       | limit over          |
+/// |-------------------|---------------------------|------------|-------------|---------------|---------------------|
+/// | meeting           | a status, kept            |            | end: silent | end: refused  | end: aborted        |
+/// | examining         | the check; then a status  |            | end: silent | as in a check | end: aborted        |
+/// | enabling          | a status                  | read ETA   | read ETA    | undo: refused | undo: state_timeout |
+/// | reading_direction | write the reference       |            | read ETA    | undo: refused | undo: state_timeout |
+/// | redirecting       |                           | write 000F | read ETA    | undo: refused | undo: state_timeout |
+/// | writing_reference |                           | read CMD   | read ETA    | undo: refused | undo: state_timeout |
+/// | checking, 0007    | write 000F                |            | read ETA    | undo: refused | undo: state_timeout |
+/// | checking, another | undo: overwritten         |            |             |               |                     |
+/// | enabled           | a status                  | read ETA   | read ETA    | undo: refused | undo: state_timeout |
+/// | reading_fault     | undo: in_fault            |            | read ETA    | undo: refused | undo: state_timeout |
+///
+/// | status               | meeting             | enabling                 | enabled                              |
+/// |----------------------|---------------------|--------------------------|--------------------------------------|
+/// | 2 switch on disabled | write 0006          | undo: fell_back          | undo: fell_back                      |
+/// | 3 ready to switch on | write 0007          | write 0007, then wait    | undo: fell_back                      |
+/// | 4 switched on        | write 0007          | write 0007, reference    | wait                                 |
+/// | 5 operation enabled  | read CMD            | read CMD                 | end: succeeded, or reference_limited |
+/// | 1, 6, or no state    | wait                | undo: fell_back          | undo: fell_back                      |
+/// | 7, 8 fault           | read LFT            | read LFT                 | read LFT                             |
+/// | in local control     | end: local_control  | undo: local_control      | undo: local_control                  |
+/// | STOP key, newly      |                     | undo: stop_key           | undo: stop_key                       |
+///
+/// A state below the one read last has fallen back. Four requests in a row without a response are `silent`, and two
+/// once the motor may run.
+/// Internal.
+class start_procedure : public order_procedure {
+    using stage = start_stage;
+
+public:
+    constexpr start_procedure(drive_layout const& layout, reference_write reference, run_direction direction,
+                              supervision_procedure const& check) noexcept
+        : order_procedure{layout, check}, reference_{direction == run_direction::reverse ? reference.reversed()
+                                                                                         : reference},
+          is_contradictory_{direction == run_direction::reverse and reference.is_reverse()}
+    {}
+
+    constexpr action step(event const& what) noexcept
+    {
+        if (stage_ == stage::aborting) {
+            return come_to_rest(what);
+        }
+        if (is_contradictory_) {
+            return end(outcome_kind::contradictory);
+        }
+        if (stage_ == stage::examining and what.what != event::kind::late) {
+            return next_step_after_check(examine(what), what.word);
+        }
+        switch (what.what) {
+        case event::kind::begun: return to_read(layout().eta);
+        case event::kind::pause_over: return read_status();
+        case event::kind::word_read: return stage_ == stage::meeting ? meet(what) : on_response(what.word);
+        case event::kind::written: return after_write();
+        case event::kind::failed: return go_on(what.error);
+        case event::kind::late: break;
+        }
+        bool const was_checked = stage_ != stage::meeting and stage_ != stage::examining;
+        return abort(was_checked ? outcome_kind::state_timeout : outcome_kind::aborted);
+    }
+
+private:
+    constexpr action read_status() noexcept { return once(to_read(layout().eta)); }
+
+    /// An earlier stop by the STOP key is shown until the drive runs, so only a press after this read counts.
+    constexpr action meet(event const& what) noexcept
+    {
+        stage_ = stage::examining;
+        static_cast<void>(is_key_pressed(what.word));
+        return next_step_after_check(examine({event::kind::begun}), what.word);
+    }
+
+    /// `status` is a status word once the check has ended.
+    constexpr action next_step_after_check(action const& next, std::uint16_t status) noexcept
+    {
+        if (not is_ready()) {
+            return next;
+        }
+        stage_ = stage::enabling;
+        return judge(status);
+    }
+
+    constexpr action on_response(std::uint16_t word) noexcept
+    {
+        sent_.note_response();
+        switch (stage_) {
+        case stage::reading_fault: note_code(word); return abort(outcome_kind::in_fault);
+        case stage::reading_direction: return redirect(word);
+        case stage::checking: return enable(word);
+        case stage::meeting:
+        case stage::examining:
+        case stage::enabling:
+        case stage::redirecting:
+        case stage::writing_reference:
+        case stage::enabled:
+        case stage::aborting: break;
+        }
+        return judge(word);
+    }
+
+    constexpr action judge(std::uint16_t status) noexcept
+    {
+        cia402::state const at = note(status);
+        if (cia402::is_in_fault(at)) {
+            stage_ = stage::reading_fault;
+            return to_read(layout().lft);
+        }
+        if ((status & remote_bit) == 0) {
+            return abort(outcome_kind::local_control);
+        }
+        int const rank = cia402::enable_rank(at);
+        if (is_key_pressed(status)) {
+            return abort(outcome_kind::stop_key);
+        }
+        if (sent_.is_any() and rank < rank_) {
+            return abort(outcome_kind::fell_back);
+        }
+        rank_ = rank;
+        return at == cia402::state::operation_enabled ? run(status) : next_step(at);
+    }
+
+    constexpr action next_step(cia402::state at) noexcept
+    {
+        if (sent_.last() == cia402::command::enable_operation) {
+            return to_pause(status_period); // it accepted the command to run, and shows it later
+        }
+        bool const is_ready = at == cia402::state::switched_on;
+        // The control word that is read back before enabling must be the one written here.
+        cia402::command const next = is_ready and sent_.last() != cia402::command::switch_on
+                                         ? cia402::command::switch_on
+                                         : cia402::next_command_to_enable(at);
+        if (next == cia402::command::none or next == sent_.last()) {
+            return to_pause(status_period);
+        }
+        return is_ready and next == cia402::command::enable_operation
+                   ? write_reference(stage::writing_reference, reference_)
+                   : send_command(next, 0);
+    }
+
+    constexpr action write_reference(stage next, reference_write what) noexcept
+    {
+        stage_ = next;
+        return once(to_enable(what.address, what.word));
+    }
+
+    constexpr action send_command(cia402::command next, std::uint16_t direction) noexcept
+    {
+        sent_.note(next);
+        return once(to_enable(layout().cmd, static_cast<std::uint16_t>(cia402::word_of(next) | direction)));
+    }
+
+    /// Checks the control word before enabling. Another value: another client wrote it, or the drive was switched off.
+    constexpr action enable(std::uint16_t control) noexcept
+    {
+        if (control != cia402::word_of(cia402::command::switch_on)) {
+            return abort(outcome_kind::overwritten);
+        }
+        stage_ = stage::enabled;
+        return send_command(cia402::command::enable_operation, 0);
+    }
+
+    /// In operation: after the reference was written, or before that if the drive was already running.
+    constexpr action run(std::uint16_t status) noexcept
+    {
+        if (stage_ != stage::enabled) {
+            stage_ = stage::reading_direction;
+            return once(to_read(layout().cmd));
+        }
+        return end((status & reference_limited_bit) != 0 ? outcome_kind::reference_limited : outcome_kind::succeeded);
+    }
+
+    /// Writes a new reference to a drive that runs, in one write; its direction bit stays.
+    constexpr action redirect(std::uint16_t control) noexcept
+    {
+        direction_ = control & reverse_bit;
+        return write_reference(stage::redirecting, reference_.under(control));
+    }
+
+    constexpr action after_write() noexcept
+    {
+        sent_.note_response();
+        sent_.note_taken();
+        if (stage_ == stage::writing_reference) {
+            stage_ = stage::checking;
+            return once(to_read(layout().cmd));
+        }
+        if (stage_ == stage::redirecting) {
+            stage_ = stage::enabled;
+            return send_command(cia402::command::enable_operation, direction_);
+        }
+        return read_status();
+    }
+
+    /// A request without a response may have arrived or not, so the start begins again with a status read. A command
+    /// that was confirmed is not sent again: a drive that does not follow it is read until the limit.
+    constexpr action go_on(errc error) noexcept
+    {
+        if (sent_.must_end(error)) {
+            return abort(kind_for(error), error);
+        }
+        stage_ = stage::enabling;
+        sent_.forget_unless_taken();
+        return read_status();
+    }
+
+    /// Ends, but withdraws the commands sent: a motor that may run stops on its ramp.
+    constexpr action abort(outcome_kind kind, errc error = errc::none) noexcept
+    {
+        if (not sent_.is_any()) {
+            return finish(kind, error);
+        }
+        bool const may_run = sent_.may_run() or reason().state == cia402::state::operation_enabled;
+        stage_ = stage::aborting;
+        return take_back(kind, error, may_run ? stop_by::ramp : stop_by::freewheel, report().words);
+    }
+
+    reference_write reference_;
+    std::uint16_t direction_{0};
+    int rank_{0};
+    stage stage_{stage::meeting};
+    sent_commands sent_{};
+    bool is_contradictory_;
+};
+
+/// Starts a drive at a reference. `station`, then 1500_rpm or 50_Hz, then the direction; a negative reference is in
+/// reverse, and one together with `run_direction::reverse` is refused. It settles once operation is enabled, without
+/// waiting for the ramp; a start that fails settles when its commands are withdrawn, up to 30 s after its limit.
+///
+/// A drive that would not stop by itself, or that another source commands, is refused before anything is written, with
+/// the outcomes of `check_supervision`; `supervision()` names the register. The check takes about nine reads; the
+/// report of an earlier check may be given instead.
+class start : public procedure_runner<start_procedure> {
+public:
+    template <device_type Device>
+    constexpr start(station<Device> const& drive, std::type_identity_t<reference<Device>> const& at,
+                    run_direction direction = run_direction::forward, duration limit = milliseconds(3'000),
+                    supervision_options const& options = {}) noexcept
+        : procedure_runner{
+              drive.unit(),
+              start_procedure{Device::layout, at.write(), direction, supervision_procedure{Device::layout, options}},
+              limit}
+    {}
+    template <device_type Device>
+    constexpr start(station<Device> const& drive, std::type_identity_t<reference<Device>> const& at,
+                    run_direction direction, duration limit, supervision_report const& found) noexcept
+        : procedure_runner{
+              drive.unit(),
+              start_procedure{Device::layout, at.write(), direction, supervision_procedure{Device::layout, found}},
+              limit}
+    {}
+
+    /// What was found before the first order.
+    [[nodiscard]] constexpr supervision_report const& supervision() const noexcept { return told().report(); }
+
+    /// Whether the motor runs as ordered, or at the nearest limit.
+    [[nodiscard]] constexpr bool running() const noexcept
+    {
+        return succeeded() or reason().kind == outcome_kind::reference_limited;
+    }
+};
+
+} // namespace rtuwire::altivar

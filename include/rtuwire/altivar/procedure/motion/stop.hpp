@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Stops a drive, in one of the ways that it supports. None of them replaces an emergency stop: they reach
+// the motor over a line that can fail.
+//
+// The control word that stops is sent before anything is read, and again after every status read until the state
+// confirms it: neither a lost frame nor an exception ends a stop, only its limit does. Only halt and DC injection read
+// the status first, because their words may start a drive that is "ready"; where that read fails they become the ramp.
+// A drive at rest is brought to "switch on disabled", where no late or foreign word can start it.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+#include <rtuwire/altivar/procedure/procedure_runner.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/table/device.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// How the motor comes to rest.
+enum class stop_by : std::uint8_t {
+    ramp,         ///< disable operation
+    freewheel,    ///< disable voltage: no torque at once, the motor coasts
+    quick_stop,   ///< the fast ramp
+    halt,         ///< in the way that STT sets; stays in operation enabled with the halt bit set
+    dc_injection, ///< ATV28 only
+};
+
+namespace detail {
+
+/// What a stop reads.
+enum class stop_read : std::uint8_t { status, fault, control, frequency };
+
+/// How long a read may wait for its turn while no word was sent to the drive yet.
+inline constexpr duration longest_wait_of_a_stop{milliseconds(1'000)};
+
+[[nodiscard]] constexpr bool has_stop(drive_layout const& layout, stop_by mode) noexcept
+{
+    return not(mode == stop_by::dc_injection and layout.dc_injection == 0) and
+           not(mode == stop_by::halt and layout.halt == 0);
+}
+
+/// Whether a stop reads first, and needs power for its word.
+[[nodiscard]] constexpr bool is_in_place(stop_by mode) noexcept
+{
+    return mode == stop_by::halt or mode == stop_by::dc_injection;
+}
+
+/// Of an output frequency as it was read, in 0.1 Hz.
+[[nodiscard]] constexpr std::int32_t magnitude(std::uint16_t frequency) noexcept
+{
+    auto const value = static_cast<std::int16_t>(frequency);
+    return value < 0 ? -std::int32_t{value} : std::int32_t{value};
+}
+
+} // namespace detail
+
+/// Decides a stop, word by word. Its word is that of the ramp, the quick stop or the freewheel until the motor stands,
+/// then 0000; "in place" are halt and DC injection, which read first and whose word needs power.
+///
+/// | read of         | answer                           | next                                                       |
+/// |-----------------|----------------------------------|------------------------------------------------------------|
+/// | begin           |                                  | write the word; in place: read ETA                         |
+/// | ETA             | 1, 2                             | end: succeeded                                             |
+/// |                 | 3, 4                             | write 0000; after that: wait                               |
+/// |                 | 5, 6                             | read RFR                                                   |
+/// |                 | 7, 8                             | read LFT                                                   |
+/// |                 | no state                         | wait; in place, first look: write 0007                     |
+/// |                 | in local control                 | end: local_control                                         |
+/// | RFR             | 0 for the second time            | write 0000; halted in 5: end: succeeded                    |
+/// |                 | other                            | wait; in place: read CMD or write the word in 5            |
+/// | CMD             | any                              | write it with the halt bit                                 |
+/// | LFT             | any                              | end: in_fault                                              |
+/// | a written word  | confirmed                        | read ETA                                                   |
+/// | anything        | no response, or refused          | wait; in place, without a word yet: write 0007             |
+/// | a wait          | over                             | write the word; in place: read ETA                         |
+/// | anything        | limit over, no word confirmed    | end: silent or refused; in place, no word yet: write 0007  |
+/// |                 | limit over, as fast as before    | end: state_timeout                                         |
+/// |                 | limit over                       | end: unconfirmed                                           |
+///
+/// In local control, 1, 2, 7 and 8 count as they are.
+/// Internal.
+class stop_procedure : public procedure {
+public:
+    static constexpr bool is_stop = true;
+
+    constexpr stop_procedure(drive_layout const& layout, stop_by mode, word_meaning known) noexcept
+        : procedure{layout}, mode_{mode}, known_{known}
+    {}
+
+    constexpr action step(event const& what) noexcept
+    {
+        switch (what.what) {
+        case event::kind::begun: return begin();
+        case event::kind::pause_over: return detail::is_in_place(mode_) ? read_status() : stop_again();
+        case event::kind::word_read: return on_response(what.word);
+        case event::kind::written:
+            was_taken_ = true;
+            is_seen_ = false;
+            return read_status();
+        case event::kind::failed: return go_on(what.error);
+        case event::kind::late: break;
+        }
+        // A stop that has only read until now sends the word that needs no status read.
+        return has_said_ ? end_unconfirmed() : become_ramp_and_go_on();
+    }
+
+    /// Ends a stop that asks for further actions after its limit.
+    constexpr action give_up() noexcept { return end_unconfirmed(); }
+
+private:
+    using asked = detail::stop_read;
+
+    constexpr action begin() noexcept
+    {
+        if (not detail::has_stop(layout(), mode_)) {
+            return end(outcome_kind::unsupported);
+        }
+        return looks_first() ? read_status() : stop_again();
+    }
+
+    /// Whether the control word of this stop is not known yet.
+    constexpr bool looks_first() const noexcept { return detail::is_in_place(mode_) and not has_word_; }
+
+    constexpr action read_status() noexcept { return ask(asked::status, layout().eta); }
+
+    constexpr action ask(asked what, std::uint16_t address) noexcept
+    {
+        asked_ = what;
+        action next = to_read(address);
+        next.length = looks_first() ? detail::longest_wait_of_a_stop : duration{};
+        return next;
+    }
+
+    constexpr action stop_again() noexcept
+    {
+        has_said_ = true;
+        return to_stop(layout().cmd, word());
+    }
+
+    constexpr action send_command(std::uint16_t word_of_this_stop) noexcept
+    {
+        has_word_ = true;
+        word_ = word_of_this_stop;
+        return stop_again();
+    }
+
+    /// The control word that stops now. A drive at rest needs no torque; only a freewheel may end a quick stop.
+    constexpr std::uint16_t word() noexcept
+    {
+        if (stands_) {
+            return 0;
+        }
+        if (has_word_) {
+            return word_;
+        }
+        bool const may_run_on_it = known_ == word_meaning::unknown and layout().chcf != 0;
+        if (mode_ == stop_by::freewheel or may_run_on_it) {
+            if (mode_ != stop_by::freewheel) {
+                note_other_stop();
+            }
+            return cia402::word_of(cia402::command::disable_voltage);
+        }
+        bool const is_quick = mode_ == stop_by::quick_stop or reason().state == cia402::state::quick_stop_active;
+        return cia402::word_of(is_quick ? cia402::command::quick_stop : cia402::command::switch_on);
+    }
+
+    constexpr action on_response(std::uint16_t word) noexcept
+    {
+        switch (asked_) {
+        case asked::status: return judge(word);
+        case asked::fault: return end_in_fault(word);
+        case asked::control: return send_command(static_cast<std::uint16_t>(word | layout().halt));
+        case asked::frequency: break;
+        }
+        return measure(word);
+    }
+
+    constexpr action judge(std::uint16_t status) noexcept
+    {
+        cia402::state const at = note(status);
+        is_seen_ = true;
+        if (cia402::is_in_fault(at)) {
+            return ask(asked::fault, layout().lft);
+        }
+        if (at == cia402::state::switch_on_disabled or at == cia402::state::not_ready_to_switch_on) {
+            return end(outcome_kind::succeeded);
+        }
+        if ((status & remote_bit) == 0) {
+            return end(outcome_kind::local_control);
+        }
+        if (cia402::has_power(at)) {
+            return ask(asked::frequency, layout().rfr);
+        }
+        return at == cia402::state::unknown ? become_ramp_and_go_on() : leave_ready();
+    }
+
+    /// "Ready to switch on" and "switched on" have no power, but one control word may give it.
+    constexpr action leave_ready() noexcept
+    {
+        return std::exchange(stands_, true) ? to_pause(status_period) : stop_again();
+    }
+
+    /// The output frequency in operation, or in a quick stop.
+    constexpr action measure(std::uint16_t frequency) noexcept
+    {
+        bool const is_zero = frequency == 0;
+        bool const was_zero = has_frequency_ and last_ == 0;
+        bool const is_slowing = has_frequency_ and detail::magnitude(frequency) < detail::magnitude(last_);
+        is_compared_ = has_frequency_;
+        first_ = has_frequency_ ? first_ : frequency;
+        last_ = frequency;
+        has_frequency_ = true;
+        bool const is_operating = reason().state == cia402::state::operation_enabled;
+        if (looks_first() and mode_ == stop_by::dc_injection and is_zero) {
+            return become_ramp_and_go_on(); // the drive may remove the power now, and the injection would restore it
+        }
+        if (looks_first() and is_operating) {
+            return mode_ == stop_by::halt ? ask(asked::control, layout().cmd) : send_command(layout().dc_injection);
+        }
+        if (not is_zero or not was_zero) {
+            stands_ = false;
+            // A word that keeps the power is sent again only directly after a read that found the drive running.
+            bool const is_due = detail::is_in_place(mode_) and is_operating and not is_slowing;
+            return is_due ? stop_again() : to_pause(status_period);
+        }
+        if (mode_ == stop_by::halt and is_operating) {
+            return end(outcome_kind::succeeded);
+        }
+        stands_ = true;
+        return stop_again();
+    }
+
+    /// A read or write that failed does not end a stop. Without a response, halt and DC injection are given up: only
+    /// stops that need no status read may then be sent.
+    constexpr action go_on(errc error) noexcept
+    {
+        error_ = error;
+        if (detail::is_in_place(mode_) and not is_exception(error)) {
+            has_word_ = false;
+        }
+        return become_ramp_and_go_on();
+    }
+
+    constexpr action become_ramp_and_go_on() noexcept
+    {
+        if (looks_first()) {
+            mode_ = stop_by::ramp;
+            note_other_stop();
+            return stop_again();
+        }
+        return to_pause(status_period);
+    }
+
+    /// The limit is over, and no standstill was read.
+    constexpr action end_unconfirmed() noexcept
+    {
+        if (not was_taken_) {
+            return end(error_ != errc::none ? error_ : errc::timed_out);
+        }
+        bool const obeys_not = is_seen_ and cia402::has_power(reason().state) and is_compared_ and
+                               detail::magnitude(last_) >= detail::magnitude(first_);
+        return end(obeys_not ? outcome_kind::state_timeout : outcome_kind::unconfirmed, error_);
+    }
+
+    std::uint16_t word_{0};
+    std::uint16_t first_{0}; ///< the output frequencies that were read, in 0.1 Hz
+    std::uint16_t last_{0};
+    stop_by mode_;
+    word_meaning known_;
+    asked asked_{asked::status};
+    errc error_{errc::none}; ///< the last one
+    bool has_word_{false};
+    bool has_said_{false}; ///< any control word was sent
+    bool has_frequency_{false};
+    bool is_compared_{false}; ///< the frequency was read at least twice
+    bool was_taken_{false};   ///< the drive confirmed a word
+    bool is_seen_{false};     ///< and its state was read after that
+    bool stands_{false};
+};
+
+/// Stops a drive; settles when it is in "switch on disabled", or for `halt` when the motor stands. A long ramp needs
+/// a long limit. At the limit it ends as `unconfirmed` (the word was confirmed or the motor slows down),
+/// `state_timeout` (confirmed, and the motor is as fast as before), `refused` or `silent` (never confirmed).
+///
+/// An ATV320 is sent 0000, "disable voltage", first, whatever stop was ordered, unless `known` states that its words
+/// have the meanings of the drive profile (CHCF is not IO, and DOTD is the ramp): with CHCF = IO the other words would
+/// run it. `reason().is_other_stop` is then set.
+class stop : public procedure_runner<stop_procedure> {
+public:
+    template <device_type Device>
+    explicit constexpr stop(station<Device> const& drive, stop_by mode = stop_by::ramp,
+                            duration limit = milliseconds(30'000), word_meaning known = word_meaning::unknown) noexcept
+        : procedure_runner{drive.unit(), stop_procedure{Device::layout, mode, known}, limit}
+    {}
+};
+
+} // namespace rtuwire::altivar

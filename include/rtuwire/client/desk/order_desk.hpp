@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What a client does for conversations that command motors: notes their orders and stops, lets a stop come first, and
+// refuses what client/order/orders.hpp does not allow. For other conversations it does nothing.
+// Internal: may change with any version.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include <rtuwire/ask/commander.hpp>
+#include <rtuwire/client/desk/turn_desk.hpp>
+#include <rtuwire/client/line/phase.hpp>
+#include <rtuwire/client/options.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/errc.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// The orders of conversations on a line.
+template <typename LineDuty, typename Orders> class order_desk : public turn_desk<LineDuty, Orders> {
+    using duty = LineDuty;
+    using desk = turn_desk<LineDuty, Orders>;
+
+public:
+    using desk::desk;
+
+    /// The second part of `converse`, after its `advance`: notes what a commander's user wants. A stop request gets
+    /// the line first.
+    template <conversation Conversation> constexpr void command(Conversation& conversation, instant now) noexcept
+    {
+        if constexpr (commanding_conversation<Conversation> or stops_by_broadcast<Conversation>) {
+            static_assert(Orders::is_kept, "this client does not keep whose motor it ordered to run: take "
+                                           "drive_client<Units>, or a bus");
+            if constexpr (stops_by_broadcast<Conversation>) {
+                orders_.visit_for_all(conversation, now);
+                for (auto& each : conversation.stops()) {
+                    static_assert(commanding_conversation<std::remove_reference_t<decltype(each)>>,
+                                  "each stop of a conversation that stops all units commands one of them");
+                    if (orders_.visit(each, each.unit().byte(), now)) {
+                        each.note_loss();
+                    }
+                }
+            } else if (orders_.visit(conversation, conversation.unit().byte(), now)) {
+                conversation.note_loss();
+            }
+            if (conversation.intent() == effect::stopping and not desk::is_asked_by(conversation)) {
+                make_way_for(conversation, now);
+            }
+        }
+    }
+
+protected:
+    using desk::orders_;
+    using desk::turns_;
+
+    /// What the next request of a conversation does to a motor.
+    template <typename Conversation> static constexpr effect effect_of(Conversation const& conversation) noexcept
+    {
+        if constexpr (commanding_conversation<Conversation> or stops_by_broadcast<Conversation>) {
+            return conversation.intent();
+        }
+        return effect::none;
+    }
+
+    /// Why a request was given up: a stop of its unit came before it, or it was cancelled.
+    template <typename Conversation> constexpr errc reason_of_drop(Conversation const& conversation) const noexcept
+    {
+        if constexpr (commanding_conversation<Conversation>) {
+            return orders_.is_overruled(conversation, conversation.unit().byte()) ? errc::overruled : errc::cancelled;
+        }
+        return errc::cancelled;
+    }
+
+    /// Whether a unit gets no request of this effect now. Stop requests do not wait for outstanding responses of their
+    /// unit: none of these is the echo of a stop request.
+    constexpr bool is_barred(std::uint8_t unit, effect what) const noexcept
+    {
+        return orders_.is_silent(unit, what) or (what != effect::stopping and duty::is_held(unit));
+    }
+
+    template <typename Conversation>
+    constexpr errc check_order(Conversation const& conversation, effect what) const noexcept
+    {
+        if constexpr (commanding_conversation<Conversation>) {
+            return orders_.check(conversation, conversation.unit().byte(), what);
+        }
+        return errc::none;
+    }
+
+    template <typename Conversation> constexpr void note_asked(Conversation& conversation, effect what) noexcept
+    {
+        if constexpr (commanding_conversation<Conversation>) {
+            orders_.note_asked(conversation.unit().byte(), what, conversation.drive_timeout(),
+                               conversation.tolerated_misses());
+        } else if constexpr (stops_by_broadcast<Conversation>) {
+            for (auto& each : conversation.stops()) {
+                if (each.unit().byte() == duty::asked_unit()) {
+                    note_asked(each, what);
+                }
+            }
+        }
+    }
+
+    /// Starts a request to a unit. To a lost unit each stop request is sent once.
+    constexpr errc start(request_frame const& asked, instant now, std::uint8_t unit, retry_policy const& with) noexcept
+    {
+        if constexpr (Orders::is_kept) {
+            retry_policy own = with;
+            own.retries = orders_.is_lost(unit) ? std::uint8_t{0} : with.retries;
+            return duty::start(asked, now, own);
+        } else {
+            return duty::start(asked, now, with);
+        }
+    }
+
+private:
+    /// A conversation visits with a stop request. Until that has left, no other conversation sends; a request under
+    /// way for its unit is given up, unless its response is arriving, and one for another unit is not repeated.
+    template <typename Conversation> constexpr void make_way_for(Conversation& conversation, instant now) noexcept
+    {
+        if (duty::phase_now() == client_phase::idle and duty::is_quiet()) {
+            return; // it leaves in this pass
+        }
+        // Of several such requests the first one to visit is next, also to drop one whose asker no longer visits.
+        if (not(turns_.is_reserved() and duty::awaits_asker())) {
+            turns_.reserve(conversation);
+        }
+        bool may_cut = false;
+        if constexpr (stops_by_broadcast<Conversation>) {
+            may_cut = conversation.may_cut(duty::asked_unit());
+        } else {
+            may_cut = conversation.unit().byte() == duty::asked_unit();
+        }
+        duty::make_way(may_cut, now);
+        if (duty::was_cut()) {
+            static_cast<void>(duty::take_outcome()); // its asker is told that it was cancelled
+        }
+    }
+};
+
+} // namespace rtuwire

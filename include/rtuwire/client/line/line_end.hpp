@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// A client's line and the request on it: one memory for the bytes of the request and, behind them, of its response;
+// how long both take.
+// Internal: may change with any version.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/ask/conversation.hpp>
+#include <rtuwire/client/line/client_state.hpp>
+#include <rtuwire/client/options.hpp>
+#include <rtuwire/client/statistics.hpp>
+#include <rtuwire/core/constant.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/rtu/frame_cutter.hpp>
+#include <rtuwire/rtu/frame_place.hpp>
+#include <rtuwire/rtu/line.hpp>
+#include <rtuwire/wire/response.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// How many bytes precede the room for a response on a microcontroller: as many as most requests have. A longer
+/// request takes room from its response.
+inline constexpr std::size_t shared_memory = 8;
+
+/// The same on a host: requests and responses of every size.
+inline constexpr std::size_t separate_memory = max_adu_size;
+
+/// The base of a client's transaction.
+template <typename Statistics, typename Line, typename Options, typename Debts, std::size_t Front>
+class line_end
+    : private detail::frame_cutter<line_end<Statistics, Line, Options, Debts, Front>, direction::response, Front>,
+      public client_state {
+    using cutter = detail::frame_cutter<line_end, direction::response, Front>;
+    friend cutter;
+    friend detail::line_silence<line_end, direction::response>;
+
+public:
+    explicit constexpr line_end(line_timing const& timing, client_options const& options = {}) noexcept
+        : options_{options}, line_{timing}, bytes_{}
+    {}
+
+    /// For a constant line and constant options. Zero-initialised, so a `constinit` client lives in .bss.
+    constexpr line_end() noexcept requires is_constant<Line> : bytes_{} {}
+
+    /// What was counted.
+    [[nodiscard]] constexpr Statistics& statistics() noexcept { return statistics_; }
+    [[nodiscard]] constexpr Statistics const& statistics() const noexcept { return statistics_; }
+
+    /// Whether the line has fallen silent since the last byte.
+    [[nodiscard]] constexpr bool is_quiet() const noexcept { return framer().is_quiet(); }
+
+    /// Sends no request of any conversation to a unit from here until `end`, at most 35 minutes away. A request that
+    /// is leaving or waits for its response is not ended. The latest of several ends counts.
+    constexpr void hold(unit_id unit, instant end) noexcept { quarantine_.begin(unit.byte(), end); }
+
+    /// Whether no new request goes to a unit now: its response is outstanding, or `hold` says so.
+    [[nodiscard]] constexpr bool is_held(unit_id unit) const noexcept { return is_held(unit.byte()); }
+    [[nodiscard]] constexpr bool is_held(std::uint8_t unit) const noexcept { return quarantine_.covers(unit); }
+
+    /// The unit of the last request; 0 for a broadcast.
+    [[nodiscard]] constexpr std::uint8_t asked_unit() const noexcept { return unit_; }
+
+    /// The timing of its line.
+    [[nodiscard]] constexpr line_timing const& line() const noexcept { return framer().line(); }
+
+protected:
+    /// Cuts the response out of the bytes that arrive.
+    constexpr cutter& framer() noexcept { return *this; }
+    constexpr cutter const& framer() const noexcept { return *this; }
+
+    constexpr client_options const& options() const noexcept { return options_.get(); }
+
+    /// Copies a request to the front of the memory. Errors: `frame_too_short`, `frame_too_long`;
+    /// `buffer_too_small` where the request and its longest response do not fit together.
+    [[gnu::always_inline]] constexpr errc keep(byte_view frame) noexcept
+    {
+        if (frame.size() < min_adu_size) {
+            return errc::frame_too_short;
+        }
+        if (frame.size() > max_adu_size) {
+            return errc::frame_too_long;
+        }
+        framer().receive_behind(frame.size());
+        longest_ = longest_response(frame);
+        if (longest_.size() > framer().room()) {
+            return errc::buffer_too_small;
+        }
+        byte_span const place = framer().storage();
+        std::size_t i = frame.size();
+        do { // backwards: 8 bytes less
+            --i;
+            place[i] = frame[i];
+        } while (i != 0);
+        size_ = static_cast<std::uint16_t>(frame.size());
+        unit_ = to_u8(frame[0]);
+        return errc::none;
+    }
+
+    constexpr byte_view request() const noexcept { return {framer().storage().data(), size_}; }
+
+    /// How long the request takes to leave.
+    constexpr duration time_to_send() const noexcept { return framer().line().characters(size_); }
+
+    /// How long the longest response takes on the line; with the silence that ends it, where only silence does.
+    constexpr duration time_to_respond() const noexcept
+    {
+        duration const silence = longest_.is_final() ? duration{} : framer().line().frame_end();
+        return framer().line().with_characters(silence, longest_.size());
+    }
+
+    /// Whether a byte before the response may be skipped. Constant options that allow none leave no code of this.
+    constexpr bool may_skip() const noexcept
+    {
+        bool const is_wanted = not is_constant<Options> or options().max_leading_noise != 0;
+        return is_wanted and skip_left_ > 0 and framer().is_at_start();
+    }
+
+    constexpr void drop_leading_noise() noexcept
+    {
+        --skip_left_;
+        statistics_.note(line_event::noise, asked_unit());
+    }
+
+    /// Counts bytes that belong to no response; `bytes` is not empty.
+    constexpr void count_stray(byte_view bytes, bool is_start) noexcept
+    {
+        constexpr std::uint8_t highest_unit = 247;
+        std::uint8_t const first = to_u8(bytes[0]);
+        bool const is_late = is_start and first <= highest_unit and quarantine_.covers(first);
+        statistics_.note_stray(bytes.size(), is_start, is_late ? first : std::uint8_t{0});
+    }
+
+    Debts quarantine_{};
+    [[no_unique_address]] Options options_{};
+    [[no_unique_address]] Statistics statistics_{};
+
+private:
+    [[no_unique_address]] Line line_{};
+    std::array<std::byte, frame_place<Front>::memory> bytes_; ///< the request, and behind it its response
+};
+
+} // namespace rtuwire

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What a client does with the bytes that arrive: its own echo, noise before a response, the response itself and what
+// that means for the request under way.
+// Internal: may change with any version.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/client/line/phase.hpp>
+#include <rtuwire/client/line/request_steps.hpp>
+#include <rtuwire/client/statistics.hpp>
+#include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/response.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// The base of a client's transaction.
+template <typename Statistics, typename Line, typename Options, typename Debts, std::size_t Front>
+class reception : public request_steps<Statistics, Line, Options, Debts, Front> {
+    using steps = request_steps<Statistics, Line, Options, Debts, Front>;
+
+protected:
+    using phase = client_phase;
+    using steps::attempt_failed;
+    using steps::deadline_;
+    using steps::echo_;
+    using steps::error_;
+    using steps::framer;
+    using steps::options;
+    using steps::phase_;
+    using steps::quarantine_;
+    using steps::request;
+    using steps::retries_;
+    using steps::settle;
+    using steps::statistics_;
+    using steps::unit;
+    using steps::wait_for_silence;
+
+public:
+    using steps::steps;
+
+    /// Takes bytes that had arrived by `now`, in any chunking. While no response is awaited they are noise: dropped,
+    /// but the line was not silent. A response that is passed in before `advance` has seen the time-out is in time.
+    constexpr void receive(byte_view const& bytes, instant now) noexcept
+    {
+        if (bytes.empty()) {
+            return;
+        }
+        bool const is_start = framer().is_quiet();
+        begin_chunk(bytes.size(), now);
+        std::size_t taken = 0;
+        while (taken < bytes.size() and take(bytes[taken], now)) {
+            ++taken;
+        }
+        if (taken < bytes.size()) {
+            this->count_stray(bytes.subspan(taken), is_start and taken == 0);
+            on_line_activity(now);
+        }
+    }
+
+    /// Reports a receive error (parity, framing, overrun).
+    constexpr void receive_error(instant now) noexcept
+    {
+        begin_chunk(1, now);
+        if (phase_ != phase::awaiting) {
+            on_line_activity(now);
+        } else if (this->may_skip()) {
+            this->drop_leading_noise();
+        } else {
+            framer().spoil();
+        }
+    }
+
+protected:
+    /// Takes a response that has ended, by its length or by silence, and judges it.
+    constexpr void take_frame(instant now) noexcept
+    {
+        if (not framer().poll_end() or error_ == errc::collision) {
+            return;
+        }
+        errc wrong = framer().verdict();
+        if (wrong == errc::none) {
+            wrong = check_response(request(), framer().frame());
+        }
+        if (wrong == errc::none and not framer().matches_size_hint()) {
+            wrong = errc::wrong_length;
+        }
+        line_event const event = event_of(wrong);
+        note_frame(statistics_, event, wrong, unit(), now);
+        bool const is_response = event == line_event::reply or event == line_event::exception;
+        bool const is_damaged =
+            event == line_event::crc and framer().looks_addressed_to(request()) and framer().matches_size_hint();
+        // While another unit's response is outstanding, a damaged one may be that: none of its bytes can be relied on.
+        if (is_response or (is_damaged and quarantine_.is_empty())) {
+            retries_.note_response();
+        }
+        if (retries_.may_pause(wrong)) {
+            deadline_ = now + retries_.take_pause();
+            phase_ = phase::pausing;
+            error_ = errc::none;
+        } else if (is_response or wrong == errc::line_echo) {
+            settle(wrong, now);
+        } else if (event != line_event::foreign and wrong != errc::frame_too_short) {
+            // A damaged response of our unit is worth an early repetition. Anything else may be noise
+            // before the response or a response to an older request, so the timer runs on.
+            error_ = wrong;
+            if (is_damaged) {
+                attempt_failed(now);
+            }
+        }
+    }
+
+private:
+    /// Bytes arrived by `now`: first takes the frame that the silence before them ended.
+    constexpr void begin_chunk(std::size_t bytes, instant now) noexcept
+    {
+        if (framer().begin_chunk(bytes, now) and phase_ == phase::awaiting) {
+            take_frame(now);
+        }
+    }
+
+    /// Takes a byte of an echo, of a response or before it; returns false where none is expected. Inlined, because it
+    /// runs for each byte.
+    constexpr bool take(std::byte byte, instant now) noexcept
+    {
+        bool const is_echo_due =
+            echo_.is_open() and (options().has_line_echo or is_leaving(phase_) or echo_.is_half(this->size_));
+        if (is_echo_due and take_echo(byte, now)) {
+            return true;
+        }
+        if (phase_ != phase::awaiting) {
+            return false;
+        }
+        // Bytes before the unit's address are skipped, as far as `max_leading_noise` allows.
+        if (this->may_skip() and to_u8(byte) != unit()) {
+            this->drop_leading_noise();
+        } else if (framer().push(byte)) {
+            take_frame(now);
+        }
+        return true;
+    }
+
+    /// Compares a byte with the one that was sent. Returns whether it is accounted for: on a line that echoes it
+    /// always is, elsewhere where it is the same.
+    [[gnu::always_inline]] constexpr bool take_echo(std::byte byte, instant now) noexcept
+    {
+        bool const is_same = echo_.take(byte, request());
+        if (options().has_line_echo) {
+            if (not is_same) {
+                statistics_.note(line_event::collision, unit());
+                error_ = error_ == errc::none ? errc::collision : error_;
+            }
+            return true;
+        }
+        if (is_same and not echo_.is_open()) {
+            statistics_.note(line_event::mismatch, unit());
+            error_ = errc::line_echo;
+            if (phase_ == phase::awaiting) {
+                settle(errc::line_echo, now);
+            }
+        }
+        return is_same;
+    }
+
+    /// The line was not silent when a request was to leave.
+    constexpr void on_line_activity(instant now) noexcept
+    {
+        if (phase_ != phase::ready) {
+            return;
+        }
+        if (this->must_send_now_) {
+            settle(errc::bus_jam, now);
+        } else {
+            wait_for_silence(now);
+        }
+    }
+};
+
+} // namespace rtuwire

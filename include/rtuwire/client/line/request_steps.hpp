@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// The steps of one request: each enters a phase of client/line/phase.hpp and sets the time that limits it.
+// client/line/transaction.hpp decides when they are taken.
+// Internal: may change with any version.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/client/line/line_end.hpp>
+#include <rtuwire/client/line/phase.hpp>
+#include <rtuwire/client/statistics.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/errc.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// The base of a client's transaction.
+template <typename Statistics, typename Line, typename Options, typename Debts, std::size_t Front>
+class request_steps : public line_end<Statistics, Line, Options, Debts, Front> {
+    using end_of_line = line_end<Statistics, Line, Options, Debts, Front>;
+
+public:
+    using end_of_line::end_of_line;
+
+protected:
+    using phase = client_phase;
+    using client_state::deadline_;
+    using client_state::echo_;
+    using client_state::error_;
+    using client_state::phase_;
+    using client_state::retries_;
+    using end_of_line::framer;
+    using end_of_line::options;
+    using end_of_line::quarantine_;
+    using end_of_line::statistics_;
+
+    constexpr std::uint8_t unit() const noexcept { return this->asked_unit(); }
+
+    /// The request waits for the line. Not inlined: it is called in several places.
+    [[gnu::noinline]] constexpr void wait_for_silence(instant now) noexcept
+    {
+        phase_ = phase::waiting;
+        error_ = errc::none;
+        echo_.end();
+        deadline_ = now + retries_.response_timeout();
+    }
+
+    /// The transmitter has the time that the request takes, plus the response time-out.
+    [[gnu::noinline]] constexpr void limit_sending(instant now) noexcept
+    {
+        deadline_ = now + retries_.response_timeout() + this->time_to_send();
+    }
+
+    /// A broadcast has left: units need time to act.
+    constexpr void turn_around(instant at) noexcept
+    {
+        phase_ = phase::turnaround;
+        deadline_ = at + options().turnaround;
+    }
+
+    /// The request left once more. Returns how long its response may take, up to its last byte.
+    constexpr duration note_sent(instant at) noexcept
+    {
+        duration const limit = retries_.response_timeout() + this->time_to_respond();
+        retries_.note_sent(at, limit + late_response());
+        return limit;
+    }
+
+    /// One sending has failed: another one follows, or the transaction ends. Inlined at both its places: 8 bytes less,
+    /// and its callers use less stack.
+    [[gnu::always_inline]] constexpr void attempt_failed(instant now) noexcept
+    {
+        if (retries_.take_retry()) {
+            wait_for_silence(now);
+        } else {
+            settle(error_, now);
+        }
+    }
+
+    /// Ends the transaction. Where responses may still be on their way, its unit gets no new request until none can
+    /// be: client/line/quarantine.hpp gives the rule and its reasons.
+    constexpr void settle(errc error, instant now) noexcept
+    {
+        error_ = error;
+        if (is_leaving(phase_)) {
+            static_cast<void>(note_sent(now));
+        }
+        if (retries_.unanswered() != 0) {
+            bool const has_response = error_ == errc::none or is_exception(error_);
+            duration const late = late_response();
+            quarantine_.begin(unit(),
+                              has_response ? now + retries_.all_that_follow(now, late) : retries_.owed_until(now));
+        }
+        phase_ = phase::settled;
+        deadline_ = now;
+        echo_.end();
+    }
+
+    /// The time of a phase is over.
+    constexpr void on_timeout(instant now) noexcept
+    {
+        if (phase_ == phase::awaiting) {
+            if (error_ == errc::none) {
+                error_ = framer().is_quiet() ? errc::timed_out : errc::bus_jam;
+                statistics_.note(framer().is_quiet() ? line_event::timeout : line_event::jam, unit());
+            }
+            attempt_failed(now);
+        } else if (phase_ == phase::pausing) {
+            wait_for_silence(now);
+        } else {
+            if (phase_ != phase::turnaround) {
+                error_ = phase_ == phase::waiting ? errc::bus_jam : errc::transmit_stalled;
+            }
+            if (is_leaving(phase_) and unit() == 0) {
+                turn_around(now); // it may have left just now
+            } else {
+                settle(error_, now);
+            }
+        }
+    }
+
+private:
+    /// Constructed anew: GCC would read a constant's copy from memory.
+    constexpr duration late_response() const noexcept { return options().late_response; }
+};
+
+} // namespace rtuwire

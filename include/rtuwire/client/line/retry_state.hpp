@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// How often one request was sent, and whether it may be sent once more.
+// Internal: may change with any version.
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/client/options.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/errc.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// The attempts at one request.
+class retry_state {
+public:
+    /// A new request; one that may not be repeated gets a single attempt.
+    constexpr void begin(retry_policy const& with, bool may_repeat) noexcept
+    {
+        retries_ = may_repeat ? with.retries : std::uint8_t{0};
+        busy_retries_ = may_repeat ? with.busy_retries : std::uint8_t{0};
+        failures_ = 0;
+        pauses_ = 0;
+        unanswered_ = 0;
+        response_timeout_ = with.response_timeout;
+        busy_pause_ = with.busy_pause;
+    }
+
+    /// Takes one repetition after silence or damage; returns false where none is left.
+    constexpr bool take_retry() noexcept
+    {
+        bool const is_left = failures_ < retries_;
+        failures_ = static_cast<std::uint8_t>(failures_ + (is_left ? 1 : 0));
+        return is_left;
+    }
+
+    /// Allows no further repetition.
+    constexpr void end_retries() noexcept
+    {
+        retries_ = 0;
+        busy_retries_ = 0;
+    }
+
+    /// Whether the unit asks for time, and a pause is left.
+    [[nodiscard, gnu::always_inline]] constexpr bool may_pause(errc response) const noexcept
+    {
+        bool const asks = response == errc::acknowledge or response == errc::server_device_busy;
+        return asks and pauses_ < busy_retries_;
+    }
+
+    /// Takes one repetition after a pause, and returns the pause. The next one is twice as long.
+    constexpr duration take_pause() noexcept
+    {
+        constexpr std::uint8_t most_doublings = 6;
+        duration const pause = busy_pause_;
+        if (pauses_ < most_doublings and pause < duration{longest_duration.microseconds / 2}) {
+            busy_pause_.microseconds *= 2;
+        }
+        ++pauses_;
+        return pause;
+    }
+
+    /// The request has left once more. Its unit answers it at most `each` after it could begin: from here on, or when
+    /// it has answered the requests before.
+    [[gnu::always_inline]] constexpr void note_sent(instant at, duration each) noexcept
+    {
+        duration const age = is_first() ? duration{} : at - first_sent_;
+        first_sent_ = at - (age + duration{}); // at most the longest duration, or the clock's wrap would make it short
+        duration const before = unanswered_ == 0 or reached(at, owed_until_) ? duration{} : owed_until_ - at;
+        owed_until_ = at + (before + each);
+        ++unanswered_;
+    }
+
+    /// Until when responses may come, where none has come. Never before `now`, so that it can be compared with other
+    /// times that lie ahead.
+    [[nodiscard]] constexpr instant owed_until(instant now) const noexcept
+    {
+        return reached(now, owed_until_) ? now : owed_until_;
+    }
+
+    /// A response to one of the sendings has come, whole or damaged.
+    constexpr void note_response() noexcept { --unanswered_; }
+
+    /// How long the responses to all other sendings may take, once one has come at `now`: each as long as the first
+    /// may have taken, plus `late`.
+    [[nodiscard]] constexpr duration all_that_follow(instant now, duration late) const noexcept
+    {
+        duration const each = (now - first_sent_) + late;
+        duration length{};
+        for (unsigned i = 0; i < unanswered_; ++i) {
+            length = length + each;
+        }
+        return length;
+    }
+
+    /// How many sendings have no response.
+    [[nodiscard]] constexpr std::uint16_t unanswered() const noexcept { return unanswered_; }
+
+    [[nodiscard]] constexpr bool is_first() const noexcept { return failures_ + pauses_ == 0; }
+
+    [[nodiscard]] constexpr duration response_timeout() const noexcept { return response_timeout_; }
+
+private:
+    std::uint8_t retries_{0};
+    std::uint8_t busy_retries_{0};
+    std::uint8_t failures_{0};
+    std::uint8_t pauses_{0};
+    std::uint16_t unanswered_{0};
+    duration response_timeout_{};
+    duration busy_pause_{}; ///< the next one
+    instant first_sent_{0};
+    instant owed_until_{0};
+};
+
+} // namespace rtuwire

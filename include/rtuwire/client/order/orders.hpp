@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Which motors a client ordered to run, and what follows from it for every request to their units. No conversation
+// could enforce this alone: a read by another one keeps a drive's watchdog fed.
+//
+// A unit is *ordered* from the first request that enables it until a conversation that commands it has read that its
+// motor has no power. Orders and stops have stamps, counted up: an order enables nothing if it is older than the last
+// stop of its unit, than its last loss, than a fault that a conversation read, or than another order to run. While a
+// stop is under way no other conversation commands its unit; a stop that was destroyed before its end goes on holding
+// the unit until another stop of the unit has ended, or `release`. client/order/unit_losses.hpp says what follows from
+// a missing response of an ordered unit.
+// Internal: may change with any version.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/ask/commander.hpp>
+#include <rtuwire/client/order/order_places.hpp>
+#include <rtuwire/client/order/unit_losses.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/errc.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// For a client that commands no motor.
+struct no_orders {
+    static constexpr bool is_kept = false;
+    static constexpr bool advance(instant) noexcept { return false; }
+    static constexpr bool is_silent(std::uint8_t, effect) noexcept { return false; }
+    static constexpr void note_outcome(std::uint8_t, errc, bool, instant) noexcept {}
+    static constexpr void add_to(earliest&) noexcept {}
+};
+
+/// The orders of up to `Units` units at once.
+template <std::size_t Units> class orders : public unit_losses<Units> {
+    using losses = unit_losses<Units>;
+    using losses::begin_stop;
+    using losses::count_;
+    using losses::end_stop;
+    using losses::has_another_stop;
+    using losses::holder_of_all_;
+    using losses::keep_hold;
+    using losses::places_;
+    using losses::stopped_all_;
+
+public:
+    static constexpr bool is_kept = true;
+
+    /// A commander of one unit visits: notes what its user wants, and what it read. Returns whether its unit was lost
+    /// since its last visit.
+    constexpr bool visit(commander& who, std::uint8_t unit, instant now) noexcept
+    {
+        bool const is_lost = has_lost(who, unit);
+        // An order given since the last visit may be older than what happened meanwhile.
+        bool const is_doubtful = who.has_come_by_ and has_happened(who, unit);
+        who.was_stopped_ = who.was_stopped_ or is_doubtful;
+        tell_arrangement(who, unit);
+        take_notes(who, unit, is_doubtful, now);
+        if (who.is_stopping_) {
+            keep_hold(who, unit);
+        }
+        who.has_come_by_ = true;
+        who.seen_ = count_;
+        who.is_silenced_ = losses::is_silent(unit, effect::stopping);
+        return is_lost;
+    }
+
+    /// Whether a request of this effect may be sent, apart from a silence: `overruled` where a stop came later than
+    /// the order, or another stop is under way, or the unit was rearranged after its commander read it; `unit_lost`
+    /// where a loss came later; `too_many_ordered` where there is no place for one more unit.
+    [[nodiscard]] constexpr errc check(commander const& who, std::uint8_t unit, effect what) const noexcept
+    {
+        if (what == effect::none) {
+            return errc::none;
+        }
+        unit_order const& own = places_.of(unit);
+        if (what == effect::stopping) {
+            return has_another_stop(who, unit) ? errc::overruled : errc::none;
+        }
+        bool const is_late = is_older(who.stamp_, own.last_stop) or is_older(who.stamp_, stopped_all_) or
+                             (what == effect::enabling and has_newer(own, who));
+        if (own.holder != 0 or holder_of_all_ != 0 or is_late) {
+            return own.was_lost and own.holder == 0 ? errc::unit_lost : errc::overruled;
+        }
+        if (what == effect::rearranging) {
+            return own.is_ordered ? errc::overruled : errc::none; // only a drive that is not ordered to run
+        }
+        if (who.was_rearranged_) {
+            return errc::overruled;
+        }
+        return places_.is_full_for(unit) ? errc::too_many_ordered : errc::none;
+    }
+
+    /// Whether another stop, or a later one, overrules this commander of the unit.
+    [[nodiscard]] constexpr bool is_overruled(commander const& who, std::uint8_t unit) const noexcept
+    {
+        return check(who, unit, who.is_stopping_ ? effect::stopping : effect::enabling) == errc::overruled;
+    }
+
+    /// A request of this effect was taken.
+    constexpr void note_asked(std::uint8_t unit, effect what, duration drive_timeout, std::uint8_t tolerated) noexcept
+    {
+        switch (what) {
+        case effect::enabling:
+        case effect::resetting: return note_enabling(unit, drive_timeout, tolerated);
+        case effect::rearranging: return note_rearranging(unit);
+        case effect::stopping: return note_stopping(unit, drive_timeout);
+        case effect::none: break;
+        }
+    }
+
+    /// Whether this client ordered a unit to run, and no conversation has read since that its motor has no power.
+    [[nodiscard]] constexpr bool is_ordered(std::uint8_t unit) const noexcept { return places_.of(unit).is_ordered; }
+
+private:
+    constexpr void take_notes(commander& who, std::uint8_t unit, bool is_doubtful, instant now) noexcept
+    {
+        if (who.has_read_rest_) {
+            who.has_read_rest_ = false;
+            if (unit_order* const own = places_.find(unit)) {
+                own->is_ordered = false;
+                own->misses = 0;
+            }
+        }
+        if (who.has_read_fault_) {
+            who.has_read_fault_ = false;
+            unit_order* const own = places_.make(unit);
+            (own == nullptr ? places_.others() : *own).last_fault = ++count_;
+        }
+        if (who.has_ordered_) {
+            who.has_ordered_ = false;
+            if (is_doubtful) {
+                who.takes_over_ = false;
+            } else {
+                who.stamp_ = ++count_;
+                take_over(who, unit);
+            }
+        }
+        if (who.has_stopped_) {
+            who.has_stopped_ = false;
+            begin_stop(who, unit, now);
+        }
+        if (who.is_over_) {
+            who.is_over_ = false;
+            end_stop(who, unit);
+        }
+    }
+
+    /// Whether there was a stop, a loss or a fault since this commander's last visit.
+    constexpr bool has_happened(commander const& who, std::uint8_t unit) const noexcept
+    {
+        unit_order const& own = places_.of(unit);
+        return is_older(who.seen_, own.last_stop) or is_older(who.seen_, own.last_fault) or
+               is_older(who.seen_, stopped_all_);
+    }
+
+    constexpr bool has_lost(commander const& who, std::uint8_t unit) const noexcept
+    {
+        unit_order const& own = places_.of(unit);
+        return own.is_lost and is_older(who.seen_, own.last_stop);
+    }
+
+    /// A commander that visits for the first time has read nothing yet that this could have changed.
+    constexpr void tell_arrangement(commander& who, std::uint8_t unit) const noexcept
+    {
+        bool const is_new = who.has_come_by_ and is_older(who.seen_, places_.of(unit).rearranged);
+        who.was_rearranged_ = who.was_rearranged_ or is_new;
+    }
+
+    constexpr void take_over(commander& who, std::uint8_t unit) noexcept
+    {
+        unit_order* const own = who.takes_over_ ? places_.make(unit) : nullptr;
+        who.takes_over_ = false;
+        if (own != nullptr) {
+            own->last_order = who.stamp_;
+        }
+    }
+
+    /// Whether a fault, or another order to run, came after this commander's order.
+    static constexpr bool has_newer(unit_order const& own, commander const& who) noexcept
+    {
+        bool const is_replaced = own.last_order != 0 and is_older(who.stamp_, own.last_order);
+        return is_replaced or is_older(who.stamp_, own.last_fault);
+    }
+
+    constexpr void note_enabling(std::uint8_t unit, duration drive_timeout, std::uint8_t tolerated) noexcept
+    {
+        if (unit_order* const own = places_.make(unit)) {
+            own->is_ordered = true;
+            own->silence = drive_timeout + milliseconds(1'000);
+            own->tolerated = tolerated;
+        }
+    }
+
+    /// A commander that relies on the unit's words reads anew what they mean.
+    constexpr void note_rearranging(std::uint8_t unit) noexcept
+    {
+        unit_order* const own = places_.find(unit);
+        (own == nullptr ? places_.others() : *own).rearranged = ++count_;
+    }
+
+    /// A unit that was not ordered here is left alone for the time that its drive's type gives.
+    constexpr void note_stopping(std::uint8_t unit, duration drive_timeout) noexcept
+    {
+        unit_order* const own = places_.find(unit);
+        if (own != nullptr and own->silence == duration{}) {
+            own->silence = drive_timeout + milliseconds(1'000);
+        }
+    }
+};
+
+} // namespace rtuwire

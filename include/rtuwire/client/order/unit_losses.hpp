@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Which units are lost, and how long nothing is sent to them.
+//
+// A *loss* is a missing response, beyond those that its commander tolerates, of a unit that is ordered or that a stop
+// holds: another controller may have ordered it, or this one before it was switched off. Then, for 2 s at most, only
+// stop requests go to that unit. After that it gets no request of any conversation, until the drive's own time-out and
+// 1 s more have passed since the last of them: it has stopped by itself if it can. A stop that begins meanwhile has
+// 2 s for its requests. A response to one of them ends the loss; the order stays cancelled.
+// Internal: may change with any version.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/ask/commander.hpp>
+#include <rtuwire/client/order/order_places.hpp>
+#include <rtuwire/client/order/stop_holds.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/errc.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// The lost units of one client; the base of its orders.
+template <std::size_t Units> class unit_losses : public stop_holds<Units> {
+    using holds = stop_holds<Units>;
+
+public:
+    /// The outcome of a request of any conversation to a unit; where the client repeated it by itself, a missing
+    /// response is no longer tolerated. A `cancelled` request never left: it tells nothing of its unit.
+    constexpr void note_outcome(std::uint8_t unit, errc error, bool was_repeated, instant now) noexcept
+    {
+        unit_order* const own = places_.find(unit);
+        if (own == nullptr or error == errc::cancelled) {
+            return;
+        }
+        if (error == errc::none or is_exception(error)) {
+            own->misses = 0;
+            own->is_lost = false;
+            return;
+        }
+        if (not own->is_ordered and own->holder == 0) {
+            return;
+        }
+        if (own->is_lost or was_repeated or own->misses >= own->tolerated) {
+            lose(*own, now);
+        } else {
+            ++own->misses;
+        }
+    }
+
+    /// Whether a unit gets no request of this effect now; for a broadcast (0), whether one of the units is lost.
+    [[nodiscard]] constexpr bool is_silent(std::uint8_t unit, effect what) const noexcept
+    {
+        for (unit_order const& each : places_) {
+            bool const is_meant = each.is_lost and (each.unit == unit or unit == 0);
+            bool const may_be_told = what == effect::stopping and (unit == 0 or each.may_be_told);
+            if (is_meant and not may_be_told) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// When `converse` is to be called again for a conversation; for clients, which know no other times of their
+    /// conversations.
+    constexpr void wake_for(deadline const& when, instant now) noexcept
+    {
+        bool const is_ahead = when and not reached(now, *when);
+        if (is_ahead and not(wake_ and reached(*when, *wake_))) {
+            wake_ = when;
+        }
+    }
+
+    /// Whether a unit is lost.
+    [[nodiscard]] constexpr bool is_lost(std::uint8_t unit) const noexcept { return places_.of(unit).is_lost; }
+
+    /// Lets time pass. Returns whether a silence is over.
+    constexpr bool advance(instant now) noexcept
+    {
+        holds::let_go_of_ended();
+        wake_ = {};
+        bool is_over = false;
+        for (unit_order& each : places_) {
+            each.may_be_told = each.is_lost and each.may_be_told and not reached(now, each.words_end);
+            if (each.is_lost and reached(now, each.silence_end)) {
+                each.is_lost = false;
+                is_over = true;
+            }
+        }
+        return is_over;
+    }
+
+    /// When `advance` has something to do.
+    constexpr void add_to(earliest& next) const noexcept
+    {
+        next.add(wake_);
+        for (unit_order const& each : places_) {
+            if (each.is_lost) {
+                next.add(each.may_be_told ? each.words_end : each.silence_end);
+            }
+        }
+    }
+
+protected:
+    using holds::count_;
+    using holds::places_;
+
+private:
+    constexpr void lose(unit_order& own, instant now) noexcept
+    {
+        if (not own.is_lost) {
+            own.is_lost = true;
+            own.may_be_told = true;
+            own.was_lost = true;
+            own.words_end = now + stop_words_after_loss;
+            own.last_stop = ++count_;
+        }
+        own.silence_end = now + own.silence;
+    }
+
+    deadline wake_{};
+};
+
+} // namespace rtuwire

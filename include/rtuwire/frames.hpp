@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Door: frames without a client or a server; encode, decode, check. docs/names.md lists what is public.
+#pragma once
+
+#include <rtuwire/core/crc16.hpp>
+#include <rtuwire/core/hex.hpp>
+#include <rtuwire/core/literal.hpp>
+#include <rtuwire/rtu/framer.hpp>
+#include <rtuwire/rtu/line.hpp>
+#include <rtuwire/wire/adu.hpp>
+#include <rtuwire/wire/errc_category.hpp>
+#include <rtuwire/wire/errc_name.hpp>
+#include <rtuwire/wire/pdu/device_identification.hpp>
+#include <rtuwire/wire/pdu/diagnostics.hpp>
+#include <rtuwire/wire/pdu/exception.hpp>
+#include <rtuwire/wire/pdu/raw.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
+#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
+#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/response.hpp>

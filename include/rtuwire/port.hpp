@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Door: where the operating system begins. docs/names.md lists what is public.
+#pragma once
+
+#include <rtuwire/core/literal.hpp>
+#include <rtuwire/port/chrono.hpp>
+#include <rtuwire/port/descriptor.hpp>
+#include <rtuwire/port/error_marks.hpp>
+#include <rtuwire/port/exclusive_device.hpp>
+#include <rtuwire/port/posix_serial.hpp>
+#include <rtuwire/port/pseudo_terminal.hpp>
+#include <rtuwire/port/serial_settings.hpp>
+#include <rtuwire/port/standard_places.hpp>
+#include <rtuwire/wire/unit_id.hpp>

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Internal: the framer in parts, for a server and a client, which take a frame at the byte that ends it. Its table of
+// states stands in rtu/framer.hpp; what silence does to them, in rtu/line_silence.hpp.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/constant.hpp>
+#include <rtuwire/core/crc16.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/rtu/foreign_exchange.hpp>
+#include <rtuwire/rtu/frame_place.hpp>
+#include <rtuwire/rtu/line.hpp>
+#include <rtuwire/rtu/line_silence.hpp>
+#include <rtuwire/wire/adu.hpp>
+#include <rtuwire/wire/errc.hpp>
+#include <rtuwire/wire/frame_length.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::detail {
+
+/// Internal: a framer without its memory. `Holder` derives from it and holds the line's times, `line_`, and the
+/// memory, `bytes_`, behind all other members: small processors reach near members with short instructions.
+template <typename Holder, direction Way, std::size_t Front> class frame_cutter : public line_silence<Holder, Way> {
+    using silence_rule = line_silence<Holder, Way>;
+    using silence_rule::is_open_end;
+    using silence_rule::state_;
+    using typename silence_rule::state;
+
+public:
+    using silence_rule::begin_chunk;
+
+    constexpr frame_cutter() noexcept = default;
+
+    /// Takes bytes that had arrived by `now`, in chunks of any size, up to the end of one frame; returns how
+    /// many were taken. The bytes after that frame belong to the next call.
+    constexpr std::size_t receive(byte_view bytes, instant now) noexcept
+    {
+        if (bytes.empty() or begin_chunk(bytes.size(), now)) {
+            return 0;
+        }
+        std::size_t taken = 0;
+        if constexpr (Way == direction::request) {
+            if (is_open_end()) {
+                state_ = state::done;
+                return others_.takes(bytes[0]) ? 1 : 0;
+            }
+        }
+        while (taken < bytes.size() and not push(bytes[taken++])) {
+        }
+        return taken;
+    }
+
+    /// The second part of `receive`, after `begin_chunk`: takes one byte. Returns whether it was the last of a frame.
+    constexpr bool push(std::byte byte) noexcept
+    {
+        if (state_ == state::synchronising) {
+            return false;
+        }
+        if (state_ != state::receiving) {
+            begin();
+        }
+        if (end_ == place_.memory) {
+            if (error_ == errc::none) {
+                error_ = errc::frame_too_long;
+            }
+            return false;
+        }
+        storage()[end_++] = byte;
+        crc_.add(byte);
+        return end_ == rule_at_ and apply_length_rule();
+    }
+
+    /// Reports a receive error (parity, framing, overrun): the frame that the damaged byte belongs to is
+    /// refused even if its CRC is right. A frame that the silence before the byte ended, and that was not
+    /// polled yet, is discarded.
+    constexpr void receive_error(instant now) noexcept
+    {
+        static_cast<void>(begin_chunk(1, now));
+        spoil();
+    }
+
+    /// The second part of `receive_error`, after `begin_chunk`.
+    constexpr void spoil() noexcept
+    {
+        if (state_ == state::synchronising) {
+            return;
+        }
+        if (state_ != state::receiving) {
+            begin();
+        }
+        error_ = errc::uart_error;
+    }
+
+    /// Why the last frame is refused; none where it is good.
+    [[nodiscard]] constexpr errc verdict() const noexcept
+    {
+        if (error_ != errc::none) {
+            return error_;
+        }
+        if (size() < min_adu_size) {
+            return errc::frame_too_short;
+        }
+        return crc_.value() == 0 ? errc::none : errc::crc_mismatch;
+    }
+
+    /// Whether the last frame has the size that its own bytes tell, where they tell one. Silence may have ended
+    /// it at another size, where by chance its CRC is right, too.
+    [[nodiscard]] constexpr bool matches_size_hint() const noexcept { return rule_at_ == 0 or rule_at_ == end_; }
+
+    /// The last frame, where the verdict is none.
+    [[nodiscard]] constexpr adu frame() const noexcept { return adu{{storage().data() + place_.begin(), size()}}; }
+
+    /// Whether the last frame had at least the smallest size, and began as a response to this request does:
+    /// with its unit and its function.
+    [[nodiscard]] constexpr bool looks_addressed_to(byte_view request) const noexcept
+    {
+        std::byte const* const start = storage().data() + place_.begin();
+        return size() >= min_adu_size and start[0] == request[0] and (start[1] & std::byte{0x7F}) == request[1];
+    }
+
+    /// Records a request to another unit: the response of this unit and function may follow. Frames with
+    /// these first two bytes (the function with or without 80) then end at the size by the request's rule or
+    /// by the response's, the first of the two where the CRC is right. Where the other size is one byte more,
+    /// a byte 00 that follows at once belongs to the frame, but is not kept: of such frames only the first
+    /// two bytes are of use. A function of 80 or above ends this.
+    constexpr void note_foreign_request(std::uint8_t unit, std::uint8_t function) noexcept
+        requires(Way == direction::request)
+    {
+        others_.expect(unit, function);
+    }
+
+    /// Whether the last frame ended at the size of the response that `note_foreign_request` announced.
+    [[nodiscard]] constexpr bool is_foreign_response() const noexcept requires(Way == direction::request)
+    {
+        return others_.is_response();
+    }
+
+    /// The memory of the frame, for a response written in its place.
+    [[nodiscard]] constexpr byte_span storage() noexcept { return static_cast<Holder&>(*this).bytes_; }
+    [[nodiscard]] constexpr byte_view storage() const noexcept { return static_cast<Holder const&>(*this).bytes_; }
+
+    /// Keeps the first `size` bytes of the memory, at most 256, free: later frames are received behind them.
+    constexpr void receive_behind(std::size_t size) noexcept requires(Front > 0)
+    {
+        place_.leave_room_for(size);
+        end_ = place_.begin();
+    }
+
+    /// The largest frame that there is room for.
+    [[nodiscard]] constexpr std::size_t room() const noexcept { return place_.memory - place_.begin(); }
+
+private:
+    /// A constant, so that no constructor computes it.
+    static constexpr running_crc16<> no_bytes{0};
+
+    constexpr void begin() noexcept
+    {
+        state_ = state::receiving;
+        others_.begin_frame();
+        end_ = place_.begin();
+        rule_at_ = static_cast<std::uint16_t>(place_.begin() + 2);
+        crc_ = running_crc16<>{};
+        error_ = errc::none;
+    }
+
+    /// Applies the length rule at the byte where it is due. Returns whether the frame ends here. Force-inlined,
+    /// which is smaller (docs/size-notes.md).
+    [[gnu::always_inline]] constexpr bool apply_length_rule() noexcept
+    {
+        end_hint const told = others_.apply({storage().data() + place_.begin(), size()});
+        // Zero, which is no byte's position here, where only silence tells the end. Past an end whose CRC is
+        // wrong only silence tells where the next frame starts.
+        rule_at_ = told.next == 0 ? std::uint16_t{0} : static_cast<std::uint16_t>(place_.begin() + told.next);
+        if (not told.is_here or verdict() != errc::none) {
+            return false;
+        }
+        others_.end_frame(told.is_response);
+        state_ = told.is_open ? state::open_end : state::done;
+        return true;
+    }
+
+    constexpr std::size_t size() const noexcept { return std::size_t{end_} - place_.begin(); }
+
+    [[no_unique_address]] running_crc16<> crc_{no_bytes};
+    errc error_{errc::none};
+    std::uint16_t end_{0};     ///< behind the last byte
+    std::uint16_t rule_at_{0}; ///< where the length rule is to be applied; 0 where it has nothing to say
+    [[no_unique_address]] foreign_exchange<Way> others_{};
+    [[no_unique_address]] frame_place<Front> place_{};
+};
+
+/// Internal: a frame cutter with its memory.
+template <direction Way, typename Line = stored<line_timing>, std::size_t Front = 0>
+class frame_receiver : public frame_cutter<frame_receiver<Way, Line, Front>, Way, Front> {
+    friend frame_cutter<frame_receiver, Way, Front>;
+    friend line_silence<frame_receiver, Way>;
+
+public:
+    explicit constexpr frame_receiver(line_timing const& timing) noexcept : line_{timing} {}
+    constexpr frame_receiver() noexcept requires is_constant<Line> : bytes_{} {}
+
+private:
+    [[no_unique_address]] Line line_{};
+    std::array<std::byte, frame_place<Front>::memory> bytes_; ///< written up to the frame's end
+};
+
+} // namespace rtuwire::detail

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Internal: the states of a framer and what silence does to them: when the line was last active, whether it has been
+// silent for t3.5 since, and when silence ends a frame. Knows no byte of it. The table is in rtu/frame_cutter.hpp.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/rtu/line.hpp>
+#include <rtuwire/wire/frame_length.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::detail {
+
+/// Internal: the base of the frame cutter. `Holder` derives from both and holds the line's times, `line_`.
+template <typename Holder, direction Way> class line_silence {
+public:
+    /// Takes note of `bytes` bytes, one at least, that had arrived by `now`. Returns whether the silence before them
+    /// ended a frame, whole or damaged, which must be polled before the first byte is taken.
+    constexpr bool begin_chunk(std::size_t bytes, instant now) noexcept
+    {
+        // An unread frame is discarded, so receiving never stalls.
+        if (state_ == state::done) {
+            state_ = state::idle;
+        }
+        // The first byte of a chunk arrived earlier than the chunk was handed over.
+        if (activity_ != activity::unknown and reached(now, last_ + silence() + line().characters(bytes))) {
+            on_silence();
+        }
+        note_activity(now);
+        return state_ == state::done;
+    }
+
+    /// Applies the silence up to `now`. Must be called before the clock has run 35 minutes past a deadline.
+    constexpr void advance(instant now) noexcept
+    {
+        if (activity_ == activity::unknown) {
+            note_activity(now);
+        }
+        if (reached(now, last_ + line().t3_5())) {
+            activity_ = activity::quiet;
+        }
+        if (waits_for_silence() and reached(now, last_ + silence())) {
+            on_silence();
+        }
+    }
+
+    /// Adds the time when `advance` has something to do to the earliest of several.
+    constexpr void add_to(earliest& next) const noexcept
+    {
+        // The silence that ends a frame is never shorter than the one before sending.
+        if (activity_ == activity::busy) {
+            next.add(last_ + line().t3_5());
+        } else if (activity_ == activity::quiet and waits_for_silence()) {
+            next.add(last_ + line().frame_end());
+        }
+    }
+
+    /// The same for a receiver that does not send: when silence ends the frame being received, or the bytes
+    /// being ignored. A separate plain form, which is smaller (docs/size-notes.md).
+    [[nodiscard]] constexpr deadline poll_end_deadline() const noexcept
+    {
+        return activity_ == activity::unknown or not waits_for_silence() ? deadline{} : deadline{last_ + silence()};
+    }
+
+    /// Whether a frame ended, whole or damaged, once.
+    [[nodiscard]] constexpr bool poll_end() noexcept
+    {
+        bool const is_end = state_ == state::done;
+        if (is_end) {
+            state_ = state::idle;
+        }
+        return is_end;
+    }
+
+    /// Drops what is being received and takes the next byte as the first of a frame: for a line that the
+    /// caller knows to be silent, because its own transmission just ended.
+    constexpr void restart(instant now) noexcept
+    {
+        note_activity(now);
+        state_ = state::idle;
+    }
+
+    /// Ignores everything until the line has been silent.
+    constexpr void resynchronise() noexcept { state_ = state::synchronising; }
+
+    /// When the last byte arrived, or the time of a later `note_activity`.
+    [[nodiscard]] constexpr instant last_activity() const noexcept { return last_; }
+
+    /// Records that the line was not silent at `now`, and leaves the frame alone. While the line is busy, a time
+    /// before the latest recorded one changes nothing.
+    constexpr void note_activity(instant now) noexcept
+    {
+        if (activity_ != activity::busy or reached(now, last_)) {
+            last_ = now;
+        }
+        activity_ = activity::busy;
+    }
+
+    /// Whether t3.5 of silence has passed, so that sending is allowed.
+    [[nodiscard]] constexpr bool is_quiet() const noexcept { return activity_ == activity::quiet; }
+
+    /// Whether the next byte would be the first of a frame.
+    [[nodiscard]] constexpr bool is_at_start() const noexcept { return not waits_for_silence(); }
+
+    [[nodiscard]] constexpr line_timing const& line() const noexcept
+    {
+        return static_cast<Holder const&>(*this).line_.get();
+    }
+
+protected:
+    enum class state : std::uint8_t { synchronising, receiving, open_end, idle, done };
+
+    /// Always false in a receiver of responses.
+    constexpr bool is_open_end() const noexcept { return Way == direction::request and state_ == state::open_end; }
+
+private:
+    /// What the line did last; unknown before the first time is given.
+    enum class activity : std::uint8_t { unknown, busy, quiet };
+
+    constexpr bool waits_for_silence() const noexcept { return state_ < state::idle; }
+
+    /// The silence that ends what is being received.
+    constexpr duration silence() const noexcept { return is_open_end() ? line().t3_5() : line().frame_end(); }
+
+    constexpr void on_silence() noexcept
+    {
+        if (waits_for_silence()) {
+            state_ = state_ == state::synchronising ? state::idle : state::done;
+        }
+    }
+
+    instant last_{0};
+    activity activity_{activity::unknown};
+
+protected:
+    state state_{state::synchronising};
+};
+
+} // namespace rtuwire::detail

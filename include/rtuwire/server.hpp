@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Door: the server, its engine and its banks of registers. docs/names.md lists what is public.
+#pragma once
+
+#include <rtuwire/frames.hpp>
+#include <rtuwire/rtu/interrupt_queue.hpp>
+#include <rtuwire/rtu/receive_from.hpp>
+#include <rtuwire/server/bank.hpp>
+#include <rtuwire/server/blocking.hpp>
+#include <rtuwire/server/identification.hpp>
+#include <rtuwire/server/response_frame.hpp>
+#include <rtuwire/server/server.hpp>
+#include <rtuwire/server/typed_bank.hpp>

@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// A test bench: a client or a bus at one end of a simulated line, units at the others, and a clock of its own. It runs
+// conversations to their end without hardware and without waiting. The same calls give the same bytes at the same
+// times. No heap.
+//
+//     constexpr station<atv320::device> drive{unit_id{7}};
+//     sim::bench bench{line_timing{19'200, character_format::even_8_1}, drive};  // a simulated ATV320 is unit 7
+//     auto const speed = bench.run(read<atv320::rfr>(drive));                    // its outcome
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+#include <rtuwire/client/bus.hpp>
+#include <rtuwire/client/client.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/server/server.hpp>
+#include <rtuwire/sim/drive/unit.hpp>
+#include <rtuwire/sim/line/line.hpp>
+#include <rtuwire/sim/line/terminal.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
+
+/// A server and the bank that it serves, as one end of a line. Borrows the bank, which must outlive it.
+/// Internal.
+template <register_bank Bank> class bank_unit {
+public:
+    constexpr bank_unit(unit_id address, line_timing const& line, Bank& bank) noexcept
+        : node_{address, line}, bank_{&bank}
+    {}
+
+    constexpr void receive(byte_view bytes, instant now) noexcept { node_.receive(bytes, now); }
+    constexpr void receive_error(instant now) noexcept { node_.receive_error(now); }
+    constexpr void sent(instant now) noexcept { node_.sent(now); }
+    constexpr void advance(instant now) noexcept { node_.serve(*bank_, now); }
+    [[nodiscard]] constexpr byte_view poll_transmit() noexcept { return node_.poll_transmit(); }
+    [[nodiscard]] constexpr deadline poll_deadline() const noexcept { return node_.poll_deadline(); }
+
+private:
+    server node_;
+    Bank* bank_;
+};
+
+/// Says to a bench: this bank answers as this unit. The bank must outlive the bench.
+template <register_bank Bank> struct bank_at {
+    unit_id address;
+    Bank& bank;
+};
+template <register_bank Bank> bank_at(unit_id, Bank&) -> bank_at<Bank>;
+
+/// The end of a line that an argument of a bench describes.
+/// Internal.
+template <typename T> struct end_for {
+    using type = T;
+};
+template <device_type Device> struct end_for<station<Device>> {
+    using type = unit<Device>;
+};
+template <register_bank Bank> struct end_for<bank_at<Bank>> {
+    using type = bank_unit<Bank>;
+};
+
+/// Makes that end where it stays: not by a copy, which a constant expression refuses for memory that is not set yet.
+/// Internal.
+struct end_maker {
+    line_timing const& line;
+
+    template <line_end End> constexpr End make(line_timing const& timing) const noexcept { return End{timing}; }
+    template <line_end End> constexpr End const& make(End const& made) const noexcept { return made; }
+    template <line_end End, device_type Device> constexpr End make(station<Device> const& drive) const noexcept
+    {
+        return End{drive.unit(), line, instant{0}};
+    }
+    template <line_end End, register_bank Bank> constexpr End make(bank_at<Bank> const& of) const noexcept
+    {
+        return End{of.address, line, of.bank};
+    }
+};
+
+/// The bench over a line of any kind: internal, `bench` is the one to use. `Line` offers `transmit`, `receive` and
+/// `poll_deadline` as `sim::line` does.
+/// Internal.
+template <typename Link, typename Line, line_end... Units> class basic_bench {
+    static_assert(1 + sizeof...(Units) <= line::max_senders, "a simulated line has up to 7 units");
+
+public:
+    /// `link` is the client or bus, or the times of its line; the others describe the units.
+    template <typename From, typename... Ends>
+    constexpr basic_bench(line_timing const& timing, Line const& wire, From const& link, Ends const&... ends) noexcept
+        : ends_{end_maker{timing}, link, ends...}, wire_{wire}
+    {}
+
+    /// The client or bus.
+    [[nodiscard]] constexpr Link& link() noexcept { return ends_.template at<0>().end; }
+
+    /// A unit by its place among the arguments, 0 for the first.
+    template <std::size_t Index = 0> [[nodiscard]] constexpr auto& unit() noexcept
+    {
+        return ends_.template at<Index + 1>().end;
+    }
+
+    /// The simulated drive of such a unit.
+    template <std::size_t Index = 0> [[nodiscard]] constexpr auto& drive() noexcept { return unit<Index>().drive(); }
+
+    /// The line, for its faults. The client is sender 0, the units are senders 1 to 7.
+    [[nodiscard]] constexpr Line& wire() noexcept { return wire_; }
+
+    [[nodiscard]] constexpr instant now() const noexcept { return now_; }
+
+    /// Takes a unit off the line, or puts it back. It goes on as with a broken cable.
+    template <std::size_t Index = 0> constexpr void cut(bool is_cut = true) noexcept
+    {
+        ends_.template at<Index + 1>().is_cut = is_cut;
+    }
+
+    /// One pass at `now()` in which all visitors visit, and the jump to whatever is due next: `longest` away at most,
+    /// or the end of the bytes that are on the line. A visitor is a conversation (on a bus, in the slot of its place),
+    /// or a function that is called with the time.
+    template <typename... Visitors> constexpr void step(duration longest, Visitors&&... visitors)
+    {
+        visit_and_jump(now_ + longest_frame, longest, visitors...);
+    }
+    template <typename... Visitors> constexpr void pass(Visitors&&... visitors) { step(longest_sleep, visitors...); }
+
+    /// Passes for a time.
+    template <typename... Visitors> constexpr void run_for(duration length, Visitors&&... visitors)
+    {
+        static_cast<void>(run_until([] { return false; }, length, visitors...));
+    }
+
+    /// Passes until `is_done()`, at most for `limit`; returns whether it was done.
+    template <std::predicate Done, typename... Visitors>
+    constexpr bool run_until(Done is_done, duration limit, Visitors&&... visitors)
+    {
+        instant const end = now_ + limit;
+        while (not is_done()) {
+            if (reached(now_, end)) {
+                return false;
+            }
+            visit_and_jump(end, longest_sleep, visitors...);
+        }
+        return true;
+    }
+
+    /// Runs a conversation to its end, at most for `limit`, and returns its `outcome()`, or where it has none its
+    /// `reason()`; that of a conversation which the limit cut says that it has not ended. Of a conversation without a
+    /// name, whose response would end with the statement, only the error. A conversation that is already settled
+    /// begins anew where it can.
+    template <typename Conversation>
+        requires conversation<std::remove_cvref_t<Conversation>>
+    constexpr auto run(Conversation&& conversation, duration limit = longest_run)
+    {
+        static_assert(not endless_conversation<std::remove_cvref_t<Conversation>>,
+                      "this conversation never ends: give it to run_for or run_until");
+        if constexpr (requires { conversation.begin(); }) {
+            if (conversation.settled()) {
+                conversation.begin();
+            }
+        }
+        static_cast<void>(run_until([&] { return conversation.settled(); }, limit, conversation));
+        if constexpr (requires { std::forward<Conversation>(conversation).outcome(); }) {
+            return conversation.outcome();
+        } else if constexpr (requires { conversation.outcome(); }) {
+            auto const outcome = conversation.outcome();
+            return outcome ? result<void>{} : result<void>{outcome.error()};
+        } else {
+            return conversation.reason();
+        }
+    }
+
+    /// Runs conversations side by side until all have ended, at most for `longest_run`; returns whether they have.
+    template <conversation First, conversation Second, conversation... Rest>
+    constexpr bool run(First& first, Second& second, Rest&... rest)
+    {
+        auto const is_done = [&] { return first.settled() and second.settled() and (rest.settled() and ...); };
+        return run_until(is_done, longest_run, first, second, rest...);
+    }
+
+    static constexpr duration longest_run = milliseconds(60'000);
+
+private:
+    /// The longest time from pass to pass: motors turn, and a visitor's own times may be unknown.
+    static constexpr duration longest_sleep = milliseconds(20);
+    /// The longest time without a pass while bytes are on the line.
+    static constexpr duration longest_frame = milliseconds(1'000);
+    /// What a pass takes that finds something due at once.
+    static constexpr duration shortest_sleep = microseconds(10);
+
+    template <typename... Visitors> constexpr void visit_and_jump(instant end, duration longest, Visitors&... visitors)
+    {
+        ends_.for_each([this](auto& each) { each.finish(now_); });
+        link().advance(now_);
+        std::size_t slot = 0;
+        (visit(visitors, slot++), ...);
+        ends_.for_each([this](auto& each) {
+            if constexpr (std::remove_cvref_t<decltype(each)>::sender != 0) {
+                each.end.advance(now_);
+            }
+            each.transmit(wire_, link().line(), now_);
+        });
+        earliest next;
+        next.add(end);
+        if (not wire_.poll_deadline()) {
+            next.add(now_ + (longest < longest_sleep ? longest : longest_sleep));
+        }
+        ends_.for_each([&](auto const& each) { each.add_to(next); });
+        (add_to(next, visitors), ...);
+        instant const due = *deadline{next};
+        advance_to(reached(now_, due) ? now_ + shortest_sleep : due);
+    }
+
+    template <typename Visitor> constexpr void visit(Visitor& visitor, std::size_t slot)
+    {
+        if constexpr (not conversation<Visitor>) {
+            visitor(now_);
+        } else if constexpr (requires { link().converse(slot, visitor, now_); }) {
+            link().converse(slot, visitor, now_);
+        } else {
+            link().converse(visitor, now_);
+        }
+    }
+
+    /// A time that has come had its effect in this pass.
+    template <typename Visitor> constexpr void add_to(earliest& next, Visitor const& visitor) const noexcept
+    {
+        if constexpr (timed_conversation<Visitor>) {
+            deadline const at = visitor.poll_deadline();
+            if (at and not reached(now_, *at)) {
+                next.add(*at);
+            }
+        }
+    }
+
+    /// Lets time pass up to `next`, or to the end of the bytes that arrive before it without a gap.
+    constexpr void advance_to(instant next) noexcept
+    {
+        chunk heard;
+        bool is_any = false;
+        while (auto const at = wire_.poll_deadline()) {
+            instant const with_gap = now_ + link().line().characters(1) + microseconds(1);
+            if (not reached(next, *at) or (is_any and not reached(with_gap, *at))) {
+                break;
+            }
+            character const got = *wire_.receive(*at);
+            if (not heard.takes(got)) {
+                deliver(heard);
+                heard = {};
+            }
+            heard.add(got);
+            now_ = *at;
+            is_any = true;
+        }
+        if (is_any) {
+            deliver(heard);
+        } else {
+            now_ = next;
+        }
+    }
+
+    constexpr void deliver(chunk const& heard) noexcept
+    {
+        ends_.for_each([&](auto& each) { each.receive(heard); });
+    }
+
+    terminals<std::make_index_sequence<1 + sizeof...(Units)>, Link, Units...> ends_;
+    Line wire_;
+    instant now_{0};
+};
+
+/// A client or bus and up to seven units on a line. A unit is given as a `station` (a simulated drive of that kind),
+/// as `bank_at`, or as an end of a line that is already made.
+template <typename Link, line_end... Units> class bench : public basic_bench<Link, line, Units...> {
+    using base = basic_bench<Link, line, Units...>;
+
+public:
+    template <typename... Ends>
+    explicit constexpr bench(Link const& link, Ends const&... ends) noexcept
+        : base{link.line(), line{link.line(), 1}, link, ends...}
+    {}
+
+    /// The same with the times of the line instead of a client of one's own.
+    template <typename... Ends>
+    explicit constexpr bench(line_timing const& timing, Ends const&... ends) noexcept
+        : base{timing, line{timing, 1}, timing, ends...}
+    {}
+};
+
+template <typename... Ends> bench(line_timing, Ends const&...) -> bench<host_client, typename end_for<Ends>::type...>;
+template <line_end Link, typename... Ends> bench(Link, Ends const&...) -> bench<Link, typename end_for<Ends>::type...>;
+
+} // namespace rtuwire::sim

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// The registers of a whole device as words: found by address for the line, by mnemonic for the model. Checks the
+// values that each may hold, including limits that depend on other registers.
+// Internal: may change with any version.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/sim/drive/registers/factory.hpp>
+#include <rtuwire/table/device.hpp>
+#include <rtuwire/table/key_index.hpp>
+#include <rtuwire/table/setting.hpp>
+#include <rtuwire/wire/errc.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::sim {
+
+/// What an image needs to know of one register.
+struct register_rule {
+    literal code;
+    access mode;
+    bool is_signed;
+    bound min;
+    bound max;
+    std::uint16_t factory;                 ///< as delivered
+    std::uint16_t commissioned;            ///< as set at commissioning
+    bool is_order;                         ///< no setting
+    std::int32_t steps_per_unit;           ///< 10 where it counts tenths; 1 where it is no quantity
+    std::span<std::uint16_t const> listed; ///< the words that mean something, of an enumeration
+    count_range gap;                       ///< raw counts that it does not take
+};
+
+/// How many steps of a register make one whole unit.
+template <auto const& R> [[nodiscard]] constexpr std::int32_t steps_per_unit() noexcept
+{
+    if constexpr (register_quantity<value_of<R>>) {
+        using scale = typename value_of<R>::scale;
+        return static_cast<std::int32_t>(scale::den / scale::num);
+    } else {
+        return 1;
+    }
+}
+
+/// The value as delivered: from the table, or else from `factory_values`.
+template <auto const& R> [[nodiscard]] constexpr std::uint16_t delivered() noexcept
+{
+    return R.factory ? static_cast<std::uint16_t>(*R.factory) : value_in(factory_values, R.code, 0);
+}
+
+/// The rules of a table's registers, in its order.
+template <typename Table> struct rules_of;
+template <auto const&... Registers> struct rules_of<table<Registers...>> {
+    static constexpr std::size_t count = sizeof...(Registers);
+    static constexpr std::array<register_rule, count> list{register_rule{
+        Registers.code, Registers.mode, lowest<Registers>() < 0, Registers.min, Registers.max, delivered<Registers>(),
+        value_in(commissioned_values, Registers.code, delivered<Registers>()), is_order(Registers.code),
+        steps_per_unit<Registers>(), listed_words<value_of<Registers>>(), Registers.gap}...};
+    static constexpr std::array<literal, count> codes{Registers.code...};
+    static constexpr std::array<std::uint16_t, count> addresses{Registers.address...};
+};
+
+/// The words of all registers of a device, initially as commissioned.
+template <device_type Device> class image {
+    using rules = rules_of<typename Device::registers>;
+    static constexpr key_index<literal, rules::count> by_code{rules::codes};
+    static constexpr key_index<std::uint16_t, rules::count> by_address{rules::addresses};
+
+public:
+    /// The place of no register. A word stored there is lost, and it reads 0.
+    static constexpr std::size_t nowhere = rules::count;
+
+    using words = std::array<std::uint16_t, rules::count>;
+
+    [[nodiscard]] static constexpr std::size_t at(literal code) noexcept { return by_code.find(code); }
+    [[nodiscard]] static constexpr std::size_t at_address(std::size_t address) noexcept
+    {
+        return address > 0xFFFF ? nowhere : by_address.find(static_cast<std::uint16_t>(address));
+    }
+    [[nodiscard]] static constexpr register_rule const& rule(std::size_t place) noexcept { return rules::list[place]; }
+
+    [[nodiscard]] constexpr std::uint16_t get(std::size_t place) const noexcept
+    {
+        return place == nowhere ? std::uint16_t{0} : words_[place];
+    }
+    [[nodiscard]] constexpr std::int32_t get_signed(std::size_t place) const noexcept
+    {
+        return static_cast<std::int16_t>(get(place));
+    }
+
+    [[nodiscard]] static constexpr bool is_signed(std::size_t place) noexcept
+    {
+        return place != nowhere and rule(place).is_signed;
+    }
+
+    /// How many steps of a register make one whole unit.
+    [[nodiscard]] static constexpr std::int32_t scale(std::size_t place) noexcept
+    {
+        return place == nowhere ? 1 : rule(place).steps_per_unit;
+    }
+
+    /// Stores a word as received over the line.
+    constexpr void put_word(std::size_t place, std::uint16_t word) noexcept
+    {
+        put(place, is_signed(place) ? static_cast<std::int16_t>(word) : std::int32_t{word});
+    }
+
+    /// Stores a value, limited to the range of a word.
+    constexpr void put(std::size_t place, std::int64_t value) noexcept
+    {
+        if (place == nowhere) {
+            return;
+        }
+        std::int64_t const least = is_signed(place) ? -32'768 : 0;
+        std::int64_t const most = is_signed(place) ? 0x7FFF : 0xFFFF;
+        std::int64_t const cut = value < least ? least : value > most ? most : value;
+        words_[place] = static_cast<std::uint16_t>(cut);
+    }
+
+    /// Whether a register accepts a word; `illegal_data_value` outside its limits, or without a meaning.
+    [[nodiscard]] constexpr errc check(std::size_t place, std::uint16_t word) const noexcept
+    {
+        register_rule const& known = rule(place);
+        std::int32_t const raw = known.is_signed ? std::int32_t{static_cast<std::int16_t>(word)} : std::int32_t{word};
+        bool const is_inside =
+            (known.min.is_open() or raw >= limit(known.min)) and (known.max.is_open() or raw <= limit(known.max));
+        bool const is_right = is_inside and not known.gap.contains(raw) and has_meaning(known.listed, word);
+        return is_right ? errc::none : errc::illegal_data_value;
+    }
+
+    [[nodiscard]] constexpr words const& all() const noexcept { return words_; }
+
+    /// Sets every setting that a client may write to its value in `saved`.
+    constexpr void restore(words const& saved) noexcept
+    {
+        for (std::size_t i = 0; i < rules::count; ++i) {
+            if (rule(i).mode != access::read_only and not rule(i).is_order) {
+                words_[i] = saved[i];
+            }
+        }
+    }
+
+    /// The words as delivered.
+    [[nodiscard]] static constexpr words factory() noexcept
+    {
+        words all{};
+        for (std::size_t i = 0; i < rules::count; ++i) {
+            all[i] = rule(i).factory;
+        }
+        return all;
+    }
+
+    /// The words of a drive that was commissioned.
+    [[nodiscard]] static constexpr words commissioned() noexcept
+    {
+        words all{};
+        for (std::size_t i = 0; i < rules::count; ++i) {
+            all[i] = rule(i).commissioned;
+        }
+        return all;
+    }
+
+private:
+    constexpr std::int32_t limit(bound const& of) const noexcept
+    {
+        std::int32_t const factor = of.factor().size() == 0 ? 1 : std::int32_t{get(at(of.factor()))};
+        return of.with(get(at(of.code())), factor);
+    }
+
+    words words_{commissioned()};
+};
+
+} // namespace rtuwire::sim

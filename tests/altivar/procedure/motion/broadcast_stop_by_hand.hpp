@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A stop of everyone without a line: its requests as text, its responses and the clock by hand.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "support/catch.hpp"
+
+#include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
+#include <rtuwire/client/order/orders.hpp>
+
+namespace rtuwire::test {
+
+using frames = std::vector<std::string>;
+
+inline constexpr instant start_of_all{0xFFFF'FF00U};
+
+/// A stop of everyone, and a line's knowledge of whose motor was ordered.
+template <std::size_t Drives> struct everyone_by_hand {
+    altivar::broadcast_stop<Drives> all;
+    orders<4> motors{};
+    instant now{start_of_all};
+
+    template <typename... Told> explicit everyone_by_hand(Told const&... told) : all{told...} {}
+
+    /// The frame of the next request without its check, or nothing.
+    std::string asks()
+    {
+        motors.advance(now);
+        all.advance(now);
+        motors.visit_for_all(all, now);
+        for (altivar::stop& each : all.stops()) {
+            if (motors.visit(each, each.unit().byte(), now)) {
+                each.note_loss();
+            }
+        }
+        std::string told;
+        if (auto const request = all.next()) {
+            constexpr std::string_view digits{"0123456789ABCDEF"};
+            for (std::byte const each : request->frame().first(6)) {
+                told += told.empty() ? "" : " ";
+                told += digits[to_u8(each) >> 4U];
+                told += digits[to_u8(each) & 0xFU];
+            }
+        }
+        return told;
+    }
+    std::string asks_after(std::uint32_t time_ms)
+    {
+        wait(time_ms);
+        return asks();
+    }
+    void wait(std::uint32_t time_ms) { now = now + milliseconds(time_ms); }
+    void confirm() { all.accept(result<response>{response{}}); }
+    void hear(std::uint16_t word)
+    {
+        std::array<std::byte, 4> const pdu{std::byte{3}, std::byte{2}, to_byte(word >> 8U), to_byte(word)};
+        all.accept(result<response>{response{pdu}});
+    }
+    void miss(std::uint8_t unit)
+    {
+        motors.note_outcome(unit, errc::timed_out, false, now);
+        all.accept(errc::timed_out);
+    }
+
+    /// What is asked now, each confirmed, until there is nothing to ask or it is somebody's own.
+    frames broadcasts(std::uint32_t turnaround_ms = 0)
+    {
+        frames told;
+        while (all.is_urgent()) {
+            std::string const next = asks();
+            if (next.empty()) {
+                break;
+            }
+            told.push_back(next);
+            wait(turnaround_ms);
+            confirm();
+        }
+        return told;
+    }
+    /// All the broadcasts, and the wait between them.
+    void tell_everyone()
+    {
+        broadcasts();
+        wait(1'000);
+        broadcasts();
+        REQUIRE_FALSE(all.is_urgent());
+    }
+    /// Whether the next requests are these words, which are confirmed.
+    void confirms(frames const& expected)
+    {
+        for (std::string const& each : expected) {
+            CHECK(asks() == each);
+            confirm();
+        }
+    }
+};
+
+} // namespace rtuwire::test

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The table of a start: each stage and each answer, as it stands beside the code.
+#include <rtuwire/altivar/procedure/motion/start.hpp>
+
+#include "altivar/procedure/step_table.hpp"
+#include "support/catch.hpp"
+#include "support/commissioned.hpp"
+
+#include <rtuwire/altivar/atv320.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+using namespace rtuwire::test;
+using kind = outcome_kind;
+
+namespace {
+
+constexpr auto const& layout = atv320::device::layout;
+constexpr std::uint16_t disabled = 0x0250, ready = 0x0231, on = 0x0233, enabled = 0x0237;
+
+constexpr cell eta = reads(layout.eta), lft = reads(layout.lft), cmd = reads(layout.cmd);
+constexpr cell reference = writes(8602, 1'500), shut_down = writes(layout.cmd, 0x0006);
+constexpr cell switch_on = writes(layout.cmd, 0x0007), enable = writes(layout.cmd, 0x000F);
+
+/// The commands are withdrawn: of a motor that cannot turn yet, and of one that may.
+constexpr cell undo(kind how) { return then(writes(layout.cmd, 0x0000), how); }
+constexpr cell ramp(kind how) { return then(writes(layout.cmd, 0x0007), how); }
+
+constexpr errc missing = errc::illegal_data_address;
+
+constexpr std::array<answer, 13> answers{{
+    {"switch on disabled", word(disabled)},
+    {"ready to switch on", word(ready)},
+    {"switched on", word(on)},
+    {"operation enabled", word(enabled)},
+    {"quick stop active", word(0x0217)},
+    {"fault", word(0x0238)},
+    {"local control", word(0x0031)},
+    {"STOP key", word(0x4231)},
+    {"no state", word(0x0201)},
+    {"confirmed", confirmed},
+    {"no response", failed(errc::timed_out)},
+    {"refused", failed(missing)},
+    {"limit over", late},
+}};
+
+constexpr start_procedure checked{
+    layout, {8602, 1'500}, run_direction::forward, supervision_procedure{layout, commissioned()}};
+constexpr start_procedure unchecked{layout, {8602, 1'500}, run_direction::forward, supervision_procedure{layout}};
+
+constexpr cell x = never;
+constexpr cell local = ends(kind::local_control), silent = ends(kind::silent), refused = ends(kind::refused);
+constexpr cell timeout = ends(kind::state_timeout), aborted = ends(kind::aborted), fault = ends(kind::in_fault);
+
+// clang-format off
+constexpr std::array<stage_row<13>, 11> rows{{
+    // stage, and the way there
+    //   disabled, ready, switched on, enabled, quick stop, fault, local, STOP key,
+    //   no state or another word, confirmed, no response, refused, limit over
+    {"meeting", {begun},
+     {shut_down, switch_on, switch_on, cmd, pauses, lft, local, switch_on,
+      pauses, x, silent, refused, aborted}},
+    {"enabling, to be confirmed", {begun, word(ready)},
+     {x, x, x, x, x, x, x, x,
+      x, eta, eta, undo(kind::refused), undo(kind::state_timeout)}},
+    {"enabling, at a look", {begun, word(ready), confirmed},
+     {undo(kind::fell_back), pauses, reference, cmd, undo(kind::fell_back), lft, undo(kind::local_control), undo(kind::stop_key),
+      undo(kind::fell_back), x, eta, undo(kind::refused), undo(kind::state_timeout)}},
+    {"writing the reference", {begun, word(on), confirmed, word(on)},
+     {x, x, x, x, x, x, x, x,
+      x, cmd, eta, undo(kind::refused), undo(kind::state_timeout)}},
+    {"checking", {begun, word(on), confirmed, word(on), confirmed},
+     {x, x, x, x, x, x, x, x,
+      undo(kind::overwritten), x, eta, undo(kind::refused), undo(kind::state_timeout)}},
+    {"enabled, to be confirmed", {begun, word(on), confirmed, word(on), confirmed, word(7)},
+     {x, x, x, x, x, x, x, x,
+      x, eta, eta, ramp(kind::refused), ramp(kind::state_timeout)}},
+    {"enabled, at a look", {begun, word(on), confirmed, word(on), confirmed, word(7), confirmed},
+     {ramp(kind::fell_back), ramp(kind::fell_back), pauses, ends(kind::succeeded), ramp(kind::fell_back), lft, ramp(kind::local_control), ramp(kind::stop_key),
+      ramp(kind::fell_back), x, eta, ramp(kind::refused), ramp(kind::state_timeout)}},
+    {"reading the direction", {begun, word(enabled)},
+     {x, x, x, x, x, x, x, x,
+      reference, x, silent, refused, timeout}},
+    {"redirecting", {begun, word(enabled), word(0x000F)},
+     {x, x, x, x, x, x, x, x,
+      x, enable, silent, refused, timeout}},
+    {"reading the fault of a drive that was not commanded", {begun, word(0x0238)},
+     {x, x, x, x, x, x, x, x,
+      fault, x, silent, refused, timeout}},
+    {"reading the fault of one that was", {begun, word(ready), confirmed, word(0x0238)},
+     {x, x, x, x, x, x, x, x,
+      undo(kind::in_fault), x, eta, undo(kind::refused), undo(kind::state_timeout)}},
+}};
+// clang-format on
+
+} // namespace
+
+TEST_CASE("a start does in each stage, at each answer, what its table says") { check_table(checked, answers, rows); }
+
+TEST_CASE("a start that checks its drive first ends with the check")
+{
+    way const examining{begun, word(disabled)};
+    CHECK(does(led(unchecked, examining), failed(errc::timed_out), silent));
+    CHECK(does(led(unchecked, examining), failed(missing), ends(kind::unknown_register)));
+    CHECK(does(led(unchecked, examining), late, aborted));
+}
+
+TEST_CASE("a start enables a drive whose control word is the one that it wrote")
+{
+    CHECK(does(led(checked, {begun, word(on), confirmed, word(on), confirmed}), word(0x0007), enable));
+}

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The times in which units are asked nothing new; the echo of a request; what a client does unless told.
+#include <rtuwire/client/line/quarantine.hpp>
+
+#include <array>
+
+#include "support/proof.hpp"
+
+#include <rtuwire/client/client.hpp>
+#include <rtuwire/client/line/line_echo.hpp>
+#include <rtuwire/client/options.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr instant begin{0xFFFF'FF00U};
+constexpr instant after(std::uint32_t time_ms) { return begin + milliseconds(time_ms); }
+
+constexpr bool has_a_place_for_each()
+{
+    quarantine<2> held;
+    held.begin(7, after(100));
+    held.begin(9, after(50));
+    bool ok = held.covers(7) and held.covers(9) and not held.covers(8) and not held.covers(0);
+    // Each has its own end; an earlier one changes nothing.
+    held.begin(7, after(20));
+    held.begin(9, after(70));
+    ok = ok and not held.advance(after(70) - microseconds(1)) and held.covers(9);
+    ok = ok and held.advance(after(70)) and not held.covers(9) and held.covers(7);
+    ok = ok and not held.advance(after(100) - microseconds(1)) and held.covers(7);
+    return ok and held.advance(after(100)) and not held.covers(7) and not held.advance(after(200));
+}
+PROOF("each unit is held until its own last end", has_a_place_for_each)
+
+constexpr bool holds_all_where_places_are_few()
+{
+    quarantine<2> held;
+    held.begin(7, after(100));
+    held.begin(9, after(50));
+    held.begin(11, after(60));
+    bool ok = held.covers(200) and not held.covers(0);
+    ok = ok and held.advance(after(100)) and not held.covers(200) and not held.covers(7);
+    held.begin(5, after(300));
+    return ok and held.covers(5) and not held.covers(7);
+}
+PROOF("where more units owe a response than there are places, all are held", holds_all_where_places_are_few)
+
+constexpr bool compares_an_echo()
+{
+    constexpr std::array<std::byte, 8> sent{std::byte{1}, std::byte{2}, std::byte{3}, std::byte{4},
+                                            std::byte{5}, std::byte{6}, std::byte{7}, std::byte{8}};
+    line_echo echo;
+    bool ok = not echo.is_open() and not echo.is_half(sent.size());
+    echo.begin();
+    for (std::size_t i = 0; i < sent.size(); ++i) {
+        ok = ok and echo.is_open() and echo.is_half(sent.size()) == (i >= 4);
+        ok = ok and echo.take(sent[i], sent);
+    }
+    ok = ok and not echo.is_open() and not echo.is_half(sent.size());
+    echo.begin();
+    echo.end();
+    ok = ok and not echo.is_open();
+    echo.begin();
+    return ok and not echo.take(sent[1], sent) and not echo.is_open();
+}
+PROOF("an echo is open until its last byte or another one, and half from the middle on", compares_an_echo)
+
+STATIC_CHECK(retry_policy{}.response_timeout == milliseconds(1'000) and retry_policy{}.retries == 2);
+STATIC_CHECK(retry_policy{}.busy_retries == 3 and retry_policy{}.busy_pause == milliseconds(50));
+STATIC_CHECK(client_options{}.response_timeout == milliseconds(1'000));
+STATIC_CHECK(client_options{}.turnaround == milliseconds(100));
+STATIC_CHECK(client_options{}.late_response == milliseconds(200) and client_options{}.retries == 2);
+STATIC_CHECK(not client_options{}.has_line_echo and client_options{}.max_leading_noise == 0);
+
+} // namespace

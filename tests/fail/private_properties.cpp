@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A write that must not be repeated, said where no client can read it.
+// EXPECT: the `properties` of a conversation are public
+#include <rtuwire/client.hpp>
+
+#include <optional>
+
+using namespace rtuwire;
+
+class one_write : public asker {
+#ifndef REFUSED
+public:
+#endif
+    static constexpr conversation_properties properties{.repetition = repetition::never};
+
+public:
+    std::optional<request_frame> next() const { return std::nullopt; }
+    void accept(result<response> const&) {}
+    bool settled() const { return true; }
+};
+
+void pass(client& line, one_write& conversation, instant now) { line.converse(conversation, now); }

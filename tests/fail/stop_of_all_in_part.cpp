@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A stop of all units that does not tell which responses it may cut short.
+// EXPECT: a conversation that declares urgency::stop_of_all has stops(), intent(), is_urgent() and may_cut()
+#include <rtuwire/client/client.hpp>
+
+#include <array>
+#include <optional>
+
+using namespace rtuwire;
+
+struct hand_stop : commander {
+    static constexpr conversation_properties properties{.urgency = urgency::stop_of_unit,
+                                                        .freshness = freshness::when_free};
+    std::optional<request_frame> next() const { return std::nullopt; }
+    void accept(result<response> const&) {}
+    bool settled() const { return true; }
+    unit_id unit() const { return unit_id{1}; }
+    effect intent() const { return effect::stopping; }
+    duration drive_timeout() const { return milliseconds(1'000); }
+    std::uint8_t tolerated_misses() const { return 0; }
+    void note_loss() {}
+};
+
+struct stop_of_some : commander {
+    static constexpr conversation_properties properties{.urgency = urgency::stop_of_all};
+    std::optional<request_frame> next() const { return std::nullopt; }
+    void accept(result<response> const&) {}
+    bool settled() const { return true; }
+    std::array<hand_stop, 1>& stops() { return one; }
+    effect intent() const { return effect::stopping; }
+    bool is_urgent() const { return true; }
+#ifndef REFUSED
+    bool may_cut(std::uint8_t) const { return false; }
+#endif
+    std::array<hand_stop, 1> one{};
+};
+
+void pass(drive_client<>& line, stop_of_some& conversation, instant now) { line.converse(conversation, now); }

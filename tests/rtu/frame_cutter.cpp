@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The parts of a framer that a server and a client use.
+#include <rtuwire/rtu/frame_cutter.hpp>
+
+#include "support/proof.hpp"
+
+#include <rtuwire/core/hex.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+constexpr line_timing line{19'200, character_format::even_8_1};
+// Five seconds before the counter wraps.
+constexpr instant start{0xFFFF'FFFFU - 5'000'000U};
+constexpr auto asks_2 = "02 03 0C 81 00 01 D7 41"_hex;
+constexpr auto writes_2 = "02 06 21 35 00 00 93 CB"_hex;
+
+/// The parts, on a line that has been silent.
+template <direction Way> struct listener_of {
+    detail::frame_receiver<Way> receiver{line};
+    instant now{start};
+
+    constexpr listener_of()
+    {
+        receiver.advance(now);
+        pause(milliseconds(100));
+    }
+
+    constexpr void pause(duration length)
+    {
+        now = now + length;
+        receiver.advance(now);
+    }
+
+    constexpr void hear(byte_view bytes)
+    {
+        now = now + line.characters(bytes.size());
+        static_cast<void>(receiver.receive(bytes, now));
+    }
+
+    /// Why what ended is refused; busy while nothing ended.
+    constexpr errc fault() { return receiver.poll_end() ? receiver.verdict() : errc::busy; }
+};
+
+constexpr bool looks_addressed_to()
+{
+    listener_of<direction::response> listener;
+    bool const nobody = not listener_of<direction::request>{}.receiver.is_foreign_response();
+    listener.hear("02 03 00"_hex);
+    listener.pause(milliseconds(10));
+    bool const too_short =
+        listener.fault() == errc::frame_too_short and not listener.receiver.looks_addressed_to(asks_2);
+    listener.hear("02 03 00 00"_hex);
+    bool const starts = not listener.receiver.is_at_start();
+    listener.pause(milliseconds(10));
+    return nobody and too_short and starts and listener.fault() == errc::crc_mismatch and
+           listener.receiver.looks_addressed_to(asks_2) and not listener.receiver.looks_addressed_to(writes_2) and
+           listener.receiver.is_at_start();
+}
+PROOF("what has a frame's size and begins like a response claims to be one", looks_addressed_to)
+
+constexpr bool byte_by_byte()
+{
+    listener_of<direction::request> listener;
+    for (std::size_t i = 0; i < asks_2.size(); ++i) {
+        listener.now = listener.now + line.characters(1);
+        bool const is_early = listener.receiver.begin_chunk(1, listener.now) or listener.receiver.poll_end();
+        if (is_early or listener.receiver.push(asks_2[i]) != (i + 1 == asks_2.size())) {
+            return false;
+        }
+    }
+    return listener.fault() == errc::none and listener.receiver.matches_size_hint() and
+           same_bytes(listener.receiver.frame().bytes(), asks_2) and listener.fault() == errc::busy;
+}
+PROOF("byte by byte the last one says so, and the frame is polled once", byte_by_byte)
+
+} // namespace

@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Compiles the doors and a header of each folder for an older language: the first error is our sentence, with the
+flag that the tool takes. That every header includes core/version.hpp before its own text, builds.py checks.
+
+    python3 language.py PROJECT COMPILER
+"""
+import concurrent.futures
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+SENTENCE = "rtuwire needs C++20"
+# What tells a tool's build from others, and what its sentence must name.
+TOOLS = {
+    (): ("-std=c++20", "cxx_std_20"),
+    ("-DPLATFORMIO=60118",): ("platformio.ini", "build_flags = -std=gnu++20", "build_unflags"),
+    ("-DPLATFORMIO=60118", "-DARDUINO=10819", "-DESP_PLATFORM"): ("platformio.ini",),
+    ("-DARDUINO=10819",): ("platform.txt", "compiler.cpp.extra_flags=-std=gnu++20"),
+    ("-DARDUINO=10819", "-DESP_PLATFORM"): ("platform.txt",),
+    ("-DESP_PLATFORM",): ("target_compile_options(${COMPONENT_LIB} PRIVATE -std=gnu++20)",),
+}
+ERROR = re.compile(r"^.*?\berror: (.*)$", re.MULTILINE)
+DOOR = "rtuwire/rtuwire.hpp"
+
+
+def first_error(compiler, include, header, *flags):
+    """The compiler's first error for a file that includes this header alone; none where there is none."""
+    done = subprocess.run(
+        [compiler, "-I", include, *flags, "-fsyntax-only", "-x", "c++", "-"], input=f"#include <{header}>\n",
+        text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False, env={**os.environ, "LC_ALL": "C"})
+    found = ERROR.search(done.stdout)
+    return found[1] if found else None
+
+
+def complaints(compiler, include, headers):
+    def of_header(header, *flags):
+        said = first_error(compiler, include, header, "-fmax-errors=1", *flags)
+        return None if said and SENTENCE in said else f"{header} {' '.join(flags)}: the first error is {said!r}"
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        yield from filter(None, pool.map(lambda header: of_header(header, "-std=c++17"), headers))
+    # Not cut short: what comes first here comes first for a user.
+    for flags in ("-std=c++14", "-std=gnu++17"):
+        said = first_error(compiler, include, headers[0], flags)
+        if not said or SENTENCE not in said:
+            yield f"{headers[0]} {flags}: the first error is {said!r}"
+
+
+def complaints_of_tools(compiler, include, header):
+    for defines, names in TOOLS.items():
+        said = first_error(compiler, include, header, "-std=gnu++17", *defines) or ""
+        for name in (SENTENCE, *names):
+            if name not in said:
+                yield f"{' '.join(defines) or 'no tool'}: {name!r} is not in {said!r}"
+
+
+def sample(include):
+    """The door to everything, the other doors, and of each folder below them the first header and the last."""
+    rooms = {}
+    for path in sorted(include.rglob("*.hpp")):
+        header = path.relative_to(include).as_posix()
+        rooms.setdefault(header.rpartition("/")[0], []).append(header)
+    doors = rooms.pop("rtuwire", []) + rooms.pop("rtuwire/altivar", [])
+    doors.sort(key=lambda header: header != DOOR)
+    return doors + [header for room in rooms.values() for header in dict.fromkeys((room[0], room[-1]))]
+
+
+def main(project, compiler):
+    include = pathlib.Path(project, "include")
+    headers = sample(include)
+    found = [*complaints(compiler, include, headers), *complaints_of_tools(compiler, include, headers[0])]
+    print("\n".join(found) or f"{len(headers)} headers say first: {SENTENCE}")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

@@ -1,0 +1,178 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Compares the page of public names with the headers, and holds programs and pages to these names.
+
+    python3 names.py PROJECT
+"""
+import pathlib
+import re
+import sys
+
+import declarations
+import rules
+
+PAGE = "docs/names.md"
+# Who uses public names only.
+PROGRAMS, PAGES = ("examples", "tools"), ("README.md", "docs/*.md")
+# Pages about the inside of the library.
+LEFT_OUT = {"changes.md", "engine-rules.md", "size-notes.md"}
+# The five main doors have this many names: enough for the work, few enough to be read.
+FEWEST, MOST = 70, 130
+MAIN_DOORS = ("client.hpp", "server.hpp", "drives.hpp", "sim.hpp", "port.hpp")
+EVERY_DOOR = "Every door"
+# Namespaces with public names; those of one drive are public by its manual, all others are internal.
+SPACES = {"rtuwire", "rtuwire::altivar", "rtuwire::cia402", "rtuwire::sim", "rtuwire::units", "rtuwire::literals"}
+OF_A_DRIVE = re.compile(r"rtuwire::altivar::(atv\d+\w*|compact)\b")
+# Internal names that are ordinary words as well, so that a program may have a name like it.
+ORDINARY = {"descriptor", "drive", "drive_motor", "hold"}
+INTERNAL_HEADER = re.compile(r"^// Internal\b", re.MULTILINE)
+INTERNAL = re.compile(r"\bInternal\b")
+# A refused act: a function or type whose name is a sentence that the compiler shows.
+SENTENCE = re.compile(r"[^\W_]+(_[^\W_]+){4,}")
+DOOR = re.compile(r"\w+\.hpp")
+ROW = re.compile(r"^\|(?P<names>[^|]*`[^|]*)\|", re.MULTILINE)
+NAME = re.compile(r'`([\w:]+(?:"")?\w*)`')
+WORD = re.compile(r"(?<![\w.])(?<!->)[A-Za-z_]\w*")
+CODE = re.compile(r"```.*?```", re.DOTALL)
+INCLUDE = re.compile(r"#\s*include\s*<rtuwire/([^>]+)>")
+
+
+def sections(page):
+    """The names that the page lists, by the heading above them."""
+    found = {}
+    for part in re.split(r"^## ", page, flags=re.MULTILINE)[1:]:
+        heading, _, body = part.partition("\n")
+        found[heading.strip()] = [name for row in ROW.finditer(body) for name in NAME.findall(row["names"])]
+    return found
+
+
+def path_of(declaration):
+    """As the page spells it: without the outer namespace, and without that of literals."""
+    return re.sub(r"^rtuwire::(literals::)?", "", declaration.path())
+
+
+class House:
+    """What the headers declare: by header, whether the header is internal, and what it holds."""
+
+    def __init__(self, texts):
+        self.tree = rules.Tree(texts)
+        self.held = {header: list(declarations.declarations(text)) for header, text in self.tree.texts.items()}
+        self.internal = {header for header, text in self.tree.texts.items()
+                         if INTERNAL_HEADER.search(text.partition("#pragma once")[0])}
+
+    def named(self):
+        """Every name outside of internal namespaces: its header, and its declaration."""
+        for header, held in self.held.items():
+            for each in held:
+                if each.space in SPACES or each.space == "rtuwire::altivar::atv28":
+                    yield header, each
+
+    def reached(self, door):
+        found, ahead = set(), [door]
+        while ahead:
+            header = ahead.pop()
+            if header not in found:
+                found.add(header)
+                ahead += self.tree.ours.get(header, ())
+        return found
+
+    def is_marked(self, header, declaration):
+        return header in self.internal or INTERNAL.search(declaration.comment) is not None
+
+
+def is_of_a_drive(header, declaration):
+    return header.startswith("altivar/device/") and OF_A_DRIVE.match(declaration.space) is not None
+
+
+def unlisted(house, public):
+    """Names that are neither public nor marked."""
+    for header, each in house.named():
+        if path_of(each) in public or is_of_a_drive(header, each):
+            continue
+        if not house.is_marked(header, each) and not SENTENCE.fullmatch(each.name):
+            yield f"{header}:{each.line}: {path_of(each)} is neither in {PAGE} nor marked internal"
+
+
+def wrongly_listed(house, listed):
+    """Names on the page that no header declares, that are marked internal, or that their door does not have."""
+    places = {}
+    for header, each in house.named():
+        places.setdefault(path_of(each), []).append((header, each))
+    for heading, names in listed.items():
+        doors = MAIN_DOORS if heading == EVERY_DOOR else DOOR.findall(heading) or ("rtuwire.hpp",)
+        for name in names:
+            if name not in places:
+                yield f"{PAGE}: {name} is declared in no header"
+                continue
+            if any(house.is_marked(*place) for place in places[name]):
+                yield f"{PAGE}: {name} is marked internal"
+            for door in doors:
+                reached = house.reached(door)
+                if not any(header in reached for header, _ in places[name]):
+                    yield f"{PAGE}: {door} does not have {name}"
+
+
+def count(listed):
+    """Whether the main doors have too few or too many names."""
+    names = sum(len(listed.get(heading, ())) for heading in MAIN_DOORS + (EVERY_DOOR,))
+    if not FEWEST <= names <= MOST:
+        yield f"{PAGE}: the main doors have {names} names, not {FEWEST} to {MOST}"
+
+
+def twice(listed):
+    names = [name for each in listed.values() for name in each]
+    for name in sorted({name for name in names if names.count(name) > 1}):
+        yield f"{PAGE}: {name} stands there twice"
+
+
+def internal_names(house, public):
+    """Last parts of internal names that no public name has, too."""
+    known = {path.split("::")[-1] for path in public}
+    known |= {each.name for header, held in house.held.items() for each in held if is_of_a_drive(header, each)}
+    return {each.name for header, each in house.named()} - known - ORDINARY
+
+
+def uses(path, code, internal, doors):
+    """Internal names in a program, and includes of what is no door."""
+    for found in INCLUDE.finditer(code):
+        if found[1] not in doors:
+            yield f"{path}:{code.count(chr(10), 0, found.start()) + 1}: includes {found[1]}, which is no door"
+    plain = declarations.code_of(code)
+    for found in WORD.finditer(plain):
+        if found.group() in internal:
+            yield f"{path}:{plain.count(chr(10), 0, found.start()) + 1}: uses {found.group()}, which is internal"
+
+
+def programs(root):
+    for folder in PROGRAMS:
+        for path in sorted((root / folder).rglob("*.[ch]pp")):
+            yield path.relative_to(root), path.read_text(encoding="utf-8")
+    for pattern in PAGES:
+        for path in sorted(root.glob(pattern)):
+            text = path.read_text(encoding="utf-8")
+            for code in CODE.finditer(text) if path.name not in LEFT_OUT else ():
+                yield path.relative_to(root), "\n" * text.count("\n", 0, code.start()) + code.group().strip("`")
+
+
+def doors_of(house):
+    """Headers that stand outside of all rooms, and those of a drive."""
+    return {header for header in house.tree.texts if rules.room_of(header) in ("", "altivar")}
+
+
+def main(project):
+    root = pathlib.Path(project)
+    include = root / "include" / "rtuwire"
+    house = House({path.relative_to(include).as_posix(): path.read_text(encoding="utf-8")
+                   for path in include.rglob("*.hpp")})
+    listed = sections((root / PAGE).read_text(encoding="utf-8"))
+    public = {name for names in listed.values() for name in names}
+    found = [*unlisted(house, public), *wrongly_listed(house, listed), *count(listed), *twice(listed)]
+    internal, doors = internal_names(house, public), doors_of(house)
+    found += [each for path, code in programs(root) for each in uses(path, code, internal, doors)]
+    print("\n".join(found) or f"{len(public)} public names, "
+          f"{sum(len(listed[heading]) for heading in MAIN_DOORS + (EVERY_DOOR,))} of them of the main doors")
+    return 1 if found or not public else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))
