@@ -99,17 +99,12 @@ STATIC_CHECK(not stops_by_broadcast<count16>);
 STATIC_CHECK(not stops_by_broadcast<everyone_on<count16>>);
 STATIC_CHECK(not stops_by_broadcast<everyone_on<commander>>);
 
-// What a conversation declares, and that only a declaration of this type and name counts.
-struct other_properties : count16 {
-    static constexpr int properties = 1;
-};
+// What a conversation declares; a declaration of another type is refused (tests/fail/properties_of_another_type.cpp).
 STATIC_CHECK(properties_of<count16>.urgency == urgency::in_turn);
 STATIC_CHECK(properties_of<count16>.repetition == repetition::allowed);
 STATIC_CHECK(properties_of<count16>.freshness == freshness::any_time);
 STATIC_CHECK(properties_of<prompt_on<count16>>.freshness == freshness::when_free);
-STATIC_CHECK(properties_of<other_properties>.freshness == freshness::any_time);
 STATIC_CHECK(has_what_it_declares<with_unit<count16>>());
-STATIC_CHECK(has_what_it_declares<other_properties>());
 STATIC_CHECK(has_what_it_declares<prompt_on<count16>>());
 STATIC_CHECK(has_what_it_declares<commanding_on<with_unit<command_conversation>>>());
 STATIC_CHECK(has_what_it_declares<everyone_on<command_conversation>>());

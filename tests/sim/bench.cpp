@@ -10,6 +10,7 @@
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 #include <rtuwire/altivar/procedure/inspection/watch.hpp>
+#include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
 #include <rtuwire/ask/access.hpp>
@@ -165,4 +166,21 @@ TEST_CASE("a pass jumps to what is due next, 20 ms at most")
         CHECK(bench.now() - before <= milliseconds(20));
     }
     CHECK(reached(bench.now(), instant{10'000'000}));
+}
+
+TEST_CASE("a stop of all units is run to its end, and a limit above half the clock's range is waited for")
+{
+    sim::bench bench{drive_client<2>{timing}, drive, old};
+    start go{drive, 30_Hz};
+    REQUIRE(bench.run(go).kind == outcome_kind::succeeded);
+    broadcast_stop all{drive, old};
+    CHECK(bench.run(all));
+    CHECK(all.succeeded());
+    broadcast_stop again{drive, old};
+    CHECK_FALSE(bench.run(again, milliseconds(1)));
+    constexpr duration forty_minutes{40U * 60U * 1'000'000U};
+    instant const begin = bench.now();
+    bench.run_for(forty_minutes);
+    CHECK(bench.now() - begin >= forty_minutes);
+    CHECK((bench.now() - begin).microseconds < forty_minutes.microseconds + 1'000'000);
 }

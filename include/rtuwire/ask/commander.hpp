@@ -34,12 +34,16 @@ public:
 
 protected:
     /// The user orders something that may move the motor. A stop that begins later cancels the order.
-    constexpr void note_order() noexcept { has_ordered_ = true; }
+    constexpr void note_order() noexcept
+    {
+        has_ordered_ = true;
+        is_overruled_ = false;
+    }
 
     /// The same, to run: of two such orders for a unit the later one counts.
     constexpr void note_order_to_run() noexcept
     {
-        has_ordered_ = true;
+        note_order();
         takes_over_ = true;
     }
 
@@ -70,6 +74,9 @@ protected:
     [[nodiscard]] constexpr bool was_rearranged() const noexcept { return was_rearranged_; }
     constexpr void note_arrangement() noexcept { was_rearranged_ = false; }
 
+    /// Whether its last order is older than a stop of its unit by another conversation. Told at each visit.
+    [[nodiscard]] constexpr bool is_overruled() const noexcept { return is_overruled_; }
+
     /// Whether another conversation stopped its unit, lost it or read it in fault since `heed_stop`: older readings
     /// are stale.
     [[nodiscard]] constexpr bool was_stopped() const noexcept { return was_stopped_; }
@@ -92,6 +99,7 @@ private:
     bool has_read_rest_{false};
     bool has_read_fault_{false};
     bool is_silenced_{false};
+    bool is_overruled_{false};
 };
 
 /// A conversation that commands the motor of one unit: it declares `urgency::stop_of_unit`. `intent` gives the effect

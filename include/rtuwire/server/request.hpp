@@ -45,7 +45,7 @@ struct register_access {
     register_view values{}; ///< a view of the request's bytes
     std::size_t read_count{0};
     std::uint16_t write_start{0};
-    std::uint16_t read_start{0};
+    std::uint16_t read_start{1}; ///< any, without a quantity; GCC zeroes members that are all 0 by a call of memset
 
     static constexpr std::size_t read_half_size = 4;
 

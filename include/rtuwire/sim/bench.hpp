@@ -10,6 +10,7 @@
 //     auto const speed = bench.run(read<atv320::rfr>(drive));                    // its outcome
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <type_traits>
@@ -133,24 +134,27 @@ public:
         static_cast<void>(run_until([] { return false; }, length, visitors...));
     }
 
-    /// Passes until `is_done()`, at most for `limit`; returns whether it was done.
+    /// Passes until `is_done()`, at most for `limit` (70 minutes where that is longer); returns whether it was done.
     template <std::predicate Done, typename... Visitors>
     constexpr bool run_until(Done is_done, duration limit, Visitors&&... visitors)
     {
-        instant const end = now_ + limit;
+        instant const begin = now_;
+        duration const all{std::min(limit, longest_limit).microseconds};
         while (not is_done()) {
-            if (reached(now_, end)) {
+            duration const passed = now_ - begin;
+            if (passed >= all) {
                 return false;
             }
-            visit_and_jump(end, longest_sleep, visitors...);
+            duration const rest{all.microseconds - passed.microseconds};
+            visit_and_jump(now_ + std::min(rest, longest_frame), longest_sleep, visitors...);
         }
         return true;
     }
 
     /// Runs a conversation to its end, at most for `limit`, and returns its `outcome()`, or where it has none its
-    /// `reason()`; that of a conversation which the limit cut says that it has not ended. Of a conversation without a
-    /// name, whose response would end with the statement, only the error. A conversation that is already settled
-    /// begins anew where it can.
+    /// `reason()`, or where it has neither whether it has ended; what the limit cut says that it has not ended. Of a
+    /// conversation without a name, whose response would end with the statement, only the error. A conversation that is
+    /// already settled begins anew where it can.
     template <typename Conversation>
         requires conversation<std::remove_cvref_t<Conversation>>
     constexpr auto run(Conversation&& conversation, duration limit = longest_run)
@@ -168,8 +172,10 @@ public:
         } else if constexpr (requires { conversation.outcome(); }) {
             auto const outcome = conversation.outcome();
             return outcome ? result<void>{} : result<void>{outcome.error()};
-        } else {
+        } else if constexpr (requires { conversation.reason(); }) {
             return conversation.reason();
+        } else {
+            return conversation.settled();
         }
     }
 
@@ -186,6 +192,8 @@ public:
 private:
     /// The longest time from pass to pass: motors turn, and a visitor's own times may be unknown.
     static constexpr duration longest_sleep = milliseconds(20);
+    /// The clock wraps 95 s later.
+    static constexpr duration longest_limit{70U * 60U * 1'000'000U};
     /// The longest time without a pass while bytes are on the line.
     static constexpr duration longest_frame = milliseconds(1'000);
     /// What a pass takes that finds something due at once.

@@ -46,6 +46,7 @@ public:
     [[nodiscard]] constexpr cyclic_control const& control() const noexcept { return control_; }
     [[nodiscard]] constexpr cycle_step now() const noexcept { return position_.now(); }
     [[nodiscard]] constexpr bool is_lost() const noexcept { return is_lost_; }
+    [[nodiscard]] constexpr bool is_missed() const noexcept { return misses_ != 0; }
 
     constexpr bool run(std::uint16_t reference) noexcept
     {
@@ -199,6 +200,14 @@ public:
         position_.go_to(step::look);
     }
 
+    /// A stop by another conversation is in force: the drive is read, and nothing is written.
+    constexpr void yield() noexcept
+    {
+        control_.note_overruled();
+        duty_.yield();
+        position_.go_to(step::look);
+    }
+
     /// Waits a period before the next request; a stop command does not wait, unless it is itself repeated.
     constexpr void wait_a_period() noexcept
     {
@@ -216,14 +225,6 @@ private:
         control_.note_miss();
         position_.go_to(step::look);
         return true;
-    }
-
-    /// A stop by another conversation is in force: the drive is read, and nothing is written.
-    constexpr void yield() noexcept
-    {
-        control_.note_overruled();
-        duty_.yield();
-        position_.go_to(step::look);
     }
 
     cyclic_control control_{};

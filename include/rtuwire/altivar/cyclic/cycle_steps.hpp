@@ -45,8 +45,11 @@ public:
     }
     constexpr bool reset_fault() noexcept { return agenda_.control().reset_fault(); }
 
-    /// Another conversation stopped the drive.
+    /// Another conversation stopped the drive, or read it in fault: it has to be read anew.
     constexpr void note_stopped() noexcept { agenda_.control().note_stopped(); }
+
+    /// A stop by another conversation is in force.
+    constexpr void yield() noexcept { agenda_.yield(); }
 
     /// Enabling took too long.
     constexpr void note_late() noexcept { agenda_.control().note_late(); }
@@ -55,6 +58,9 @@ public:
     [[nodiscard]] constexpr cyclic_control const& control() const noexcept { return agenda_.control(); }
     [[nodiscard]] constexpr supervision_report const& report() const noexcept { return preparation_.report(); }
     [[nodiscard]] constexpr bool is_lost() const noexcept { return agenda_.is_lost(); }
+
+    /// Whether the last request had no response.
+    [[nodiscard]] constexpr bool is_missed() const noexcept { return agenda_.is_missed(); }
 
     /// The time from one exchange to the next.
     [[nodiscard]] constexpr duration period() const noexcept { return period_; }

@@ -123,7 +123,11 @@ public:
     constexpr void advance(instant now) noexcept
     {
         now_ = now;
-        bool const enables = control().is_ordered() and not control().is_running();
+        if (control().is_ordered() and this->is_overruled() and not is_asking_) {
+            steps_.yield();
+        }
+        // Whether a drive that does not answer would follow is not known: it answers again, or it is lost.
+        bool const enables = control().is_ordered() and not control().is_running() and not steps_.is_missed();
         if (enables and reached(now, enable_end_)) {
             steps_.note_late();
         }

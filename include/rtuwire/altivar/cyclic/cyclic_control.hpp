@@ -107,8 +107,7 @@ public:
     constexpr void note_loss(errc error) noexcept
     {
         bool const could_run = may_run();
-        drop(outcome_kind::silent);
-        reason_.error = error;
+        drop(outcome_kind::silent, error);
         reset_.end();
         sight_.lose(could_run);
     }
@@ -136,7 +135,7 @@ public:
         reason_.kind = outcome_kind::overwritten;
     }
 
-    /// Another conversation stopped the drive: its state is unknown until it is read.
+    /// Another conversation stopped the drive, or read it in fault: its state is unknown until it is read.
     constexpr void note_stopped() noexcept { sight_.forget(); }
 
     /// The last command may not have arrived: enabling begins again from the state of the drive.
@@ -205,14 +204,15 @@ public:
     [[nodiscard]] constexpr cia402::state state() const noexcept { return sight_.state(); }
     [[nodiscard]] constexpr std::uint16_t status() const noexcept { return sight_.status(); }
 
-    /// Why the last order was dropped; `pending` where none was.
+    /// Why the last order was dropped; before the first order, what first kept the drive from taking one, or
+    /// `pending`.
     [[nodiscard]] constexpr altivar::reason reason() const noexcept { return reason_; }
 
 private:
-    constexpr void drop(outcome_kind kind) noexcept
+    constexpr void drop(outcome_kind kind, errc error = errc::none) noexcept
     {
         if (is_ordered_ or reason_.kind == outcome_kind::pending) {
-            reason_ = {kind, errc::none, state(), 0};
+            reason_ = {kind, error, state(), 0};
         }
         is_ordered_ = false;
         has_switched_on_ = false;

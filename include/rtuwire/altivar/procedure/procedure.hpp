@@ -96,6 +96,9 @@ public:
     /// Whether it orders its drive to run; this replaces any earlier order.
     static constexpr bool is_order = false;
 
+    /// Whether all that it does serves an order to move the motor: a later stop by another conversation ends it.
+    static constexpr bool follows_order = false;
+
     /// Whether it is already withdrawing its own command.
     [[nodiscard]] static constexpr bool takes_back() noexcept { return false; }
 

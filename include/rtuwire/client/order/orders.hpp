@@ -65,6 +65,8 @@ public:
         who.has_come_by_ = true;
         who.seen_ = count_;
         who.is_silenced_ = losses::is_silent(unit, effect::stopping);
+        unit_order const& own = places_.of(unit);
+        who.is_overruled_ = is_stopped_later(who, own) and not is_by_loss(own);
         return is_lost;
     }
 
@@ -80,10 +82,9 @@ public:
         if (what == effect::stopping) {
             return has_another_stop(who, unit) ? errc::overruled : errc::none;
         }
-        bool const is_late = is_older(who.stamp_, own.last_stop) or is_older(who.stamp_, stopped_all_) or
-                             (what == effect::enabling and has_newer(own, who));
+        bool const is_late = is_stopped_later(who, own) or (what == effect::enabling and has_newer(own, who));
         if (own.holder != 0 or holder_of_all_ != 0 or is_late) {
-            return own.was_lost and own.holder == 0 ? errc::unit_lost : errc::overruled;
+            return is_by_loss(own) ? errc::unit_lost : errc::overruled;
         }
         if (what == effect::rearranging) {
             return own.is_ordered ? errc::overruled : errc::none; // only a drive that is not ordered to run
@@ -178,6 +179,14 @@ private:
             own->last_order = who.stamp_;
         }
     }
+
+    constexpr bool is_stopped_later(commander const& who, unit_order const& own) const noexcept
+    {
+        return is_older(who.stamp_, own.last_stop) or is_older(who.stamp_, stopped_all_);
+    }
+
+    /// Whether it was a loss, and no stop, that withdrew the orders of a unit.
+    static constexpr bool is_by_loss(unit_order const& own) noexcept { return own.was_lost and own.holder == 0; }
 
     /// Whether a fault, or another order to run, came after this commander's order.
     static constexpr bool has_newer(unit_order const& own, commander const& who) noexcept

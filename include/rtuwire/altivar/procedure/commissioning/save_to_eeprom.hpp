@@ -26,14 +26,20 @@ public:
         case event::kind::word_read: return on_response(what.word);
         case event::kind::written: return after_write();
         case event::kind::pause_over: return layout().shows_eeprom_access ? to_read(layout().eti) : take_back();
-        case event::kind::failed: return abort(what.error);
+        case event::kind::failed: return abort(kind_for(what.error), what.error);
         case event::kind::late: break;
         }
-        return abort(errc::timed_out);
+        return end_late();
     }
 
 private:
-    enum class stage : std::uint8_t { looking, reading_control, saving, taking_back };
+    enum class stage : std::uint8_t {
+        looking,
+        reading_control,
+        saving,  ///< the order is written
+        waiting, ///< until the drive has saved
+        taking_back,
+    };
 
     constexpr action on_response(std::uint16_t word) noexcept
     {
@@ -49,6 +55,7 @@ private:
             stage_ = stage::saving;
             return to_write(layout().cmi, static_cast<std::uint16_t>(control_ | save_bit));
         case stage::saving:
+        case stage::waiting:
         case stage::taking_back: break;
         }
         constexpr std::uint16_t eeprom_access = 0x0001;
@@ -63,21 +70,34 @@ private:
 
     constexpr action after_write() noexcept
     {
-        return stage_ == stage::taking_back ? end(outcome_kind::succeeded) : to_pause(layout().eeprom_time);
+        if (stage_ == stage::taking_back) {
+            return end(outcome_kind::succeeded);
+        }
+        stage_ = stage::waiting;
+        return to_pause(layout().eeprom_time);
+    }
+
+    constexpr action end_late() noexcept
+    {
+        if (stage_ == stage::taking_back) {
+            return take_back(); // still has to be sent
+        }
+        return abort(stage_ == stage::waiting ? outcome_kind::state_timeout : outcome_kind::aborted, errc::none);
     }
 
     /// Ends, but not with the bit set.
-    constexpr action abort(errc error) noexcept
+    constexpr action abort(outcome_kind kind, errc error) noexcept
     {
-        action const over = end(error);
-        return stage_ == stage::saving ? take_back() : over;
+        bool const may_be_set = stage_ == stage::saving or stage_ == stage::waiting;
+        action const over = end(kind, error);
+        return may_be_set ? take_back() : over;
     }
 
     std::uint16_t control_{0};
     stage stage_{stage::looking};
 };
 
-/// Saves all settings of a stopped drive. The memory endures this 100 000 times in the drive's life: call
+/// Saves all settings of a stopped drive; `state_timeout` where it was still saving at the limit. The memory endures this 100 000 times in the drive's life: call
 /// it when a person has finished a change, never in a cycle. The order is cleared at the end, also
 /// where the save failed.
 class save_to_eeprom : public procedure_runner<save_procedure> {

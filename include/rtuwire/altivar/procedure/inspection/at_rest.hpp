@@ -47,7 +47,7 @@ public:
         case event::kind::pause_over:
         case event::kind::late: break;
         }
-        return end(outcome_kind::silent, errc::timed_out);
+        return end(outcome_kind::aborted);
     }
 
     /// The register that was read last, and its value.

@@ -42,7 +42,7 @@ public:
         case event::kind::pause_over:
         case event::kind::late: break;
         }
-        return end(outcome_kind::silent, errc::timed_out);
+        return end(outcome_kind::aborted);
     }
 
     [[nodiscard]] constexpr supervision_report const& report() const noexcept { return report_; }

@@ -17,6 +17,8 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// Internal.
 class reference_procedure : public procedure {
 public:
+    static constexpr bool follows_order = true;
+
     constexpr reference_procedure(drive_layout const& layout, reference_write reference) noexcept
         : procedure{layout}, reference_{reference}
     {}

@@ -17,6 +17,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 class order_procedure : public procedure {
 public:
     static constexpr bool is_order = true;
+    static constexpr bool follows_order = true;
 
     /// The time to stop a drive that was commanded to run and must not.
     static constexpr duration grace{milliseconds(30'000)};
@@ -35,7 +36,8 @@ protected:
     [[nodiscard]] constexpr bool is_ready() const noexcept { return check_.reason().kind == outcome_kind::succeeded; }
 
     /// Whether the STOP key was pressed since the status read before. A drive that was stopped by the key earlier shows
-    /// it until it runs: the result for the first status read is nothing new, and the caller discards it.
+    /// it until it runs: the result for the first status read is nothing new, and the caller discards it. A second press
+    /// while the first is shown cannot be seen here.
     constexpr bool is_key_pressed(std::uint16_t status) noexcept
     {
         bool const is_shown = (status & stop_key_bit) != 0;

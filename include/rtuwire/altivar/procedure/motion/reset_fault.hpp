@@ -30,8 +30,7 @@ public:
         case event::kind::failed: return end(what.error);
         case event::kind::late: break;
         }
-        stage_ = stage::reading_fault;
-        return to_read(layout().lft);
+        return end_late();
     }
 
 private:
@@ -70,10 +69,21 @@ private:
         return to_read(layout().eta);
     }
 
+    /// The limit is over. Only a drive that was read in fault ends it so; its LFT is read for that.
+    constexpr action end_late() noexcept
+    {
+        if (not cia402::is_in_fault(reason().state)) {
+            return end(stage_ == stage::looking ? outcome_kind::aborted : outcome_kind::state_timeout);
+        }
+        stage_ = stage::reading_fault;
+        return to_read(layout().lft);
+    }
+
     stage stage_{stage::looking};
 };
 
-/// Clears a fault whose cause is gone. Where it is not, the outcome is `in_fault` with its LFT.
+/// Clears a fault whose cause is gone. Where it is not, the outcome is `in_fault` with its LFT. `aborted`: the limit was
+/// over before a state was read; nothing was written. `state_timeout`: it was over while the drive showed no state.
 class reset_fault : public procedure_runner<reset_procedure> {
 public:
     template <device_type Device>

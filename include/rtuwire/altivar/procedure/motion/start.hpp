@@ -140,7 +140,8 @@ public:
 private:
     constexpr action read_status() noexcept { return once(to_read(layout().eta)); }
 
-    /// An earlier stop by the STOP key is shown until the drive runs, so only a press after this read counts.
+    /// An earlier stop by the STOP key is shown until the drive runs, so it does not count. Another press meanwhile shows
+    /// nothing new: then the drive falls back, or does not follow in time.
     constexpr action meet(event const& what) noexcept
     {
         stage_ = stage::examining;

@@ -96,10 +96,7 @@ public:
         case event::kind::begun: return begin();
         case event::kind::pause_over: return detail::is_in_place(mode_) ? read_status() : stop_again();
         case event::kind::word_read: return on_response(what.word);
-        case event::kind::written:
-            was_taken_ = true;
-            is_seen_ = false;
-            return read_status();
+        case event::kind::written: return after_write();
         case event::kind::failed: return go_on(what.error);
         case event::kind::late: break;
         }
@@ -203,6 +200,16 @@ private:
         return std::exchange(stands_, true) ? to_pause(status_period) : stop_again();
     }
 
+    /// Frequencies that were read before the first word was confirmed tell nothing of how it is obeyed.
+    constexpr action after_write() noexcept
+    {
+        has_frequency_ = has_frequency_ and was_taken_;
+        is_compared_ = is_compared_ and was_taken_;
+        was_taken_ = true;
+        is_seen_ = false;
+        return read_status();
+    }
+
     /// The output frequency in operation, or in a quick stop.
     constexpr action measure(std::uint16_t frequency) noexcept
     {
@@ -238,6 +245,7 @@ private:
     constexpr action go_on(errc error) noexcept
     {
         error_ = error;
+        is_seen_ = is_seen_ and is_exception(error);
         if (detail::is_in_place(mode_) and not is_exception(error)) {
             has_word_ = false;
         }
@@ -277,7 +285,7 @@ private:
     bool has_frequency_{false};
     bool is_compared_{false}; ///< the frequency was read at least twice
     bool was_taken_{false};   ///< the drive confirmed a word
-    bool is_seen_{false};     ///< and its state was read after that
+    bool is_seen_{false};     ///< and its state was read after that, and nothing was lost since
     bool stands_{false};
 };
 
