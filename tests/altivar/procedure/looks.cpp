@@ -106,8 +106,8 @@ STATIC_CHECK(ends(told(check, begins, read(1), read(0)), outcome_kind::unsupervi
 STATIC_CHECK(ends(told(check, begins, fails(errc::timed_out)), outcome_kind::silent, errc::timed_out));
 STATIC_CHECK(ends(told(check, begins, fails(errc::server_device_failure)), outcome_kind::refused,
                   errc::server_device_failure));
-STATIC_CHECK(ends(told(check, begins, late), outcome_kind::silent, errc::timed_out));
-STATIC_CHECK(ends(told(check, begins, written), outcome_kind::silent, errc::timed_out));
+STATIC_CHECK(ends(told(check, begins, late), outcome_kind::aborted));
+STATIC_CHECK(ends(told(check, begins, written), outcome_kind::aborted));
 
 constexpr bool accepts_all_that_is_missing()
 {
@@ -162,7 +162,7 @@ STATIC_CHECK(ends(told(look, begins, read(locked), read(0), fails(missing)), out
 STATIC_CHECK(ends(told(look, begins, fails(missing)), outcome_kind::refused, missing));
 STATIC_CHECK(ends(told(look, begins, read(faulty), fails(missing)), outcome_kind::refused, missing));
 STATIC_CHECK(ends(told(look, begins, fails(errc::timed_out)), outcome_kind::silent, errc::timed_out));
-STATIC_CHECK(ends(told(look, begins, late), outcome_kind::silent, errc::timed_out));
+STATIC_CHECK(ends(told(look, begins, late), outcome_kind::aborted));
 // A fault is trusted where it is said, its reaction never.
 constexpr at_rest_procedure remedy{later, {}, {.accepts_fault = true, .ends_three_wire = true}};
 STATIC_CHECK(ends(told(remedy, begins, read(faulty), read(0)), outcome_kind::succeeded));
