@@ -10,7 +10,6 @@
 //     auto const speed = bench.run(read<atv320::rfr>(drive));                    // its outcome
 #pragma once
 
-#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <type_traits>
@@ -139,14 +138,14 @@ public:
     constexpr bool run_until(Done is_done, duration limit, Visitors&&... visitors)
     {
         instant const begin = now_;
-        duration const all{std::min(limit, longest_limit).microseconds};
+        duration const all = limit < longest_limit ? limit : longest_limit;
         while (not is_done()) {
             duration const passed = now_ - begin;
             if (passed >= all) {
                 return false;
             }
             duration const rest{all.microseconds - passed.microseconds};
-            visit_and_jump(now_ + std::min(rest, longest_frame), longest_sleep, visitors...);
+            visit_and_jump(now_ + (rest < longest_frame ? rest : longest_frame), longest_sleep, visitors...);
         }
         return true;
     }

@@ -48,12 +48,51 @@ inline constexpr duration longest_wait_of_a_stop{milliseconds(1'000)};
     return mode == stop_by::halt or mode == stop_by::dc_injection;
 }
 
-/// Of an output frequency as it was read, in 0.1 Hz.
-[[nodiscard]] constexpr std::int32_t magnitude(std::uint16_t frequency) noexcept
-{
-    auto const value = static_cast<std::int16_t>(frequency);
-    return value < 0 ? -std::int32_t{value} : std::int32_t{value};
-}
+/// The output frequency, as it was read again and again.
+class seen_frequency {
+public:
+    constexpr void note(std::uint16_t frequency) noexcept
+    {
+        std::int32_t const now = magnitude(frequency);
+        stands_ = is_any_ and last_ == 0 and now == 0;
+        is_slowing_ = is_any_ and now < last_;
+        is_compared_ = is_judged_;
+        first_ = is_judged_ ? first_ : now;
+        last_ = now;
+        is_any_ = true;
+        is_judged_ = true;
+    }
+
+    /// The first word was confirmed: what was read before tells nothing of how it is obeyed.
+    constexpr void note_first_word() noexcept
+    {
+        is_judged_ = false;
+        is_compared_ = false;
+    }
+
+    /// Whether it was 0 at the last read; at the last two; lower than at the read before.
+    [[nodiscard]] constexpr bool is_zero() const noexcept { return last_ == 0; }
+    [[nodiscard]] constexpr bool stands() const noexcept { return stands_; }
+    [[nodiscard]] constexpr bool is_slowing() const noexcept { return is_slowing_; }
+
+    /// Whether it was read at least twice since the first word, and is as high as at first.
+    [[nodiscard]] constexpr bool is_as_before() const noexcept { return is_compared_ and last_ >= first_; }
+
+private:
+    static constexpr std::int32_t magnitude(std::uint16_t frequency) noexcept
+    {
+        auto const value = static_cast<std::int16_t>(frequency);
+        return value < 0 ? -std::int32_t{value} : std::int32_t{value};
+    }
+
+    std::int32_t first_{0}; ///< in 0.1 Hz
+    std::int32_t last_{0};
+    bool is_any_{false};
+    bool is_judged_{false}; ///< it was read since the first word
+    bool is_compared_{false};
+    bool is_slowing_{false};
+    bool stands_{false};
+};
 
 } // namespace detail
 
@@ -200,12 +239,11 @@ private:
         return std::exchange(stands_, true) ? to_pause(status_period) : stop_again();
     }
 
-    /// Frequencies that were read before the first word was confirmed tell nothing of how it is obeyed.
     constexpr action after_write() noexcept
     {
-        has_frequency_ = has_frequency_ and was_taken_;
-        is_compared_ = is_compared_ and was_taken_;
-        was_taken_ = true;
+        if (not std::exchange(was_taken_, true)) {
+            frequency_.note_first_word();
+        }
         is_seen_ = false;
         return read_status();
     }
@@ -213,24 +251,18 @@ private:
     /// The output frequency in operation, or in a quick stop.
     constexpr action measure(std::uint16_t frequency) noexcept
     {
-        bool const is_zero = frequency == 0;
-        bool const was_zero = has_frequency_ and last_ == 0;
-        bool const is_slowing = has_frequency_ and detail::magnitude(frequency) < detail::magnitude(last_);
-        is_compared_ = has_frequency_;
-        first_ = has_frequency_ ? first_ : frequency;
-        last_ = frequency;
-        has_frequency_ = true;
+        frequency_.note(frequency);
         bool const is_operating = reason().state == cia402::state::operation_enabled;
-        if (looks_first() and mode_ == stop_by::dc_injection and is_zero) {
+        if (looks_first() and mode_ == stop_by::dc_injection and frequency_.is_zero()) {
             return become_ramp_and_go_on(); // the drive may remove the power now, and the injection would restore it
         }
         if (looks_first() and is_operating) {
             return mode_ == stop_by::halt ? ask(asked::control, layout().cmd) : send_command(layout().dc_injection);
         }
-        if (not is_zero or not was_zero) {
+        if (not frequency_.stands()) {
             stands_ = false;
             // A word that keeps the power is sent again only directly after a read that found the drive running.
-            bool const is_due = detail::is_in_place(mode_) and is_operating and not is_slowing;
+            bool const is_due = detail::is_in_place(mode_) and is_operating and not frequency_.is_slowing();
             return is_due ? stop_again() : to_pause(status_period);
         }
         if (mode_ == stop_by::halt and is_operating) {
@@ -268,24 +300,20 @@ private:
         if (not was_taken_) {
             return end(error_ != errc::none ? error_ : errc::timed_out);
         }
-        bool const obeys_not = is_seen_ and cia402::has_power(reason().state) and is_compared_ and
-                               detail::magnitude(last_) >= detail::magnitude(first_);
+        bool const obeys_not = is_seen_ and cia402::has_power(reason().state) and frequency_.is_as_before();
         return end(obeys_not ? outcome_kind::state_timeout : outcome_kind::unconfirmed, error_);
     }
 
+    detail::seen_frequency frequency_{};
     std::uint16_t word_{0};
-    std::uint16_t first_{0}; ///< the output frequencies that were read, in 0.1 Hz
-    std::uint16_t last_{0};
     stop_by mode_;
     word_meaning known_;
     asked asked_{asked::status};
     errc error_{errc::none}; ///< the last one
     bool has_word_{false};
-    bool has_said_{false}; ///< any control word was sent
-    bool has_frequency_{false};
-    bool is_compared_{false}; ///< the frequency was read at least twice
-    bool was_taken_{false};   ///< the drive confirmed a word
-    bool is_seen_{false};     ///< and its state was read after that, and nothing was lost since
+    bool has_said_{false};  ///< any control word was sent
+    bool was_taken_{false}; ///< the drive confirmed a word
+    bool is_seen_{false};   ///< and its state was read after that, and nothing was lost since
     bool stands_{false};
 };
 
