@@ -48,50 +48,45 @@ inline constexpr duration longest_wait_of_a_stop{milliseconds(1'000)};
     return mode == stop_by::halt or mode == stop_by::dc_injection;
 }
 
-/// The output frequency, as it was read again and again.
+/// The output frequency, as it was read again and again; in 0.1 Hz, without its sign.
 class seen_frequency {
 public:
     constexpr void note(std::uint16_t frequency) noexcept
     {
-        std::int32_t const now = magnitude(frequency);
-        stands_ = is_any_ and last_ == 0 and now == 0;
-        is_slowing_ = is_any_ and now < last_;
-        is_compared_ = is_judged_;
-        first_ = is_judged_ ? first_ : now;
-        last_ = now;
-        is_any_ = true;
-        is_judged_ = true;
+        before_ = last_;
+        last_ = magnitude(frequency);
+        is_compared_ = first_ != none;
+        first_ = is_compared_ ? first_ : last_;
     }
 
     /// The first word was confirmed: what was read before tells nothing of how it is obeyed.
     constexpr void note_first_word() noexcept
     {
-        is_judged_ = false;
+        first_ = none;
         is_compared_ = false;
     }
 
     /// Whether it was 0 at the last read; at the last two; lower than at the read before.
     [[nodiscard]] constexpr bool is_zero() const noexcept { return last_ == 0; }
-    [[nodiscard]] constexpr bool stands() const noexcept { return stands_; }
-    [[nodiscard]] constexpr bool is_slowing() const noexcept { return is_slowing_; }
+    [[nodiscard]] constexpr bool stands() const noexcept { return last_ == 0 and before_ == 0; }
+    [[nodiscard]] constexpr bool is_slowing() const noexcept { return before_ != none and last_ < before_; }
 
     /// Whether it was read at least twice since the first word, and is as high as at first.
     [[nodiscard]] constexpr bool is_as_before() const noexcept { return is_compared_ and last_ >= first_; }
 
 private:
-    static constexpr std::int32_t magnitude(std::uint16_t frequency) noexcept
+    static constexpr std::uint16_t none = 0xFFFF;
+
+    static constexpr std::uint16_t magnitude(std::uint16_t frequency) noexcept
     {
-        auto const value = static_cast<std::int16_t>(frequency);
-        return value < 0 ? -std::int32_t{value} : std::int32_t{value};
+        bool const is_negative = (frequency & 0x8000) != 0;
+        return is_negative ? static_cast<std::uint16_t>(0U - frequency) : frequency;
     }
 
-    std::int32_t first_{0}; ///< in 0.1 Hz
-    std::int32_t last_{0};
-    bool is_any_{false};
-    bool is_judged_{false}; ///< it was read since the first word
+    std::uint16_t first_{none};
+    std::uint16_t before_{none};
+    std::uint16_t last_{none};
     bool is_compared_{false};
-    bool is_slowing_{false};
-    bool stands_{false};
 };
 
 } // namespace detail
