@@ -313,7 +313,7 @@ TEST_CASE("a save that fails half way is taken back, and is a failure still")
         bool const is_read = slow.conversation.next()->frame()[1] == std::byte{3};
         is_read ? slow.hear_word(1) : slow.confirm();
     }
-    CHECK(slow.conversation.reason().kind == outcome_kind::silent);
+    CHECK(slow.conversation.reason().kind == outcome_kind::state_timeout);
 }
 
 TEST_CASE("pages of identification that do not fit are errors")
