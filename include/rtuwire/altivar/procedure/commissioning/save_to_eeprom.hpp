@@ -97,9 +97,9 @@ private:
     stage stage_{stage::looking};
 };
 
-/// Saves all settings of a stopped drive; `state_timeout` where it was still saving at the limit. The memory endures this 100 000 times in the drive's life: call
-/// it when a person has finished a change, never in a cycle. The order is cleared at the end, also
-/// where the save failed.
+/// Saves all settings of a stopped drive; `state_timeout` where it was still saving at the limit. The memory endures this
+/// 100 000 times in the drive's life: call it when a person has finished a change, never in a cycle. The order is
+/// cleared at the end, also where the save failed.
 class save_to_eeprom : public procedure_runner<save_procedure> {
 public:
     template <device_type Device>
