@@ -154,3 +154,9 @@ TEST_CASE("a change of the reference begins with a look, and leaves a halt")
     constexpr reference_procedure old{atv28::device::layout, {401, 300}}; // has no halt
     CHECK(does(led(old, {begun, word(enabled_word)}), word(0x010F), writes(401, 300)));
 }
+
+TEST_CASE("a change of the reference ends at its write where the client has no place for one more drive")
+{
+    way const to_write{begun, word(enabled_word), word(0x000F)};
+    CHECK(does(led(forward, to_write), failed(errc::too_many_ordered), ends(kind::no_place)));
+}

@@ -138,3 +138,13 @@ TEST_CASE("a direct start begins with a look, and ends with its check")
     CHECK(does(led(unchecked, examining), failed(errc::server_device_failure), refused));
     CHECK(does(led(unchecked, examining), late, aborted));
 }
+
+TEST_CASE("a direct start is withdrawn at any of its writes where the client has no place for one more drive")
+{
+    event const no_place = failed(errc::too_many_ordered);
+    way const clearing{begun, disabled}, writing{begun, disabled, confirmed};
+    way const running{begun, disabled, confirmed, confirmed, read_1500, read_0, disabled};
+    CHECK(does(led(checked, clearing), no_place, undo(kind::no_place)));
+    CHECK(does(led(checked, writing), no_place, undo(kind::no_place)));
+    CHECK(does(led(checked, running), no_place, ramp(kind::no_place)));
+}

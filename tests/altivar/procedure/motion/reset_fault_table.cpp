@@ -83,3 +83,11 @@ TEST_CASE("a reset of a fault does in each stage, at each answer, what its table
 }
 
 TEST_CASE("a reset of a fault begins with a look") { CHECK(does(reset, begun, eta)); }
+
+TEST_CASE("a reset of a fault ends at any of its writes where the client has no place for one more drive")
+{
+    for (way const& to_write :
+         {way{begun, in_fault}, way{begun, in_fault, confirmed}, way{begun, in_fault, confirmed, confirmed}}) {
+        CHECK(does(led(reset, to_write), failed(errc::too_many_ordered), ends(kind::no_place)));
+    }
+}
