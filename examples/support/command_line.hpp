@@ -7,6 +7,7 @@
 #include <string>
 #include <type_traits>
 
+#include <rtuwire/altivar/all.hpp>
 #include <rtuwire/drives.hpp>
 #include <rtuwire/port.hpp>
 

@@ -9,7 +9,7 @@
 #include "support/catch.hpp"
 #include "support/type_list.hpp"
 
-#include <rtuwire/altivar/all_drives.hpp>
+#include <rtuwire/altivar/all.hpp>
 
 namespace rtuwire::test {
 

@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include <rtuwire/altivar/device/cycle_registers.hpp>
 #include <rtuwire/altivar/device/drive_layout.hpp>
@@ -34,8 +35,11 @@ template <typename T>
 concept has_cycle = std::convertible_to<decltype(T::cycle), cycle_registers>;
 /// Internal.
 template <typename T>
-concept has_all_parts = device_type<T> and has_layout<T> and has_speed_reference<T> and has_frequency_reference<T> and
+concept has_drive_parts = has_layout<T> and has_speed_reference<T> and has_frequency_reference<T> and
     has_scanner_registers<T> and has_cycle<T>;
+/// Internal.
+template <typename T>
+concept has_all_parts = device_type<T> and has_drive_parts<T>;
 
 /// Whether the table of a device has a register at an address; `if_any`: or there is none, which is address 0.
 /// Internal.
@@ -195,6 +199,14 @@ template <typename T> struct drive_check {
     static constexpr bool passed = drive_type<T>;
     static constexpr drive_layout const& layout = T::layout;
 };
+
+/// The same for what every order has: where all parts are there, it leaves the price of the whole check to the order.
+/// Internal.
+struct parts_are_there {
+    static constexpr bool passed = true;
+};
+/// Internal.
+template <typename T> using parts_check = std::conditional_t<has_drive_parts<T>, parts_are_there, drive_check<T>>;
 
 /// What it does in a simulation besides.
 /// Internal.

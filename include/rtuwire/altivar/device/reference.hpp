@@ -42,7 +42,7 @@ struct reference_write {
 
 /// A reference for one device: 1500_rpm or 50_Hz; a negative one is in reverse.
 template <device_type Device> class reference {
-    static_assert(drive_check<Device>::passed);
+    static_assert(parts_check<Device>::passed);
     using speed = setting<Device::speed_reference>;
     using hertz_setting = setting<Device::frequency_reference>;
 
