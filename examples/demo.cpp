@@ -90,7 +90,7 @@ template <device_type Device>
 int demonstrate(options const& chosen, station<Device> const& drive, posix_serial& port, line_timing const& timing,
                 simulated_process const* simulated)
 {
-    bool const is_short = simulated != nullptr and Device::layout.scanner_words > 0;
+    bool const is_short = simulated != nullptr and Device::scanner.words > 0;
     duration const timeout = is_short ? milliseconds(3'000) : Device::silence.factory;
     demonstration<Device> demo{port, timing, drive};
     say("%s, unit %u on %s\n", chosen.drive.c_str(), chosen.unit, port.device().c_str());
@@ -153,7 +153,7 @@ void rtuwire::on_missing_value(rtuwire::errc why) noexcept
 int main(int argc, char** argv)
 {
     keep_standard_descriptors();
-    std::string const usage = std::string{"[--drive "} + drive_names +
+    std::string const usage = std::string{"[--drive "} + drive_names() +
                               "] [--port DEVICE [--allow-run]] [--unit 1..247] [--baud RATE] "
                               "[--format 8E1|8O1|8N1|8N2] [--svg FILE]";
     return with_usage("demo", usage, argc, argv, [&] {

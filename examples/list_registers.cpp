@@ -167,7 +167,7 @@ int main(int argc, char** argv)
 {
     keep_standard_descriptors();
     std::signal(SIGPIPE, SIG_IGN); // a reader that went away is told as any other failure
-    std::string const usage = std::string{"[--drive "} + drive_names + "] [--csv]";
+    std::string const usage = std::string{"[--drive "} + drive_names() + "] [--csv]";
     return with_usage("list_registers", usage, argc, argv, [&] {
         options const chosen = parse({argc, argv});
         with_drive(chosen.drive, [&chosen](auto device) { list<typename decltype(device)::type>(chosen.as_csv); });

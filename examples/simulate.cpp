@@ -168,7 +168,7 @@ void rtuwire::on_missing_value(rtuwire::errc why) noexcept
 int main(int argc, char** argv)
 {
     keep_standard_descriptors();
-    std::string const usage = std::string{"[--drive "} + drive_names +
+    std::string const usage = std::string{"[--drive "} + drive_names() +
                               "[:UNIT]]... [--port DEVICE] [--baud RATE] "
                               "[--format 8E1|8O1|8N1|8N2] [--vendor NAME]";
     return with_usage("simulate", usage, argc, argv, [&] {

@@ -7,34 +7,36 @@
 #include <string>
 #include <type_traits>
 
-#include <rtuwire/altivar/atv12.hpp>
-#include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv310.hpp>
-#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/all.hpp>
+#include <rtuwire/drives.hpp>
 #include <rtuwire/port.hpp>
 
 #include "arguments.hpp"
 
 namespace examples {
 
-inline constexpr char drive_names[] = "atv12|atv28|atv310|atv310_2026|atv320";
+/// The names of all drives, as a usage line has them.
+inline std::string drive_names()
+{
+    std::string names;
+    rtuwire::altivar::all_drives::for_each([&names]<typename Drive>() {
+        names += (names.empty() ? "" : "|") + std::string(Drive::name.begin(), Drive::name.end());
+    });
+    return names;
+}
 
 /// Calls `use` with the device of that name, as a `std::type_identity`. Refuses the name of none.
 template <typename Use> void with_drive(std::string const& name, Use use)
 {
-    using namespace rtuwire::altivar;
-    if (name == "atv12") {
-        use(std::type_identity<atv12::device>{});
-    } else if (name == "atv28") {
-        use(std::type_identity<atv28::device>{});
-    } else if (name == "atv310") {
-        use(std::type_identity<atv310::device>{});
-    } else if (name == "atv310_2026") {
-        use(std::type_identity<atv310::device_2026>{});
-    } else if (name == "atv320") {
-        use(std::type_identity<atv320::device>{});
-    } else {
-        throw usage_error{"there is no drive " + name + ", only " + drive_names};
+    bool is_found = false;
+    rtuwire::altivar::all_drives::for_each([&]<typename Drive>() {
+        if (name == std::string(Drive::name.begin(), Drive::name.end())) {
+            is_found = true;
+            use(std::type_identity<Drive>{});
+        }
+    });
+    if (not is_found) {
+        throw usage_error{"there is no drive " + name + ", only " + drive_names()};
     }
 }
 

@@ -25,7 +25,7 @@ using rtuwire::cia402::state;
 template <rtuwire::device_type Device> class demonstration {
     using panel = panel_of<Device>;
     using plan = typename panel::template plan<Device>;
-    static constexpr bool has_scanner = Device::layout.scanner_words > 0;
+    static constexpr bool has_scanner = Device::scanner.words > 0;
     static constexpr rtuwire::client_options patient{.response_timeout = milliseconds(300)};
 
 public:

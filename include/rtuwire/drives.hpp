@@ -5,6 +5,10 @@
 // carries it out is in client.hpp. docs/names.md lists what is public.
 #pragma once
 
+// What refuses a device that is no drive stands directly below this door: see altivar/atv12.hpp.
+#include <rtuwire/altivar/device/drive_type.hpp>
+
+#include <rtuwire/altivar/all_drives.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 #include <rtuwire/altivar/device/reference.hpp>
 #include <rtuwire/altivar/device/words.hpp>

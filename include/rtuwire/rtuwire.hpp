@@ -4,10 +4,7 @@
 // Door: everything that needs no operating system. docs/names.md tells which smaller door a task needs.
 #pragma once
 
-#include <rtuwire/altivar/atv12.hpp>
-#include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv310.hpp>
-#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/all.hpp>
 #include <rtuwire/client.hpp>
 #include <rtuwire/drives.hpp>
 #include <rtuwire/frames.hpp>

@@ -168,7 +168,7 @@ TEST_CASE("motion law: L2 a cycle whose drive another conversation stops says th
                 }
             };
             pass(milliseconds(1'000));
-            if constexpr (Device::layout.scanner_words == 0) {
+            if constexpr (Device::scanner.words == 0) {
                 REQUIRE(loop.run(50_Hz));
             } else {
                 REQUIRE(loop.run(1'500_rpm));
@@ -185,7 +185,7 @@ TEST_CASE("motion law: L2 a cycle whose drive another conversation stops says th
             INFO(static_cast<int>(loop.control().reason().error));
             CHECK(kind == outcome_kind::overruled);
             // An order after the stop is another one.
-            if constexpr (Device::layout.scanner_words == 0) {
+            if constexpr (Device::scanner.words == 0) {
                 REQUIRE(loop.run(50_Hz));
             } else {
                 REQUIRE(loop.run(1'500_rpm));

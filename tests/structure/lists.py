@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""Compares the lists that feed the tests with the headers, and finds lists of all drives beside the one.
+"""Compares the public list of the drives and the list of PDUs with the headers, and finds lists of all drives beside the
+one.
 
     python3 lists.py PROJECT
 """
@@ -10,10 +11,15 @@ import sys
 
 import declarations
 
-DRIVES, PDUS = "tests/support/drives.hpp", "tests/support/pdus.hpp"
+DRIVES, PDUS = "include/rtuwire/altivar/all_drives.hpp", "tests/support/pdus.hpp"
 # Headers, by where they are, and what the list of their types is called.
 DEVICES_OF, PDUS_OF = "include/rtuwire/altivar", "include/rtuwire/wire/pdu"
 ALL_DRIVES, ALL_PDUS = "all_drives", "all_pdus"
+
+# Headers of single drives, by where they are or by their namespace; others know no drive. An include of one is no code.
+OWN = ("include/rtuwire/altivar/device/", "include/rtuwire/altivar/atv")
+OF_ONE_DRIVE = re.compile(r"\bnamespace rtuwire::[\w: ]*\batv\d+\w* *\{")
+NAMED_DRIVE = re.compile(r"\batv\d+\w*\b(?!\.hpp)")
 
 DRIVE_SPACE = re.compile(r"rtuwire::altivar::(atv\w+)")
 DEVICE = re.compile(r"device\w*")
@@ -25,15 +31,13 @@ ENUMERATES = (re.compile(r"\batv12\s*::\s*device\b"), re.compile(r"\bdevice_2026
 FOLDERS = ("tests", "fuzz", "bench", "examples")
 # Who may name the drives one by one, and why.
 ALLOWED = {
-    DRIVES: "the list itself",
     "tests/altivar/device/layouts.cpp": "a value of each drive stands in its row",
     "tests/altivar/device/safeguards.cpp": "each drive is compared with a parameter file of its own",
     "tests/altivar/device/tables.cpp": "facts of single drives",
     "tests/sim/drive/enumerations.cpp": "what single registers take, by the manual of each",
     "tests/lives/far_drive.hpp": "a drive is chosen by its number when the program runs",
     "tests/lives/conversations.hpp": "alternatives of one variant, with orders of single drives among them",
-    "examples/support/command_line.hpp": "examples do not include tests, and a drive is chosen by its name",
-    "examples/support/drive_panel.hpp": "examples do not include tests, and each drive has a panel of its own",
+    "examples/support/drive_panel.hpp": "each drive has a panel of its own",
 }
 
 
@@ -95,6 +99,16 @@ def second_lists(files, allowed):
         yield f"{path}: does not name the drives one by one, and needs no permission"
 
 
+def named_drives(headers):
+    """Headers that know a drive though they are of all: neither its own, nor the list, nor a door to its registers."""
+    for path, text in headers.items():
+        code = declarations.code_of(text)
+        if path == DRIVES or path.startswith(OWN) or OF_ONE_DRIVE.search(code):
+            continue
+        for found in NAMED_DRIVE.finditer(code):
+            yield f"{path}:{code.count(chr(10), 0, found.start()) + 1}: knows {found[0]}; take the data of the drive"
+
+
 def texts(root, folder, pattern):
     return {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8")
             for path in sorted((root / folder).rglob(pattern))}
@@ -105,8 +119,12 @@ def main(project):
     drives = list(devices(texts(root, DEVICES_OF, "*.hpp")))
     kinds = list(pdus(texts(root, PDUS_OF, "*.hpp")))
     files = {path: text for folder in FOLDERS for path, text in texts(root, folder, "*.[ch]pp").items()}
-    found = [*differences(DRIVES, files.get(DRIVES, ""), ALL_DRIVES, drives),
-             *differences(PDUS, files.get(PDUS, ""), ALL_PDUS, kinds), *second_lists(files, ALLOWED)]
+    headers = texts(root, "include/rtuwire", "*.hpp")
+    # The one list is public; the door of everything includes the doors of all drives.
+    files.update({path: text for path, text in headers.items() if path != DRIVES})
+    found = [*differences(DRIVES, headers.get(DRIVES, ""), ALL_DRIVES, drives),
+             *differences(PDUS, files.get(PDUS, ""), ALL_PDUS, kinds), *second_lists(files, ALLOWED),
+             *named_drives(headers)]
     print("\n".join(found) or f"{len(drives)} drives and {len(kinds)} kinds of PDU, each in its list")
     return 1 if found else 0
 

@@ -100,6 +100,14 @@ class SecondLists(unittest.TestCase):
         self.assertEqual(len(self.found("run<atv12::device>();", "tests/a.cpp")), 1)
         self.assertEqual(len(self.found("", "tests/gone.cpp")), 1)
 
+    def test_generic_headers_know_no_drive(self):
+        generic = "namespace rtuwire::altivar {\nauto a = atv28::device::layout;\n}"
+        self.assertEqual(len(list(lists.named_drives({"include/rtuwire/sim/a.hpp": generic}))), 1)
+        self.assertEqual(list(lists.named_drives({"include/rtuwire/altivar/device/atv28.hpp": generic})), [])
+        own = generic.replace("rtuwire::altivar {", "rtuwire::inline RTUWIRE_BUILD::altivar::atv28 {")
+        said = "// as an atv28 does\n#include <rtuwire/altivar/atv28.hpp>\n"
+        self.assertEqual(list(lists.named_drives({"include/rtuwire/sim/a.hpp": own, "include/b.hpp": said})), [])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -40,7 +40,6 @@ enum class transition : std::uint8_t {
 };
 
 /// How a drive's state machine differs from the profile's.
-/// Internal.
 struct state_machine_options {
     bool enables_from_ready{false};      ///< has transition 3B
     bool quick_stop_waits{false};        ///< transition 12 waits for "disable voltage"

@@ -6,6 +6,7 @@
 
 #include "support/proof.hpp"
 
+#include <array>
 #include <type_traits>
 
 #include <rtuwire/altivar/atv12.hpp>
@@ -22,31 +23,32 @@ namespace {
 using drive = drive_layout;
 using guard = safeguard_layout;
 
-template <typename T> constexpr T in(drive const& device, T drive::*field) { return device.*field; }
-template <typename T> constexpr T in(drive const& device, T state_machine_options::*field)
+template <typename Device, typename T> constexpr T in(T drive::*field) { return Device::layout.*field; }
+template <typename Device, typename T> constexpr T in(T state_machine_options::*field)
 {
-    return device.state_machine.*field;
+    return Device::layout.state_machine.*field;
 }
-template <typename T> constexpr T in(drive const& device, T guard::*field) { return device.safeguards.*field; }
+template <typename Device, typename T> constexpr T in(T guard::*field) { return Device::layout.safeguards.*field; }
+template <typename Device, typename T> constexpr T in(T scanner_registers::*field) { return Device::scanner.*field; }
+template <typename Device, typename T> constexpr T in(T cycle_registers::*field) { return Device::cycle.*field; }
 
 /// Whether a field is so in the ATV12, the ATV310 of 2014 and that of 2026, the ATV320, and the ATV28.
 template <typename T> using same = std::type_identity_t<T>;
 template <typename Part, typename T>
 constexpr bool are(T Part::*field, same<T> of_12, same<T> of_310, same<T> of_310_2026, same<T> of_320, same<T> of_28)
 {
-    return in(atv12::device::layout, field) == of_12 and in(atv310::device::layout, field) == of_310 and
-           in(atv310::device_2026::layout, field) == of_310_2026 and in(atv320::device::layout, field) == of_320 and
-           in(atv28::device::layout, field) == of_28;
+    return in<atv12::device>(field) == of_12 and in<atv310::device>(field) == of_310 and
+           in<atv310::device_2026>(field) == of_310_2026 and in<atv320::device>(field) == of_320 and
+           in<atv28::device>(field) == of_28;
 }
 
-// Words: control and status, each with its extension, the last fault, the output frequency and speed.
+// Words: control and status, each with its extension, the last fault, the output frequency.
 STATIC_CHECK(are(&drive::cmd, 8501, 8501, 8501, 8501, 400));
 STATIC_CHECK(are(&drive::eta, 3201, 3201, 3201, 3201, 458));
 STATIC_CHECK(are(&drive::lft, 7121, 7121, 7121, 7121, 457));
 STATIC_CHECK(are(&drive::cmi, 8504, 8504, 8504, 8504, 402));
 STATIC_CHECK(are(&drive::eti, 3206, 3206, 3206, 3206, 459));
 STATIC_CHECK(are(&drive::rfr, 3202, 3202, 3202, 3202, 451));
-STATIC_CHECK(are(&drive::rfrd, 8604, 8604, 8604, 8604, 605));
 
 // The chart: 3B is drawn for all but the ATV28; a quick stop ends by itself on an ATV12 and an ATV310, while the ATV320
 // (QSTD as delivered) and the ATV28 wait for "disable voltage"; nobody has transition 16. A configuration that is
@@ -79,8 +81,43 @@ STATIC_CHECK(are(&drive::longest_silence, longest_tto, longest_tto, longest_tto,
 STATIC_CHECK(are(&drive::eeprom_time, one_look, one_look, one_look, one_look, saving));
 STATIC_CHECK(are(&drive::fails_when_cut_short, false, false, false, false, true));
 
-// The scanner's words each way; and where the ATV320 may be set to an I/O profile, by CHCF = 3.
-STATIC_CHECK(are(&drive::scanner_words, 4, 4, 8, 8, 0));
+// The scanner's words each way, NMA and NCA with their addresses, NM and NC with what they hold.
+using scanner = scanner_registers;
+STATIC_CHECK(are(&scanner::words, 4, 4, 8, 8, 0));
+STATIC_CHECK(are(&scanner::input_addresses, 12701, 12701, 12701, 12701, 0));
+STATIC_CHECK(are(&scanner::output_addresses, 12721, 12721, 12721, 12721, 0));
+STATIC_CHECK(are(&scanner::input_words, 12741, 12741, 12741, 12741, 0));
+STATIC_CHECK(are(&scanner::output_words, 12761, 12761, 12761, 12761, 0));
+
+// The cycle: ETA and RFRD, CMD and LFRD where the scanner has them as delivered, in as many words as function 23 moves, or
+// all eight where it moves too few. An ATV28 has neither: seven words up to ETA, then CMD and LFR.
+using cycle = cycle_registers;
+constexpr auto one = function_code::read_write_multiple_registers, two = function_code::write_multiple_registers;
+STATIC_CHECK(are(&cycle::by, one, one, two, one, two));
+STATIC_CHECK(are(&cycle::by_scanner, true, true, true, true, false));
+STATIC_CHECK(are(&cycle::speed, 8604, 8604, 8604, 8604, 452));
+
+/// Whether a list holds these addresses, in this order, and nothing behind them but words that are free.
+template <std::size_t Count>
+constexpr bool holds(cycle_addresses const& list, std::array<std::uint16_t, Count> const& addresses, std::size_t size)
+{
+    bool is_so = list.size() == size;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        is_so = is_so and list[i] == (i < Count ? addresses[i] : 0);
+    }
+    return is_so;
+}
+template <typename Device> constexpr bool cycles_by_scanner(std::size_t size)
+{
+    return holds(Device::cycle.reads, std::array<std::uint16_t, 2>{3201, 8604}, size) and
+           holds(Device::cycle.writes, std::array<std::uint16_t, 2>{8501, 8602}, size);
+}
+STATIC_CHECK(cycles_by_scanner<atv12::device>(4) and cycles_by_scanner<atv310::device>(4));
+STATIC_CHECK(cycles_by_scanner<atv310::device_2026>(8) and cycles_by_scanner<atv320::device>(4));
+STATIC_CHECK(holds(atv28::device::cycle.reads, std::array<std::uint16_t, 7>{452, 453, 454, 455, 456, 457, 458}, 7));
+STATIC_CHECK(holds(atv28::device::cycle.writes, std::array<std::uint16_t, 2>{400, 401}, 2));
+
+// Where the ATV320 may be set to an I/O profile, by CHCF = 3.
 STATIC_CHECK(are(&drive::chcf, 0, 0, 0, 8401, 0));
 STATIC_CHECK(io_profile == 3);
 

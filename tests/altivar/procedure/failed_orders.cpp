@@ -81,7 +81,7 @@ template <typename Device> struct pair : test::simulated_bus<drive_client<4>, De
             }
         };
         pass(milliseconds(1'000));
-        if constexpr (Device::layout.scanner_words == 0) {
+        if constexpr (Device::scanner.words == 0) {
             CHECK(loop.run(50_Hz));
         } else {
             CHECK(loop.run(1'500_rpm));

@@ -183,7 +183,7 @@ constexpr bool names_every_slot()
 {
     constexpr std::array<std::uint16_t, 1> inputs{3201};
     constexpr std::array<std::uint16_t, 2> outputs{8501, 8602};
-    scanner_procedure it{atv320::device::layout, inputs, outputs};
+    scanner_procedure it{atv320::device::layout, atv320::device::scanner, inputs, outputs};
     bool ok = reads(it.step({kind::begun}), eta);
     action next = it.step(word(0x0250));
     for (std::uint16_t slot = 0; slot < 8; ++slot) {

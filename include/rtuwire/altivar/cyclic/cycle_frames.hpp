@@ -11,7 +11,6 @@
 
 #include <rtuwire/altivar/cyclic/cycle_layout.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/table/device.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 #include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
 #include <rtuwire/wire/pdu/write_multiple_registers.hpp>
@@ -20,7 +19,7 @@
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Inputs, outputs and the request of one drive's cycle.
-template <device_type Device> class cycle_frames {
+template <drive_type Device> class cycle_frames {
     using words = cycle_layout<Device>;
 
 public:
@@ -31,7 +30,7 @@ public:
     /// Sets an output beyond command and reference, where the device has it.
     constexpr void set_output(std::size_t slot, std::uint16_t word) noexcept
     {
-        if (slot >= 2 and slot < words::outputs) {
+        if (words::is_free(slot)) {
             outputs_[slot] = word;
             in_use_ |= std::uint32_t{1} << slot;
         }
@@ -56,8 +55,8 @@ public:
     }
 
     /// The command and the reference written last.
-    [[nodiscard]] constexpr std::uint16_t command() const noexcept { return outputs_[0]; }
-    [[nodiscard]] constexpr std::uint16_t reference() const noexcept { return outputs_[1]; }
+    [[nodiscard]] constexpr std::uint16_t command() const noexcept { return outputs_[words::command_at]; }
+    [[nodiscard]] constexpr std::uint16_t reference() const noexcept { return outputs_[words::reference_at]; }
 
     /// The requests.
     constexpr byte_view read(read_holding_registers const& what) noexcept { return encoded(what); }
@@ -68,7 +67,7 @@ public:
     }
     constexpr byte_view say(std::uint16_t command) noexcept
     {
-        outputs_[0] = command;
+        outputs_[words::command_at] = command;
         return encoded(write_single_register{Device::layout.cmd, command});
     }
     constexpr byte_view write(std::uint16_t command, std::uint16_t reference) noexcept
@@ -90,8 +89,8 @@ private:
 
     constexpr register_view with(std::uint16_t command, std::uint16_t reference) noexcept
     {
-        outputs_[0] = command;
-        outputs_[1] = reference;
+        outputs_[words::command_at] = command;
+        outputs_[words::reference_at] = reference;
         for (std::size_t i = 0; i < words::outputs; ++i) {
             output_block_.set(i, outputs_[i]);
         }

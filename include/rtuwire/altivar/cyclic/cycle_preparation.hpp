@@ -12,13 +12,12 @@
 #include <rtuwire/altivar/cyclic/cycle_layout.hpp>
 #include <rtuwire/altivar/procedure/inspection/supervision.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/table/device.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// The reads of one drive, request by request.
-template <device_type Device> class cycle_preparation {
+template <drive_type Device> class cycle_preparation {
     using words = cycle_layout<Device>;
 
 public:
@@ -56,8 +55,8 @@ public:
             action_ = check_.step({event::kind::begun});
         }
         switch (stage_) {
-        case stage::inputs: return {scanner_input_addresses, words::inputs};
-        case stage::outputs: return {scanner_output_addresses, words::outputs};
+        case stage::inputs: return {words::scanner.input_addresses, words::inputs};
+        case stage::outputs: return {words::scanner.output_addresses, words::outputs};
         case stage::safeguards: break;
         }
         return {action_.address, 1};
@@ -100,18 +99,19 @@ private:
 
     constexpr void check_inputs(register_view addresses) noexcept
     {
-        constexpr drive_layout const& layout = Device::layout;
-        bool const is_right = addresses[0] == layout.eta and addresses[1] == layout.rfrd;
+        bool const is_right =
+            addresses[words::status_at] == Device::layout.eta and addresses[words::speed_at] == words::words.speed;
         finding_ = is_right ? outcome_kind::pending : outcome_kind::misconfigured;
         stage_ = stage::outputs;
     }
 
     constexpr void check_outputs(register_view addresses, std::uint32_t in_use) noexcept
     {
-        bool is_right = addresses[0] == Device::layout.cmd and addresses[1] == words::reference.address;
-        for (std::size_t slot = 2; slot < words::outputs; ++slot) {
+        bool is_right = addresses[words::command_at] == Device::layout.cmd and
+                        addresses[words::reference_at] == words::reference.address;
+        for (std::size_t slot = 0; slot < words::outputs; ++slot) {
             bool const is_in_use = ((in_use >> slot) & 1U) != 0;
-            is_right = is_right and (is_in_use or addresses[slot] == 0);
+            is_right = is_right and (is_in_use or not words::is_free(slot) or addresses[slot] == 0);
         }
         finding_ = is_right ? outcome_kind::succeeded : outcome_kind::misconfigured;
     }

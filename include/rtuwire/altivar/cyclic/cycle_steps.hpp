@@ -20,12 +20,11 @@
 #include <rtuwire/ask/commander.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/table/device.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// The requests to one drive, one by one.
-template <device_type Device> class cycle_steps {
+template <drive_type Device> class cycle_steps {
     using words = cycle_layout<Device>;
     using step = cycle_step;
 

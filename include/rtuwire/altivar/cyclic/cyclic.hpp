@@ -12,6 +12,7 @@
 
 #include <rtuwire/altivar/cyclic/cycle_steps.hpp>
 #include <rtuwire/altivar/cyclic/cyclic_options.hpp>
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/device/reference.hpp>
 #include <rtuwire/ask/commander.hpp>
 #include <rtuwire/core/time.hpp>
@@ -20,13 +21,14 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
-/// A conversation without an end: give it to a client or a bus in each pass. The scanner's first two slots must be as
-/// delivered, or set so by `configure_scanner`, and no further output slot may be active unless `set_output` was
-/// called for it. Before the first exchange, after each loss, and after each conversation of this client that could
+/// A conversation without an end: give it to a client or a bus in each pass. Where the drive's cycle
+/// uses its scanner, the slots of its words must be as delivered, or set so by `configure_scanner`, and no further
+/// output slot may be active unless `set_output` was called for it. Before the first exchange, after each loss, and after each conversation of this client that could
 /// have changed them, it reads the drive's safeguards and the scanner's addresses, some twelve requests; where they
 /// are wrong it writes nothing but the stop command to a motor it ordered to run, and `control().reason()` gives the
 /// cause.
 template <device_type Device> class cyclic : public commander {
+    static_assert(drive_check<Device>::passed);
     using words = cycle_layout<Device>;
 
 public:
@@ -38,7 +40,7 @@ public:
                                                                                       options.tolerated_misses}
     {}
 
-    /// Orders operation at a speed (a frequency on a device without scanner), negative in reverse. False, with
+    /// Orders operation at a speed (a frequency where the drive's cycle writes one), negative in reverse. False, with
     /// nothing changed, until the drive was checked, before the first exchange and after a loss; in a fault, in local
     /// control, in a quick stop, while a stop has not ended, after another conversation's stop until the drive was
     /// read again, and for a negative reference together with `run_direction::reverse`.
@@ -80,7 +82,7 @@ public:
         return is_taken;
     }
 
-    /// Sets an output word beyond the first two, where the device has it. It is written in each cycle
+    /// Sets an output word beside command and reference, where the drive's cycle has it. It is written in each cycle
     /// from then on, to whatever register the scanner's slot stands for.
     constexpr void set_output(std::size_t slot, std::uint16_t word) noexcept { steps_.frames().set_output(slot, word); }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <rtuwire/altivar/device/compact_values.hpp>
+#include <rtuwire/altivar/device/cycle_registers.hpp>
 #include <rtuwire/altivar/device/drive_layout.hpp>
 #include <rtuwire/altivar/device/family.hpp>
 #include <rtuwire/altivar/device/words.hpp>
@@ -171,7 +172,6 @@ struct device : family_device {
                                          .eti = eti.address,
                                          .rfr = rfr.address,
                                          .state_machine = {.enables_from_ready = true},
-                                         .scanner_words = 4,
                                          .safeguards = {.sll = sll.address,
                                                         .tto = tto.address,
                                                         .chcf = chcf.address,
@@ -180,6 +180,18 @@ struct device : family_device {
                                                         .flo = flo.address,
                                                         .inputs = il1i.address,
                                                         .tcc = tcc.address}};
+    static constexpr scanner_registers scanner{.input_addresses = nma1.address,
+                                               .output_addresses = nca1.address,
+                                               .input_words = nm1.address,
+                                               .output_words = nc1.address,
+                                               .words = 4};
+    /// Function 23 moves the four words of its scanner; the program may use two each way.
+    static constexpr cycle_registers cycle{.by = function_code::read_write_multiple_registers,
+                                           .reads = {eta.address, rfrd.address, 0, 0},
+                                           .writes = {cmd.address, lfrd.address, 0, 0},
+                                           .speed = rfrd.address,
+                                           .by_scanner = true};
+    static constexpr simulated_behaviour behaviour{.fast_stop = 8, .freewheel = 13};
     using registers =
         table<ncv, vcal, inv, sfr, tfr, hsp, lsp, eta, rfr, frh, lcr, eti, uln, thd, opr, rthi, pth, hmis, vdp, il1i,
               add, tbr, tfo, tto, sll, lft, cic, dp0, dp1, dp2, dp3, dp4, chcf, fr1, cd1, flo, cmd, lfr, pisp, cmi,

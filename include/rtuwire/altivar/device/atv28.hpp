@@ -10,6 +10,7 @@
 
 #include <rtuwire/altivar/device/atv28_values.hpp>
 #include <rtuwire/altivar/device/atv28_words.hpp>
+#include <rtuwire/altivar/device/cycle_registers.hpp>
 #include <rtuwire/altivar/device/drive_layout.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>
@@ -259,7 +260,6 @@ struct device {
                                          .longest_silence = milliseconds(7'000),
                                          .fails_when_cut_short = true,
                                          .eeprom_time = milliseconds(2'100),
-                                         .rfrd = 605,
                                          .cmi_orders = 0x0007,
                                          .safeguards = {.nto = 0x4000,
                                                         .fixed_timeout = milliseconds(7'000),
@@ -267,6 +267,20 @@ struct device {
                                                         .inputs = iolr.address,
                                                         .tcc = tcc.address,
                                                         .is_local_at_power_up = true}};
+    static constexpr scanner_registers scanner{}; ///< it has none
+    /// The seven words up to ETA, which are as many as it takes, by function 03; then CMD and LFR by function 16.
+    static constexpr cycle_registers cycle{
+        .by = function_code::write_multiple_registers,
+        .reads = {spd.address, lcr.address, uln.address, thr.address, thd.address, lft.address, eta.address},
+        .writes = {cmd.address, lfr.address},
+        .speed = spd.address};
+    static constexpr simulated_behaviour behaviour{.eeprom_work = milliseconds(2'000),
+                                                   .is_silent_while_saving = true,
+                                                   .clears_eeprom_orders = true,
+                                                   .forgets_orders_on_loss = true,
+                                                   .sets_line_at_power_up = true,
+                                                   .extended_status_bits = 0xF9FA,
+                                                   .input_bits = 0x000F};
     /// The registers that identify it, without function 43.
     struct nameplate {
         template <typename Device> using plan = read_plan<Device, cpu, ncv, vcal, inv>;

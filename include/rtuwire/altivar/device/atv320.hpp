@@ -6,6 +6,7 @@
 #pragma once
 
 #include <rtuwire/altivar/device/atv320_values.hpp>
+#include <rtuwire/altivar/device/cycle_registers.hpp>
 #include <rtuwire/altivar/device/drive_layout.hpp>
 #include <rtuwire/altivar/device/family.hpp>
 #include <rtuwire/altivar/device/words.hpp>
@@ -230,7 +231,6 @@ struct device : family_device {
                                          .eti = eti.address,
                                          .rfr = rfr.address,
                                          .state_machine = {.enables_from_ready = true, .quick_stop_waits = true},
-                                         .scanner_words = 8,
                                          .chcf = chcf.address,
                                          .safeguards = {.sll = sll.address,
                                                         .tto = tto.address,
@@ -242,6 +242,17 @@ struct device : family_device {
                                                         .dotd = dotd.address,
                                                         .inputs = il1r.address,
                                                         .tcc = tcc.address}};
+    static constexpr scanner_registers scanner{.input_addresses = nma1.address,
+                                               .output_addresses = nca1.address,
+                                               .input_words = nm1.address,
+                                               .output_words = nc1.address,
+                                               .words = 8};
+    /// Function 23 moves the first four words of its scanner; the program may use two each way.
+    static constexpr cycle_registers cycle{.by = function_code::read_write_multiple_registers,
+                                           .reads = {eta.address, rfrd.address, 0, 0},
+                                           .writes = {cmd.address, lfrd.address, 0, 0},
+                                           .speed = rfrd.address,
+                                           .by_scanner = true};
     using registers = table<ncv, vcal, inv, sfr, tfr, hsp, lsp, eta, rfr, frh, lcr, otr, eti, uln, uop, thd, opr, rth,
                             pth, hmis, vdp, il1r, add, tbr, tfo, tto, sll, lft, atr, cic, dp0, dp1, dp2, dp3, dp4, dp5,
                             dp6, dp7, dp8, chcf, fr1, fr2, cd1, cd2, flo, cmd, lfr, pisp, cmi, lfrd, etad, rfrd, frhd,

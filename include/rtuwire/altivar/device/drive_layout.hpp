@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // What a controller needs to know of a drive beyond its registers: where its words are and how its state machine
-// differs. Each device carries one as data, so that no conversation depends on a model's name.
+// differs; and what a simulated drive does besides. Each device carries it as data, so that no conversation depends on
+// a model's name.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +32,6 @@ inline constexpr std::uint16_t save_bit = 0x0002; ///< of CMI
 
 /// The registers with a drive's reaction to a lost link, its channels of command and reference, and its automatic
 /// restart. Address 0: the drive has no such register.
-/// Internal.
 struct safeguard_layout {
     std::uint16_t sll{0};             ///< reaction to a lost link
     std::uint16_t tto{0};             ///< time-out, 0.1 s
@@ -48,8 +48,8 @@ struct safeguard_layout {
     bool is_local_at_power_up{false}; ///< terminals command until the link does
 };
 
-/// Addresses and behaviour of one device.
-/// Internal.
+/// Addresses and behaviour of one drive, as a controller has to know them. Its scanner and its cycle are in
+/// altivar/device/cycle_registers.hpp.
 struct drive_layout {
     std::uint16_t cmd; ///< control word
     std::uint16_t eta; ///< status word
@@ -69,11 +69,24 @@ struct drive_layout {
     duration longest_silence{milliseconds(30'000)}; ///< without a request until it trips; the most that can be set
     bool fails_when_cut_short{false};       ///< trips where a second request comes before its response to the first
     duration eeprom_time{milliseconds(50)}; ///< without communication while it saves
-    std::uint8_t scanner_words{0};          ///< slots each way; 0: has no scanner
-    std::uint16_t rfrd{8604};               ///< output speed, which a scanner shows as delivered
     std::uint16_t cmi_orders{0x0003};       ///< the bits of CMI that do something: factory settings, save
     std::uint16_t chcf{0};                  ///< the register of its I/O profile; 0: has none
     safeguard_layout safeguards{};
+};
+
+/// What a simulated drive does besides, which no controller has to know: a drive that differs from an ATV320 here has
+/// `static constexpr simulated_behaviour behaviour{...}`.
+struct simulated_behaviour {
+    duration eeprom_work{milliseconds(100)};    ///< the time that an order in CMI takes
+    bool is_silent_while_saving{false};         ///< it receives nothing in this time
+    bool clears_eeprom_orders{false};           ///< their bits in CMI are 0 after it
+    bool forgets_orders_on_loss{false};         ///< even where it restarts by itself
+    bool sets_line_at_power_up{false};          ///< a new bit rate or format waits for that
+    std::uint16_t extended_status_bits{0xFFFF}; ///< the bits of ETI that it has
+    std::uint16_t input_bits{0xFFFF};           ///< the bits of `safeguards.inputs` that are inputs
+    std::uint16_t fast_stop{1};                 ///< STT, the normal stop: by the fast ramp
+    std::uint16_t freewheel{2};                 ///< without power
+    std::uint16_t dc_injection{3};              ///< by DC injection; another value: on the ramp
 };
 
 /// CHCF of a drive whose control word runs and reverses by single bits.

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include <rtuwire/altivar/device/drive_layout.hpp>
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/setting.hpp>
@@ -41,6 +42,7 @@ struct reference_write {
 
 /// A reference for one device: 1500_rpm or 50_Hz; a negative one is in reverse.
 template <device_type Device> class reference {
+    static_assert(parts_check<Device>::passed);
     using speed = setting<Device::speed_reference>;
     using hertz_setting = setting<Device::frequency_reference>;
 

@@ -98,7 +98,7 @@ private:
     static constexpr std::uint16_t reference_by_modbus = 164;               ///< FR1
     static constexpr std::uint16_t command_by_modbus = 10;                  ///< CD1
     static constexpr std::uint16_t first_input = 129, first_inverted = 145; ///< FLO: LI1, L1L
-    static constexpr std::uint16_t forces_local = 17;                       ///< LI3 and LI4, ATV28
+    static constexpr std::uint16_t forces_local = 17;                       ///< LI3 and LI4
 
     /// With CHCF 1 the reference's channel also commands, whatever CD1 holds.
     constexpr bool commands_by_link() const noexcept

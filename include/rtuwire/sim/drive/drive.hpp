@@ -29,8 +29,8 @@ template <device_type Device> class drive : public drive_bank<Device> {
     using base = drive_bank<Device>;
     using base::analog_;
     using base::at;
+    using base::behaviour;
     using base::control_;
-    using base::layout;
     using base::line_;
     using base::link_watchdog_;
     using base::memory_;
@@ -131,10 +131,10 @@ public:
     /// How often the EEPROM was written.
     [[nodiscard]] constexpr std::uint32_t eeprom_writes() const noexcept { return memory_.writes(); }
 
-    /// Whether it receives nothing at all: an ATV28 while its EEPROM is busy.
+    /// Whether it receives nothing at all: some drives while their EEPROM is busy.
     [[nodiscard]] constexpr bool is_silent() const noexcept
     {
-        return memory_.is_busy() and not layout.shows_eeprom_access;
+        return memory_.is_busy() and behaviour.is_silent_while_saving;
     }
 
     /// The unit address that it receives; with 0 it receives broadcasts only.
@@ -151,7 +151,7 @@ private:
             control_.abandon();
         } else if (is_fault(how)) {
             trip(link_fault);
-            if (set().restarts_by_itself() and at.has(at.sll)) { // an ATV28 forgets its orders in any case
+            if (set().restarts_by_itself() and not behaviour.forgets_orders_on_loss) {
                 return;
             }
             control_.forget_command();

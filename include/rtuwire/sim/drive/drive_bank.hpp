@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <rtuwire/altivar/device/scanner.hpp>
 #include <rtuwire/cia402/state.hpp>
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
@@ -85,8 +84,8 @@ public:
     [[nodiscard]] constexpr std::uint16_t word(literal code) const noexcept { return word_at(registers::at(code)); }
 
 private:
-    static constexpr scanner<Device> inputs{altivar::scanner_input_words, altivar::scanner_input_addresses};
-    static constexpr scanner<Device> outputs{altivar::scanner_output_words, altivar::scanner_output_addresses};
+    static constexpr scanner_half<Device> inputs{Device::scanner.input_words, Device::scanner.input_addresses};
+    static constexpr scanner_half<Device> outputs{Device::scanner.output_words, Device::scanner.output_addresses};
 
     constexpr errc check_word(std::size_t place, std::uint16_t word) const noexcept
     {

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include <rtuwire/altivar/device/drive_layout.hpp>
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/cia402/state.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
@@ -40,6 +41,7 @@ public:
 protected:
     using registers = image<Device>;
     static constexpr altivar::drive_layout const& layout = Device::layout;
+    static constexpr altivar::simulated_behaviour const& behaviour = altivar::behaviour_of<Device>;
     static constexpr register_index<Device> at{};
 
     constexpr void power_up(instant now) noexcept
@@ -57,7 +59,7 @@ protected:
     constexpr void arrange() noexcept
     {
         control_.choose(channels<Device>{registers_}.choose(terminals_));
-        if (not at.has(at.bdr)) { // an ATV28 changes its rate at power-up only
+        if (not behaviour.sets_line_at_power_up) {
             line_ = set().line();
         }
     }

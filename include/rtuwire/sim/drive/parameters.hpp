@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/drive/control.hpp>
@@ -89,14 +90,14 @@ public:
     [[nodiscard]] constexpr duration time_out() const noexcept
     {
         if (not at.has(at.tto)) {
-            bool const is_ignored = (get(at.cmi) & unsupervised) != 0;
-            return is_ignored ? duration{} : Device::silence.factory;
+            bool const is_ignored = (get(at.cmi) & at.guards.nto) != 0;
+            return is_ignored ? duration{} : at.guards.fixed_timeout;
         }
         bool const is_ignored = reaction_to_loss() == loss_reaction::ignore;
         return is_ignored ? duration{} : milliseconds(100) * registers_.get(at.tto);
     }
 
-    /// The reaction to a lost link (SLL); freewheel on an ATV28.
+    /// The reaction to a lost link (SLL); freewheel where it cannot be set.
     [[nodiscard]] constexpr loss_reaction reaction_to_loss() const noexcept
     {
         return at.has(at.sll) ? static_cast<loss_reaction>(get(at.sll)) : loss_reaction::freewheel;
@@ -115,15 +116,14 @@ public:
         return at.has(at.dotd) and get(at.dotd) == 0;
     }
 
-    /// How STT sets a motor to stop. The numbers of the compact drives and of the ATV320 do not overlap.
+    /// How STT sets a motor to stop.
     [[nodiscard]] constexpr stopping as_set() const noexcept
     {
-        switch (get(at.stt)) {
-        case 1:
-        case 8: return stopping::fast;
-        case 2:
-        case 13: return stopping::freewheel;
-        case 3: return stopping::injection;
+        constexpr altivar::simulated_behaviour const& numbers = altivar::behaviour_of<Device>;
+        switch (registers_.get(at.stt)) {
+        case numbers.fast_stop: return stopping::fast;
+        case numbers.freewheel: return stopping::freewheel;
+        case numbers.dc_injection: return stopping::injection;
         default: return stopping::ramp;
         }
     }
@@ -134,13 +134,10 @@ public:
         return {registers_.get(at.has(at.bdr) ? at.bdr : at.tbr), registers_.get(at.tfo)};
     }
 
-    /// The CMI bit that switches off link supervision on an ATV28 (NTO).
-    static constexpr std::uint16_t unsupervised = 0x4000;
-
 private:
     [[nodiscard]] constexpr std::int32_t get(std::size_t place) const noexcept { return registers_.get(place); }
 
-    /// What one count of ACC and DEC is, in us: INR 0, 1 and 2 on an ATV320, 0.1 s elsewhere.
+    /// What one count of ACC and DEC is, in us: INR 0, 1 and 2 where a drive has it, else 0.1 s.
     constexpr std::int64_t ramp_step() const noexcept
     {
         if (not at.has(at.inr)) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include <rtuwire/altivar/device/drive_layout.hpp>
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/cia402/state.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/drive/channels.hpp>
@@ -54,13 +55,12 @@ struct appearance {
     return static_cast<std::uint16_t>(word);
 }
 
-/// The extended status word, ETI. An ATV28 has fewer bits, and its others stay 0.
+/// The extended status word, ETI. Bits that the drive does not have stay 0.
 [[nodiscard]] constexpr std::uint16_t extended_status_of(appearance const& seen, motor const& shaft,
-                                                         altivar::drive_layout const& layout) noexcept
+                                                         std::uint16_t bits) noexcept
 {
     constexpr unsigned memory = 0, fault_is_gone = 2, motor_turns = 4, injects = 5, changes = 6, accelerates = 9,
                        slows = 10, by_link = 14, backwards = 15;
-    constexpr std::uint32_t later_drives = 1U << memory | 1U << fault_is_gone | 1U << accelerates | 1U << slows;
     bool const may_reset = cia402::is_in_fault(seen.state) and not seen.has_cause;
     bool const is_changing = shaft.is_accelerating() or shaft.is_decelerating();
     std::uint32_t word = 0;
@@ -73,7 +73,7 @@ struct appearance {
     word |= (shaft.is_decelerating() ? 1U : 0U) << slows;
     word |= (seen.is_by_link ? 1U : 0U) << by_link;
     word |= (seen.is_backwards ? 1U : 0U) << backwards;
-    return static_cast<std::uint16_t>(layout.shows_eeprom_access ? word : word & ~later_drives);
+    return static_cast<std::uint16_t>(word & bits);
 }
 
 /// The state of the product, HMIS.
@@ -89,7 +89,7 @@ struct appearance {
     return shaft.is_accelerating() ? accelerates : shaft.is_decelerating() ? slows : runs;
 }
 
-/// The threshold bits of an ATV28, ETI2.
+/// The threshold bits, ETI2.
 template <device_type Device>
 [[nodiscard]] constexpr std::uint16_t thresholds_of(image<Device> const& registers, appearance const& seen,
                                                     motor const& shaft) noexcept
@@ -125,7 +125,7 @@ constexpr void update_status_registers(image<Device>& registers, appearance cons
     std::uint16_t const status = status_word_of(seen, shaft, Device::layout);
     registers.put(at.eta, status);
     registers.put(at.etad, status);
-    registers.put(at.eti, extended_status_of(seen, shaft, Device::layout));
+    registers.put(at.eti, extended_status_of(seen, shaft, altivar::behaviour_of<Device>.extended_status_bits));
     registers.put(at.eti2, thresholds_of(registers, seen, shaft));
     registers.put(at.hmis, product_state_of(seen, shaft));
     put_either(registers, at.rfr, turning / 100);
@@ -143,15 +143,13 @@ constexpr void update_status_registers(image<Device>& registers, appearance cons
     registers.put(at.thd, shaft.thermal_state() / 2);
 }
 
-/// The logic inputs; the image of an ATV28 has outputs beside its four inputs.
+/// The logic inputs; the image of some drives has outputs beside them.
 template <device_type Device>
 constexpr void show_inputs(image<Device>& registers, logic_inputs const& terminals) noexcept
 {
     constexpr register_index<Device> at{};
-    constexpr std::uint32_t four = 0x000F;
-    registers.put(at.il1r, terminals.image());
-    registers.put(at.il1i, terminals.image());
-    registers.put(at.iolr, (registers.get(at.iolr) & ~four) | (terminals.image() & four));
+    constexpr std::uint32_t bits = altivar::behaviour_of<Device>.input_bits;
+    registers.put(at.inputs, (registers.get(at.inputs) & ~bits) | (terminals.image() & bits));
 }
 
 } // namespace rtuwire::sim

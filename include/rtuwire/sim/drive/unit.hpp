@@ -8,10 +8,12 @@
 #include <cstdint>
 #include <optional>
 
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/sim/drive/drive.hpp>
+#include <rtuwire/sim/drive/drive_needs.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
@@ -38,6 +40,9 @@ template <device_type Device> struct line_profile {
 
 /// A drive on a line. Call `receive`, `sent` and `advance` as for a server; then send what `poll_transmit` returns.
 template <device_type Device> class unit {
+    static_assert(altivar::drive_check<Device>::passed);
+    static_assert(drive_needs<Device>::met);
+
 public:
     constexpr unit(unit_id address, line_timing const& line, instant now) noexcept
         : unit{address, line, now, line_profile<Device>::value}

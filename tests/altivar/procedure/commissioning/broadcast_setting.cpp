@@ -17,20 +17,24 @@ using namespace rtuwire::altivar;
 namespace {
 
 // What runs, redirects, readdresses or reassigns is not for all; ramps, limits and time-outs are.
-STATIC_CHECK(not is_for_everyone<atv320::cmd>() and not is_for_everyone<atv12::cmdd>());
-STATIC_CHECK(not is_for_everyone<atv320::lfr>() and not is_for_everyone<atv320::lfrd>());
-STATIC_CHECK(not is_for_everyone<atv320::pisp>() and not is_for_everyone<atv28::rpi>());
-STATIC_CHECK(not is_for_everyone<atv320::cmi>() and not is_for_everyone<atv28::cmi>());
-STATIC_CHECK(not is_for_everyone<atv320::chcf>() and not is_for_everyone<atv320::cd1>());
-STATIC_CHECK(not is_for_everyone<atv320::cd2>() and not is_for_everyone<atv320::fr2>());
-STATIC_CHECK(not is_for_everyone<atv320::fr1>() and not is_for_everyone<atv320::flo>());
-STATIC_CHECK(not is_for_everyone<atv320::add>() and not is_for_everyone<atv320::tbr>());
-STATIC_CHECK(not is_for_everyone<atv320::tfo>() and not is_for_everyone<atv28::bdr>());
-STATIC_CHECK(not is_for_everyone<atv28::tcc>() and not is_for_everyone<atv28::li4>());
-STATIC_CHECK(not is_for_everyone<atv320::nc1>() and not is_for_everyone<atv320::nca8>());
-STATIC_CHECK(not is_for_everyone<atv320::nma1>() and not is_for_everyone<atv320::nc8>());
-STATIC_CHECK(is_for_everyone<atv12::acc>() and is_for_everyone<atv320::hsp>());
-STATIC_CHECK(is_for_everyone<atv320::tto>() and is_for_everyone<atv28::dec>());
+STATIC_CHECK(not is_for_everyone<atv320::device, atv320::cmd>() and not is_for_everyone<atv12::device, atv12::cmdd>());
+STATIC_CHECK(not is_for_everyone<atv320::device, atv320::lfr>() and
+             not is_for_everyone<atv320::device, atv320::lfrd>());
+STATIC_CHECK(not is_for_everyone<atv320::device, atv320::pisp>() and not is_for_everyone<atv28::device, atv28::rpi>());
+STATIC_CHECK(not is_for_everyone<atv320::device, atv320::cmi>() and not is_for_everyone<atv28::device, atv28::cmi>());
+STATIC_CHECK(not is_for_everyone<atv320::device, atv320::chcf>() and
+             not is_for_everyone<atv320::device, atv320::cd1>());
+STATIC_CHECK(not is_for_everyone<atv320::device, atv320::cd2>() and not is_for_everyone<atv320::device, atv320::fr2>());
+STATIC_CHECK(not is_for_everyone<atv320::device, atv320::fr1>() and not is_for_everyone<atv320::device, atv320::flo>());
+STATIC_CHECK(not is_for_everyone<atv320::device, atv320::add>() and not is_for_everyone<atv320::device, atv320::tbr>());
+STATIC_CHECK(not is_for_everyone<atv320::device, atv320::tfo>() and not is_for_everyone<atv28::device, atv28::bdr>());
+STATIC_CHECK(not is_for_everyone<atv28::device, atv28::tcc>() and not is_for_everyone<atv28::device, atv28::li4>());
+STATIC_CHECK(not is_for_everyone<atv320::device, atv320::nc1>() and
+             not is_for_everyone<atv320::device, atv320::nca8>());
+STATIC_CHECK(not is_for_everyone<atv320::device, atv320::nma1>() and
+             not is_for_everyone<atv320::device, atv320::nc8>());
+STATIC_CHECK(is_for_everyone<atv12::device, atv12::acc>() and is_for_everyone<atv320::device, atv320::hsp>());
+STATIC_CHECK(is_for_everyone<atv320::device, atv320::tto>() and is_for_everyone<atv28::device, atv28::dec>());
 
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
 constexpr losing_control_and_address knowingly{};

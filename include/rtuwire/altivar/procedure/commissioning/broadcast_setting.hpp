@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/procedure/commissioning/restore_factory_settings.hpp>
 #include <rtuwire/ask/access.hpp>
 #include <rtuwire/ask/single_request.hpp>
@@ -27,10 +28,10 @@ inline constexpr literal not_for_everyone[]{"CMD", "CMDD", "LFR", "LFRD", "PISP"
 
 /// Whether a register may be written to all drives at once.
 /// Internal.
-template <auto const& R> [[nodiscard]] consteval bool is_for_everyone() noexcept
+template <device_type Device, auto const& R> [[nodiscard]] consteval bool is_for_everyone() noexcept
 {
-    constexpr std::uint16_t scanner = 127; // NMA, NCA, NM and NC
-    bool is_named = R.address / 100 == scanner;
+    constexpr drive_layout const& layout = drive_check<Device>::layout;
+    bool is_named = Device::scanner.has(R.address) or R.address == layout.cmd or R.address == layout.cmi;
     for (literal const each : not_for_everyone) {
         is_named = is_named or each == R.code;
     }
@@ -42,7 +43,8 @@ template <auto const& R> [[nodiscard]] consteval bool is_for_everyone() noexcept
 template <device_type Device, auto const& R> [[nodiscard]] constexpr auto broadcast_setting(setting<R> value) noexcept
 {
     static_assert(is_writable<R, Device>());
-    static_assert(is_for_everyone<R>(), "a command, a channel or an address is not written to all drives at once");
+    static_assert(is_for_everyone<Device, R>(),
+                  "a command, a channel or an address is not written to all drives at once");
     static_assert(has_own_steps<R>, "another register sets this register's steps: name them with restepped");
     static_assert(implements<Device>(function_code::write_single_register),
                   "this device does not implement function 06");
@@ -53,9 +55,10 @@ template <device_type Device, auto const& R> [[nodiscard]] constexpr auto broadc
 /// an order, to save for example, does not compile without `losing_control_and_address`.
 template <device_type Device, std::uint16_t Word> [[nodiscard]] constexpr auto broadcast_extended_command() noexcept
 {
-    static_assert((Word & Device::layout.cmi_orders) == 0, "this word orders factory settings, a save or a recall: say "
-                                                           "losing_control_and_address");
-    return single_request{broadcast, write_single_register{Device::layout.cmi, Word}};
+    static_assert((Word & drive_check<Device>::layout.cmi_orders) == 0,
+                  "this word orders factory settings, a save or a recall: say "
+                  "losing_control_and_address");
+    return single_request{broadcast, write_single_register{drive_check<Device>::layout.cmi, Word}};
 }
 
 /// The same with orders. **The caller must know that every drive on the line stands**, and that no run input is closed:
@@ -64,7 +67,7 @@ template <device_type Device, std::uint16_t Word> [[nodiscard]] constexpr auto b
 template <device_type Device, std::uint16_t Word>
 [[nodiscard]] constexpr auto broadcast_extended_command(losing_control_and_address) noexcept
 {
-    return single_request{broadcast, write_single_register{Device::layout.cmi, Word}};
+    return single_request{broadcast, write_single_register{drive_check<Device>::layout.cmi, Word}};
 }
 
 } // namespace rtuwire::altivar

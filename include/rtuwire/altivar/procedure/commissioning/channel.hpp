@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/procedure/inspection/at_rest.hpp>
 #include <rtuwire/altivar/procedure/procedure_runner.hpp>
 #include <rtuwire/core/version.hpp>
@@ -32,7 +33,7 @@ using channel_words = std::array<channel_word, 4>;
 
 /// The channels that a drive shall have; a setting that is not named stays as it is.
 template <device_type Device> class channel_settings {
-    static constexpr safeguard_layout const& at = Device::layout.safeguards;
+    static constexpr safeguard_layout const& at = drive_check<Device>::layout.safeguards;
     static constexpr std::array order{at.fr1, at.cd1, at.chcf, at.flo};
 
     template <auto const& R> static constexpr std::size_t place_of() noexcept
@@ -294,7 +295,7 @@ public:
     template <device_type Device>
     constexpr set_channel(station<Device> const& drive, channel_settings<Device> const& wanted,
                           terminal_options const& options = {}, duration limit = milliseconds(10'000)) noexcept
-        : procedure_runner{drive.unit(), channel_procedure{Device::layout, wanted.words(), options}, limit}
+        : procedure_runner{drive.unit(), channel_procedure{drive_check<Device>::layout, wanted.words(), options}, limit}
     {}
 
     /// The register that the outcome is about; 0 for none.

@@ -10,7 +10,8 @@
 #include <cstdint>
 #include <span>
 
-#include <rtuwire/altivar/device/scanner.hpp>
+#include <rtuwire/altivar/device/cycle_registers.hpp>
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/procedure/procedure_runner.hpp>
 #include <rtuwire/ask/access.hpp>
 #include <rtuwire/core/version.hpp>
@@ -48,8 +49,9 @@ class scanner_procedure : public procedure {
 public:
     using addresses = std::span<std::uint16_t const>;
 
-    constexpr scanner_procedure(drive_layout const& layout, addresses inputs, addresses outputs) noexcept
-        : procedure{layout}, inputs_{inputs}, outputs_{outputs}
+    constexpr scanner_procedure(drive_layout const& layout, scanner_registers const& scanner, addresses inputs,
+                                addresses outputs) noexcept
+        : procedure{layout}, scanner_{&scanner}, inputs_{inputs}, outputs_{outputs}
     {}
 
     constexpr action step(event const& what) noexcept
@@ -72,18 +74,19 @@ public:
 private:
     constexpr action write_slot() noexcept
     {
-        std::size_t const slot_count = layout().scanner_words;
+        std::size_t const slot_count = scanner_->words;
         if (at_ == 2 * slot_count) {
             return end(outcome_kind::succeeded);
         }
         bool const is_input = at_ < slot_count;
         std::size_t const slot = is_input ? at_ : at_ - slot_count;
         addresses const chosen = is_input ? inputs_ : outputs_;
-        std::uint16_t const first = is_input ? scanner_input_addresses : scanner_output_addresses;
+        std::uint16_t const first = is_input ? scanner_->input_addresses : scanner_->output_addresses;
         return to_rearrange(static_cast<std::uint16_t>(first + slot),
                             slot < chosen.size() ? chosen[slot] : std::uint16_t{0});
     }
 
+    scanner_registers const* scanner_;
     addresses inputs_;
     addresses outputs_;
     std::size_t at_{0};
@@ -95,11 +98,13 @@ template <typename Inputs, typename Outputs> class configure_scanner : public pr
 public:
     template <device_type Device>
     explicit constexpr configure_scanner(station<Device> const& drive, duration limit = milliseconds(5'000)) noexcept
-        : procedure_runner{drive.unit(), scanner_procedure{Device::layout, Inputs::addresses, Outputs::addresses},
-                           limit}
+        : procedure_runner{
+              drive.unit(),
+              scanner_procedure{drive_check<Device>::layout, Device::scanner, Inputs::addresses, Outputs::addresses},
+              limit}
     {
-        static_assert(Device::layout.scanner_words > 0, "this device has no scanner");
-        static_assert(Inputs::count <= Device::layout.scanner_words and Outputs::count <= Device::layout.scanner_words,
+        static_assert(Device::scanner.words > 0, "this device has no scanner");
+        static_assert(Inputs::count <= Device::scanner.words and Outputs::count <= Device::scanner.words,
                       "this device's scanner has fewer words");
         static_assert(Inputs::template are_of<Device> and Outputs::template are_of<Device>,
                       "this device has no such register");

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/procedure/inspection/at_rest.hpp>
 #include <rtuwire/altivar/procedure/procedure_runner.hpp>
 #include <rtuwire/core/version.hpp>
@@ -110,9 +111,9 @@ public:
     template <device_type Device>
     explicit constexpr recall_from_eeprom(station<Device> const& drive, terminal_options const& options = {},
                                           duration limit = milliseconds(8'000)) noexcept
-        : procedure_runner{drive.unit(), recall_procedure{Device::layout, options}, limit}
+        : procedure_runner{drive.unit(), recall_procedure{drive_check<Device>::layout, options}, limit}
     {
-        static_assert((Device::layout.cmi_orders & recall_bit) != 0,
+        static_assert((drive_check<Device>::layout.cmi_orders & recall_bit) != 0,
                       "this device cannot recall its saved settings over the line");
     }
 };

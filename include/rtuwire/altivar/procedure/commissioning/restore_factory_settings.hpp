@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/procedure/inspection/at_rest.hpp>
 #include <rtuwire/altivar/procedure/procedure_runner.hpp>
 #include <rtuwire/core/version.hpp>
@@ -94,7 +95,7 @@ public:
     constexpr restore_factory_settings(station<Device> const& drive, losing_control_and_address,
                                        terminal_options const& options = {},
                                        duration limit = milliseconds(5'000)) noexcept
-        : procedure_runner{drive.unit(), factory_procedure{Device::layout, options}, limit}
+        : procedure_runner{drive.unit(), factory_procedure{drive_check<Device>::layout, options}, limit}
     {}
 
     /// Refused: the statement is missing.

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/procedure/procedure_runner.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
@@ -119,7 +120,7 @@ class save_to_eeprom : public procedure_runner<save_procedure> {
 public:
     template <device_type Device>
     explicit constexpr save_to_eeprom(station<Device> const& drive, duration limit = milliseconds(5'000)) noexcept
-        : procedure_runner{drive.unit(), save_procedure{Device::layout}, limit}
+        : procedure_runner{drive.unit(), save_procedure{drive_check<Device>::layout}, limit}
     {}
 };
 

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/procedure/inspection/safeguard_words.hpp>
 #include <rtuwire/altivar/procedure/inspection/supervision_report.hpp>
 #include <rtuwire/altivar/procedure/procedure_runner.hpp>
@@ -163,7 +164,7 @@ public:
     template <device_type Device>
     explicit constexpr check_supervision(station<Device> const& drive, supervision_options const& options = {},
                                          duration limit = milliseconds(10'000)) noexcept
-        : procedure_runner{drive.unit(), supervision_procedure{Device::layout, options}, limit}
+        : procedure_runner{drive.unit(), supervision_procedure{drive_check<Device>::layout, options}, limit}
     {}
 
     /// Whether the drive may be ordered, accepted risks included.

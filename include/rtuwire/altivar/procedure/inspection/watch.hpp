@@ -11,6 +11,7 @@
 #include <optional>
 
 #include <rtuwire/altivar/device/drive_layout.hpp>
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/cia402/state.hpp>
 #include <rtuwire/core/time.hpp>
@@ -23,7 +24,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// How often a drive is read.
 struct watch_options {
-    /// From one round to the next; a round is two requests.
+    /// From one round to the next; a round is two requests, or three where the registers stand apart.
     duration period{milliseconds(500)};
     /// How many rounds in a row may fail before the link counts as lost.
     std::uint8_t tolerated_misses{1};
@@ -33,6 +34,7 @@ struct watch_options {
 /// round; a round that fails leaves them as they are. **Its requests hold off the drive's own time-out** as any others
 /// do: a drive whose controller is gone keeps running while it is watched.
 template <device_type Device> class watch : public asker {
+    static_assert(drive_check<Device>::passed);
     static constexpr drive_layout const& layout = Device::layout;
 
 public:
@@ -57,7 +59,7 @@ public:
     {
         auto const word = static_cast<std::int16_t>(seen_[frequency_at]);
         bool const turns_back = (status() & runs_backwards_bit) != 0;
-        // An ATV28 reports the magnitude only.
+        // Some drives report the magnitude only.
         bool const is_size_of_reverse = turns_back and word > 0;
         return signed_decihertz{is_size_of_reverse ? static_cast<std::int16_t>(-word) : word};
     }
@@ -138,17 +140,23 @@ private:
     };
 
     static constexpr bool has_frequency_next = layout.rfr == layout.eta + 1;
-    static constexpr bool has_fault_before = layout.lft + 1 == layout.eta;
-    static_assert(has_frequency_next or has_fault_before, "a round is two requests");
+    static constexpr bool has_fault_before = not has_frequency_next and layout.lft + 1 == layout.eta;
+    static constexpr bool is_apart = not has_frequency_next and not has_fault_before;
 
-    /// Either RFR follows ETA and LFT is separate, or LFT precedes ETA and RFR is separate.
-    static constexpr std::size_t block_count = 2;
-    static constexpr std::array<block, block_count> blocks{
-        has_frequency_next ? block{layout.eta, 2} : block{layout.lft, 2},
-        has_frequency_next ? block{layout.lft, 1} : block{layout.rfr, 1}};
-    static constexpr std::size_t status_at = has_frequency_next ? 0 : 1;
-    static constexpr std::size_t frequency_at = has_frequency_next ? 1 : 2;
-    static constexpr std::size_t fault_at = has_frequency_next ? 2 : 0;
+    /// RFR follows ETA and LFT is separate, or LFT precedes ETA and RFR is separate, or all are.
+    static constexpr std::size_t block_count = is_apart ? 3 : 2;
+    static constexpr std::size_t status_at = has_fault_before ? 1 : 0;
+    static constexpr std::size_t frequency_at = has_fault_before ? 2 : 1;
+    static constexpr std::size_t fault_at = has_fault_before ? 0 : 2;
+    static constexpr std::array<block, block_count> blocks = [] {
+        if constexpr (is_apart) {
+            return std::array{block{layout.eta, 1}, block{layout.rfr, 1}, block{layout.lft, 1}};
+        } else if constexpr (has_fault_before) {
+            return std::array{block{layout.lft, 2}, block{layout.rfr, 1}};
+        } else {
+            return std::array{block{layout.eta, 2}, block{layout.lft, 1}};
+        }
+    }();
 
     constexpr errc take(byte_view pdu) noexcept
     {
@@ -157,7 +165,7 @@ private:
         if (pdu.size() != words_from + 2 * count) {
             return errc::wrong_length;
         }
-        std::size_t const first = at_ == 0 ? 0 : blocks[0].count;
+        std::size_t const first = at_ == 0 ? 0 : at_ + blocks[0].count - 1;
         for (std::size_t i = 0; i < count; ++i) {
             incoming_[first + i] = u16_at(pdu, words_from + 2 * i);
         }

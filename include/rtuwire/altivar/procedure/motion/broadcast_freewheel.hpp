@@ -5,6 +5,7 @@
 // shows whether it was obeyed. altivar/procedure/motion/broadcast_stop.hpp does that, too.
 #pragma once
 
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/cia402/command.hpp>
 #include <rtuwire/core/version.hpp>
@@ -18,8 +19,8 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// voltage". The motors coast. A line with ATV28 and later drives needs one of each.
 template <device_type Device> [[nodiscard]] constexpr auto broadcast_freewheel() noexcept
 {
-    return single_request{broadcast,
-                          write_single_register{Device::layout.cmd, cia402::word_of(cia402::command::disable_voltage)}};
+    return single_request{broadcast, write_single_register{drive_check<Device>::layout.cmd,
+                                                           cia402::word_of(cia402::command::disable_voltage)}};
 }
 
 } // namespace rtuwire::altivar

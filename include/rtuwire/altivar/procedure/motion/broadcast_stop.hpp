@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
 #include <rtuwire/ask/commander.hpp>
 #include <rtuwire/core/version.hpp>
@@ -226,14 +227,14 @@ private:
                              station<Device> const&... drives) noexcept
         : stops_{stop{drives, rounds.coasts() ? stop_by::freewheel : stop_by::quick_stop, options.limit,
                       options.known}...},
-          fails_when_cut_{Device::layout.fails_when_cut_short...}, rounds_{rounds}, options_{options}
+          fails_when_cut_{drive_check<Device>::layout.fails_when_cut_short...}, rounds_{rounds}, options_{options}
     {}
 
     template <device_type... Device>
     static constexpr broadcast_rounds rounds_of(broadcast_stop_options const& options) noexcept
     {
         broadcast_rounds rounds{options};
-        (rounds.add(Device::layout), ...);
+        (rounds.add(drive_check<Device>::layout), ...);
         return rounds;
     }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/device/reference.hpp>
 #include <rtuwire/altivar/procedure/procedure_runner.hpp>
 #include <rtuwire/core/version.hpp>
@@ -141,7 +142,7 @@ public:
     template <device_type Device>
     constexpr change_reference(station<Device> const& drive, std::type_identity_t<reference<Device>> const& to,
                                duration limit = milliseconds(30'000)) noexcept
-        : procedure_runner{drive.unit(), reference_procedure{Device::layout, to.write()}, limit}
+        : procedure_runner{drive.unit(), reference_procedure{drive_check<Device>::layout, to.write()}, limit}
     {}
 };
 

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/procedure/procedure_runner.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
@@ -105,7 +106,7 @@ class reset_fault : public procedure_runner<reset_procedure> {
 public:
     template <device_type Device>
     explicit constexpr reset_fault(station<Device> const& drive, duration limit = milliseconds(2'000)) noexcept
-        : procedure_runner{drive.unit(), reset_procedure{Device::layout}, limit}
+        : procedure_runner{drive.unit(), reset_procedure{drive_check<Device>::layout}, limit}
     {}
 };
 

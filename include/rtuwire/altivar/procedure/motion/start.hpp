@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/device/reference.hpp>
 #include <rtuwire/altivar/procedure/motion/order_procedure.hpp>
 #include <rtuwire/altivar/procedure/procedure_runner.hpp>
@@ -314,18 +315,18 @@ public:
     constexpr start(station<Device> const& drive, std::type_identity_t<reference<Device>> const& at,
                     run_direction direction = run_direction::forward, duration limit = milliseconds(3'000),
                     supervision_options const& options = {}) noexcept
-        : procedure_runner{
-              drive.unit(),
-              start_procedure{Device::layout, at.write(), direction, supervision_procedure{Device::layout, options}},
-              limit}
+        : procedure_runner{drive.unit(),
+                           start_procedure{drive_check<Device>::layout, at.write(), direction,
+                                           supervision_procedure{drive_check<Device>::layout, options}},
+                           limit}
     {}
     template <device_type Device>
     constexpr start(station<Device> const& drive, std::type_identity_t<reference<Device>> const& at,
                     run_direction direction, duration limit, supervision_report const& found) noexcept
-        : procedure_runner{
-              drive.unit(),
-              start_procedure{Device::layout, at.write(), direction, supervision_procedure{Device::layout, found}},
-              limit}
+        : procedure_runner{drive.unit(),
+                           start_procedure{drive_check<Device>::layout, at.write(), direction,
+                                           supervision_procedure{drive_check<Device>::layout, found}},
+                           limit}
     {}
 
     /// What was found before the first order.

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <utility>
 
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/procedure/procedure_runner.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
@@ -324,7 +325,7 @@ public:
     template <device_type Device>
     explicit constexpr stop(station<Device> const& drive, stop_by mode = stop_by::ramp,
                             duration limit = milliseconds(30'000), word_meaning known = word_meaning::unknown) noexcept
-        : procedure_runner{drive.unit(), stop_procedure{Device::layout, mode, known}, limit}
+        : procedure_runner{drive.unit(), stop_procedure{drive_check<Device>::layout, mode, known}, limit}
     {}
 };
 

@@ -23,15 +23,14 @@ struct factory_value {
 
 /// Values where the table of a drive gives no default, for the registers of this name in all drives: commands from
 /// the terminals, the reference from an analog input.
-inline constexpr std::array<factory_value, 50> factory_values{{
-    {"SFR", 40},    {"TFR", 600},    {"HSP", 500},    {"LSP", 0},     {"ACC", 30},    {"DEC", 30},    {"AC2", 50},
-    {"DE2", 50},    {"FRS", 500},    {"UNS", 400},    {"NCR", 20},    {"NSP", 1500},  {"COS", 80},    {"NPR", 8},
-    {"ITH", 20},    {"INV", 23},     {"SDS", 30},     {"INR", 1},     {"TTO", 100},   {"SLL", 1},     {"TBR", 32},
-    {"TFO", 3},     {"STT", 0},      {"VDP", 0x0201}, {"NMA1", 3201}, {"NMA2", 8604}, {"NCA1", 8501}, {"NCA2", 8602},
-    {"NCV", 6},     {"CPU", 0x1005}, {"VCAL", 2},     {"BFR", 0},     {"BDR", 8},     {"ADD", 1},     {"FR1", 1},
-    {"CD1", 1},     {"CHCF", 1},     {"CD2", 10},     {"FLG", 20},    {"UFR", 20},    {"CRH", 200},   {"IDC", 14},
-    {"RPG", 100},   {"RIG", 100},    {"FBS", 10},     {"CTD", 23},    {"TTD", 100},   {"SPAL", 1500}, {"SPDL", 1500},
-    {"SMAL", 1500},
+inline constexpr std::array<factory_value, 46> factory_values{{
+    {"SFR", 40},  {"TFR", 600},   {"HSP", 500},    {"LSP", 0},     {"ACC", 30},     {"DEC", 30}, {"AC2", 50},
+    {"DE2", 50},  {"FRS", 500},   {"UNS", 400},    {"NCR", 20},    {"NSP", 1500},   {"COS", 80}, {"NPR", 8},
+    {"ITH", 20},  {"INV", 23},    {"SDS", 30},     {"INR", 1},     {"TTO", 100},    {"SLL", 1},  {"TBR", 32},
+    {"TFO", 3},   {"STT", 0},     {"VDP", 0x0201}, {"NCV", 6},     {"CPU", 0x1005}, {"VCAL", 2}, {"BFR", 0},
+    {"BDR", 8},   {"ADD", 1},     {"FR1", 1},      {"CD1", 1},     {"CHCF", 1},     {"CD2", 10}, {"FLG", 20},
+    {"UFR", 20},  {"CRH", 200},   {"IDC", 14},     {"RPG", 100},   {"RIG", 100},    {"FBS", 10}, {"CTD", 23},
+    {"TTD", 100}, {"SPAL", 1500}, {"SPDL", 1500},  {"SMAL", 1500},
 }};
 
 /// What commissioning has set: Modbus commands the drive, and gives the reference.

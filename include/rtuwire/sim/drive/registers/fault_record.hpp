@@ -10,13 +10,15 @@
 
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/drive/registers/image.hpp>
+#include <rtuwire/sim/drive/registers/register_index.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// LFT of a lost serial link, on every Altivar.
 inline constexpr std::uint16_t link_fault = 5;
 
-/// One fault: its LFT, its number in the drive profile (ERRD), its bit in DF1 or DF2 of an ATV28.
+/// One fault: its LFT, its number in the drive profile (ERRD), its bit in DF1 or DF2 where a
+/// drive has them.
 /// Internal.
 struct fault_form {
     std::uint16_t code;
@@ -25,7 +27,7 @@ struct fault_form {
     std::uint16_t df2;
 };
 
-/// As the ATV28's bulletin lists them; SCF and tnF have no number of their own there.
+/// As the bulletin of the drive with ERRD lists them; SCF and tnF have no number of their own there.
 /// Internal.
 inline constexpr std::array<fault_form, 13> fault_forms{{
     {1, 0x6100, 0x0001, 0x0000},
@@ -68,7 +70,7 @@ template <device_type Device> constexpr void record_fault(image<Device>& registe
         registers.put(record[i], registers.get(record[i - 1]));
     }
     registers.put(record[0], code);
-    registers.put(image<Device>::at("LFT"), code);
+    registers.put(register_index<Device>{}.lft, code);
     registers.put(image<Device>::at("ERRD"), form_of(code).profile);
 }
 

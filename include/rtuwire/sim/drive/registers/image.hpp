@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <span>
 
+#include <rtuwire/altivar/device/cycle_registers.hpp>
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/drive/registers/factory.hpp>
 #include <rtuwire/table/device.hpp>
@@ -138,7 +140,7 @@ public:
     constexpr void restore(words const& saved) noexcept
     {
         for (std::size_t i = 0; i < rules::count; ++i) {
-            if (rule(i).mode != access::read_only and not rule(i).is_order) {
+            if (rule(i).mode != access::read_only and not is_order(i)) {
                 words_[i] = saved[i];
             }
         }
@@ -151,6 +153,7 @@ public:
         for (std::size_t i = 0; i < rules::count; ++i) {
             all[i] = rule(i).factory;
         }
+        map_scanner(all);
         return all;
     }
 
@@ -161,10 +164,38 @@ public:
         for (std::size_t i = 0; i < rules::count; ++i) {
             all[i] = rule(i).commissioned;
         }
+        map_scanner(all);
         return all;
     }
 
 private:
+    /// No setting: by its mnemonic, or an output word of the scanner.
+    static constexpr bool is_order(std::size_t place) noexcept
+    {
+        bool is_output = false;
+        if constexpr (altivar::has_all_parts<Device>) {
+            is_output = Device::scanner.is_output(rules::addresses[place]);
+        }
+        return is_output or rule(place).is_order;
+    }
+
+    /// A scanner stands, as delivered, for the registers of the cycle.
+    static constexpr void map_scanner(words& all) noexcept
+    {
+        if constexpr (altivar::has_all_parts<Device>) {
+            if (Device::cycle.by_scanner) {
+                map(all, Device::scanner.input_addresses, Device::cycle.reads);
+                map(all, Device::scanner.output_addresses, Device::cycle.writes);
+            }
+        }
+    }
+    static constexpr void map(words& all, std::uint16_t first, altivar::cycle_addresses const& list) noexcept
+    {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            all[at_address(first + i)] = list[i];
+        }
+    }
+
     constexpr std::int32_t limit(bound const& of) const noexcept
     {
         std::int32_t const factor = of.factor().size() == 0 ? 1 : std::int32_t{get(at(of.factor()))};

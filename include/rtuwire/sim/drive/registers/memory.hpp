@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include <rtuwire/altivar/device/drive_layout.hpp>
+#include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/drive/registers/image.hpp>
@@ -54,20 +55,15 @@ public:
         }
         if (ordered != 0) {
             is_busy_ = true;
-            busy_until_ = now + work;
+            busy_until_ = now + behaviour.eeprom_work;
         }
-        all.put(at.cmi, clears_itself ? word & ~orders : word);
+        all.put(at.cmi, behaviour.clears_eeprom_orders ? word & ~orders : word);
     }
 
 private:
     static constexpr std::uint16_t factory_bit = 0x0001;
-    static constexpr std::uint16_t recall_bit = 0x0004; ///< ATV28
-    static constexpr bool clears_itself = not Device::layout.shows_eeprom_access;
-
-    static constexpr std::uint16_t orders = factory_bit | altivar::save_bit | (clears_itself ? recall_bit : 0);
-
-    /// Up to two seconds, without communication, where the manual says so.
-    static constexpr duration work = clears_itself ? milliseconds(2'000) : milliseconds(100);
+    static constexpr std::uint16_t orders = Device::layout.cmi_orders;
+    static constexpr altivar::simulated_behaviour const& behaviour = altivar::behaviour_of<Device>;
 
     typename registers::words saved_{registers::commissioned()};
     instant busy_until_{0};

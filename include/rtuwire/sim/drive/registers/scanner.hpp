@@ -8,20 +8,19 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <rtuwire/altivar/device/scanner.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/drive/registers/image.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// One half of a device's scanner, inputs or outputs.
-template <device_type Device> class scanner {
+template <device_type Device> class scanner_half {
     using registers = image<Device>;
-    static constexpr std::size_t slot_count = Device::layout.scanner_words;
+    static constexpr std::size_t slot_count = Device::scanner.words;
 
 public:
     /// Takes the address of its first word and that of the register with the target of this word.
-    constexpr scanner(std::uint16_t words, std::uint16_t targets) noexcept : words_{words}, targets_{targets} {}
+    constexpr scanner_half(std::uint16_t words, std::uint16_t targets) noexcept : words_{words}, targets_{targets} {}
 
     /// Whether a register is one of its words.
     [[nodiscard]] constexpr bool has(std::size_t place) const noexcept { return slot_of(place) < slot_count; }
