@@ -153,8 +153,8 @@ TEST_CASE("a direct start is withdrawn at any of its writes where the client has
 {
     event const no_place = failed(errc::too_many_ordered);
     way const clearing{begun, disabled}, writing{begun, disabled, confirmed};
-    way const running{begun, disabled, confirmed, confirmed, read_1500, read_0, disabled};
+    way const telling{begun, disabled, confirmed, confirmed, read_1500, read_0, disabled};
     CHECK(does(led(checked, clearing), no_place, undo(kind::no_place)));
     CHECK(does(led(checked, writing), no_place, undo(kind::no_place)));
-    CHECK(does(led(checked, running), no_place, ramp(kind::no_place)));
+    CHECK(does(led(checked, telling), no_place, ramp(kind::no_place)));
 }
