@@ -105,7 +105,10 @@ public:
     /// Whether it stops its drive by the user's order, and holds the drive until it ends.
     static constexpr bool is_stop = false;
 
-    /// Ends a procedure because a stop was ordered later: the drive now belongs to that stop.
+    /// Whether it stops no drive that another conversation ordered to run meanwhile: its stop is against the terminals.
+    static constexpr bool gives_way_to_order = false;
+
+    /// Ends a procedure because a stop was ordered later, or an order to run: the drive now belongs to that.
     constexpr action yield() noexcept { return end(outcome_kind::overruled); }
 
     /// Whether the status read showed a motor without power, or a fault; each call clears the flag that it returns.

@@ -96,6 +96,7 @@ class channel_procedure : public procedure {
 public:
     /// The time to look once more at a drive whose terminals may have started its motor.
     static constexpr duration grace{milliseconds(3'000)};
+    static constexpr bool gives_way_to_order = true;
 
     constexpr channel_procedure(drive_layout const& layout, channel_words const& wanted,
                                 terminal_options const& options) noexcept

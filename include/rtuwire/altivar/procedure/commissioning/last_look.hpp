@@ -27,7 +27,8 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// | cutting       |                                | end: it   | end: it                 | write again  |
 ///
 /// "Cut" writes the word that takes the motor's power away. A look that fails cuts, too: where the motor stands, that
-/// changes nothing. "Started" is `started_by_terminals`; "not known" is `aborted` instead of `succeeded`.
+/// changes nothing. A motor that this client ordered to run meanwhile is left alone, and that ends as `overruled`.
+/// "Started" is `started_by_terminals`; "not known" is `aborted` instead of `succeeded`.
 class last_look : public procedure {
 public:
     /// The control word takes the motor's power away.

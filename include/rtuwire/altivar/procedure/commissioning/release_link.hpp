@@ -40,6 +40,7 @@ class link_procedure : public procedure {
 public:
     /// The time to look once more at a drive whose terminals may have started its motor.
     static constexpr duration grace{milliseconds(3'000)};
+    static constexpr bool gives_way_to_order = true;
 
     constexpr link_procedure(bool is_release, terminal_options const& options) noexcept
         : procedure{device::layout}, look_{device::layout, options}, last_{device::layout, link_activated},
