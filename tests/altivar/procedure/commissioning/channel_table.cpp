@@ -252,6 +252,10 @@ TEST_CASE("a set-up of the channels names the register of its outcome, and count
     CHECK(after(again_chcf, word(2)).address() == chcf);
     CHECK(after(again_chcf, word(2)).word() == 2);
     CHECK(after(to_confirm, disabled).address() == 0);
+    CHECK(after(again_cd1, read_10).word() == 0); // CHCF is read next
+    CHECK(after(to_fault, word(9)).address() == 0);
+    CHECK(after(to_fault, word(9)).word() == 0);
+    CHECK(after(to_fault, word(9)).reason().fault == 9);
     CHECK(after(to_cut, confirmed).address() == 3201);
     CHECK(after(to_cut, confirmed).word() == enabled_word);
     CHECK(led(after(to_second_look, word(enabled_word)), {confirmed}).reason().state ==

@@ -181,6 +181,7 @@ private:
     constexpr action confirm_later() noexcept
     {
         address_ = 0;
+        word_ = 0;
         stage_ = stage::waiting;
         return to_pause(status_period);
     }
