@@ -160,6 +160,35 @@ TEST_CASE("motion law: S29 an ATV28 that starts although its inputs were open is
     CHECK(it.is_by_link());
 }
 
+TEST_CASE("motion law: S29 an ATV28 whose answer to its release is lost, and whose limit passes, is stopped again, too")
+{
+    // The limit: long after the two attempts; while the second waits for its response; in the wait before the look.
+    for (unsigned const limit_ms : {3'000U, 150U, 60U}) {
+        for (bool const is_lost : {false, true}) {
+            INFO(limit_ms << " ms, response " << (is_lost ? "lost" : "heard"));
+            bench it;
+            it.taken();
+            bool is_closed = false;
+            it.disturb([&](std::vector<std::byte>& frame, bool is_request) {
+                bool const is_release = frame[1] == std::byte{6} and u16_at(byte_view{frame}, 4) == 0x8100;
+                if (is_release and is_request and not is_closed) {
+                    is_closed = true;
+                    it.far().set_input(1, true); // just then
+                } else if (is_release and not is_request and is_lost) {
+                    frame.clear();
+                }
+            });
+            release_link conversation{it.drive, {}, milliseconds(limit_ms)};
+            REQUIRE(it.run(conversation));
+            CHECK(is_closed);
+            CHECK(conversation.reason().kind == outcome_kind::started_by_terminals);
+            it.idle(milliseconds(5'000));
+            CHECK_FALSE(it.has_power());
+            CHECK(it.is_by_link());
+        }
+    }
+}
+
 TEST_CASE("an ATV28 is not released while it runs, in a fault, or by a forced-local drive's leave")
 {
     bench running;

@@ -3,6 +3,7 @@
 // An order and a set-up of the same drive at once, at each moment of each other: no word goes whose meaning was changed,
 // and no motor loses its power to a set-up.
 #include "support/catch.hpp"
+#include "support/commissioned.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <cstdint>
@@ -102,4 +103,38 @@ TEST_CASE("motion law: L10 a motor that was started by direct control does not l
             CHECK(go.succeeded() == it.has_power());
         }
     }
+}
+
+TEST_CASE("motion law: L10 a motor that was ordered to run between two words of a set-up does not lose its power to it")
+{
+    unsigned running = 0, behind_the_first = 0;
+    for (unsigned const between_ms : {100U, 300U}) {
+        for (std::uint32_t after_ms = 0; after_ms < 4'000; after_ms += 20) {
+            INFO("set up at each " << between_ms << " ms, order after " << after_ms << " ms");
+            hall<atv320::device> it{between_ms};
+            it.link().set(1, {.with = {.response_timeout = milliseconds(200), .retries = 1},
+                              .least_idle = milliseconds(between_ms)});
+            it.link().set(0, {.with = {.response_timeout = milliseconds(200), .retries = 1}});
+            constexpr auto both = channel_settings<atv320::device>{}
+                                      .with<atv320::chcf>(atv320::channel_mode::sep)
+                                      .with<atv320::flo>(count16{131});
+            set_channel slow{it.press, both};
+            start go{it.press, 30_Hz, run_direction::forward, milliseconds(3'000), test::commissioned()};
+            auto const alone = [&](instant at) { it.link().converse(1, slow, at); };
+            auto const together = [&](instant at) {
+                alone(at);
+                it.link().converse(0, go, at);
+            };
+            it.test::simulated_bus<bus<4>, atv320::device>::run(
+                alone, [] { return false; }, milliseconds(after_ms));
+            REQUIRE(it.test::simulated_bus<bus<4>, atv320::device>::run(
+                together, [&] { return go.settled() and slow.settled(); }, milliseconds(60'000)));
+            CHECK(go.running() == it.has_power());
+            CHECK(slow.reason().kind != outcome_kind::started_by_terminals);
+            running += go.running() ? 1U : 0U;
+            behind_the_first += go.running() and slow.written() != 0 and not slow.succeeded() ? 1U : 0U;
+        }
+    }
+    CHECK(running > 100);
+    CHECK(behind_the_first > 20);
 }

@@ -77,6 +77,10 @@ protected:
     /// Whether its last order is older than a stop of its unit by another conversation. Told at each visit.
     [[nodiscard]] constexpr bool is_overruled() const noexcept { return is_overruled_; }
 
+    /// Whether a conversation of this client ordered its unit to run, and none has read since that the motor has no
+    /// power. Told at each visit.
+    [[nodiscard]] constexpr bool is_unit_ordered() const noexcept { return is_unit_ordered_; }
+
     /// Whether another conversation stopped its unit, lost it or read it in fault since `heed_stop`: older readings
     /// are stale.
     [[nodiscard]] constexpr bool was_stopped() const noexcept { return was_stopped_; }
@@ -100,6 +104,7 @@ private:
     bool has_read_fault_{false};
     bool is_silenced_{false};
     bool is_overruled_{false};
+    bool is_unit_ordered_{false};
 };
 
 /// A conversation that commands the motor of one unit: it declares `urgency::stop_of_unit`. `intent` gives the effect

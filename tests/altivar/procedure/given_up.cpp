@@ -35,7 +35,9 @@ TEST_CASE("a reset whose limit is over is in fault only where a fault was read")
     CHECK(does(led(reset, {begun}), late, ends(kind::aborted)));
     CHECK(does(led(reset, {begun, word(no_state)}), late, ends(kind::aborted)));
     constexpr way written{begun, word(in_fault), confirmed, confirmed, confirmed};
-    CHECK(does(led(reset, written), late, reads(layout.lft)));
+    CHECK(does(led(reset, written), late, ends(kind::state_timeout))); // the fault that was read is older
+    CHECK(does(led(reset, written), word(in_fault), pauses));
+    CHECK(does(led(led(reset, written), {word(in_fault)}), late, reads(layout.lft)));
     CHECK(led(reset, {begun, word(reacting), late, word(21)}).reason().kind == kind::in_fault);
     reset_procedure cleared = led(reset, written);
     CHECK(does(led(cleared, {word(no_state)}), late, ends(kind::state_timeout)));

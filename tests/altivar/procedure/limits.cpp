@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // What a conversation does when its time is over: on a line that has no time for it, with a drive that does not answer,
 // and with one that does not stop.
-#include <array>
-
+#include "altivar/procedure/by_hand.hpp"
 #include "support/commissioned.hpp"
 #include "support/proof.hpp"
 
@@ -15,6 +14,7 @@
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
+using test::by_hand;
 
 namespace {
 
@@ -22,36 +22,6 @@ constexpr station<atv320::device> drive{unit_id{7}};
 constexpr station<atv12::device> other{unit_id{7}};
 constexpr std::uint16_t cmd = 8501, eta = 3201, rfr = 3202;
 constexpr std::uint16_t ready = 0x0231, enabled = 0x0237;
-
-/// A conversation and a clock.
-template <typename Conversation> struct by_hand {
-    Conversation conversation;
-    instant now{0xFFFF'FF00U};
-
-    constexpr void wait(std::uint32_t time_ms)
-    {
-        now = now + milliseconds(time_ms);
-        conversation.advance(now);
-    }
-    constexpr bool reads(std::uint16_t address)
-    {
-        auto const request = conversation.next();
-        return request and request->frame()[1] == std::byte{3} and u16_at(request->frame(), 2) == address;
-    }
-    constexpr bool writes(std::uint16_t address, std::uint16_t word)
-    {
-        auto const request = conversation.next();
-        return request and request->frame()[1] == std::byte{6} and u16_at(request->frame(), 2) == address and
-               u16_at(request->frame(), 4) == word;
-    }
-    constexpr void hear(std::uint16_t word)
-    {
-        std::array<std::byte, 4> const pdu{std::byte{3}, std::byte{2}, to_byte(word >> 8U), to_byte(word)};
-        conversation.accept(result<response>{response{pdu}});
-    }
-    constexpr void confirm() { conversation.accept(result<response>{response{}}); }
-    constexpr void miss() { conversation.accept(errc::timed_out); }
-};
 
 /// Whether a halt whose first look has no turn on the line becomes the ramp then, and not before.
 constexpr bool is_ramp_after(std::uint32_t time_ms, duration limit)

@@ -23,7 +23,7 @@ struct event {
         written,    ///< the drive confirmed the write
         failed,     ///< a read or write failed; `error` tells why
         pause_over, ///< the pause that was requested has passed
-        late,       ///< the time limit has passed; one more request is allowed
+        late,       ///< the time limit has passed; the last request was not sent, and one more is allowed
     };
     kind what;
     std::uint16_t word{0};
@@ -105,7 +105,10 @@ public:
     /// Whether it stops its drive by the user's order, and holds the drive until it ends.
     static constexpr bool is_stop = false;
 
-    /// Ends a procedure because a stop was ordered later: the drive now belongs to that stop.
+    /// Whether it stops no drive that another conversation ordered to run meanwhile: its stop is against the terminals.
+    static constexpr bool gives_way_to_order = false;
+
+    /// Ends a procedure because a stop was ordered later, or an order to run: the drive now belongs to that.
     constexpr action yield() noexcept { return end(outcome_kind::overruled); }
 
     /// Whether the status read showed a motor without power, or a fault; each call clears the flag that it returns.
@@ -136,6 +139,18 @@ protected:
     /// Ends because a request failed.
     constexpr action end(errc error) noexcept { return end(kind_for(error), error); }
 
+    /// Whether the motor is known to stand until an order or a reset: not where the drive is "not ready to switch on".
+    static constexpr bool stands(cia402::state at) noexcept
+    {
+        return cia402::is_at_rest(at) and at != cia402::state::not_ready_to_switch_on;
+    }
+
+    /// Ends because the motor is not known to stand: it runs, or the state that was read does not tell.
+    constexpr action end_running() noexcept
+    {
+        return end(cia402::has_power(reason_.state) ? outcome_kind::refused_while_running : outcome_kind::aborted);
+    }
+
     static constexpr outcome_kind kind_for(errc error) noexcept
     {
         if (error == errc::too_many_ordered) {
@@ -163,20 +178,28 @@ protected:
     }
     constexpr void note_other_stop() noexcept { reason_.is_other_stop = true; }
 
-    /// Runs the next step of a procedure inside this one, and takes over what it reads. If the inner one fails, this
-    /// one ends with the same outcome: the caller continues only after a success.
-    template <typename Inner> constexpr action run_inside(Inner& inner, event const& what) noexcept
+    /// Runs the next step of a procedure inside this one, and takes over what it reads.
+    template <typename Inner> constexpr action follow(Inner& inner, event const& what) noexcept
     {
         action const next = inner.step(what);
         note_readings_of(inner);
-        if (next.what != action::kind::end) {
-            return next;
+        if (next.what == action::kind::end) {
+            note_state(inner.reason().state);
         }
-        altivar::reason const found = inner.reason();
-        note_state(found.state);
-        if (found.kind == outcome_kind::succeeded) {
-            return next;
-        }
+        return next;
+    }
+
+    /// The same. If the inner one fails, this one ends with the same outcome: the caller continues only after a success.
+    template <typename Inner> constexpr action run_inside(Inner& inner, event const& what) noexcept
+    {
+        action const next = follow(inner, what);
+        bool const goes_on = next.what != action::kind::end or inner.reason().kind == outcome_kind::succeeded;
+        return goes_on ? next : end_as(inner.reason());
+    }
+
+    /// Ends as another procedure did.
+    constexpr action end_as(altivar::reason const& found) noexcept
+    {
         return found.kind == outcome_kind::in_fault ? end_in_fault(found.fault) : end(found.kind, found.error);
     }
 

@@ -53,6 +53,9 @@ public:
         if (Script::follows_order and this->is_overruled() and not procedure_.takes_back()) {
             return take(procedure_.yield());
         }
+        if (Script::gives_way_to_order and action_.does == effect::stopping and this->is_unit_ordered()) {
+            return take(procedure_.yield());
+        }
         // No limit ends a stop whose control word was never sent.
         bool const has_to_say = Script::is_stop and action_.does == effect::stopping and not has_said_stop_;
         if (not is_late_ and reached(now, late_at_) and not has_to_say) {

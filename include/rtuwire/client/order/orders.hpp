@@ -67,6 +67,7 @@ public:
         who.is_silenced_ = losses::is_silent(unit, effect::stopping);
         unit_order const& own = places_.of(unit);
         who.is_overruled_ = is_stopped_later(who, own) and not is_by_loss(own);
+        who.is_unit_ordered_ = own.is_ordered;
         return is_lost;
     }
 

@@ -17,7 +17,7 @@ using kind = outcome_kind;
 namespace {
 
 constexpr cell done = ends(kind::succeeded), silent = ends(kind::silent), refused = ends(kind::refused);
-constexpr cell running = ends(kind::refused_while_running);
+constexpr cell running = ends(kind::refused_while_running), aborted = ends(kind::aborted);
 
 /// Two registers to read and one to write, in four slots each way.
 constexpr std::array<std::uint16_t, 2> inputs{3201, 8604};
@@ -25,7 +25,9 @@ constexpr std::array<std::uint16_t, 1> outputs{8501};
 constexpr cell first = writes(12701, 3201);
 
 constexpr std::array<stage_row<12>, 1> look_rows{{
-    {"a look", {begun}, {first, first, first, first, running, running, running, first, first, silent, refused, silent}},
+    {"a look",
+     {begun},
+     {aborted, first, first, first, running, running, running, first, aborted, silent, refused, aborted}},
 }};
 
 constexpr std::array<answer, 4> others{{
@@ -36,14 +38,14 @@ constexpr std::array<answer, 4> others{{
 }};
 constexpr event looked = word(disabled_word), ok = confirmed;
 constexpr std::array<stage_row<4>, 8> rows{{
-    {"input slot 1", {begun, looked}, {writes(12702, 8604), silent, refused, silent}},
-    {"input slot 2", {begun, looked, ok}, {writes(12703, 0), silent, refused, silent}},
-    {"input slot 3", {begun, looked, ok, ok}, {writes(12704, 0), silent, refused, silent}},
-    {"input slot 4", {begun, looked, ok, ok, ok}, {writes(12721, 8501), silent, refused, silent}},
-    {"output slot 1", {begun, looked, ok, ok, ok, ok}, {writes(12722, 0), silent, refused, silent}},
-    {"output slot 2", {begun, looked, ok, ok, ok, ok, ok}, {writes(12723, 0), silent, refused, silent}},
-    {"output slot 3", {begun, looked, ok, ok, ok, ok, ok, ok}, {writes(12724, 0), silent, refused, silent}},
-    {"output slot 4", {begun, looked, ok, ok, ok, ok, ok, ok, ok}, {done, silent, refused, silent}},
+    {"input slot 1", {begun, looked}, {writes(12702, 8604), silent, refused, aborted}},
+    {"input slot 2", {begun, looked, ok}, {writes(12703, 0), silent, refused, aborted}},
+    {"input slot 3", {begun, looked, ok, ok}, {writes(12704, 0), silent, refused, aborted}},
+    {"input slot 4", {begun, looked, ok, ok, ok}, {writes(12721, 8501), silent, refused, aborted}},
+    {"output slot 1", {begun, looked, ok, ok, ok, ok}, {writes(12722, 0), silent, refused, aborted}},
+    {"output slot 2", {begun, looked, ok, ok, ok, ok, ok}, {writes(12723, 0), silent, refused, aborted}},
+    {"output slot 3", {begun, looked, ok, ok, ok, ok, ok, ok}, {writes(12724, 0), silent, refused, aborted}},
+    {"output slot 4", {begun, looked, ok, ok, ok, ok, ok, ok, ok}, {done, silent, refused, aborted}},
 }};
 
 constexpr scanner_procedure configure{atv12::device::layout, inputs, outputs};

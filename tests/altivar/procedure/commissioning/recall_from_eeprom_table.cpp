@@ -26,12 +26,13 @@ constexpr cell maybe = ends(kind::executed_unconfirmed), not_taken = ends(kind::
 
 /// CMI had this word beside its orders.
 constexpr std::uint16_t kept = 0x8200;
-constexpr cell clear = writes(cmi, kept);
+/// The order is cleared, whatever comes of it.
+[[nodiscard]] constexpr cell undo(kind how) { return then(writes(cmi, kept), how); }
 
 constexpr std::array<stage_row<12>, 1> look_rows{{
     {"a look",
      {begun},
-     {aborted, inputs, inputs, inputs, running, running, lft, lft, aborted, silent, refused, silent}},
+     {aborted, inputs, inputs, inputs, running, running, lft, lft, aborted, silent, refused, aborted}},
 }};
 
 constexpr std::array<answer, 9> others{{
@@ -49,31 +50,40 @@ constexpr std::array<answer, 9> others{{
 constexpr event disabled = word(disabled_word), control_read = word(kept | 7);
 
 // clang-format off
-constexpr std::array<stage_row<9>, 7> rows{{
+constexpr std::array<stage_row<9>, 10> rows{{
     // stage, and the way there
     //   0, 1, 4, 8207
     //   confirmed, pause over, no response, refused, limit over
     {"looking: the fault", {begun, word(fault_word)},
      {fault, fault, fault, fault,
-      x, x, silent, refused, silent}},
+      x, x, silent, refused, fault}},
     {"looking: the inputs", {begun, disabled},
      {control, closed, control, closed,
-      x, x, silent, refused, silent}},
+      x, x, silent, refused, aborted}},
     {"reading the control word", {begun, disabled, word(0)},
      {writes(cmi, 4), writes(cmi, 4), writes(cmi, 4), writes(cmi, kept | 4),
-      x, x, silent, refused, silent}},
+      x, x, silent, refused, aborted}},
     {"ordering", {begun, disabled, word(0), control_read},
      {x, x, x, x,
-      pauses, x, maybe, refused, maybe}},
+      pauses, x, pauses, refused, aborted}},
     {"a wait while it recalls", {begun, disabled, word(0), control_read, confirmed},
      {x, x, x, x,
-      x, control, maybe, x, maybe}},
+      x, control, maybe, x, undo(kind::executed_unconfirmed)}},
+    {"a wait after no response to the order", {begun, disabled, word(0), control_read, failed(errc::timed_out)},
+     {x, x, x, x,
+      x, control, maybe, x, undo(kind::executed_unconfirmed)}},
     {"confirming", {begun, disabled, word(0), control_read, confirmed, pause_over},
-     {done, done, clear, clear,
-      x, x, maybe, refused, maybe}},
+     {done, done, undo(kind::not_taken), undo(kind::not_taken),
+      x, x, undo(kind::executed_unconfirmed), undo(kind::executed_unconfirmed), undo(kind::executed_unconfirmed)}},
+    {"confirming after no response to the order", {begun, disabled, word(0), control_read, failed(errc::timed_out), pause_over},
+     {maybe, maybe, undo(kind::not_taken), undo(kind::not_taken),
+      x, x, undo(kind::executed_unconfirmed), undo(kind::executed_unconfirmed), undo(kind::executed_unconfirmed)}},
     {"taking back", {begun, disabled, word(0), control_read, confirmed, pause_over, word(4)},
      {x, x, x, x,
-      not_taken, x, silent, refused, silent}},
+      not_taken, x, not_taken, not_taken, undo(kind::not_taken)}},
+    {"taking back after the limit", {begun, disabled, word(0), control_read, confirmed, late},
+     {x, x, x, x,
+      maybe, x, maybe, maybe, x}},
 }};
 // clang-format on
 
@@ -91,4 +101,14 @@ TEST_CASE("a recall of the settings does in each stage, at each answer, what its
 {
     check_table(recall, others, rows);
     CHECK(does(led(recall, {begun, disabled}), failed(errc::illegal_data_address), lacking));
+}
+
+TEST_CASE("a recall is sent once, and silent only before that")
+{
+    recall_procedure it = led(recall, {begun, disabled, word(0)});
+    CHECK(it.step(control_read).again == repetition::never);
+    // A unit that is lost before the order is sent, and after it.
+    CHECK(does(it, failed(errc::unit_lost), silent));
+    CHECK(does(led(it, {confirmed}), failed(errc::unit_lost), maybe));
+    CHECK(does(led(it, {confirmed, pause_over}), failed(errc::unit_lost), maybe));
 }

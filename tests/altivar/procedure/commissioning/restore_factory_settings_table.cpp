@@ -28,22 +28,23 @@ constexpr cell maybe = ends(kind::executed_unconfirmed);
 
 /// CMI had this word beside its orders.
 constexpr std::uint16_t kept = 0x8200;
-constexpr cell clear = writes(cmi, kept);
+/// The order is cleared, whatever comes of it.
+constexpr cell undo = then(writes(cmi, kept), kind::executed_unconfirmed);
 
 constexpr std::array<stage_row<12>, 1> look_rows{{
     {"a look",
      {begun},
-     {aborted, inputs, inputs, inputs, running, running, lft, inputs, aborted, silent, refused, silent}},
+     {aborted, inputs, inputs, inputs, running, running, lft, inputs, aborted, silent, refused, aborted}},
 }};
 constexpr std::array<stage_row<12>, 1> unseen_rows{{
     {"a look",
      {begun},
-     {aborted, lacking, lacking, lacking, running, running, lft, lacking, aborted, silent, refused, silent}},
+     {aborted, lacking, lacking, lacking, running, running, lft, lacking, aborted, silent, refused, aborted}},
 }};
 constexpr std::array<stage_row<12>, 1> trusting_rows{{
     {"a look",
      {begun},
-     {aborted, control, control, control, running, running, lft, control, aborted, silent, refused, silent}},
+     {aborted, control, control, control, running, running, lft, control, aborted, silent, refused, aborted}},
 }};
 
 constexpr std::array<answer, 8> others{{
@@ -60,28 +61,31 @@ constexpr std::array<answer, 8> others{{
 constexpr event disabled = word(disabled_word), control_read = word(kept | 3);
 
 // clang-format off
-constexpr std::array<stage_row<8>, 6> rows{{
+constexpr std::array<stage_row<8>, 7> rows{{
     // stage, and the way there
     //   0, 1, 8203
     //   confirmed, pause over, no response, refused, limit over
     {"looking: the fault", {begun, word(reaction_word)},
      {fault, fault, fault,
-      x, x, silent, refused, silent}},
+      x, x, silent, refused, fault}},
     {"looking: the inputs", {begun, word(fault_word)},
      {control, closed, closed,
-      x, x, silent, refused, silent}},
+      x, x, silent, refused, aborted}},
     {"reading the control word", {begun, disabled, word(0)},
      {writes(cmi, 1), writes(cmi, 1), writes(cmi, kept | 1),
-      x, x, silent, refused, silent}},
+      x, x, silent, refused, aborted}},
     {"ordering", {begun, disabled, word(0), control_read},
      {x, x, x,
-      pauses, x, silent, refused, silent}},
+      pauses, x, pauses, refused, aborted}},
     {"a wait while it restores", {begun, disabled, word(0), control_read, confirmed},
      {x, x, x,
-      x, clear, silent, x, silent}},
+      x, undo, x, x, undo}},
+    {"a wait after no response to the order", {begun, disabled, word(0), control_read, failed(errc::timed_out)},
+     {x, x, x,
+      x, undo, x, x, undo}},
     {"taking back", {begun, disabled, word(0), control_read, confirmed, pause_over},
      {x, x, x,
-      maybe, x, maybe, maybe, maybe}},
+      maybe, x, maybe, maybe, undo}},
 }};
 // clang-format on
 
@@ -108,4 +112,15 @@ TEST_CASE("a restore of the factory settings does in each stage, at each answer,
 TEST_CASE("a restore of the factory settings repeats no order of CMI, not even a recall")
 {
     CHECK(does(led(old, {begun, disabled, word(0)}), word(kept | 7), writes(402, kept | 1)));
+}
+
+TEST_CASE("a restore is sent once, and silent only before that")
+{
+    way const ordering{begun, disabled, word(0)};
+    factory_procedure it = led(restore, ordering);
+    CHECK(it.step(control_read).again == repetition::never);
+    // A unit that is lost before the order is sent, and after it.
+    CHECK(does(it, failed(errc::unit_lost), silent));
+    CHECK(does(led(it, {confirmed}), failed(errc::unit_lost), maybe));
+    CHECK(does(led(it, {failed(errc::timed_out)}), failed(errc::unit_lost), maybe));
 }

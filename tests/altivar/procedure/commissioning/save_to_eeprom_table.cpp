@@ -36,7 +36,7 @@ constexpr cell undo_old(kind how) { return then(clear_old, how); }
 constexpr std::array<stage_row<12>, 1> look_rows{{
     {"a look",
      {begun},
-     {control, control, control, control, running, running, running, control, control, silent, refused, aborted}},
+     {aborted, control, control, control, running, running, running, control, aborted, silent, refused, aborted}},
 }};
 
 constexpr std::array<answer, 10> others{{

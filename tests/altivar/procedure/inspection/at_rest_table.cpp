@@ -99,7 +99,7 @@ constexpr std::array<answer, 10> others{{
 constexpr stage_row<10> status_row{"the status", {begun}, {x, x, x, x, x, x, silent, refused, refused, aborted}};
 constexpr stage_row<10> fault_row{"the fault",
                                   {begun, word(fault_word)},
-                                  {fault, fault, fault, fault, fault, fault, silent, refused, refused, aborted}};
+                                  {fault, fault, fault, fault, fault, fault, silent, refused, refused, fault}};
 constexpr stage_row<10> wiring_row{
     "TCC", {begun, disabled}, {inputs, rests, inputs, inputs, inputs, inputs, silent, inputs, refused, aborted}};
 

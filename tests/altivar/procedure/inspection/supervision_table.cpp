@@ -104,7 +104,7 @@ constexpr std::array<stage_row<18>, 10> rows{{
     {"ETA", {begun, word(1), word(100), word(1), word(164), word(0), word(0), word(1)},
      {local, local, local, local, local, local, local, local, local,
       local, local, local, ready, local,
-      silent, lacking, refused, aborted}},
+      silent, refused, refused, aborted}},
 }};
 constexpr std::array<std::uint16_t, 10> registers{7010, 6005, 8401, 8423, 8413, 8413, 8431, 7122, 8652, 3201};
 
@@ -181,9 +181,9 @@ constexpr std::array<risky, 19> findings{{
     {"no ETA",
      {begun, word(1), word(120), word(1), word(164), word(0), word(0), word(1)},
      missing,
-     lacking,
-     &risks::accept_unknown_registers,
-     ready},
+     refused, // every drive has it: no risk accepts that
+     nullptr,
+     x},
     {"a time-out of three gaps",
      {begun, word(1), word(120), word(1), word(164), word(0), word(0), word(1)},
      remote,

@@ -55,9 +55,13 @@ constexpr std::array<answer, 20> statuses{{
 constexpr way written{begun, word(enabled_word), word(0x000F), confirmed, pause_over};
 constexpr way reached_once{begun,      word(enabled_word), word(0x000F), confirmed,
                            pause_over, word(reached),      word(300),    pause_over};
+/// The drive may still show what it does with the reference before.
+constexpr way limited_once{begun, word(enabled_word), word(0x000F), confirmed, pause_over, word(limited), pause_over};
+constexpr way limited_before{begun,         word(enabled_word), word(0x000F),       confirmed, pause_over,
+                             word(limited), pause_over,         word(enabled_word), pause_over};
 
 // clang-format off
-constexpr std::array<stage_row<20>, 3> forward_looks{{
+constexpr std::array<stage_row<20>, 5> forward_looks{{
     // stage, and the way there
     //   1, 2, 3, 4, 5, 6, 7, 8, no state
     //   2 by the key, 5 and key, 5 in local, 8 in local, reached, in reverse, limited, both
@@ -68,32 +72,44 @@ constexpr std::array<stage_row<20>, 3> forward_looks{{
       silent, refused, aborted}},
     {"a look after the write", written,
      {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
-      key, pauses, local, lft, rfr, pauses, at_limit, at_limit,
+      key, pauses, local, lft, rfr, pauses, pauses, pauses,
       silent, refused, too_late}},
     {"a look after it was reached once", reached_once,
      {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
+      key, pauses, local, lft, rfr, pauses, pauses, pauses,
+      silent, refused, too_late}},
+    {"a look after it was limited once", limited_once,
+     {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
       key, pauses, local, lft, rfr, pauses, at_limit, at_limit,
+      silent, refused, too_late}},
+    {"a look after it was limited, and then not", limited_before,
+     {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
+      key, pauses, local, lft, rfr, pauses, pauses, pauses,
       silent, refused, too_late}},
 }};
 constexpr std::array<stage_row<20>, 1> reverse_looks{{
     {"a look after the write", written,
      {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
-      key, pauses, local, lft, pauses, rfr, at_limit, at_limit,
+      key, pauses, local, lft, pauses, rfr, pauses, pauses,
       silent, refused, too_late}},
 }};
-constexpr std::array<stage_row<20>, 3> zero_looks{{
+constexpr std::array<stage_row<20>, 4> zero_looks{{
     {"a look after the write", written,
      {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
-      key, pauses, local, lft, pauses, pauses, at_limit, at_limit,
+      key, pauses, local, lft, pauses, pauses, pauses, pauses,
       silent, refused, too_late}},
     {"a look after it was reached once", {begun, word(enabled_word), word(0x000F), confirmed, pause_over, word(reached), pause_over},
      {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
-      key, pauses, local, lft, done, done, at_limit, at_limit,
+      key, pauses, local, lft, done, done, pauses, pauses,
+      silent, refused, too_late}},
+    {"a look after it was limited once", limited_once,
+     {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
+      key, pauses, local, lft, pauses, pauses, at_limit, at_limit,
       silent, refused, too_late}},
     {"a look after it was reached, and then not",
      {begun, word(enabled_word), word(0x000F), confirmed, pause_over, word(reached), pause_over, word(enabled_word), pause_over},
      {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
-      key, pauses, local, lft, pauses, pauses, at_limit, at_limit,
+      key, pauses, local, lft, pauses, pauses, pauses, pauses,
       silent, refused, too_late}},
 }};
 // clang-format on
@@ -124,10 +140,10 @@ constexpr std::array<stage_row<8>, 7> other_rows{{
      {pauses, done, done, x, x, silent, refused, too_late}},
     {"the fault of a drive that was not written to",
      {begun, word(fault_word)},
-     {fault, fault, fault, x, x, silent, refused, aborted}},
+     {fault, fault, fault, x, x, silent, refused, fault}},
     {"the fault of one that was",
      {begun, word(enabled_word), word(0x000F), confirmed, pause_over, word(fault_word)},
-     {fault, fault, fault, x, x, silent, refused, too_late}},
+     {fault, fault, fault, x, x, silent, refused, fault}},
 }};
 
 constexpr reference_procedure forward{layout, {speed, 1'500}}, reverse{layout, {speed, 0xFA24}};

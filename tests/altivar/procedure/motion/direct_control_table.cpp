@@ -25,7 +25,7 @@ constexpr cell clear = writes(layout.cmd, 0x0000), run = writes(layout.cmd, 0x80
 constexpr cell reference = writes(speed, 1'500), read_back = reads(speed);
 constexpr cell x = never;
 constexpr cell done = ends(kind::succeeded), silent = ends(kind::silent), refused = ends(kind::refused);
-constexpr cell aborted = ends(kind::aborted), too_late = ends(kind::state_timeout), fault = ends(kind::in_fault);
+constexpr cell aborted = ends(kind::aborted), fault = ends(kind::in_fault);
 constexpr cell local = ends(kind::local_control), limited = ends(kind::reference_limited);
 constexpr cell running = ends(kind::refused_while_running);
 
@@ -56,14 +56,14 @@ constexpr std::array<answer, 17> statuses{{
 constexpr event disabled = word(disabled_word), read_0 = word(0), read_1500 = word(1'500);
 
 // clang-format off
-constexpr std::array<stage_row<17>, 4> look_rows{{
+constexpr std::array<stage_row<17>, 6> look_rows{{
     // stage, and the way there
     //   1, 2, 3, 4, 5, 6, 7, 8
     //   no state, local, STOP key in 2, in 5, limited, fault in local
     //   no response, refused, limit over
     {"meeting", {begun},
-     {clear, clear, clear, clear, running, running, lft, lft,
-      clear, local, clear, running, running, lft,
+     {aborted, clear, clear, clear, running, running, lft, lft,
+      aborted, local, clear, running, running, lft,
       silent, refused, aborted}},
     {"looking again", {begun, disabled, confirmed, confirmed, read_1500, read_0},
      {undo(kind::aborted), run, undo(kind::aborted), undo(kind::aborted), undo(kind::aborted), undo(kind::aborted), lft, lft,
@@ -75,8 +75,18 @@ constexpr std::array<stage_row<17>, 4> look_rows{{
       undo(kind::aborted), undo(kind::local_control), run, undo(kind::aborted), undo(kind::aborted), lft,
       undo(kind::silent), undo(kind::refused), undo(kind::state_timeout)}},
     {"confirming", {begun, disabled, confirmed, confirmed, read_1500, read_0, disabled, confirmed},
-     {pauses, pauses, pauses, pauses, done, pauses, lft, lft,
-      pauses, ramp(kind::local_control), pauses, done, limited, lft,
+     {ramp(kind::fell_back), pauses, pauses, pauses, done, ramp(kind::fell_back), lft, lft,
+      ramp(kind::fell_back), ramp(kind::local_control), ramp(kind::stop_key), ramp(kind::stop_key), limited, lft,
+      ramp(kind::silent), ramp(kind::refused), ramp(kind::state_timeout)}},
+    {"confirming, of a drive that its key had stopped before",
+     {begun, word(shows_key), confirmed, confirmed, read_1500, read_0, word(shows_key), confirmed},
+     {ramp(kind::fell_back), pauses, pauses, pauses, done, ramp(kind::fell_back), lft, lft,
+      ramp(kind::fell_back), ramp(kind::local_control), pauses, done, limited, lft,
+      ramp(kind::silent), ramp(kind::refused), ramp(kind::state_timeout)}},
+    {"confirming, of a drive that was switched on already",
+     {begun, disabled, confirmed, confirmed, read_1500, read_0, disabled, confirmed, word(on_word), pause_over},
+     {ramp(kind::fell_back), ramp(kind::fell_back), ramp(kind::fell_back), pauses, done, ramp(kind::fell_back), lft, lft,
+      ramp(kind::fell_back), ramp(kind::local_control), ramp(kind::stop_key), ramp(kind::stop_key), limited, lft,
       ramp(kind::silent), ramp(kind::refused), ramp(kind::state_timeout)}},
 }};
 
@@ -106,12 +116,12 @@ constexpr std::array<stage_row<8>, 9> other_rows{{
     {"a wait for operation", {begun, disabled, confirmed, confirmed, read_1500, read_0, disabled, confirmed, disabled},
      {x, x, x, x, eta, ramp(kind::silent), x, ramp(kind::state_timeout)}},
     {"the fault of a drive that was not commanded", {begun, word(fault_word)},
-     {fault, fault, fault, x, x, silent, refused, too_late}},
+     {fault, fault, fault, x, x, silent, refused, fault}},
     {"the fault of one that holds 0000", {begun, disabled, confirmed, confirmed, read_1500, read_0, word(fault_word)},
-     {fault, fault, fault, x, x, silent, refused, too_late}},
+     {fault, fault, fault, x, x, silent, refused, fault}},
     {"the fault of one that was told to run",
      {begun, disabled, confirmed, confirmed, read_1500, read_0, disabled, confirmed, word(fault_word)},
-     {ramp(kind::in_fault), ramp(kind::in_fault), ramp(kind::in_fault), x, x, ramp(kind::silent), ramp(kind::refused), ramp(kind::state_timeout)}},
+     {ramp(kind::in_fault), ramp(kind::in_fault), ramp(kind::in_fault), x, x, ramp(kind::silent), ramp(kind::refused), ramp(kind::in_fault)}},
 }};
 // clang-format on
 
@@ -143,8 +153,8 @@ TEST_CASE("a direct start is withdrawn at any of its writes where the client has
 {
     event const no_place = failed(errc::too_many_ordered);
     way const clearing{begun, disabled}, writing{begun, disabled, confirmed};
-    way const running{begun, disabled, confirmed, confirmed, read_1500, read_0, disabled};
+    way const telling{begun, disabled, confirmed, confirmed, read_1500, read_0, disabled};
     CHECK(does(led(checked, clearing), no_place, undo(kind::no_place)));
     CHECK(does(led(checked, writing), no_place, undo(kind::no_place)));
-    CHECK(does(led(checked, running), no_place, ramp(kind::no_place)));
+    CHECK(does(led(checked, telling), no_place, ramp(kind::no_place)));
 }

@@ -25,6 +25,9 @@ constexpr cell aborted = ends(kind::aborted), too_late = ends(kind::state_timeou
 /// The limit is over, and the drive was last read in fault: LFT is read for the outcome.
 constexpr cell code = then(reads(layout.lft), kind::in_fault);
 
+/// Bit 7 is written low, whatever comes of it.
+[[nodiscard]] constexpr cell undo(kind how) { return then(low, how); }
+
 constexpr event in_fault = word(fault_word), in_reaction = word(reaction_word), in_no_state = word(no_state_word);
 
 // clang-format off
@@ -38,7 +41,7 @@ constexpr std::array<stage_row<12>, 6> look_rows{{
     {"a look after no state", {begun, in_no_state, pause_over},
      {done, done, done, done, done, done, pauses, low, pauses, silent, refused, aborted}},
     {"the first look after the reset", {begun, in_fault, confirmed, confirmed, confirmed},
-     {done, done, done, done, done, done, pauses, pauses, pauses, silent, refused, code}},
+     {done, done, done, done, done, done, pauses, pauses, pauses, silent, refused, too_late}},
     {"a look that finds the fault again", {begun, in_fault, confirmed, confirmed, confirmed, in_fault, pause_over},
      {done, done, done, done, done, done, pauses, pauses, pauses, silent, refused, code}},
     {"a look after the reset and no state",
@@ -56,10 +59,18 @@ constexpr std::array<answer, 7> others{{
     {"refused", failed(errc::server_device_failure)},
     {"limit over", late},
 }};
-constexpr std::array<stage_row<7>, 8> other_rows{{
+constexpr std::array<stage_row<7>, 10> other_rows{{
     {"bit 7 low", {begun, in_fault}, {x, x, high, x, silent, refused, code}},
-    {"bit 7 high", {begun, in_fault, confirmed}, {x, x, low, x, silent, refused, code}},
-    {"bit 7 low again", {begun, in_fault, confirmed, confirmed}, {x, x, eta, x, silent, refused, code}},
+    {"bit 7 high", {begun, in_fault, confirmed}, {x, x, low, x, undo(kind::silent), undo(kind::refused), code}},
+    {"bit 7 low again",
+     {begun, in_fault, confirmed, confirmed},
+     {x, x, eta, x, undo(kind::silent), undo(kind::refused), undo(kind::state_timeout)}},
+    {"bit 7 low after no response to it high",
+     {begun, in_fault, confirmed, failed(errc::timed_out)},
+     {x, x, silent, x, silent, silent, undo(kind::silent)}},
+    {"bit 7 low after a refusal of it low",
+     {begun, in_fault, confirmed, confirmed, failed(errc::server_device_failure)},
+     {x, x, refused, x, refused, refused, undo(kind::refused)}},
     {"a wait in a fault reaction", {begun, in_reaction}, {x, x, x, eta, silent, x, code}},
     {"a wait in no state", {begun, in_no_state}, {x, x, x, eta, silent, x, aborted}},
     {"a wait in fault after the reset",
@@ -86,8 +97,13 @@ TEST_CASE("a reset of a fault begins with a look") { CHECK(does(reset, begun, et
 
 TEST_CASE("a reset of a fault ends at any of its writes where the client has no place for one more drive")
 {
-    for (way const& to_write :
-         {way{begun, in_fault}, way{begun, in_fault, confirmed}, way{begun, in_fault, confirmed, confirmed}}) {
+    for (way const& to_write : {way{begun, in_fault}, way{begun, in_fault, confirmed}}) {
         CHECK(does(led(reset, to_write), failed(errc::too_many_ordered), ends(kind::no_place)));
+        CHECK(does(led(reset, to_write), failed(errc::unit_lost), silent));
     }
+    // Bit 7 is high then; the word that takes it away needs no place, because it also stops.
+    reset_procedure it = led(reset, {begun, in_fault, confirmed, confirmed});
+    CHECK(does(it, failed(errc::too_many_ordered), undo(kind::no_place)));
+    CHECK(does(it, failed(errc::unit_lost), undo(kind::silent)));
+    CHECK(it.step(failed(errc::too_many_ordered)).does == effect::stopping);
 }

@@ -153,7 +153,7 @@ constexpr bool says_nothing_was_done()
 {
     factory_procedure it{atv320::device::layout, {.run_inputs = 0}};
     bool ok = reads(it.step(begins), eta) and it.step({kind::late}).what == action::kind::end;
-    ok = ok and it.reason().kind == outcome_kind::silent;
+    ok = ok and it.reason().kind == outcome_kind::aborted;
     factory_procedure refused{atv320::device::layout, {.run_inputs = 0}};
     static_cast<void>(refused.step(begins));
     ok = ok and reads(refused.step(word(disabled)), 8504);

@@ -87,10 +87,10 @@ constexpr std::array<stage_row<13>, 11> rows{{
       x, enable, silent, refused, timeout}},
     {"reading the fault of a drive that was not commanded", {begun, word(0x0238)},
      {x, x, x, x, x, x, x, x,
-      fault, x, silent, refused, timeout}},
+      fault, x, silent, refused, fault}},
     {"reading the fault of one that was", {begun, word(ready), confirmed, word(0x0238)},
      {x, x, x, x, x, x, x, x,
-      undo(kind::in_fault), x, eta, undo(kind::refused), undo(kind::state_timeout)}},
+      undo(kind::in_fault), x, eta, undo(kind::refused), undo(kind::in_fault)}},
 }};
 // clang-format on
 

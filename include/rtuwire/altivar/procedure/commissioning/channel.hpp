@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include <rtuwire/altivar/device/drive_type.hpp>
+#include <rtuwire/altivar/procedure/commissioning/last_look.hpp>
 #include <rtuwire/altivar/procedure/inspection/at_rest.hpp>
 #include <rtuwire/altivar/procedure/procedure_runner.hpp>
 #include <rtuwire/core/version.hpp>
@@ -77,47 +78,51 @@ private:
 /// Decides the set-up, word by word: reads all settings before it writes one, checks the drive before each write,
 /// reads each setting back, reads all of them again after the last, and reads the drive's status once more.
 ///
-/// | stage           | word read                         | confirmed    | no response  | refused       | limit over   |
-/// |-----------------|-----------------------------------|--------------|--------------|---------------|--------------|
-/// | comparing       | the next; after the last: looking |              | end: silent  | end: refused  | end: aborted |
-/// | comparing again | the next; after the last: wait    |              | end: silent  | end: refused  | end: aborted |
-/// |                 | if wrong end: not_taken           |              |              |               |              |
-/// | looking         | the check, write CMD or set one   |              | end: silent  | as in a check | end: aborted |
-/// | clearing        |                                   | set one      | end: silent  | end: refused  | end: aborted |
-/// | setting         |                                   | read it      | end: silent  | end: refused  | end: aborted |
-/// | reading_back    | looking; at last: compare again   |              | end: silent  | end: refused  | end: aborted |
-/// |                 | if wrong end: not_taken           |              |              |               |              |
-/// | confirming      | 7, 8: read LFT                    |              | end: silent  | end: refused  | end: aborted |
-/// |                 | 5, 6: write CMD                   |              |              |               |              |
-/// |                 | other: end: succeeded             |              |              |               |              |
-/// | reading_fault   | end: in_fault                     |              | end: silent  | end: refused  | end: aborted |
-/// | taking_back     |                                   | end: started | end: started | end: started  | end: aborted |
+/// | stage           | word read                         | confirmed | no response | refused       | limit over   |
+/// |-----------------|-----------------------------------|-----------|-------------|---------------|--------------|
+/// | comparing       | the next; after the last: looking |           | end: silent | end: refused  | end: aborted |
+/// | comparing again | the next; after the last: wait    |           | end: silent | end: refused  | end: aborted |
+/// |                 | if wrong end: not_taken           |           |             |               |              |
+/// | looking         | the check, write CMD or set one   |           | end: silent | as in a check | end: aborted |
+/// | clearing        |                                   | set one   | end: silent | end: refused  | end: aborted |
+/// | setting         |                                   | read it   | end: silent | end: refused  | end: aborted |
+/// | reading_back    | looking; at last: compare again   |           | end: silent | end: refused  | end: aborted |
+/// |                 | if wrong end: not_taken           |           |             |               |              |
 ///
-/// CMD is written 0000: once before the first setting, and to a motor that runs; "started" is `started_by_terminals`.
-/// Where no setting is wrong, the first comparison ends as `succeeded`. Exception 02 to a comparison is
-/// `unknown_register`. A wait ends with the read of ETA.
+/// Once a setting was sent, each "end" is a `last_look` (closing) that writes 0000 to a motor that runs, and then ends
+/// so; a wait ends with one, too, and then with `succeeded`. CMD is written 0000 once before the first setting. Where no
+/// setting is wrong, the first comparison ends as `succeeded`. Exception 02 to a comparison is `unknown_register`.
 /// Internal.
 class channel_procedure : public procedure {
 public:
+    /// The time to look once more at a drive whose terminals may have started its motor.
+    static constexpr duration grace{milliseconds(3'000)};
+    static constexpr bool gives_way_to_order = true;
+
     constexpr channel_procedure(drive_layout const& layout, channel_words const& wanted,
                                 terminal_options const& options) noexcept
-        : procedure{layout}, wanted_{wanted}, options_{options}, look_{layout, options}
+        : procedure{layout}, wanted_{wanted}, options_{options}, look_{layout, options}, last_{layout, 0}
     {}
+
+    [[nodiscard]] constexpr bool takes_back() const noexcept { return stage_ == stage::closing; }
 
     constexpr action step(event const& what) noexcept
     {
-        if (stage_ == stage::looking and what.what != event::kind::late) {
+        if (stage_ == stage::closing) {
+            return see(what);
+        }
+        if (stage_ == stage::looking) {
             return check_rest(what);
         }
         switch (what.what) {
         case event::kind::begun: return compare_next(0);
         case event::kind::word_read: return on_response(what.word);
         case event::kind::written: return after_write();
-        case event::kind::pause_over: return to_read(layout().eta);
+        case event::kind::pause_over: return close({outcome_kind::succeeded});
         case event::kind::failed: return go_without(what.error);
         case event::kind::late: break;
         }
-        return end(outcome_kind::aborted, errc::timed_out);
+        return close({outcome_kind::aborted, errc::timed_out});
     }
 
     /// The register that the outcome is about, and its value.
@@ -134,9 +139,8 @@ private:
         clearing, ///< the control word
         setting,
         reading_back,
-        confirming, ///< that the drive still stands
-        reading_fault,
-        taking_back, ///< a motor runs: its command is withdrawn
+        waiting,
+        closing, ///< the last look
     };
 
     constexpr action compare_next(std::size_t from) noexcept
@@ -178,29 +182,32 @@ private:
     constexpr action confirm_later() noexcept
     {
         address_ = 0;
-        stage_ = stage::confirming;
+        word_ = 0;
+        stage_ = stage::waiting;
         return to_pause(status_period);
     }
 
     constexpr action check_rest(event const& what) noexcept
     {
-        action const next = run_inside(look_, what);
+        action const next = follow(look_, what);
         if (look_.reason().kind == outcome_kind::succeeded) {
             // A control word left from before would take effect once Modbus commands.
             stage_ = is_cleared_ ? stage::setting : stage::clearing;
             return is_cleared_ ? write_setting() : to_rearrange(layout().cmd, 0);
         }
-        if (next.what == action::kind::end) {
-            address_ = look_.address();
-            word_ = look_.word();
+        if (next.what != action::kind::end) {
+            return next;
         }
-        return next;
+        address_ = look_.address();
+        word_ = look_.word();
+        return close(look_.reason());
     }
 
     constexpr action write_setting() noexcept
     {
         address_ = wanted_[at_].address;
         word_ = 0;
+        is_given_ = true;
         return to_rearrange(address_, wanted_[at_].word);
     }
 
@@ -211,9 +218,6 @@ private:
             stage_ = stage::setting;
             return write_setting();
         }
-        if (stage_ == stage::taking_back) {
-            return end(outcome_kind::started_by_terminals);
-        }
         ++written_;
         stage_ = stage::reading_back;
         return read_setting();
@@ -222,56 +226,57 @@ private:
     constexpr action on_response(std::uint16_t word) noexcept
     {
         word_ = word;
-        switch (stage_) {
-        case stage::comparing: return compare(word);
-        case stage::reading_back: return word == wanted_[at_].word ? set_next(at_ + 1) : end(outcome_kind::not_taken);
-        case stage::reading_fault: return end_in_fault(word);
-        case stage::looking:
-        case stage::clearing:
-        case stage::setting:
-        case stage::confirming:
-        case stage::taking_back: break;
+        if (stage_ == stage::comparing) {
+            return compare(word);
         }
-        return confirm(note(word));
+        return word == wanted_[at_].word ? set_next(at_ + 1) : close({outcome_kind::not_taken});
     }
 
     constexpr action compare(std::uint16_t word) noexcept
     {
         bool const is_right = word == wanted_[at_].word;
         if (is_set_ and not is_right) {
-            return end(outcome_kind::not_taken);
+            return close({outcome_kind::not_taken});
         }
         is_wrong_ |= is_right ? 0U : 1U << at_;
         return compare_next(at_ + 1);
     }
 
-    constexpr action confirm(cia402::state at) noexcept
-    {
-        if (cia402::is_in_fault(at)) {
-            stage_ = stage::reading_fault;
-            return to_read(layout().lft);
-        }
-        if (cia402::has_power(at)) {
-            address_ = layout().eta;
-            // The line may no longer command it, but without sending this is not known.
-            stage_ = stage::taking_back;
-            return to_stop(layout().cmd, 0);
-        }
-        return end(outcome_kind::succeeded);
-    }
-
     constexpr action go_without(errc error) noexcept
     {
-        if (stage_ == stage::taking_back) {
-            return end(outcome_kind::started_by_terminals, error);
+        bool const is_missing = error == errc::illegal_data_address and stage_ == stage::comparing;
+        return close({is_missing ? outcome_kind::unknown_register : kind_for(error), error});
+    }
+
+    /// Ends, but once a setting was sent not without a last look. A motor that the check found running, and that stood
+    /// at the check before, needs no other look.
+    constexpr action close(altivar::reason const& so) noexcept
+    {
+        if (not is_given_) {
+            return end_as(so);
         }
-        bool const is_missing = error == errc::illegal_data_address;
-        return is_missing and stage_ == stage::comparing ? end(outcome_kind::unknown_register, error) : end(error);
+        stage_ = stage::closing;
+        return so.kind == outcome_kind::refused_while_running ? last_.begin_cut(reason().state)
+                                                              : last_.begin(so, reason().state);
+    }
+
+    constexpr action see(event const& what) noexcept
+    {
+        action const next = follow(last_, what);
+        if (next.what != action::kind::end) {
+            return next;
+        }
+        if (last_.reason().kind == outcome_kind::started_by_terminals) {
+            address_ = layout().eta;
+            word_ = last_.status() != 0 ? last_.status() : word_; // else it is that of the check
+        }
+        return end_as(last_.reason());
     }
 
     channel_words wanted_;
     terminal_options options_;
     at_rest_procedure look_;
+    last_look last_;
     std::size_t at_{0};
     unsigned is_wrong_{0}; ///< settings to be written, a bit each
     unsigned written_{0};
@@ -279,17 +284,19 @@ private:
     std::uint16_t word_{0};
     stage stage_{stage::comparing};
     bool is_cleared_{false};
-    bool is_set_{false}; ///< each was written and read back once
+    bool is_set_{false};   ///< each was written and read back once
+    bool is_given_{false}; ///< a setting was sent, confirmed or not
 };
 
 /// Sets the channels of a drive in states 2, 3 or 4. Done where each setting reads back as requested, and the drive
 /// stands after the last; `not_taken` where one does not, `run_input_closed` and `refused_while_running` with nothing
-/// more written, `unknown_register` where a setting or the inputs cannot be read. `address()` names the register, and
+/// more set, `unknown_register` where a setting or the inputs cannot be read. `address()` names the register, and
 /// `word()` its value.
 ///
 /// What cannot be read: the inputs of an ATV310, a command of the keypad, and an input that is closed between the check
 /// and the write. A motor that runs after a write is sent 0000 once and reported as `started_by_terminals`: stop it
-/// where it was started. Nothing is saved; `save_to_eeprom` does that.
+/// where it was started. It looks for that at every end after the first write, up to 3 s after its limit; where that
+/// look fails, 0000 is sent, too. Nothing is saved; `save_to_eeprom` does that.
 class set_channel : public procedure_runner<channel_procedure> {
 public:
     template <device_type Device>

@@ -36,12 +36,13 @@ template <auto const&... Registers> struct scanner_outputs {
 
 /// Decides a configuration, word by word.
 ///
-/// | stage         | word read             | confirmed      | no response | refused      | limit over  |
-/// |---------------|-----------------------|----------------|-------------|--------------|-------------|
-/// | looking       | 5, 6, 7: end: running |                | end: silent | end: refused | end: silent |
-/// |               | other: write slot 1   |                |             |              |             |
-/// | a slot        |                       | write the next | end: silent | end: refused | end: silent |
-/// | the last slot |                       | end: succeeded | end: silent | end: refused | end: silent |
+/// | stage         | word read             | confirmed      | no response | refused      | limit over   |
+/// |---------------|-----------------------|----------------|-------------|--------------|--------------|
+/// | looking       | 5, 6, 7: end: running |                | end: silent | end: refused | end: aborted |
+/// |               | 2, 3, 4, 8: slot 1    |                |             |              |              |
+/// |               | else: end: aborted    |                |             |              |              |
+/// | a slot        |                       | write the next | end: silent | end: refused | end: aborted |
+/// | the last slot |                       | end: succeeded | end: silent | end: refused | end: aborted |
 ///
 /// "Running" is `refused_while_running`. The input slots come first; one without a register is written 0.
 /// Internal.
@@ -58,17 +59,13 @@ public:
     {
         switch (what.what) {
         case event::kind::begun: return to_read(layout().eta);
-        case event::kind::word_read:
-            if (cia402::has_power(note(what.word))) {
-                return end(outcome_kind::refused_while_running);
-            }
-            return write_slot();
+        case event::kind::word_read: return stands(note(what.word)) ? write_slot() : end_running();
         case event::kind::written: ++at_; return write_slot();
         case event::kind::failed: return end(what.error);
         case event::kind::late:
         case event::kind::pause_over: break;
         }
-        return end(outcome_kind::silent, errc::timed_out);
+        return end(outcome_kind::aborted, errc::timed_out);
     }
 
 private:
@@ -92,8 +89,9 @@ private:
     std::size_t at_{0};
 };
 
-/// Configures the scanner of a stopped drive: `configure_scanner<Inputs, Outputs> conversation{drive}`. Never
-/// map CMI with its save bit set: each cycle would write the EEPROM.
+/// Configures the scanner of a stopped drive: `configure_scanner<Inputs, Outputs> conversation{drive}`. Where it does not
+/// succeed after a slot was written, the scanner is partly configured: do it again. Never map CMI with its save bit
+/// set: each cycle would write the EEPROM.
 template <typename Inputs, typename Outputs> class configure_scanner : public procedure_runner<scanner_procedure> {
 public:
     template <device_type Device>

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include <rtuwire/altivar/device/atv28.hpp>
+#include <rtuwire/altivar/procedure/commissioning/last_look.hpp>
 #include <rtuwire/altivar/procedure/inspection/at_rest.hpp>
 #include <rtuwire/altivar/procedure/procedure_runner.hpp>
 #include <rtuwire/core/version.hpp>
@@ -22,51 +23,54 @@ inline constexpr std::uint16_t link_activated = 0x8000; ///< bit 1 low: no power
 /// Internal.
 inline constexpr std::uint16_t link_released = 0x8100;
 
-/// Decides a release or its opposite, word by word.
+/// Decides a release or its opposite, word by word. "Closing" is a `last_look` that writes 8000 to a motor that runs,
+/// and then ends so.
 ///
-/// | stage         | word read                       | confirmed      | no response  | refused       | limit over   |
-/// |---------------|---------------------------------|----------------|--------------|---------------|--------------|
-/// | looking       | the check, write 8100           |                | end: silent  | as in a check | end: aborted |
-/// | telling       |                                 | wait, read ETA | end: silent  | end: refused  | end: aborted |
-/// | confirming    | 5, 6, 7: write 8000             |                | end: silent  | end: refused  | end: aborted |
-/// |               | other: read ETI                 |                |              |               |              |
-/// | asking_source | its bit 14 is 0: end: succeeded |                | end: silent  | end: refused  | end: aborted |
-/// |               | else end: not_taken             |                |              |               |              |
-/// | taking_back   |                                 | end: started   | end: started | end: started  | end: aborted |
+/// | stage         | word read                       | confirmed | no response     | refused          | limit over       |
+/// |---------------|---------------------------------|-----------|-----------------|------------------|------------------|
+/// | looking       | the check, write 8100           |           | end: silent     | as in a check    | end: aborted     |
+/// | telling       |                                 | wait      | closing: silent | closing: refused | closing: aborted |
+/// | confirming    | a `last_look`; then read ETI    |           | closing: silent | closing: refused | closing: aborted |
+/// | asking_source | its bit 14 is 0: end: succeeded |           | closing: silent | closing: refused | closing: aborted |
+/// |               | else end: not_taken             |           |                 |                  |                  |
 ///
-/// "Started" is `started_by_terminals`. The opposite of a release writes 8000, and bit 14 has to be 1.
+/// A wait ends with confirming. The opposite of a release writes 8000, and bit 14 has to be 1.
 /// Internal.
 class link_procedure : public procedure {
 public:
+    /// The time to look once more at a drive whose terminals may have started its motor.
+    static constexpr duration grace{milliseconds(3'000)};
+    static constexpr bool gives_way_to_order = true;
+
     constexpr link_procedure(bool is_release, terminal_options const& options) noexcept
-        : procedure{device::layout}, look_{device::layout, options}, is_release_{is_release}
+        : procedure{device::layout}, look_{device::layout, options}, last_{device::layout, link_activated},
+          is_release_{is_release}
     {}
+
+    [[nodiscard]] constexpr bool takes_back() const noexcept { return stage_ == stage::closing; }
 
     constexpr action step(event const& what) noexcept
     {
-        if (stage_ == stage::looking and what.what != event::kind::late) {
+        if (stage_ == stage::looking) {
             return check_rest(what);
         }
+        bool const is_late = what.what == event::kind::late and not last_.is_cutting();
+        if (stage_ == stage::closing or (stage_ == stage::confirming and not is_late)) {
+            return see(what);
+        }
         switch (what.what) {
-        case event::kind::written: return after_write();
-        case event::kind::pause_over: return ask(stage::confirming, layout().eta);
-        case event::kind::word_read: return on_response(what.word);
-        case event::kind::failed:
-            return stage_ == stage::taking_back ? end(outcome_kind::started_by_terminals, what.error) : end(what.error);
+        case event::kind::written: return to_pause(status_period);
+        case event::kind::pause_over: return look_last(stage::confirming, {outcome_kind::succeeded});
+        case event::kind::word_read: return judge_source(what.word);
+        case event::kind::failed: return look_last(stage::closing, {kind_for(what.error), what.error});
         case event::kind::begun:
         case event::kind::late: break;
         }
-        return end(outcome_kind::aborted, errc::timed_out);
+        return look_last(stage::closing, {outcome_kind::aborted, errc::timed_out});
     }
 
 private:
-    enum class stage : std::uint8_t { looking, telling, confirming, asking_source, taking_back };
-
-    constexpr action ask(stage next, std::uint16_t address) noexcept
-    {
-        stage_ = next;
-        return to_read(address);
-    }
+    enum class stage : std::uint8_t { looking, telling, confirming, asking_source, closing };
 
     constexpr action check_rest(event const& what) noexcept
     {
@@ -78,34 +82,41 @@ private:
         return to_rearrange(layout().cmd, is_release_ ? link_released : link_activated);
     }
 
-    constexpr action after_write() noexcept
+    /// The link may always be activated, and the word for it removes the power.
+    constexpr action look_last(stage next, altivar::reason const& so) noexcept
     {
-        return stage_ == stage::taking_back ? end(outcome_kind::started_by_terminals) : to_pause(status_period);
+        stage_ = next;
+        last_ = last_look{layout(), link_activated};
+        return last_.begin(so, reason().state);
     }
 
-    constexpr action on_response(std::uint16_t word) noexcept
+    constexpr action see(event const& what) noexcept
     {
-        if (stage_ == stage::confirming) {
-            if (cia402::has_power(note(word))) {
-                // The link may always be activated, and the word for it removes the power.
-                stage_ = stage::taking_back;
-                return to_stop(layout().cmd, link_activated);
-            }
-            return ask(stage::asking_source, layout().eti);
+        action const next = run_inside(last_, what);
+        if (last_.reason().kind != outcome_kind::succeeded) {
+            return next;
         }
+        stage_ = stage::asking_source;
+        return to_read(layout().eti);
+    }
+
+    constexpr action judge_source(std::uint16_t word) noexcept
+    {
         constexpr std::uint16_t source_link = 0x4000;
         bool const is_by_link = (word & source_link) != 0;
         return end(is_by_link != is_release_ ? outcome_kind::succeeded : outcome_kind::not_taken);
     }
 
     at_rest_procedure look_;
+    last_look last_;
     stage stage_{stage::looking};
     bool is_release_;
 };
 
 /// Gives the control of a drive at rest to its terminals or its keypad. Refused while it runs, in a fault, and while a
-/// run input is closed; if the motor starts all the same, activating the link again removes its power, and this ends as
-/// `started_by_terminals`. `not_taken` where the drive reports that the link still commands.
+/// run input is closed. If the motor starts all the same, activating the link again removes its power, and this ends as
+/// `started_by_terminals`; it looks for that at every end after the release, up to 3 s after its limit, and where that
+/// look fails, it activates the link, too. `not_taken` where the drive reports that the link still commands.
 class release_link : public procedure_runner<link_procedure> {
 public:
     explicit constexpr release_link(station<device> const& drive, terminal_options const& options = {},

@@ -21,7 +21,8 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// | stage           | word read              | confirmed | no response  | refused       | limit over          |
 /// |-----------------|------------------------|-----------|--------------|---------------|---------------------|
 /// | looking         | 5, 6, 7: end: running  |           | end: silent  | end: refused  | end: aborted        |
-/// |                 | other: read CMI        |           |              |               |                     |
+/// |                 | 2, 3, 4, 8: read CMI   |           |              |               |                     |
+/// |                 | else: end: aborted     |           |              |               |                     |
 /// | reading_control | write CMI to save      |           | end: silent  | end: refused  | end: aborted        |
 /// | saving          |                        | wait      | undo: silent | undo: refused | undo: aborted       |
 /// | waiting         | still saving: wait     |           | undo: silent | undo: refused | undo: state_timeout |
@@ -61,8 +62,8 @@ private:
     {
         switch (stage_) {
         case stage::looking:
-            if (cia402::has_power(note(word))) {
-                return end(outcome_kind::refused_while_running);
+            if (not stands(note(word))) {
+                return end_running();
             }
             stage_ = stage::reading_control;
             return to_read(layout().cmi);

@@ -46,7 +46,7 @@ struct at_rest_rules {
 /// | LFT      | any                    | end: in_fault                                   |
 /// | anything | no response            | end: silent                                     |
 /// |          | refused otherwise      | end: refused                                    |
-/// |          | limit over             | end: aborted                                    |
+/// |          | limit over             | end: aborted; of LFT: in_fault, 0               |
 ///
 /// TCC is not read where the drive has none, or where two-wire control may come back. A drive without a register of its
 /// inputs is as one that answers 02. Without run inputs, ETA decides alone.
@@ -67,7 +67,7 @@ public:
         case event::kind::pause_over:
         case event::kind::late: break;
         }
-        return end(outcome_kind::aborted);
+        return asked_ == asked::fault ? end_in_fault(0) : end(outcome_kind::aborted, errc::timed_out);
     }
 
     /// The register that was read last, and its value.
@@ -103,13 +103,8 @@ private:
         if (cia402::is_in_fault(at) and not is_trusted) {
             return ask(asked::fault, layout().lft);
         }
-        if (cia402::has_power(at)) {
-            return end(outcome_kind::refused_while_running);
-        }
-        bool const stands = is_trusted or at == cia402::state::switch_on_disabled or
-                            at == cia402::state::ready_to_switch_on or at == cia402::state::switched_on;
-        if (not stands) {
-            return end(outcome_kind::aborted); // "not ready to switch on", or no state at all
+        if (not stands(at)) {
+            return end_running();
         }
         safeguard_layout const& where = layout().safeguards;
         return options_.run_inputs == 0                   ? end(outcome_kind::succeeded)

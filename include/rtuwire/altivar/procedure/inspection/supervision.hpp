@@ -27,6 +27,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// | a finding, its risk accepted | the same                                                                |
 /// | a finding                    | end: the finding                                                        |
 /// | exception 02: FLO, DOTD, TCC | read the next register                                                  |
+/// | exception 02: ETA            | end: refused                                                            |
 /// | exception 02: another        | the finding unknown_register                                            |
 /// | refused otherwise            | end: refused                                                            |
 /// | no response                  | end: silent                                                             |
@@ -92,10 +93,11 @@ private:
         return words_.judge(at_, word, layout().safeguards, report_);
     }
 
-    /// Skips a register that the drive does not have; any other error ends the check.
+    /// Skips a register that the drive does not have; any other error ends the check. Without a status word no drive is
+    /// ordered, whatever risk is accepted.
     constexpr action go_without(errc error) noexcept
     {
-        if (error != errc::illegal_data_address) {
+        if (error != errc::illegal_data_address or at_ == safeguard::status) {
             return end(error);
         }
         bool const is_needed = at_ != safeguard::local_input and at_ != safeguard::disable and at_ != safeguard::wiring;

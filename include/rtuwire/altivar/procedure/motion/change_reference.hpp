@@ -23,7 +23,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// |               | 1 to 4, 6, or no state              | end: aborted        | end: fell_back                      |
 /// |               | the same with the STOP key          | end: stop_key       | end: stop_key                       |
 /// |               | 5                                   | read CMD            | wait, not reached                   |
-/// |               | 5, limited                          | read CMD            | end: reference_limited              |
+/// |               | 5, limited                          | read CMD            | limited                             |
 /// |               | 5, reached in the ordered direction | read CMD            | read RFR; a reference of 0: reached |
 /// | RFR           | 0                                   |                     | wait, not reached                   |
 /// |               | other                               |                     | reached                             |
@@ -34,9 +34,11 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// | a wait        | over                                |                     | read ETA                            |
 /// | anything      | no response                         | end: silent         | end: silent                         |
 /// |               | refused                             | end: refused        | end: refused                        |
+/// |               | limit over, of LFT                  | end: in_fault, 0    | end: in_fault, 0                    |
 /// |               | limit over                          | end: aborted        | end: state_timeout                  |
 ///
-/// "Reached" waits the first time, and ends as `succeeded` the second time in a row. A reference of 0 has no direction.
+/// "Reached" waits the first time, and ends as `succeeded` the second time in a row; "limited" does so as
+/// `reference_limited`. A reference of 0 has no direction.
 /// Internal.
 class reference_procedure : public procedure {
 public:
@@ -56,7 +58,8 @@ public:
         case event::kind::failed: return end(what.error);
         case event::kind::late: break;
         }
-        return end(is_written_ ? outcome_kind::state_timeout : outcome_kind::aborted);
+        return asked_ == asked::fault ? end_in_fault(0)
+                                      : end(is_written_ ? outcome_kind::state_timeout : outcome_kind::aborted);
     }
 
 private:
@@ -76,7 +79,7 @@ private:
         case asked::control: return write(word);
         case asked::frequency: break;
         }
-        return count_reached(word != 0);
+        return count(word != 0 ? outcome_kind::succeeded : outcome_kind::pending);
     }
 
     constexpr action judge(std::uint16_t status) noexcept
@@ -98,22 +101,23 @@ private:
             return ask(asked::control, layout().cmd);
         }
         if ((status & reference_limited_bit) != 0) {
-            return end(outcome_kind::reference_limited);
+            return count(outcome_kind::reference_limited);
         }
         bool const is_reached = (status & reference_reached_bit) != 0;
         bool const turns_back = (status & runs_backwards_bit) != 0;
         if (reference_.is_zero() or not is_reached or turns_back != reference_.is_reverse()) {
-            return count_reached(reference_.is_zero() and is_reached);
+            return count(reference_.is_zero() and is_reached ? outcome_kind::succeeded : outcome_kind::pending);
         }
         return ask(asked::frequency, layout().rfr);
     }
 
-    /// A drive may still show that it has reached the reference before this one, so once is not enough.
-    constexpr action count_reached(bool is_reached) noexcept
+    /// A drive may still show that it has reached the reference before this one, or that it limits that one: so once is
+    /// not enough. `pending`: neither is shown.
+    constexpr action count(outcome_kind shown) noexcept
     {
-        constexpr int looks_at_it = 2;
-        reached_ = is_reached ? reached_ + 1 : 0;
-        return reached_ >= looks_at_it ? end(outcome_kind::succeeded) : to_pause(status_period);
+        bool const is_second = shown == shown_ and shown != outcome_kind::pending;
+        shown_ = shown;
+        return is_second ? end(shown) : to_pause(status_period);
     }
 
     /// One write of the reference with its sign: the direction bit stays as it is.
@@ -127,14 +131,14 @@ private:
     }
 
     reference_write reference_;
-    int reached_{0};
+    outcome_kind shown_{outcome_kind::pending}; ///< at the look before
     asked asked_{asked::status};
     bool is_written_{false};
 };
 
 /// Changes the reference of a drive in operation; a negative one is in reverse. Done where two status reads after the
-/// write show that it is reached, and the motor turns in that direction; `reference_limited` where the drive limits
-/// it, `halted` where the halt bit is set, `state_timeout` where the drive does not reach it in time. A long ramp needs
+/// write show that it is reached, and the motor turns in that direction; `reference_limited` where two show that the
+/// drive limits it, `halted` where the halt bit is set, `state_timeout` where the drive does not reach it in time. A long ramp needs
 /// a long limit. A drive that leaves operation ends it as `stop_key` or `fell_back`; one not in operation at the
 /// first read as `aborted`, or as `stop_key` if that stopped it.
 class change_reference : public procedure_runner<reference_procedure> {

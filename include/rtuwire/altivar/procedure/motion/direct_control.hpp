@@ -12,6 +12,7 @@
 #include <rtuwire/altivar/device/reference.hpp>
 #include <rtuwire/altivar/procedure/motion/order_procedure.hpp>
 #include <rtuwire/altivar/procedure/procedure_runner.hpp>
+#include <rtuwire/cia402/next_command.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 
@@ -84,19 +85,21 @@ public:
 /// | looking_again     | a status               |               | undo: silent | undo: refused | undo: state_timeout |
 /// | running           |                        | read ETA      | undo: silent | undo: refused | undo: state_timeout |
 /// | confirming        | a status               |               | undo: silent | undo: refused | undo: state_timeout |
-/// | reading_fault     | undo: in_fault         |               | undo: silent | undo: refused | undo: state_timeout |
+/// | reading_fault     | undo: in_fault         |               | undo: silent | undo: refused | undo: in_fault, 0   |
 ///
 /// | status               | meeting                    | looking_again       | confirming                           |
 /// |----------------------|----------------------------|---------------------|--------------------------------------|
 /// | 2 switch on disabled | write 0000                 | write 800A          | wait                                 |
-/// | 1, 3, 4, or no state | write 0000                 | undo: aborted       | wait                                 |
+/// | 3, 4                 | write 0000                 | undo: aborted       | wait                                 |
+/// | 1, or no state       | end: aborted               | undo: aborted       | undo: fell_back                      |
 /// | 5 operation enabled  | end: refused_while_running | undo: aborted       | end: succeeded, or reference_limited |
-/// | 6 quick stop active  | end: refused_while_running | undo: aborted       | wait                                 |
+/// | 6 quick stop active  | end: refused_while_running | undo: aborted       | undo: fell_back                      |
 /// | 7, 8 fault           | read LFT                   | read LFT            | read LFT                             |
 /// | in local control     | end: local_control         | undo: local_control | undo: local_control                  |
-/// | STOP key, newly      |                            | undo: stop_key      |                                      |
+/// | STOP key, newly      |                            | undo: stop_key      | undo: stop_key                       |
 ///
-/// A wait ends with another read of ETA. In reading_fault "undo" writes nothing unless the word to run was sent.
+/// A wait ends with another read of ETA. While confirming, a state below the one read last has fallen back. In
+/// looking_again, another state than 2 was commanded by somebody else. In reading_fault "undo" writes nothing unless the word to run was sent.
 /// Internal.
 class direct_start_procedure : public order_procedure {
 public:
@@ -119,6 +122,9 @@ public:
         case event::kind::pause_over: return read(stage::confirming, layout().eta);
         case event::kind::failed: return abort(kind_for(what.error), what.error);
         case event::kind::late: break;
+        }
+        if (stage_ == stage::reading_fault) {
+            return trip(0); // its code was not read
         }
         bool const was_checked = stage_ != stage::meeting and stage_ != stage::examining;
         return abort(was_checked ? outcome_kind::state_timeout : outcome_kind::aborted);
@@ -220,27 +226,29 @@ private:
         if ((status & remote_bit) == 0) {
             return abort(outcome_kind::local_control);
         }
-        if (stage_ == stage::confirming) {
-            return confirm(at, status);
-        }
         if (is_key_pressed(status)) {
             return abort(outcome_kind::stop_key);
         }
+        if (stage_ == stage::confirming) {
+            return confirm(at, status);
+        }
         if (stage_ == stage::looking) {
-            return cia402::has_power(at) ? end(outcome_kind::refused_while_running)
-                                         : write(stage::clearing, layout().cmd, 0);
+            return stands(at) ? write(stage::clearing, layout().cmd, 0) : end_running();
         }
         if (at != cia402::state::switch_on_disabled) {
             return abort(outcome_kind::aborted);
         }
         may_run_ = true;
+        rank_ = cia402::enable_rank(at);
         return write(stage::running, layout().cmd, direct_run);
     }
 
     constexpr action confirm(cia402::state at, std::uint16_t status) noexcept
     {
         if (at != cia402::state::operation_enabled) {
-            return to_pause(status_period);
+            bool const has_fallen = cia402::enable_rank(at) < rank_;
+            rank_ = cia402::enable_rank(at);
+            return has_fallen ? abort(outcome_kind::fell_back) : to_pause(status_period);
         }
         return end((status & reference_limited_bit) != 0 ? outcome_kind::reference_limited : outcome_kind::succeeded);
     }
@@ -265,6 +273,7 @@ private:
 
     reference_write reference_;
     stage stage_{stage::meeting};
+    int rank_{0}; ///< of the state that was read last, once the word to run was sent
     bool may_run_{false};
 };
 

@@ -14,16 +14,17 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
-/// Decides a reset, word by word.
+/// Decides a reset, word by word. "Undo" writes 0000, and then ends so: bit 7 is not left high.
 ///
-/// | stage         | word read     | confirmed  | no response | refused      | limit over         |
-/// |---------------|---------------|------------|-------------|--------------|--------------------|
-/// | looking       | a status      |            | end: silent | end: refused | end: aborted       |
-/// | low           |               | write 0080 | end: silent | end: refused | read LFT           |
-/// | high          |               | write 0000 | end: silent | end: refused | read LFT           |
-/// | low_again     |               | read ETA   | end: silent | end: refused | read LFT           |
-/// | checking      | a status      |            | end: silent | end: refused | end: state_timeout |
-/// | reading_fault | end: in_fault |            | end: silent | end: refused |                    |
+/// | stage         | word read     | confirmed  | no response  | refused       | limit over          |
+/// |---------------|---------------|------------|--------------|---------------|---------------------|
+/// | looking       | a status      |            | end: silent  | end: refused  | end: aborted        |
+/// | low           |               | write 0080 | end: silent  | end: refused  | read LFT            |
+/// | high          |               | write 0000 | undo: silent | undo: refused | read LFT            |
+/// | low_again     |               | read ETA   | undo: silent | undo: refused | undo: state_timeout |
+/// | undoing       |               | end: so    | end: so      | end: so       | write again         |
+/// | checking      | a status      |            | end: silent  | end: refused  | end: state_timeout  |
+/// | reading_fault | end: in_fault |            | end: silent  | end: refused  |                     |
 ///
 /// | status         | looking        | checking       |
 /// |----------------|----------------|----------------|
@@ -31,7 +32,8 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// | 7, or no state | wait           | wait           |
 /// | 8 fault        | write 0000     | wait           |
 ///
-/// A wait ends with another read of ETA. Where the state read last is 7 or 8, the limit has LFT read.
+/// A wait ends with another read of ETA. Where the state read last is 7 or 8, and no older than the reset, the limit has
+/// LFT read. Where 0080 was not sent because the unit was lost or has no place, there is nothing to undo.
 /// Internal.
 class reset_procedure : public procedure {
 public:
@@ -45,28 +47,26 @@ public:
         case event::kind::word_read:
             return stage_ == stage::reading_fault ? end_in_fault(what.word) : judge_status(what.word);
         case event::kind::written: return after_write();
-        case event::kind::failed: return end(what.error);
+        case event::kind::failed: return go_without(what.error);
         case event::kind::late: break;
         }
         return end_late();
     }
 
 private:
-    enum class stage : std::uint8_t { looking, low, high, low_again, checking, reading_fault };
+    enum class stage : std::uint8_t { looking, low, high, low_again, undoing, checking, reading_fault };
 
     constexpr action judge_status(std::uint16_t status) noexcept
     {
         cia402::state const at = note(status);
+        is_looked_at_ = true;
         if (at == cia402::state::unknown or at == cia402::state::fault_reaction_active) {
             return to_pause(status_period);
         }
         if (at != cia402::state::fault) {
             return end(outcome_kind::succeeded);
         }
-        if (stage_ == stage::checking) {
-            return to_pause(status_period);
-        }
-        return send_command(stage::low, 0);
+        return stage_ == stage::checking ? to_pause(status_period) : send_command(stage::low, 0);
     }
 
     constexpr action send_command(stage next, std::uint16_t word) noexcept
@@ -83,14 +83,36 @@ private:
         if (stage_ == stage::high) {
             return send_command(stage::low_again, 0);
         }
+        if (stage_ == stage::undoing) {
+            return end(reason().kind);
+        }
         stage_ = stage::checking;
+        is_looked_at_ = false;
         return to_read(layout().eta);
     }
 
-    /// The limit is over. Only a drive that was read in fault ends it so; its LFT is read for that.
+    constexpr action go_without(errc error) noexcept
+    {
+        bool const was_sent = error != errc::unit_lost and error != errc::too_many_ordered;
+        bool const may_be_high = stage_ == stage::low_again or (stage_ == stage::high and was_sent);
+        return may_be_high ? undo(kind_for(error), error) : end(error);
+    }
+
+    /// Ends, but not with bit 7 high. 0000 also stops, so it needs no place and passes by a loss. The first outcome counts.
+    constexpr action undo(outcome_kind kind, errc error = errc::none) noexcept
+    {
+        static_cast<void>(end(kind, error));
+        stage_ = stage::undoing;
+        return to_stop(layout().cmd, 0);
+    }
+
+    /// The limit is over. Only a drive that was read in fault since the reset ends it so; its LFT is read for that.
     constexpr action end_late() noexcept
     {
-        if (not cia402::is_in_fault(reason().state)) {
+        if (stage_ == stage::low_again or stage_ == stage::undoing) {
+            return undo(outcome_kind::state_timeout);
+        }
+        if (not is_looked_at_ or not cia402::is_in_fault(reason().state)) {
             return end(stage_ == stage::looking ? outcome_kind::aborted : outcome_kind::state_timeout);
         }
         stage_ = stage::reading_fault;
@@ -98,10 +120,12 @@ private:
     }
 
     stage stage_{stage::looking};
+    bool is_looked_at_{false}; ///< a status was read; after the reset: since the reset
 };
 
 /// Clears a fault whose cause is gone. Where it is not, the outcome is `in_fault` with its LFT. `aborted`: the limit was
-/// over before a state was read; nothing was written. `state_timeout`: it was over while the drive showed no state.
+/// over before the drive showed a state; nothing was written. `state_timeout`: it was over after the reset was sent, and
+/// before the drive showed a state.
 class reset_fault : public procedure_runner<reset_procedure> {
 public:
     template <device_type Device>

@@ -88,7 +88,7 @@ private:
 /// | checking, 0007    | write 000F                |            | read ETA    | undo: refused | undo: state_timeout |
 /// | checking, another | undo: overwritten         |            |             |               |                     |
 /// | enabled           | a status                  | read ETA   | read ETA    | undo: refused | undo: state_timeout |
-/// | reading_fault     | undo: in_fault            |            | read ETA    | undo: refused | undo: state_timeout |
+/// | reading_fault     | undo: in_fault            |            | read ETA    | undo: refused | undo: in_fault, 0   |
 ///
 /// | status               | meeting             | enabling                 | enabled                              |
 /// |----------------------|---------------------|--------------------------|--------------------------------------|
@@ -133,6 +133,9 @@ public:
         case event::kind::written: return after_write();
         case event::kind::failed: return go_on(what.error);
         case event::kind::late: break;
+        }
+        if (stage_ == stage::reading_fault) {
+            return abort(outcome_kind::in_fault); // its code was not read
         }
         bool const was_checked = stage_ != stage::meeting and stage_ != stage::examining;
         return abort(was_checked ? outcome_kind::state_timeout : outcome_kind::aborted);
