@@ -48,8 +48,9 @@ constexpr std::array<stage_row<4>, 8> rows{{
     {"output slot 4", {begun, looked, ok, ok, ok, ok, ok, ok, ok}, {done, silent, refused, aborted}},
 }};
 
-constexpr scanner_procedure configure{atv12::device::layout, inputs, outputs};
-constexpr scanner_procedure outputs_only{atv12::device::layout, std::span{inputs}.first(0), std::span{inputs}.first(2)};
+constexpr scanner_procedure configure{atv12::device::layout, atv12::device::scanner, inputs, outputs};
+constexpr scanner_procedure outputs_only{atv12::device::layout, atv12::device::scanner, std::span{inputs}.first(0),
+                                         std::span{inputs}.first(2)};
 
 } // namespace
 
