@@ -41,12 +41,13 @@ public:
     }
 
     /// Sets characters before those that are there.
-    constexpr void precede(literal characters) noexcept
+    constexpr void precede(char const* characters, std::size_t size) noexcept
     {
-        for (std::size_t i = characters.size(); i > 0; --i) {
-            precede(characters[i - 1]);
+        for (; size > 0; --size) {
+            precede(characters[size - 1]);
         }
     }
+    constexpr void precede(literal characters) noexcept { precede(characters.begin(), characters.size()); }
     constexpr void precede(char character) noexcept
     {
         if (first_ > 0) {
@@ -121,6 +122,14 @@ template <typename Amount> [[nodiscard]] consteval std::size_t longest_text() no
     constexpr std::size_t digits = (sizeof(typename Amount::rep) * 5 + 1) / 2 + 1 + (form.factor > 1 ? 10 : 0);
     constexpr std::size_t shown = digits > form.decimals ? digits : form.decimals + 1;
     return 1 + shown + 1 + form.zeros + 1 + sizeof(Amount::dimension::symbol) - 1;
+}
+
+/// A text is its own; so a text can be shown where any value can.
+template <std::same_as<literal> Text> [[nodiscard]] constexpr literal text_of(Text text) noexcept { return text; }
+template <std::size_t Capacity>
+[[nodiscard]] constexpr short_text<Capacity> text_of(short_text<Capacity> const& text) noexcept
+{
+    return text;
 }
 
 /// An amount with its unit: "-5.2 Hz", "0.05 A", "1500 rpm". It becomes a std::string_view of the characters in it,

@@ -70,4 +70,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     return is_exception(error) ? "exception" : "unknown error";
 }
 
+/// The same, for what shows any value.
+[[nodiscard]] constexpr std::string_view text_of(errc error) noexcept { return name(error); }
+
 } // namespace rtuwire
