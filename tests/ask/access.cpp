@@ -79,7 +79,7 @@ template <typename Conversation> constexpr bool is_refused(Conversation conversa
 constexpr bool refuses_what_does_not_fit()
 {
     constexpr station<atv320::device> other{unit_id{2}};
-    int const past_end = 10'000;
+    std::int32_t const past_end = 10'000;
     bool ok = is_refused(ramp_of(past_end * 0.1_s), errc::value_too_high);
     ok = ok and is_refused(ramp_of(past_end * 100 * 1_s), errc::value_too_high);
     ok = ok and is_refused(ramp_of(-past_end * 0.1_s), errc::value_too_low);

@@ -19,7 +19,8 @@ COMPILER, LENDER = "clang++-19", "arm-none-eabi-g++"
 FLAGS = ["--target=avr", "-mmcu=atmega2560", "-std=c++20", "-fsyntax-only", "-ffreestanding", "-nostdinc",
          "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wshift-count-overflow", "-Werror"]
 # Tests whose proofs hold for any size of int. Others compute in int themselves, or need threads.
-PROOFS = """core/bytes core/crc16 core/crc16_forms core/hex core/literal core/time core/version
+PROOFS = """core/bytes core/crc16 core/crc16_forms core/hex core/literal core/quantity_arithmetic core/time core/units
+ core/version
  wire/adu wire/frame_length wire/golden_requests wire/golden_responses wire/register_view wire/response wire/sizes
  rtu/foreign_exchange rtu/frame_place rtu/framer rtu/framer_silence rtu/framer_stream
  table/device table/enumeration table/plans table/snapshot table/write_plan cia402/state cia402/transition

@@ -332,11 +332,12 @@ template <any_quantity Amount, plain_integer Integer>
     using part = quantity<typename Amount::dimension, std::int64_t, typename Amount::scale>;
     // In 32 bits where they do: a division of 64 bits is 500 bytes of a Cortex-M0+.
     if constexpr (holds_all<typename Amount::rep, std::int32_t>(1) and holds_all<Integer, std::int32_t>(1)) {
-        if (divisor == -1) {
+        std::int32_t const by{divisor};
+        if (by == -1) {
             return part{-std::int64_t{amount.count()}};
         }
-        if (divisor != 0) {
-            return part{std::int64_t{std::int32_t{amount.count()} / std::int32_t{divisor}}};
+        if (by != 0) {
+            return part{std::int64_t{std::int32_t{amount.count()} / by}};
         }
     }
     return part{quotient_of_counts(amount.count(), as_factor(divisor))};
