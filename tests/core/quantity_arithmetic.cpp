@@ -156,6 +156,8 @@ TEST_CASE("what 64 bits do not hold stays out of range, on its side")
     CHECK((span{3'037'000'500} * 3'037'000'500).count() == most);
     CHECK((span{0x1'0000'0000} * 0x7FFF'FFFF).count() == 0x7FFF'FFFF'0000'0000);
     CHECK((span{0x1'0000'0000} * 0x8000'0000U).count() == most);
+    CHECK((span{0x1'FFFF'FFFF} * 0x7FFF'FFFF).count() == most);
+    CHECK((span{0x1'FFFF'FFFF} * 0x3FFF'FFFF).count() == 0x7FFF'FFFD'C000'0001);
     CHECK((one * (std::numeric_limits<std::uint64_t>::max)()).count() == most);
     CHECK((one / (std::numeric_limits<std::uint64_t>::max)()).count() == 0);
 }
