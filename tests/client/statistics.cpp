@@ -91,12 +91,18 @@ constexpr bool counts_good_and_bad()
     ok = ok and unit.fault() == errc::timed_out;
     unit.say(response_1234); // too late
     auto const& line = unit.link.statistics().line();
-    return ok and of_unit(unit, line_event::request) == 4 and of_unit(unit, line_event::reply) == 1 and
-           of_unit(unit, line_event::exception) == 1 and unit.link.statistics().unit(1)->by_exception[2] == 1 and
-           of_unit(unit, line_event::crc) == 1 and of_unit(unit, line_event::late) == 1 and
-           of_unit(unit, line_event::timeout) == 1 and of_unit(unit, line_event::foreign) == 1 and
-           of_unit(unit, line_event::noise) == 1 and line[line_event::request] == 4 and
-           line.worst_latency == milliseconds(7) + test::line.characters(response_1234.size());
+    using test::is;
+    return is(ok, "each request ends as it should") and is(of_unit(unit, line_event::request) == 4, "four requests") and
+           is(of_unit(unit, line_event::reply) == 1, "one reply") and
+           is(of_unit(unit, line_event::exception) == 1, "one exception") and
+           is(unit.link.statistics().unit(1)->by_exception[2] == 1, "it is exception 02") and
+           is(of_unit(unit, line_event::crc) == 1, "one wrong CRC") and
+           is(of_unit(unit, line_event::late) == 1, "one late response") and
+           is(of_unit(unit, line_event::timeout) == 1, "one time-out") and
+           is(of_unit(unit, line_event::foreign) == 1, "one frame of another unit") and
+           is(of_unit(unit, line_event::noise) == 1, "one noise") and
+           is(line[line_event::request] == 4, "four requests on the line") and
+           is(line.worst_latency == milliseconds(7) + test::line.characters(response_1234.size()), "the worst latency");
 }
 PROOF("good, bad, late and missing responses are counted, each as what it was", counts_good_and_bad)
 

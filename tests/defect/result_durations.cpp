@@ -30,11 +30,16 @@ constexpr bool sums_and_multiples()
 {
     duration const most = longest_duration;
     duration const half{most.microseconds / 2 + 1};
-    return most.microseconds == longest_us and most + microseconds(1) == most and half + half == most and
-           half * 2 == most and most * 0xFFFF'FFFFU == most and
-           microseconds(0x1'0001) * 0x1'0000 == most and // wraps to 65 536 in 32 bits
-           duration{0xFFFF'FFFF} + duration{2} == most and microseconds(7) * 3 == microseconds(21) and
-           most + duration{} == most and most * 1 == most and most * 0 == duration{};
+    using test::is;
+    return is(most.microseconds == longest_us, "the longest is 35 minutes") and
+           is(most + microseconds(1) == most, "the longest and one more") and
+           is(half + half == most, "two halves, rounded up") and is(half * 2 == most, "twice a half, rounded up") and
+           is(most * 0xFFFF'FFFFU == most, "the largest multiple of the longest") and
+           is(microseconds(0x1'0001) * 0x1'0000 == most, "what wraps to 65 536 in 32 bits") and
+           is(duration{0xFFFF'FFFF} + duration{2} == most, "a sum that wraps to 1") and
+           is(microseconds(7) * 3 == microseconds(21), "a multiple that fits") and
+           is(most + duration{} == most, "the longest and nothing") and is(most * 1 == most, "once the longest") and
+           is(most * 0 == duration{}, "no times the longest");
 }
 PROOF("defect: sums and multiples of durations do not wrap", sums_and_multiples)
 

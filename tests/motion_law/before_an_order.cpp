@@ -3,15 +3,14 @@
 // What has to be known of a drive before its first order: each drive that would not stop by itself, that somebody
 // else commands or that starts by itself is refused, with the register that says so; and nothing is written.
 #include "support/catch.hpp"
+#include "support/drives.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <array>
 #include <cstdint>
 #include <string>
 
-#include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/procedure/inspection/supervision.hpp>
 #include <rtuwire/ask/single_request.hpp>
@@ -103,22 +102,6 @@ void refuses_when(std::uint16_t address, std::uint16_t word, outcome_kind how, s
     refuses(it, how, address, word, risk);
 }
 
-template <typename Run> void for_every_drive(Run run)
-{
-    run(atv12::device{});
-    run(atv28::device{});
-    run(atv310::device{});
-    run(atv310::device_2026{});
-    run(atv320::device{});
-}
-template <typename Run> void for_later_drives(Run run)
-{
-    run(atv12::device{});
-    run(atv310::device{});
-    run(atv310::device_2026{});
-    run(atv320::device{});
-}
-
 constexpr supervision_risks unsupervised{.accept_unsupervised = true};
 constexpr supervision_risks running_on{.accept_running_on = true};
 constexpr supervision_risks other_channel{.accept_other_channel = true};
@@ -131,7 +114,7 @@ constexpr supervision_risks none{};
 
 TEST_CASE("motion law: S19 a commissioned drive is ready, and its time-out is known")
 {
-    for_every_drive([]<typename Device>(Device) {
+    test::all_drives::for_each([]<typename Device>() {
         checked_drive<Device> it;
         check_supervision const conversation = it.look();
         CHECK(conversation.ready());
@@ -147,7 +130,7 @@ TEST_CASE("motion law: S19 a commissioned drive is ready, and its time-out is kn
 
 TEST_CASE("motion law: S19 a drive that does not watch its link is refused")
 {
-    for_later_drives([]<typename Device>(Device) {
+    test::later_drives::for_each([]<typename Device>() {
         refuses_when<Device>(sll, 0, outcome_kind::unsupervised, unsupervised);
         checked_drive<Device> it;
         it.set(sll, 0);
@@ -158,8 +141,8 @@ TEST_CASE("motion law: S19 a drive that does not watch its link is refused")
 
 TEST_CASE("motion law: S19 a drive that runs on without its link is refused")
 {
-    for_later_drives(
-        []<typename Device>(Device) { refuses_when<Device>(sll, 4, outcome_kind::runs_on_without_link, running_on); });
+    test::later_drives::for_each(
+        []<typename Device>() { refuses_when<Device>(sll, 4, outcome_kind::runs_on_without_link, running_on); });
     refuses_when<atv320::device>(sll, 5, outcome_kind::runs_on_without_link, running_on);
     for (std::uint16_t const stops : std::array<std::uint16_t, 5>{1, 2, 6, 7, 8}) {
         checked_drive<atv320::device> it;
@@ -180,7 +163,7 @@ TEST_CASE("motion law: S19 a drive whose control word is single bits is refused,
 
 TEST_CASE("motion law: S19 a drive that another channel commands is refused")
 {
-    for_later_drives([]<typename Device>(Device) {
+    test::later_drives::for_each([]<typename Device>() {
         // Together, the reference's channel commands as well, and the status says "local".
         checked_drive<Device> together;
         together.set(fr1, 1);
@@ -207,7 +190,7 @@ TEST_CASE("motion law: S19 a drive that another channel commands is refused")
 
 TEST_CASE("motion law: S19 a drive in local control is refused by its status")
 {
-    for_every_drive([]<typename Device>(Device) {
+    test::all_drives::for_each([]<typename Device>() {
         checked_drive<Device> it;
         it.far().set_local(true);
         it.idle(milliseconds(20));
@@ -227,7 +210,7 @@ TEST_CASE("motion law: S19 a drive in local control is refused by its status")
 
 TEST_CASE("motion law: S19 what is not known is refused, and the register named")
 {
-    for_later_drives([]<typename Device>(Device) {
+    test::later_drives::for_each([]<typename Device>() {
         for (std::uint16_t const address : {sll, tto, chcf, fr1}) {
             checked_drive<Device> it;
             it.missing = address;
@@ -266,7 +249,7 @@ TEST_CASE("motion law: S19 a line that fails is not a drive that is ready")
 
 TEST_CASE("motion law: S19 what is refused runs on for minutes once its controller is gone")
 {
-    for_later_drives([]<typename Device>(Device) {
+    test::later_drives::for_each([]<typename Device>() {
         checked_drive<Device> ready;
         ready.run_anyway(400);
         ready.idle(milliseconds(120'000));

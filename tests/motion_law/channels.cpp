@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSL-1.0
 // Who commands a drive is set only while it stands and no terminal asks it to run, and read back.
 #include "support/catch.hpp"
+#include "support/drives.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <array>
 #include <cstdint>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/procedure/commissioning/channel.hpp>
@@ -87,20 +86,11 @@ constexpr auto apart_by_terminals =
     settings_320{}.with<atv320::chcf>(atv320::channel_mode::sep).with<atv320::cd1>(atv320::command_channel::ter);
 constexpr auto local_by_input_3 = settings_320{}.with<atv320::flo>(count16{131});
 
-template <typename Run> void for_later_drives(Run run)
-{
-    run(atv12::device{});
-    run(atv310::device{});
-    run(atv310::device_2026{});
-    run(atv320::device{});
-}
-
 } // namespace
 
 TEST_CASE("channels are set to Modbus, in an order that has no third channel between, and read back")
 {
-    for_later_drives([]<typename Device>(Device) {
-        INFO(std::string(Device::name.begin(), Device::name.end()));
+    test::later_drives::for_each([]<typename Device>() {
         bench<Device> it;
         it.set(chcf, 2);
         it.set(cd1, 1);
@@ -221,7 +211,7 @@ TEST_CASE("motion law: S29 an input closed between two writes stops the set-up b
 
 TEST_CASE("motion law: S29 channels of a drive that runs, or is in fault, stay as they are")
 {
-    for_later_drives([]<typename Device>(Device) {
+    test::later_drives::for_each([]<typename Device>() {
         bench<Device> other;
         other.set(fr1, 1);
         other.far().inject_fault(9);

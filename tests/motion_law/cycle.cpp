@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSL-1.0
 // A cycle that stops, and one whose drive somebody else stops.
 #include "support/catch.hpp"
+#include "support/drives.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <cstdint>
-#include <string>
 
-#include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv310.hpp>
-#include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 
 using namespace rtuwire;
@@ -60,22 +57,12 @@ template <typename Device> struct cycling : test::simulated_bus<drive_client<4>,
     sim::drive<Device>& far() { return this->unit(0).drive(); }
 };
 
-template <typename Run> void for_every_drive(Run run)
-{
-    run(atv12::device{});
-    run(atv28::device{});
-    run(atv310::device{});
-    run(atv310::device_2026{});
-    run(atv320::device{});
-}
-
 } // namespace
 
 TEST_CASE(
     "motion law: S10 a cycle stops in each way, takes the order away, and gives it back only once the motor stands")
 {
-    for_every_drive([]<typename Device>(Device) {
-        INFO(std::string(Device::name.begin(), Device::name.end()));
+    test::all_drives::for_each([]<typename Device>() {
         for (stop_by const how : {stop_by::ramp, stop_by::quick_stop, stop_by::freewheel, stop_by::halt}) {
             bool const can_halt = Device::layout.halt != 0;
             if (how == stop_by::halt and not can_halt) {
@@ -118,8 +105,7 @@ TEST_CASE("motion law: S10 a halt of a drive that has none is its ramp")
 
 TEST_CASE("motion law: S16 somebody else's quick stop is not cut short by a cycle, and no order ends it")
 {
-    for_every_drive([]<typename Device>(Device) {
-        INFO(std::string(Device::name.begin(), Device::name.end()));
+    test::all_drives::for_each([]<typename Device>() {
         cycling<Device> it;
         register_block<1> const quick_stop{2};
         it.far().write(Device::layout.cmd, quick_stop);
@@ -137,8 +123,7 @@ TEST_CASE("motion law: S16 somebody else's quick stop is not cut short by a cycl
 
 TEST_CASE("motion law: S17 a cycle turns its motor round by the reference alone")
 {
-    for_every_drive([]<typename Device>(Device) {
-        INFO(std::string(Device::name.begin(), Device::name.end()));
+    test::all_drives::for_each([]<typename Device>() {
         cycling<Device> it;
         if constexpr (cycle_layout<Device>::has_scanner) {
             CHECK_FALSE(it.loop.run(-1'500_rpm, run_direction::reverse));

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSL-1.0
 // A start and a cycle order no drive that would not stop by itself, and a drive that tripped while nobody ordered it.
 #include "support/catch.hpp"
+#include "support/drives.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 #include <rtuwire/altivar/procedure/motion/direct_control.hpp>
@@ -87,19 +86,11 @@ template <typename Device> void refuses_when(std::uint16_t address, std::uint16_
     refuses(it, how, address);
 }
 
-template <typename Run> void for_later_drives(Run run)
-{
-    run(atv12::device{});
-    run(atv310::device{});
-    run(atv310::device_2026{});
-    run(atv320::device{});
-}
-
 } // namespace
 
 TEST_CASE("motion law: S19 no start and no cycle orders a drive that would run on without its line")
 {
-    for_later_drives([]<typename Device>(Device) {
+    test::later_drives::for_each([]<typename Device>() {
         refuses_when<Device>(sll, 0, outcome_kind::unsupervised);
         refuses_when<Device>(sll, 4, outcome_kind::runs_on_without_link);
         refuses_when<Device>(fr1, 1, outcome_kind::other_channel);
@@ -178,8 +169,7 @@ TEST_CASE("motion law: S36 no start and no cycle orders a drive whose time-out t
 
 TEST_CASE("motion law: S33 a drive that was read once and left alone trips, and no start runs it before a reset")
 {
-    for_later_drives([]<typename Device>(Device) {
-        INFO(std::string(Device::name.begin(), Device::name.end()));
+    test::later_drives::for_each([]<typename Device>() {
         bench<Device> it;
         single_request contact{it.drive.unit(), read_holding_registers{Device::layout.eta, 1}};
         REQUIRE(it.run(contact));

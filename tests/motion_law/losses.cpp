@@ -3,6 +3,7 @@
 // A drive that was ordered to run and does not answer hears words that stop it, or nothing: its own time-out then stops
 // it, whichever direction of the line was lost.
 #include "support/catch.hpp"
+#include "support/drives.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 #include <vector>
 
 #include <rtuwire/altivar/atv12.hpp>
-#include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
@@ -83,15 +82,6 @@ template <typename Device> struct hall : test::simulated_bus<bus<3>, Device> {
     }
 };
 
-template <typename Each> void for_every_drive(Each each)
-{
-    each(atv12::device{});
-    each(atv28::device{});
-    each(atv310::device{});
-    each(atv310::device_2026{});
-    each(atv320::device{});
-}
-
 bool is_stop(std::vector<std::byte> const& frame, std::uint16_t cmd)
 {
     bool const is_write = frame.size() == 8 and frame[1] == std::byte{6} and u16_at(frame, 2) == cmd;
@@ -103,8 +93,7 @@ bool is_stop(std::vector<std::byte> const& frame, std::uint16_t cmd)
 
 TEST_CASE("motion law: S12 a cycle whose answers get lost lets the drive's own time-out stop the motor")
 {
-    for_every_drive([]<typename Device>(Device) {
-        INFO(std::string(Device::name.begin(), Device::name.end()));
+    test::all_drives::for_each([]<typename Device>() {
         hall<Device> it;
         cyclic<Device> loop{it.drive, {.period = milliseconds(100)}};
         // A poll of the same drive goes on beside it, and would keep its watchdog fed.
@@ -225,8 +214,7 @@ TEST_CASE("motion law: L4 an answer to a stop word ends the loss, and the order 
 TEST_CASE("motion law: S7 the two frames lost at a moment of their own: every prefix of a start's answers may be lost "
           "for ever")
 {
-    for_every_drive([]<typename Device>(Device) {
-        INFO(std::string(Device::name.begin(), Device::name.end()));
+    test::all_drives::for_each([]<typename Device>() {
         for (unsigned answered = 0; answered < 12; ++answered) {
             INFO(answered << " answers arrive");
             hall<Device> it;

@@ -2,15 +2,11 @@
 // SPDX-License-Identifier: BSL-1.0
 // Orders that stand in a word that is read are not given again when it is written.
 #include "support/catch.hpp"
+#include "support/drives.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <cstdint>
-#include <string>
 
-#include <rtuwire/altivar/atv12.hpp>
-#include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv310.hpp>
-#include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/procedure/commissioning/save_to_eeprom.hpp>
 #include <rtuwire/ask/single_request.hpp>
 
@@ -23,7 +19,6 @@ constexpr client_options patient{.response_timeout = milliseconds(100), .retries
 
 template <typename Device> void saves_after_factory_settings()
 {
-    INFO(std::string(Device::name.begin(), Device::name.end()));
     test::simulated_bus<drive_client<4>, Device> it{drive_client<4>{test::bus_timing, patient}};
     it.add(unit_id{3});
     it.idle(milliseconds(20));
@@ -57,9 +52,5 @@ template <typename Device> void saves_after_factory_settings()
 
 TEST_CASE("motion law: S20 a save behind factory settings does not order them again")
 {
-    saves_after_factory_settings<atv12::device>();
-    saves_after_factory_settings<atv28::device>();
-    saves_after_factory_settings<atv310::device>();
-    saves_after_factory_settings<atv310::device_2026>();
-    saves_after_factory_settings<atv320::device>();
+    test::all_drives::for_each([]<typename Device>() { saves_after_factory_settings<Device>(); });
 }

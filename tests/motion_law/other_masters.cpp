@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSL-1.0
 // A drive that somebody else commands, that loses its power, or that shares its address with another one.
 #include "support/catch.hpp"
+#include "support/drives.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <vector>
 
-#include <rtuwire/altivar/atv12.hpp>
-#include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
@@ -54,21 +52,11 @@ template <typename Device> struct cycling : test::simulated_bus<drive_client<2>,
     }
 };
 
-template <typename Each> void for_every_drive(Each each)
-{
-    each(atv12::device{});
-    each(atv28::device{});
-    each(atv310::device{});
-    each(atv310::device_2026{});
-    each(atv320::device{});
-}
-
 } // namespace
 
 TEST_CASE("motion law: S21 a cycle reports another master's reference and command, and gives up its order")
 {
-    for_every_drive([]<typename Device>(Device) {
-        INFO(std::string(Device::name.begin(), Device::name.end()));
+    test::all_drives::for_each([]<typename Device>() {
         for (bool const is_reference : {true, false}) {
             INFO("the reference: " << is_reference);
             unsigned reported = 0;
@@ -97,8 +85,7 @@ TEST_CASE("motion law: S21 a cycle reports another master's reference and comman
 
 TEST_CASE("motion law: S22 a drive that loses its power at any moment of a climb does not run afterwards")
 {
-    for_every_drive([]<typename Device>(Device) {
-        INFO(std::string(Device::name.begin(), Device::name.end()));
+    test::all_drives::for_each([]<typename Device>() {
         unsigned before_running = 0;
         for (std::uint32_t after_ms = 0; after_ms < 400; after_ms += 3) {
             for (std::uint32_t const off_ms : {0U, 20U, 120U, 700U}) {

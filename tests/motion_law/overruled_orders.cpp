@@ -4,13 +4,12 @@
 // whatever its own reads would have found.
 #include "support/catch.hpp"
 #include "support/commissioned.hpp"
+#include "support/drives.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <string>
 
-#include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 #include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
@@ -75,19 +74,6 @@ template <typename Device> struct pair : test::simulated_bus<drive_client<4>, De
     }
 };
 
-template <typename Test> void for_every_drive(Test test)
-{
-    auto const named = [&]<typename Device>(Device device) {
-        INFO(std::string(Device::name.begin(), Device::name.end()));
-        test(device);
-    };
-    named(atv12::device{});
-    named(atv28::device{});
-    named(atv310::device{});
-    named(atv310::device_2026{});
-    named(atv320::device{});
-}
-
 /// Every moment of an order, in steps of 3 ms.
 template <typename Device, typename Order, typename Prepare>
 void stop_at_every_moment(Order const& order, Prepare prepare, unsigned steps)
@@ -120,7 +106,7 @@ constexpr auto runs_before = []<typename Device>(pair<Device>& it) {
 
 TEST_CASE("motion law: L2 a start that a later stop brings down ends as overruled")
 {
-    for_every_drive([]<typename Device>(Device) {
+    test::all_drives::for_each([]<typename Device>() {
         start const order{pair<Device>::drive, 50_Hz, run_direction::forward, milliseconds(3'000),
                           test::commissioned()};
         stop_at_every_moment<Device>(order, nothing_before, 200);
@@ -131,7 +117,7 @@ TEST_CASE("motion law: L2 a start that a later stop brings down ends as overrule
 
 TEST_CASE("motion law: L2 a change of the reference that a later stop brings down ends as overruled")
 {
-    for_every_drive([]<typename Device>(Device) {
+    test::all_drives::for_each([]<typename Device>() {
         change_reference const order{pair<Device>::drive, 50_Hz};
         stop_at_every_moment<Device>(order, runs_before, 60);
     });
@@ -162,7 +148,7 @@ TEST_CASE("motion law: L2 an order that a stop of all brings down ends as overru
 
 TEST_CASE("motion law: L2 a cycle whose drive another conversation stops says that it was overruled")
 {
-    for_every_drive([]<typename Device>(Device) {
+    test::all_drives::for_each([]<typename Device>() {
         for (unsigned i = 0; i < 40; ++i) {
             pair<Device> it;
             cyclic loop{it.drive, {.period = milliseconds(100)}};

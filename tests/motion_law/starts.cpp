@@ -3,14 +3,12 @@
 // Starts and changes of the reference, cut between any two frames: the motor never turns otherwise than was asked
 // before or is asked now.
 #include "support/catch.hpp"
+#include "support/drives.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <cstdint>
-#include <string>
 
 #include <rtuwire/altivar/atv12.hpp>
-#include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/procedure/motion/change_reference.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
@@ -56,15 +54,6 @@ template <typename Device> struct plant : test::simulated_bus<drive_client<4>, D
     }
 };
 
-template <typename Run> void for_every_drive(Run run)
-{
-    run(atv12::device{});
-    run(atv28::device{});
-    run(atv310::device{});
-    run(atv310::device_2026{});
-    run(atv320::device{});
-}
-
 /// Runs a conversation whose requests are all lost from the n-th on, or only the responses; the frequencies of the
 /// motor, lowest and highest, from then on. False where the conversation ended before.
 template <typename Device, typename Conversation>
@@ -92,8 +81,7 @@ bool cut_after(plant<Device>& it, Conversation conversation, unsigned frames, bo
 
 TEST_CASE("motion law: S17 a start that is cut after any frame turns the motor no other way, and no faster")
 {
-    for_every_drive([]<typename Device>(Device) {
-        INFO(std::string(Device::name.begin(), Device::name.end()));
+    test::all_drives::for_each([]<typename Device>() {
         for (bool const only_answers : {false, true}) {
             for (bool const by_bit : {false, true}) {
                 for (std::int32_t const before : {0, 10, -10}) {
@@ -123,8 +111,7 @@ TEST_CASE("motion law: S17 a start that is cut after any frame turns the motor n
 
 TEST_CASE("motion law: S17 a drive that runs in reverse by its direction bit turns round by one signed reference")
 {
-    for_every_drive([]<typename Device>(Device) {
-        INFO(std::string(Device::name.begin(), Device::name.end()));
+    test::all_drives::for_each([]<typename Device>() {
         plant<Device> it;
         it.turn(-10, true);
         start go{it.drive, 50_Hz};
@@ -141,8 +128,7 @@ TEST_CASE("motion law: S17 a drive that runs in reverse by its direction bit tur
 
 TEST_CASE("motion law: S22 a drive that is switched off and on while a start climbs does not run")
 {
-    for_every_drive([]<typename Device>(Device) {
-        INFO(std::string(Device::name.begin(), Device::name.end()));
+    test::all_drives::for_each([]<typename Device>() {
         unsigned ran_before = 0;
         for (unsigned moment = 0; moment < 400; moment += 3) {
             plant<Device> it;
@@ -174,8 +160,7 @@ TEST_CASE("motion law: S22 a drive that is switched off and on while a start cli
 
 TEST_CASE("motion law: S24 a reference is reached when the drive runs and says so, not before")
 {
-    for_every_drive([]<typename Device>(Device) {
-        INFO(std::string(Device::name.begin(), Device::name.end()));
+    test::all_drives::for_each([]<typename Device>() {
         plant<Device> it;
         start go{it.drive, 30_Hz};
         REQUIRE(it.run(go));
@@ -247,8 +232,7 @@ TEST_CASE("motion law: S31 reference 0 with LSP above 0 keeps the direction that
 
 TEST_CASE("motion law: S32 60 Hz under a limit of 50 Hz is limited, never reached")
 {
-    for_every_drive([]<typename Device>(Device) {
-        INFO(std::string(Device::name.begin(), Device::name.end()));
+    test::all_drives::for_each([]<typename Device>() {
         plant<Device> it;
         start go{it.drive, 30_Hz};
         REQUIRE(it.run(go));

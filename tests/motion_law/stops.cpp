@@ -2,15 +2,11 @@
 // SPDX-License-Identifier: BSL-1.0
 // A stop against a bad line and a drive that refuses: what counts is whether the motor comes to rest.
 #include "support/catch.hpp"
+#include "support/drives.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <cstdint>
-#include <string>
 
-#include <rtuwire/altivar/atv12.hpp>
-#include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv310.hpp>
-#include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
@@ -33,7 +29,6 @@ template <typename Device> struct running : test::simulated_bus<drive_client<4>,
 
     running() : test::simulated_bus<drive_client<4>, Device>{drive_client<4>{test::bus_timing, patient}}
     {
-        INFO(std::string(Device::name.begin(), Device::name.end()));
         this->add(unit_id{3});
         this->idle(milliseconds(20));
         start go{drive, 50_Hz};
@@ -54,15 +49,6 @@ template <typename Device> bool writes_control(bytes const& frame)
     return frame.size() == 8 and frame[1] == std::byte{6} and u16_at(byte_view{frame}, 2) == Device::layout.cmd;
 }
 
-template <typename Run> void for_every_drive(Run run)
-{
-    run(atv12::device{});
-    run(atv28::device{});
-    run(atv310::device{});
-    run(atv310::device_2026{});
-    run(atv320::device{});
-}
-
 /// A response that becomes an exception, its CRC with it.
 void refuse(bytes& frame, std::uint8_t code)
 {
@@ -76,7 +62,7 @@ void refuse(bytes& frame, std::uint8_t code)
 
 TEST_CASE("motion law: S7 two frames lost at the beginning of a stop: the motor stops all the same")
 {
-    for_every_drive([]<typename Device>(Device) {
+    test::all_drives::for_each([]<typename Device>() {
         running<Device> it;
         unsigned lost = 0;
         it.disturb([&](bytes& frame, bool is_request) {
@@ -95,7 +81,7 @@ TEST_CASE("motion law: S7 two frames lost at the beginning of a stop: the motor 
 
 TEST_CASE("motion law: S7 all answers lost: the stop's word goes again and again, and it says that nobody confirmed it")
 {
-    for_every_drive([]<typename Device>(Device) {
+    test::all_drives::for_each([]<typename Device>() {
         running<Device> it;
         unsigned words = 0;
         it.disturb([&](bytes& frame, bool is_request) {
@@ -116,7 +102,7 @@ TEST_CASE("motion law: S7 all answers lost: the stop's word goes again and again
 TEST_CASE("motion law: S8 a drive that answers 04, 05 or 06 for a while is told to stop until it does")
 {
     for (std::uint8_t const code : {std::uint8_t{4}, std::uint8_t{5}, std::uint8_t{6}}) {
-        for_every_drive([&]<typename Device>(Device) {
+        test::all_drives::for_each([&]<typename Device>() {
             running<Device> it;
             instant const end = it.now() + milliseconds(600);
             it.disturb([&](bytes& frame, bool is_request) {
@@ -134,7 +120,7 @@ TEST_CASE("motion law: S8 a drive that answers 04, 05 or 06 for a while is told 
 
 TEST_CASE("motion law: S7 the word leaves before anything is read; only halt looks first")
 {
-    for_every_drive([]<typename Device>(Device) {
+    test::all_drives::for_each([]<typename Device>() {
         for (stop_by const mode : {stop_by::ramp, stop_by::freewheel, stop_by::quick_stop}) {
             running<Device> it;
             bytes first;
@@ -155,7 +141,7 @@ TEST_CASE("motion law: S7 the word leaves before anything is read; only halt loo
 
 TEST_CASE("motion law: S18 after each stop the drive is where no stray word can start it")
 {
-    for_every_drive([]<typename Device>(Device) {
+    test::all_drives::for_each([]<typename Device>() {
         for (stop_by const mode : {stop_by::ramp, stop_by::freewheel, stop_by::quick_stop}) {
             running<Device> it;
             stop rest{it.drive, mode, half_a_minute, known};
@@ -172,7 +158,7 @@ TEST_CASE("motion law: S18 after each stop the drive is where no stray word can 
 
 TEST_CASE("motion law: S18 a start that is withdrawn leaves a drive that no stray word can start")
 {
-    for_every_drive([]<typename Device>(Device) {
+    test::all_drives::for_each([]<typename Device>() {
         running<Device> it;
         stop rest{it.drive};
         REQUIRE(it.run(rest));
@@ -196,7 +182,7 @@ TEST_CASE("motion law: S18 a start that is withdrawn leaves a drive that no stra
 
 TEST_CASE("motion law: S34 a stop that is taken and not obeyed says so")
 {
-    for_every_drive([]<typename Device>(Device) {
+    test::all_drives::for_each([]<typename Device>() {
         running<Device> it;
         it.disturb([&](bytes& frame, bool is_request) {
             // A drive that takes its commands from elsewhere: the word arrives as another register's.
@@ -228,7 +214,7 @@ TEST_CASE("motion law: S34 a stop that is taken and not obeyed says so")
 
 TEST_CASE("motion law: S10 a halt rests in operation, and becomes the ramp where it cannot look")
 {
-    for_every_drive([]<typename Device>(Device) {
+    test::all_drives::for_each([]<typename Device>() {
         running<Device> it;
         unsigned lost = 0;
         it.disturb([&](bytes& frame, bool is_request) {

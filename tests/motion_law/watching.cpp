@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: BSL-1.0
 // Watching is not commanding: beside another master a watch writes nothing and changes nothing, and tells what is.
 #include "support/catch.hpp"
+#include "support/drives.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
-#include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/procedure/inspection/watch.hpp>
 
@@ -61,21 +59,11 @@ template <typename Device> struct watched : test::simulated_bus<client, Device> 
     }
 };
 
-template <typename Run> void for_every_drive(Run run)
-{
-    run(atv12::device{});
-    run(atv28::device{});
-    run(atv310::device{});
-    run(atv310::device_2026{});
-    run(atv320::device{});
-}
-
 } // namespace
 
 TEST_CASE("motion law: S21 watching writes nothing")
 {
-    for_every_drive([]<typename Device>(Device) {
-        INFO(std::string(Device::name.begin(), Device::name.end()));
+    test::all_drives::for_each([]<typename Device>() {
         watched<Device> it;
         it.run_by_other_master(-250);
         it.look_for(milliseconds(5'000));
@@ -105,8 +93,7 @@ TEST_CASE("motion law: S21 watching writes nothing")
 
 TEST_CASE("a watch tells of a fault, and keeps what it saw while the line is cut")
 {
-    for_every_drive([]<typename Device>(Device) {
-        INFO(std::string(Device::name.begin(), Device::name.end()));
+    test::all_drives::for_each([]<typename Device>() {
         watched<Device> it;
         CHECK(it.eye.link_lost());
         CHECK(it.eye.state() == state::unknown);

@@ -15,11 +15,8 @@
 #include <string>
 
 #include "support/catch.hpp"
+#include "support/drives.hpp"
 
-#include <rtuwire/altivar/atv12.hpp>
-#include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv310.hpp>
-#include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/client.hpp>
 #include <rtuwire/drives.hpp>
 #include <rtuwire/server.hpp>
@@ -104,15 +101,15 @@ TEST_CASE("a stream's width holds for the whole of a value")
     CHECK(shown(a_program::seven) == "7");
 }
 
-TEMPLATE_TEST_CASE("what a register holds goes to a stream, with each drive", "", altivar::atv12::device,
-                   altivar::atv28::device, altivar::atv310::device, altivar::atv310::device_2026,
-                   altivar::atv320::device)
+TEST_CASE("what a register holds goes to a stream, with each drive")
 {
-    TestType::registers::for_each([]<auto const & R>() {
-        auto const value = rtuwire::from_word<rtuwire::value_of<R>>(1);
-        std::string const code{R.code};
-        INFO(code);
-        CHECK(shown(value) == std::string{rtuwire::text_of(value)});
+    rtuwire::test::all_drives::for_each([]<typename Device>() {
+        Device::registers::for_each([]<auto const & R>() {
+            auto const value = rtuwire::from_word<rtuwire::value_of<R>>(1);
+            std::string const code{R.code};
+            INFO(code);
+            CHECK(shown(value) == std::string{rtuwire::text_of(value)});
+        });
     });
 }
 

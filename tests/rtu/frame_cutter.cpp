@@ -55,9 +55,13 @@ constexpr bool looks_addressed_to()
     listener.hear("02 03 00 00"_hex);
     bool const starts = not listener.receiver.is_at_start();
     listener.pause(milliseconds(10));
-    return nobody and too_short and starts and listener.fault() == errc::crc_mismatch and
-           listener.receiver.looks_addressed_to(asks_2) and not listener.receiver.looks_addressed_to(writes_2) and
-           listener.receiver.is_at_start();
+    using test::is;
+    return is(nobody, "a receiver of requests begins with no response") and
+           is(too_short, "three bytes are too short") and is(starts, "four bytes begin a frame") and
+           is(listener.fault() == errc::crc_mismatch, "the CRC of four bytes is wrong") and
+           is(listener.receiver.looks_addressed_to(asks_2), "they look like a response to the read") and
+           is(not listener.receiver.looks_addressed_to(writes_2), "they do not look like a response to the write") and
+           is(listener.receiver.is_at_start(), "the next byte begins a frame");
 }
 PROOF("what has a frame's size and begins like a response claims to be one", looks_addressed_to)
 

@@ -80,9 +80,15 @@ constexpr bool counts()
     unit.node.receive_overrun(unit.now);
     unit.pass(milliseconds(5));
     ok = ok and unit.bank.get(0) == 7;
-    return ok and unit.word(0x0B) == 8 and unit.word(0x0C) == 2 and unit.word(0x0D) == 2 and unit.word(0x0E) == 10 and
-           unit.word(0x0F) == 2 and unit.word(0x10) == 0 and unit.word(0x11) == 0 and unit.word(0x12) == 1 and
-           unit.word(0x02) == 0;
+    using test::is;
+    return is(ok, "it begins at nothing, and the write to everyone is carried out") and
+           is(unit.word(0x0B) == 8, "eight messages on the line") and
+           is(unit.word(0x0C) == 2, "two damaged messages") and is(unit.word(0x0D) == 2, "two exceptions") and
+           is(unit.word(0x0E) == 10, "ten messages to this unit") and
+           is(unit.word(0x0F) == 2, "two messages without an answer") and
+           is(unit.word(0x10) == 0, "no negative acknowledgement") and
+           is(unit.word(0x11) == 0, "no refusal as busy") and is(unit.word(0x12) == 1, "one overrun") and
+           is(unit.word(0x02) == 0, "the diagnostic register is 0");
 }
 PROOF("messages, errors, exceptions, requests and silences are counted", counts)
 
@@ -101,24 +107,29 @@ constexpr bool clears()
     counted<> unit;
     unit.node.receive_overrun(unit.now);
     unit.pass(milliseconds(5));
-    bool ok = unit.word(0x12) == 1 and unit.word(0x14) == 0 and unit.word(0x12) == 0 and unit.word(0x0C) == 1;
-    ok = ok and unit.word(0x0A) == 0 and unit.word(0x0C) == 0 and unit.word(0x0B) == 2;
-    return ok and unit.word(0x01) == 0 and unit.word(0x0B) == 1;
+    using test::is;
+    return is(unit.word(0x12) == 1, "one overrun") and is(unit.word(0x14) == 0, "14 is answered") and
+           is(unit.word(0x12) == 0, "14 clears the overruns") and is(unit.word(0x0C) == 1, "14 leaves the errors") and
+           is(unit.word(0x0A) == 0, "0A is answered") and is(unit.word(0x0C) == 0, "0A clears the errors") and
+           is(unit.word(0x0B) == 2, "0A clears the messages") and is(unit.word(0x01) == 0, "01 is answered") and
+           is(unit.word(0x0B) == 1, "01 clears the messages");
 }
 PROOF("the counters are cleared by 0A, by 01 and the overruns by 14", clears)
 
 constexpr bool refuses()
 {
     counted<> unit;
-    return unit.is_refused("08 00 05 00 00"_hex, errc::illegal_function) and
-           unit.is_refused("08 00 13 00 00"_hex, errc::illegal_function) and
-           unit.is_refused("08 00 15 00 00"_hex, errc::illegal_function) and
-           unit.is_refused("08 FF 00 00 00"_hex, errc::illegal_function) and
-           unit.is_refused("08 00 01 12 34"_hex, errc::illegal_data_value) and
-           unit.is_refused("08 00 03 41 01"_hex, errc::illegal_data_value) and
-           unit.is_refused("08 00 0B 00 01"_hex, errc::illegal_data_value) and
-           unit.is_refused("08 00 0B"_hex, errc::illegal_data_value) and unit.word(0x03) == 0 and
-           unit.word(0x0D) == 8 and unit.node.poll_transmit().empty();
+    using test::is;
+    return is(unit.is_refused("08 00 05 00 00"_hex, errc::illegal_function), "sub-function 0005") and
+           is(unit.is_refused("08 00 13 00 00"_hex, errc::illegal_function), "sub-function 0013") and
+           is(unit.is_refused("08 00 15 00 00"_hex, errc::illegal_function), "sub-function 0015") and
+           is(unit.is_refused("08 FF 00 00 00"_hex, errc::illegal_function), "sub-function FF00") and
+           is(unit.is_refused("08 00 01 12 34"_hex, errc::illegal_data_value), "a restart with other data") and
+           is(unit.is_refused("08 00 03 41 01"_hex, errc::illegal_data_value), "a delimiter of two bytes") and
+           is(unit.is_refused("08 00 0B 00 01"_hex, errc::illegal_data_value), "a counter with data") and
+           is(unit.is_refused("08 00 0B"_hex, errc::illegal_data_value), "a counter without its field") and
+           is(unit.word(0x03) == 0, "a delimiter may be set") and is(unit.word(0x0D) == 8, "eight exceptions") and
+           is(unit.node.poll_transmit().empty(), "nothing more is sent");
 }
 PROOF("reserved sub-functions get 01, other data 03", refuses)
 

@@ -49,10 +49,15 @@ template <std::size_t Size> constexpr bool is_ignored(std::array<std::byte, Size
 }
 constexpr bool silent_on()
 {
-    return is_ignored("02 06 00 01 00 03 98 38"_hex) and is_ignored("01 06 00 01 00 03 98 0C"_hex) and
-           is_ignored("01 83 02 C0 F1"_hex) and is_ignored("FF 03 00 00 00 01 91 D4"_hex) and
-           is_ignored("00 03 00 00 00 01 85 DB"_hex) and is_ignored("FF FF"_hex) and
-           is_ignored("02 03 00 01 FF FF 15 89"_hex) and is_ignored("01 03"_hex);
+    using test::is;
+    return is(is_ignored("02 06 00 01 00 03 98 38"_hex), "a request to another unit") and
+           is(is_ignored("01 06 00 01 00 03 98 0C"_hex), "a damaged request") and
+           is(is_ignored("01 83 02 C0 F1"_hex), "an answer") and
+           is(is_ignored("FF 03 00 00 00 01 91 D4"_hex), "a request to a reserved unit") and
+           is(is_ignored("00 03 00 00 00 01 85 DB"_hex), "a read of everyone") and
+           is(is_ignored("FF FF"_hex), "two bytes that are no frame") and
+           is(is_ignored("02 03 00 01 FF FF 15 89"_hex), "a request to another unit, of too many registers") and
+           is(is_ignored("01 03"_hex), "the beginning of a request");
 }
 PROOF("other units, damage, answers, reserved units and broadcast reads get silence", silent_on)
 

@@ -3,10 +3,9 @@
 // The cycle: the manuals' frames, and what it does when something goes wrong.
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 
-#include <string>
-
 #include "support/catch.hpp"
 #include "support/commissioned.hpp"
+#include "support/drives.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <rtuwire/altivar/atv12.hpp>
@@ -113,7 +112,6 @@ template <typename Device> struct by_hand {
 
 template <typename Device> void runs_a_drive()
 {
-    INFO(std::string(Device::name.begin(), Device::name.end()));
     running<Device> it;
     CHECK_FALSE(it.order());
     CHECK(it.loop.link_lost());
@@ -133,7 +131,6 @@ template <typename Device> void runs_a_drive()
 
 template <typename Device> void never_resumes()
 {
-    INFO(std::string(Device::name.begin(), Device::name.end()));
     running<Device> it;
     it.pass(milliseconds(500));
     REQUIRE(it.order());
@@ -186,7 +183,6 @@ template <typename Device> void never_resumes()
 /// A controller dies while its motor runs, and another takes its place at once.
 template <typename Device> void comes_back()
 {
-    INFO(std::string(Device::name.begin(), Device::name.end()));
     running<Device> it;
     it.pass(milliseconds(500));
     REQUIRE(it.order());
@@ -209,11 +205,7 @@ template <typename Device> void comes_back()
 
 TEST_CASE("a controller that comes back brings a running motor down, and never starts it by itself")
 {
-    comes_back<atv12::device>();
-    comes_back<atv28::device>();
-    comes_back<atv310::device>();
-    comes_back<atv310::device_2026>();
-    comes_back<atv320::device>();
+    test::all_drives::for_each([]<typename Device>() { comes_back<Device>(); });
 }
 
 TEST_CASE("the application example by function 23, frame by frame")
@@ -314,20 +306,12 @@ TEST_CASE("the application example by functions 03 and 16, frame by frame")
 
 TEST_CASE("every drive is kept running in a cycle")
 {
-    runs_a_drive<atv12::device>();
-    runs_a_drive<atv28::device>();
-    runs_a_drive<atv310::device>();
-    runs_a_drive<atv310::device_2026>();
-    runs_a_drive<atv320::device>();
+    test::all_drives::for_each([]<typename Device>() { runs_a_drive<Device>(); });
 }
 
 TEST_CASE("no drive is made to run again after a loss, a fault, a stop key or local control")
 {
-    never_resumes<atv12::device>();
-    never_resumes<atv28::device>();
-    never_resumes<atv310::device>();
-    never_resumes<atv310::device_2026>();
-    never_resumes<atv320::device>();
+    test::all_drives::for_each([]<typename Device>() { never_resumes<Device>(); });
 }
 
 TEST_CASE("the period never exceeds a third of the drive's time-out")

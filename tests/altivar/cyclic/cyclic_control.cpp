@@ -21,9 +21,12 @@ constexpr std::uint16_t with_stop_key = 0x4000 | operation_enabled;
 constexpr bool begins_with_nothing()
 {
     cyclic_control const control;
-    return control.reference() == 0 and control.status() == 0 and not control.is_ordered() and
-           not control.is_running() and control.reason().kind == outcome_kind::pending and
-           control.reason().fault == 0 and control.state() == cia402::state::unknown;
+    using test::is;
+    return is(control.reference() == 0, "no reference") and is(control.status() == 0, "no status") and
+           is(not control.is_ordered(), "no order") and is(not control.is_running(), "it does not run") and
+           is(control.reason().kind == outcome_kind::pending, "nothing has ended") and
+           is(control.reason().fault == 0, "no fault") and
+           is(control.state() == cia402::state::unknown, "the state is not known");
 }
 PROOF("before anything is known or ordered it says so", begins_with_nothing)
 

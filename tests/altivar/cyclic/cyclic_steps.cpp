@@ -146,10 +146,15 @@ constexpr bool takes(words slots, std::size_t named)
 }
 constexpr bool writes_to_known_words_only()
 {
-    return takes({cmd_address, lfrd_address, 0, 0}, 0) and not takes({cmd_address, lfrd_address, 9001, 0}, 0) and
-           not takes({cmd_address, lfrd_address, 0, 9001}, 0) and takes({cmd_address, lfrd_address, 9001, 0}, 2) and
-           takes({cmd_address, lfrd_address, 0, 9001}, 3) and not takes({cmd_address, lfrd_address, 9002, 9001}, 3) and
-           not takes({cmd_address, 8503, 0, 0}, 3) and not takes({0, lfrd_address, 0, 0}, 3);
+    using test::is;
+    return is(takes({cmd_address, lfrd_address, 0, 0}, 0), "no further words") and
+           is(not takes({cmd_address, lfrd_address, 9001, 0}, 0), "a third word that nobody named") and
+           is(not takes({cmd_address, lfrd_address, 0, 9001}, 0), "a fourth word that nobody named") and
+           is(takes({cmd_address, lfrd_address, 9001, 0}, 2), "the third word, named") and
+           is(takes({cmd_address, lfrd_address, 0, 9001}, 3), "the fourth word, named") and
+           is(not takes({cmd_address, lfrd_address, 9002, 9001}, 3), "the fourth word, with a third unnamed") and
+           is(not takes({cmd_address, 8503, 0, 0}, 3), "another word for the reference") and
+           is(not takes({0, lfrd_address, 0, 0}, 3), "no word for the command");
 }
 PROOF("an output slot that nobody named must stand for no register", writes_to_known_words_only)
 

@@ -4,10 +4,10 @@
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 
 #include "support/catch.hpp"
+#include "support/drives.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <rtuwire/altivar/atv12.hpp>
-#include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/procedure/commissioning/configure_scanner.hpp>
@@ -51,7 +51,6 @@ template <typename Device> struct pair : test::simulated_bus<drive_client<4>, De
 
 template <typename Device> void starts_and_stops()
 {
-    INFO(std::string(Device::name.begin(), Device::name.end()));
     pair<Device> it;
     auto const& drive = it.drive;
     REQUIRE(it.started());
@@ -98,7 +97,6 @@ template <typename Device> void starts_and_stops()
 
 template <typename Device> void meets_a_fault()
 {
-    INFO(std::string(Device::name.begin(), Device::name.end()));
     pair<Device> it;
     auto const& drive = it.drive;
     REQUIRE(it.started());
@@ -124,7 +122,6 @@ template <typename Device> void meets_a_fault()
 
 template <typename Device> void is_refused()
 {
-    INFO(std::string(Device::name.begin(), Device::name.end()));
     pair<Device> it;
     auto const& drive = it.drive;
     it.drive_().set_local(true);
@@ -151,29 +148,17 @@ template <typename Device> void is_refused()
 
 TEST_CASE("every drive starts, turns round and stops, in each of its ways")
 {
-    starts_and_stops<atv12::device>();
-    starts_and_stops<atv28::device>();
-    starts_and_stops<atv310::device>();
-    starts_and_stops<atv310::device_2026>();
-    starts_and_stops<atv320::device>();
+    test::all_drives::for_each([]<typename Device>() { starts_and_stops<Device>(); });
 }
 
 TEST_CASE("every drive tells its fault, and is reset by an edge")
 {
-    meets_a_fault<atv12::device>();
-    meets_a_fault<atv28::device>();
-    meets_a_fault<atv310::device>();
-    meets_a_fault<atv310::device_2026>();
-    meets_a_fault<atv320::device>();
+    test::all_drives::for_each([]<typename Device>() { meets_a_fault<Device>(); });
 }
 
 TEST_CASE("each ending has its reason")
 {
-    is_refused<atv12::device>();
-    is_refused<atv28::device>();
-    is_refused<atv310::device>();
-    is_refused<atv310::device_2026>();
-    is_refused<atv320::device>();
+    test::all_drives::for_each([]<typename Device>() { is_refused<Device>(); });
 }
 
 TEST_CASE("a speed is a reference too, and one outside the limits is said to be")

@@ -3,15 +3,12 @@
 // How an order ends that a simulated drive does not carry out: too slow, fallen back, stopped by its key, or given up.
 #include <rtuwire/altivar/procedure/outcome.hpp>
 
-#include <string>
-
 #include "support/catch.hpp"
 #include "support/commissioned.hpp"
+#include "support/drives.hpp"
 #include "support/simulated_bus.hpp"
 
-#include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 #include <rtuwire/altivar/procedure/commissioning/channel.hpp>
@@ -99,24 +96,11 @@ template <typename Device> struct pair : test::simulated_bus<drive_client<4>, De
     }
 };
 
-template <typename Test> void for_every_drive(Test test)
-{
-    auto const named = [&]<typename Device>(Device device) {
-        INFO(std::string(Device::name.begin(), Device::name.end()));
-        test(device);
-    };
-    named(atv12::device{});
-    named(atv28::device{});
-    named(atv310::device{});
-    named(atv310::device_2026{});
-    named(atv320::device{});
-}
-
 } // namespace
 
 TEST_CASE("a drive that takes longer than the limit ends an order as state_timeout")
 {
-    for_every_drive([]<typename Device>(Device) {
+    test::all_drives::for_each([]<typename Device>() {
         pair<Device> it;
         REQUIRE(it.started());
         // From 0 to 40 Hz it takes 2.4 s.
@@ -128,7 +112,7 @@ TEST_CASE("a drive that takes longer than the limit ends an order as state_timeo
 
 TEST_CASE("a start whose limit is over ends as state_timeout where it has commanded, and as aborted before")
 {
-    for_every_drive([]<typename Device>(Device) {
+    test::all_drives::for_each([]<typename Device>() {
         unsigned given_up = 0;
         unsigned too_late = 0;
         for (std::uint32_t limit_ms = 0; limit_ms < 200; limit_ms += 5) {
@@ -152,7 +136,7 @@ TEST_CASE("a start whose limit is over ends as state_timeout where it has comman
 
 TEST_CASE("a drive that another master brings down ends an order as fell_back")
 {
-    for_every_drive([]<typename Device>(Device) {
+    test::all_drives::for_each([]<typename Device>() {
         pair<Device> it;
         auto const removed = [&] { it.tell(0x0000); };
         auto const is_on = [&] { return it.now_in() == state::switched_on; };
@@ -166,7 +150,7 @@ TEST_CASE("a drive that another master brings down ends an order as fell_back")
 
 TEST_CASE("a drive whose STOP key is pressed ends an order as stop_key")
 {
-    for_every_drive([]<typename Device>(Device) {
+    test::all_drives::for_each([]<typename Device>() {
         pair<Device> it;
         auto const pressed = [&] { it.far().press_stop(); };
         auto const is_on = [&] { return it.now_in() == state::switched_on; };
@@ -182,7 +166,7 @@ TEST_CASE("a drive whose STOP key is pressed ends an order as stop_key")
 
 TEST_CASE("a start whose command is not the one in the drive ends as overwritten")
 {
-    for_every_drive([]<typename Device>(Device) {
+    test::all_drives::for_each([]<typename Device>() {
         pair<Device> it;
         auto const is_ordered = [&] { return it.now_in() == state::switched_on and it.far().word("LFR") == 500; };
         auto const replaced = [&] { it.tell(0x0006); };
@@ -196,7 +180,7 @@ TEST_CASE("a start whose command is not the one in the drive ends as overwritten
 
 TEST_CASE("an order that cannot be carried out ends as aborted")
 {
-    for_every_drive([]<typename Device>(Device) {
+    test::all_drives::for_each([]<typename Device>() {
         pair<Device> it;
         auto const standing = it.end_of(change_reference{it.drive, 40_Hz});
         CHECK(standing.kind == outcome_kind::aborted);

@@ -120,9 +120,13 @@ constexpr bool accepts_all_that_is_missing()
     }
     last = it.step(read(locked));
     // SLL, TTO, CHCF, CD1, FR1, FLO, ATR, DOTD.
-    return requests == 8 and last.what == action::kind::end and it.reason().kind == outcome_kind::succeeded and
-           it.reason().error == errc::none and it.report().period.timeout == duration{} and
-           it.report().words == word_meaning::unknown and it.reason().state == cia402::state::switch_on_disabled;
+    using test::is;
+    return is(requests == 8, "eight registers are asked for") and is(last.what == action::kind::end, "it has ended") and
+           is(it.reason().kind == outcome_kind::succeeded, "it has succeeded") and
+           is(it.reason().error == errc::none, "it has no error") and
+           is(it.report().period.timeout == duration{}, "the time-out is not known") and
+           is(it.report().words == word_meaning::unknown, "what the words mean is not known") and
+           is(it.reason().state == cia402::state::switch_on_disabled, "the state is known");
 }
 PROOF("a drive that has none of the registers is ready only where that was accepted", accepts_all_that_is_missing)
 

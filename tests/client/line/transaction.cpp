@@ -136,14 +136,17 @@ template <std::size_t Size> constexpr bool never_accepted(std::array<std::byte, 
 }
 constexpr bool wrong_answers()
 {
-    return never_accepted("01 04 02 12 34 B4 47"_hex, errc::wrong_function) and
-           never_accepted("01 03 00 20 F0"_hex, errc::wrong_length) and
-           never_accepted("01 03 03 12 34 56 73 75"_hex, errc::wrong_length) and
-           never_accepted("01 83 02 C0 E1"_hex, errc::crc_mismatch) and
-           never_accepted("00 01 03 02 12 34 B5 33"_hex, errc::crc_mismatch) and
-           never_accepted("01 03 01 03 02 12 34 B5 33"_hex, errc::crc_mismatch) and
-           never_accepted("01 03 02 12 34"_hex, errc::crc_mismatch) and never_accepted("01"_hex, errc::timed_out) and
-           never_accepted("01 06 0C 81 00 01 1B 72"_hex, errc::wrong_function);
+    using test::is;
+    return is(never_accepted("01 04 02 12 34 B4 47"_hex, errc::wrong_function), "a read of input registers") and
+           is(never_accepted("01 03 00 20 F0"_hex, errc::wrong_length), "no register") and
+           is(never_accepted("01 03 03 12 34 56 73 75"_hex, errc::wrong_length), "a register and a half") and
+           is(never_accepted("01 83 02 C0 E1"_hex, errc::crc_mismatch), "a damaged exception") and
+           is(never_accepted("00 01 03 02 12 34 B5 33"_hex, errc::crc_mismatch), "a byte before the response") and
+           is(never_accepted("01 03 01 03 02 12 34 B5 33"_hex, errc::crc_mismatch),
+              "a beginning before the response") and
+           is(never_accepted("01 03 02 12 34"_hex, errc::crc_mismatch), "a response without its CRC") and
+           is(never_accepted("01"_hex, errc::timed_out), "a single byte") and
+           is(never_accepted("01 06 0C 81 00 01 1B 72"_hex, errc::wrong_function), "the response to a write");
 }
 PROOF("what is no response to the request is never accepted, and said at the end", wrong_answers)
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Who commands a simulated drive, what a lost link and a halt do, by the settings that say so.
 #include "support/drive_bench.hpp"
+#include "support/drives.hpp"
 
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv310.hpp>
@@ -90,9 +91,7 @@ constexpr std::int32_t on_the_ramp = 36'667, on_a_fast_ramp = 26'667;
 
 TEST_CASE("CHCF, CD1 and FR1 say who commands and who refers")
 {
-    channels_count<atv12::device>();
-    channels_count<atv310::device>();
-    channels_count<atv320::device>();
+    test::later_drives::for_each([]<typename Device>() { channels_count<Device>(); });
 }
 
 TEST_CASE("in the I/O profile of an ATV320 bit 0 of the command word is RUN")

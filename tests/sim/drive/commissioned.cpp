@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // What a simulated drive holds: as it came to the line, as delivered, after power; and that it takes back all of it.
 #include "support/drive_bench.hpp"
+#include "support/drives.hpp"
 
-#include <rtuwire/altivar/atv12.hpp>
-#include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv310.hpp>
-#include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/sim/drive/unit.hpp>
 
 using namespace rtuwire;
@@ -43,11 +40,7 @@ template <typename Device> static void takes_back_what_it_shows()
 
 TEST_CASE("a standing drive takes every word back that it shows, commissioned or as delivered")
 {
-    takes_back_what_it_shows<atv12::device>();
-    takes_back_what_it_shows<atv28::device>();
-    takes_back_what_it_shows<atv310::device>();
-    takes_back_what_it_shows<atv310::device_2026>();
-    takes_back_what_it_shows<atv320::device>();
+    test::all_drives::for_each([]<typename Device>() { takes_back_what_it_shows<Device>(); });
 }
 
 template <typename Device> static void is_commissioned_and_delivered()
@@ -80,8 +73,5 @@ template <typename Device> static void is_commissioned_and_delivered()
 
 TEST_CASE("a drive comes commissioned; factory settings take the line's control and the address away")
 {
-    is_commissioned_and_delivered<atv12::device>();
-    is_commissioned_and_delivered<atv310::device>();
-    is_commissioned_and_delivered<atv310::device_2026>();
-    is_commissioned_and_delivered<atv320::device>();
+    test::later_drives::for_each([]<typename Device>() { is_commissioned_and_delivered<Device>(); });
 }

@@ -3,6 +3,7 @@
 // A simulated drive, word by word.
 #include <rtuwire/sim/drive/drive.hpp>
 
+#include "support/drives.hpp"
 #include "support/proof.hpp"
 
 #include <rtuwire/altivar/atv12.hpp>
@@ -120,11 +121,7 @@ template <typename Device> static void walks_the_chart()
 
 TEST_CASE("each drive goes along every arrow of its chart")
 {
-    walks_the_chart<atv12::device>();
-    walks_the_chart<atv28::device>();
-    walks_the_chart<atv310::device>();
-    walks_the_chart<atv310::device_2026>();
-    walks_the_chart<atv320::device>();
+    test::all_drives::for_each([]<typename Device>() { walks_the_chart<Device>(); });
 }
 
 /// Lower bytes as the manuals print them; the ATV28 has bit 4 low while there is power.
@@ -163,10 +160,7 @@ template <typename Device> static void shows_what_is_printed(std::uint16_t power
 
 TEST_CASE("status words are those that the manuals print")
 {
-    shows_what_is_printed<atv12::device>(0x10);
-    shows_what_is_printed<atv310::device>(0x10);
-    shows_what_is_printed<atv310::device_2026>(0x10);
-    shows_what_is_printed<atv320::device>(0x10);
+    test::later_drives::for_each([]<typename Device>() { shows_what_is_printed<Device>(0x10); });
     shows_what_is_printed<atv28::device>(0x00);
 }
 

@@ -4,6 +4,7 @@
 #include <rtuwire/sim/drive/drive.hpp>
 
 #include "support/catch.hpp"
+#include "support/drives.hpp"
 
 #include <vector>
 
@@ -62,11 +63,7 @@ template <typename Device> void try_all(tally& sum)
 TEST_CASE("no simulated drive takes an enumeration's word without a meaning")
 {
     tally sum;
-    try_all<atv12::device>(sum);
-    try_all<atv28::device>(sum);
-    try_all<atv310::device>(sum);
-    try_all<atv310::device_2026>(sum);
-    try_all<atv320::device>(sum);
+    test::all_drives::for_each([&]<typename Device>() { try_all<Device>(sum); });
     CHECK(sum.registers > 50);
     CHECK(sum.words > 250);
     CHECK(sum.nameless == 0);

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSL-1.0
 // Factory settings over the line: what they take away, and what the conversation claims.
 #include "support/catch.hpp"
+#include "support/drives.hpp"
 #include "support/simulated_bus.hpp"
 
-#include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/procedure/commissioning/restore_factory_settings.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
@@ -62,11 +61,7 @@ template <typename Device> void is_delivered_again()
 
 TEST_CASE("factory settings are executed, and never said to be confirmed")
 {
-    is_delivered_again<atv12::device>();
-    is_delivered_again<atv28::device>();
-    is_delivered_again<atv310::device>();
-    is_delivered_again<atv310::device_2026>();
-    is_delivered_again<atv320::device>();
+    test::all_drives::for_each([]<typename Device>() { is_delivered_again<Device>(); });
 }
 
 TEST_CASE("a later drive has no address afterwards, and terminals in command")

@@ -75,6 +75,26 @@ private:
 
 /// Decides the set-up, word by word: reads all settings before it writes one, checks the drive before each write,
 /// reads each setting back, reads all of them again after the last, and reads the drive's status once more.
+///
+/// | stage           | word read                         | confirmed    | no response  | refused       | limit over   |
+/// |-----------------|-----------------------------------|--------------|--------------|---------------|--------------|
+/// | comparing       | the next; after the last: looking |              | end: silent  | end: refused  | end: aborted |
+/// | comparing again | the next; after the last: wait    |              | end: silent  | end: refused  | end: aborted |
+/// |                 | if wrong end: not_taken           |              |              |               |              |
+/// | looking         | the check, write CMD or set one   |              | end: silent  | as in a check | end: aborted |
+/// | clearing        |                                   | set one      | end: silent  | end: refused  | end: aborted |
+/// | setting         |                                   | read it      | end: silent  | end: refused  | end: aborted |
+/// | reading_back    | looking; at last: compare again   |              | end: silent  | end: refused  | end: aborted |
+/// |                 | if wrong end: not_taken           |              |              |               |              |
+/// | confirming      | 7, 8: read LFT                    |              | end: silent  | end: refused  | end: aborted |
+/// |                 | 5, 6: write CMD                   |              |              |               |              |
+/// |                 | other: end: succeeded             |              |              |               |              |
+/// | reading_fault   | end: in_fault                     |              | end: silent  | end: refused  | end: aborted |
+/// | taking_back     |                                   | end: started | end: started | end: started  | end: aborted |
+///
+/// CMD is written 0000: once before the first setting, and to a motor that runs; "started" is `started_by_terminals`.
+/// Where no setting is wrong, the first comparison ends as `succeeded`. Exception 02 to a comparison is
+/// `unknown_register`. A wait ends with the read of ETA.
 /// Internal.
 class channel_procedure : public procedure {
 public:

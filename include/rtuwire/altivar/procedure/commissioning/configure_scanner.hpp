@@ -34,6 +34,15 @@ template <auto const&... Registers> struct scanner_outputs {
 };
 
 /// Decides a configuration, word by word.
+///
+/// | stage         | word read             | confirmed      | no response | refused      | limit over  |
+/// |---------------|-----------------------|----------------|-------------|--------------|-------------|
+/// | looking       | 5, 6, 7: end: running |                | end: silent | end: refused | end: silent |
+/// |               | other: write slot 1   |                |             |              |             |
+/// | a slot        |                       | write the next | end: silent | end: refused | end: silent |
+/// | the last slot |                       | end: succeeded | end: silent | end: refused | end: silent |
+///
+/// "Running" is `refused_while_running`. The input slots come first; one without a register is written 0.
 /// Internal.
 class scanner_procedure : public procedure {
 public:

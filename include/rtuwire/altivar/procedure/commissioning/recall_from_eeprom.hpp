@@ -19,6 +19,17 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 inline constexpr std::uint16_t recall_bit = 0x0004;
 
 /// Decides a recall, word by word.
+///
+/// | stage           | word read                  | confirmed      | no response | refused       | limit over  |
+/// |-----------------|----------------------------|----------------|-------------|---------------|-------------|
+/// | looking         | the check, read CMI        |                | end: silent | as in a check | end: silent |
+/// | reading_control | write CMI with bit 2       |                | end: silent | end: refused  | end: silent |
+/// | ordering        |                            | wait, read CMI | end: maybe  | end: refused  | end: maybe  |
+/// | confirming      | bit 2 is 0: end: succeeded |                | end: maybe  | end: refused  | end: maybe  |
+/// |                 | else write CMI without it  |                |             |               |             |
+/// | taking_back     |                            | end: not_taken | end: silent | end: refused  | end: silent |
+///
+/// "Maybe" is `executed_unconfirmed`. CMI is written without the orders that it held.
 /// Internal.
 class recall_procedure : public procedure {
 public:

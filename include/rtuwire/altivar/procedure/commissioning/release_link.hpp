@@ -23,6 +23,18 @@ inline constexpr std::uint16_t link_activated = 0x8000; ///< bit 1 low: no power
 inline constexpr std::uint16_t link_released = 0x8100;
 
 /// Decides a release or its opposite, word by word.
+///
+/// | stage         | word read                       | confirmed      | no response  | refused       | limit over   |
+/// |---------------|---------------------------------|----------------|--------------|---------------|--------------|
+/// | looking       | the check, write 8100           |                | end: silent  | as in a check | end: aborted |
+/// | telling       |                                 | wait, read ETA | end: silent  | end: refused  | end: aborted |
+/// | confirming    | 5, 6, 7: write 8000             |                | end: silent  | end: refused  | end: aborted |
+/// |               | other: read ETI                 |                |              |               |              |
+/// | asking_source | its bit 14 is 0: end: succeeded |                | end: silent  | end: refused  | end: aborted |
+/// |               | else end: not_taken             |                |              |               |              |
+/// | taking_back   |                                 | end: started   | end: started | end: started  | end: aborted |
+///
+/// "Started" is `started_by_terminals`. The opposite of a release writes 8000, and bit 14 has to be 1.
 /// Internal.
 class link_procedure : public procedure {
 public:

@@ -21,6 +21,15 @@ struct losing_control_and_address {
 };
 
 /// Decides the restore, word by word.
+///
+/// | stage       | word read            | confirmed                  | no response | refused       | limit over  |
+/// |-------------|----------------------|----------------------------|-------------|---------------|-------------|
+/// | looking     | the check, read CMI  |                            | end: silent | as in a check | end: silent |
+/// | reading CMI | write CMI with bit 0 |                            | end: silent | end: refused  | end: silent |
+/// | ordering    |                      | wait, write CMI without it | end: silent | end: refused  | end: silent |
+/// | taking back |                      | end: maybe                 | end: maybe  | end: maybe    | end: maybe  |
+///
+/// "Maybe" is `executed_unconfirmed`. CMI is written without the orders that it held.
 /// Internal.
 class factory_procedure : public procedure {
 public:

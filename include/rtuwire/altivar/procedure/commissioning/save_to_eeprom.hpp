@@ -14,6 +14,21 @@
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Decides a save, word by word.
+///
+/// "Undo" writes CMI without its orders, and then ends so. "Running" is `refused_while_running`.
+///
+/// | stage           | word read              | confirmed | no response  | refused       | limit over          |
+/// |-----------------|------------------------|-----------|--------------|---------------|---------------------|
+/// | looking         | 5, 6, 7: end: running  |           | end: silent  | end: refused  | end: aborted        |
+/// |                 | other: read CMI        |           |              |               |                     |
+/// | reading_control | write CMI to save      |           | end: silent  | end: refused  | end: aborted        |
+/// | saving          |                        | wait      | undo: silent | undo: refused | undo: aborted       |
+/// | waiting         | still saving: wait     |           | undo: silent | undo: refused | undo: state_timeout |
+/// |                 | other: undo: succeeded |           |              |               |                     |
+/// | taking_back     |                        | end: so   | end: silent  | end: refused  | write it again      |
+///
+/// A wait ends with a read of ETI, or with "undo: succeeded" where the drive does not show there that it saves. In
+/// taking_back an outcome that stands already stays.
 /// Internal.
 class save_procedure : public procedure {
 public:
@@ -97,9 +112,9 @@ private:
     stage stage_{stage::looking};
 };
 
-/// Saves all settings of a stopped drive; `state_timeout` where it was still saving at the limit. The memory endures this 100 000 times in the drive's life: call
-/// it when a person has finished a change, never in a cycle. The order is cleared at the end, also
-/// where the save failed.
+/// Saves all settings of a stopped drive; `state_timeout` where it was still saving at the limit. The memory endures this
+/// 100 000 times in the drive's life: call it when a person has finished a change, never in a cycle. The order is
+/// cleared at the end, also where the save failed.
 class save_to_eeprom : public procedure_runner<save_procedure> {
 public:
     template <device_type Device>

@@ -30,6 +30,26 @@ struct at_rest_rules {
 
 /// Decides the check, word by word. It ends as `succeeded` in states 2, 3 and 4, and in 8 with `accepts_fault`, with
 /// the run inputs open. In three-wire control a steady input does not start the motor, so the inputs are not read.
+///
+/// | read of  | answer                 | next                                            |
+/// |----------|------------------------|-------------------------------------------------|
+/// | ETA      | 2, 3, 4                | read TCC                                        |
+/// |          | 8, where accepted      | read TCC                                        |
+/// |          | 7, 8                   | read LFT                                        |
+/// |          | 5, 6                   | end: refused_while_running                      |
+/// |          | 1, or no state         | end: aborted                                    |
+/// | TCC      | three-wire             | end: succeeded                                  |
+/// |          | other, or exception 02 | read the inputs                                 |
+/// | inputs   | a run input is closed  | end: run_input_closed                           |
+/// |          | other                  | end: succeeded                                  |
+/// |          | exception 02           | end: unknown_register; succeeded where accepted |
+/// | LFT      | any                    | end: in_fault                                   |
+/// | anything | no response            | end: silent                                     |
+/// |          | refused otherwise      | end: refused                                    |
+/// |          | limit over             | end: aborted                                    |
+///
+/// TCC is not read where the drive has none, or where two-wire control may come back. A drive without a register of its
+/// inputs is as one that answers 02. Without run inputs, ETA decides alone.
 class at_rest_procedure : public procedure {
 public:
     constexpr at_rest_procedure(drive_layout const& layout, terminal_options const& options,

@@ -31,6 +31,29 @@ enum class safeguard : std::uint8_t {
 };
 
 /// The words that were read of a drive's safeguards.
+///
+/// | register         | word                                   | finding                        |
+/// |------------------|----------------------------------------|--------------------------------|
+/// | SLL              | 1, 2, 6, 7, 8                          |                                |
+/// |                  | 0                                      | unsupervised                   |
+/// |                  | 4, 5                                   | runs_on_without_link           |
+/// |                  | other                                  | unknown_register               |
+/// | CMI, without SLL | NTO                                    | unsupervised                   |
+/// | TTO              | 0                                      | unsupervised                   |
+/// | CHCF             | 1                                      | CD1 is not read                |
+/// |                  | 2                                      |                                |
+/// |                  | 3                                      | not_drive_profile              |
+/// |                  | other                                  | unknown_register               |
+/// | CD1              | not 10                                 | other_channel                  |
+/// | FR1              | not 164                                | other_channel                  |
+/// | FLO              | any                                    | noted                          |
+/// | ATR              | not 0                                  | restarts_by_itself             |
+/// | DOTD             | any                                    | noted: 1 is the ramp           |
+/// | TCC              | any                                    | noted: 1 is three-wire control |
+/// | inputs           | a run input, not in three-wire control | run_input_closed               |
+/// | ETA              | in local control                       | local_control                  |
+///
+/// TCC and the inputs count only where the terminals command after power-up.
 class safeguard_words {
 public:
     explicit constexpr safeguard_words(std::uint16_t run_inputs) noexcept : run_inputs_{run_inputs} {}

@@ -17,6 +17,19 @@
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Decides the check, word by word. It ends as `succeeded` where the drive may be ordered.
+///
+/// Each register that the drive has is read, in the order of `safeguard`; `safeguard_words` has the findings.
+///
+/// | answer                       | next                                                                    |
+/// |------------------------------|-------------------------------------------------------------------------|
+/// | a word without a finding     | read the next register; after ETA: end: succeeded, or timeout_too_short |
+/// | a finding, its risk accepted | the same                                                                |
+/// | a finding                    | end: the finding                                                        |
+/// | exception 02: FLO, DOTD, TCC | read the next register                                                  |
+/// | exception 02: another        | the finding unknown_register                                            |
+/// | refused otherwise            | end: refused                                                            |
+/// | no response                  | end: silent                                                             |
+/// | limit over                   | end: aborted                                                            |
 /// Internal.
 class supervision_procedure : public procedure {
 public:

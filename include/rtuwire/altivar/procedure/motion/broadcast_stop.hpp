@@ -39,6 +39,14 @@ struct broadcast_stop_options {
 };
 
 /// The broadcasts of a line's families of drives, three rounds of them.
+///
+/// | drives               | freewheel | word |
+/// |----------------------|-----------|------|
+/// | an ATV320, not known | any       | 0000 |
+/// | other                | no        | 0002 |
+/// | other                | yes       | 0000 |
+///
+/// Each address gets it once in a round, in the order of the drives; without an address there is no round.
 /// Internal.
 class broadcast_rounds {
 public:
@@ -93,6 +101,14 @@ private:
 /// `converse` before all others. A request under way on the line is given up, unless its response is arriving. No
 /// request enables a drive of this line until its user gives a new order after the end. `reason(i)` tells how the i-th
 /// drive's stop ended, as for `stop`.
+///
+/// | stage      | sends        | sent, or lost                        | last_after over                      | urgent |
+/// |------------|--------------|--------------------------------------|--------------------------------------|--------|
+/// | round 1    | a broadcast  | the next; after the last: round 2    |                                      | yes    |
+/// | round 2    | a broadcast  | the next; after the last: wait       | goes on, then round 3 without a wait | yes    |
+/// | wait       | nothing      |                                      | round 3                              | yes    |
+/// | round 3    | a broadcast  | the next; after the last: each drive |                                      | yes    |
+/// | each drive | its own stop | as in its own stop                   |                                      | no     |
 template <std::size_t Drives> class broadcast_stop : public commander {
 public:
     static constexpr conversation_properties properties{.urgency = urgency::stop_of_all};

@@ -14,6 +14,28 @@
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Decides a change of the reference, word by word.
+///
+/// | read of       | answer                              | not yet written     | written                             |
+/// |---------------|-------------------------------------|---------------------|-------------------------------------|
+/// | ETA           | 7, 8                                | read LFT            | read LFT                            |
+/// |               | in local control                    | end: local_control  | end: local_control                  |
+/// |               | 1 to 4, 6, or no state              | end: aborted        | end: fell_back                      |
+/// |               | the same with the STOP key          | end: stop_key       | end: stop_key                       |
+/// |               | 5                                   | read CMD            | wait, not reached                   |
+/// |               | 5, limited                          | read CMD            | end: reference_limited              |
+/// |               | 5, reached in the ordered direction | read CMD            | read RFR; a reference of 0: reached |
+/// | RFR           | 0                                   |                     | wait, not reached                   |
+/// |               | other                               |                     | reached                             |
+/// | CMD           | with the halt bit                   | end: halted         |                                     |
+/// |               | other                               | write the reference |                                     |
+/// | LFT           | any                                 | end: in_fault       | end: in_fault                       |
+/// | the reference | confirmed                           | wait                |                                     |
+/// | a wait        | over                                |                     | read ETA                            |
+/// | anything      | no response                         | end: silent         | end: silent                         |
+/// |               | refused                             | end: refused        | end: refused                        |
+/// |               | limit over                          | end: aborted        | end: state_timeout                  |
+///
+/// "Reached" waits the first time, and ends as `succeeded` the second time in a row. A reference of 0 has no direction.
 /// Internal.
 class reference_procedure : public procedure {
 public:

@@ -68,6 +68,35 @@ public:
 };
 
 /// Decides a direct start, word by word.
+///
+/// "Undo" writes 0000 until the word to run was sent, and then stops on the ramp; after that it ends so.
+///
+/// | stage             | word read              | confirmed     | no response  | refused       | limit over          |
+/// |-------------------|------------------------|---------------|--------------|---------------|---------------------|
+/// | meeting           | a status, kept         |               | end: silent  | end: refused  | end: aborted        |
+/// | examining         | the check, a status    |               | end: silent  | as in a check | end: aborted        |
+/// | clearing          |                        | the reference | undo: silent | undo: refused | undo: state_timeout |
+/// | writing_reference |                        | read it back  | undo: silent | undo: refused | undo: state_timeout |
+/// | reading_reference | the same: read CMD     |               | undo: silent | undo: refused | undo: state_timeout |
+/// |                   | else undo: not_taken   |               |              |               |                     |
+/// | reading_command   | 0000: read ETA         |               | undo: silent | undo: refused | undo: state_timeout |
+/// |                   | else undo: overwritten |               |              |               |                     |
+/// | looking_again     | a status               |               | undo: silent | undo: refused | undo: state_timeout |
+/// | running           |                        | read ETA      | undo: silent | undo: refused | undo: state_timeout |
+/// | confirming        | a status               |               | undo: silent | undo: refused | undo: state_timeout |
+/// | reading_fault     | undo: in_fault         |               | undo: silent | undo: refused | undo: state_timeout |
+///
+/// | status               | meeting                    | looking_again       | confirming                           |
+/// |----------------------|----------------------------|---------------------|--------------------------------------|
+/// | 2 switch on disabled | write 0000                 | write 800A          | wait                                 |
+/// | 1, 3, 4, or no state | write 0000                 | undo: aborted       | wait                                 |
+/// | 5 operation enabled  | end: refused_while_running | undo: aborted       | end: succeeded, or reference_limited |
+/// | 6 quick stop active  | end: refused_while_running | undo: aborted       | wait                                 |
+/// | 7, 8 fault           | read LFT                   | read LFT            | read LFT                             |
+/// | in local control     | end: local_control         | undo: local_control | undo: local_control                  |
+/// | STOP key, newly      |                            | undo: stop_key      |                                      |
+///
+/// A wait ends with another read of ETA. In reading_fault "undo" writes nothing unless the word to run was sent.
 /// Internal.
 class direct_start_procedure : public order_procedure {
 public:

@@ -14,6 +14,23 @@
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Decides a reset, word by word.
+///
+/// | stage         | word read     | confirmed  | no response | refused      | limit over         |
+/// |---------------|---------------|------------|-------------|--------------|--------------------|
+/// | looking       | a status      |            | end: silent | end: refused | end: aborted       |
+/// | low           |               | write 0080 | end: silent | end: refused | read LFT           |
+/// | high          |               | write 0000 | end: silent | end: refused | read LFT           |
+/// | low_again     |               | read ETA   | end: silent | end: refused | read LFT           |
+/// | checking      | a status      |            | end: silent | end: refused | end: state_timeout |
+/// | reading_fault | end: in_fault |            | end: silent | end: refused |                    |
+///
+/// | status         | looking        | checking       |
+/// |----------------|----------------|----------------|
+/// | 1 to 6         | end: succeeded | end: succeeded |
+/// | 7, or no state | wait           | wait           |
+/// | 8 fault        | write 0000     | wait           |
+///
+/// A wait ends with another read of ETA. Where the state read last is 7 or 8, the limit has LFT read.
 /// Internal.
 class reset_procedure : public procedure {
 public:

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The tables of a change of the reference: each stage and each answer, as they stand beside the code.
+#include <rtuwire/altivar/procedure/motion/change_reference.hpp>
+
+#include "altivar/procedure/status_words.hpp"
+#include "altivar/procedure/step_table.hpp"
+#include "support/catch.hpp"
+
+#include <rtuwire/altivar/atv12.hpp>
+#include <rtuwire/altivar/atv28.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+using namespace rtuwire::test;
+using kind = outcome_kind;
+
+namespace {
+
+constexpr auto const& layout = atv12::device::layout;
+constexpr std::uint16_t speed = 8602;
+/// In operation, with the reference reached: forward, in reverse, and where it is outside LSP..HSP.
+constexpr std::uint16_t reached = 0x0637, reached_back = 0x8637, limited = 0x0A37, limited_reached = 0x0E37;
+
+constexpr cell eta = reads(layout.eta), lft = reads(layout.lft), rfr = reads(layout.rfr), cmd = reads(layout.cmd);
+constexpr cell x = never;
+constexpr cell done = ends(kind::succeeded), silent = ends(kind::silent), refused = ends(kind::refused);
+constexpr cell aborted = ends(kind::aborted), too_late = ends(kind::state_timeout), fault = ends(kind::in_fault);
+constexpr cell local = ends(kind::local_control), key = ends(kind::stop_key), fell = ends(kind::fell_back);
+constexpr cell at_limit = ends(kind::reference_limited), halted = ends(kind::halted);
+
+constexpr std::array<answer, 20> statuses{{
+    {"not ready to switch on", word(not_ready_word)},
+    {"switch on disabled", word(disabled_word)},
+    {"ready to switch on", word(ready_word)},
+    {"switched on", word(on_word)},
+    {"operation enabled", word(enabled_word)},
+    {"quick stop active", word(quick_stop_word)},
+    {"fault reaction active", word(reaction_word)},
+    {"fault", word(fault_word)},
+    {"no state", word(no_state_word)},
+    {"switch on disabled by the STOP key", word(0x4250)},
+    {"operation enabled, STOP key", word(0x4237)},
+    {"operation enabled in local control", word(0x0037)},
+    {"fault in local control", word(0x0038)},
+    {"reached", word(reached)},
+    {"reached in reverse", word(reached_back)},
+    {"limited", word(limited)},
+    {"limited and reached", word(limited_reached)},
+    {"no response", failed(errc::timed_out)},
+    {"refused", failed(errc::server_device_failure)},
+    {"limit over", late},
+}};
+
+constexpr way written{begun, word(enabled_word), word(0x000F), confirmed, pause_over};
+constexpr way reached_once{begun,      word(enabled_word), word(0x000F), confirmed,
+                           pause_over, word(reached),      word(300),    pause_over};
+
+// clang-format off
+constexpr std::array<stage_row<20>, 3> forward_looks{{
+    // stage, and the way there
+    //   1, 2, 3, 4, 5, 6, 7, 8, no state
+    //   2 by the key, 5 and key, 5 in local, 8 in local, reached, in reverse, limited, both
+    //   no response, refused, limit over
+    {"the first look", {begun},
+     {aborted, aborted, aborted, aborted, cmd, aborted, lft, lft, aborted,
+      key, cmd, local, lft, cmd, cmd, cmd, cmd,
+      silent, refused, aborted}},
+    {"a look after the write", written,
+     {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
+      key, pauses, local, lft, rfr, pauses, at_limit, at_limit,
+      silent, refused, too_late}},
+    {"a look after it was reached once", reached_once,
+     {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
+      key, pauses, local, lft, rfr, pauses, at_limit, at_limit,
+      silent, refused, too_late}},
+}};
+constexpr std::array<stage_row<20>, 1> reverse_looks{{
+    {"a look after the write", written,
+     {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
+      key, pauses, local, lft, pauses, rfr, at_limit, at_limit,
+      silent, refused, too_late}},
+}};
+constexpr std::array<stage_row<20>, 3> zero_looks{{
+    {"a look after the write", written,
+     {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
+      key, pauses, local, lft, pauses, pauses, at_limit, at_limit,
+      silent, refused, too_late}},
+    {"a look after it was reached once", {begun, word(enabled_word), word(0x000F), confirmed, pause_over, word(reached), pause_over},
+     {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
+      key, pauses, local, lft, done, done, at_limit, at_limit,
+      silent, refused, too_late}},
+    {"a look after it was reached, and then not",
+     {begun, word(enabled_word), word(0x000F), confirmed, pause_over, word(reached), pause_over, word(enabled_word), pause_over},
+     {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
+      key, pauses, local, lft, pauses, pauses, at_limit, at_limit,
+      silent, refused, too_late}},
+}};
+// clang-format on
+
+constexpr std::array<answer, 8> others{{
+    {"0", word(0)},
+    {"a frequency, or a word that runs", word(0x000F)},
+    {"a word that runs with bit 11", word(0x080F)},
+    {"confirmed", confirmed},
+    {"pause over", pause_over},
+    {"no response", failed(errc::timed_out)},
+    {"refused", failed(errc::server_device_failure)},
+    {"limit over", late},
+}};
+constexpr cell write = writes(speed, 1'500), write_turned = writes(speed, 0xFA24); // -1500
+constexpr std::array<stage_row<8>, 7> other_rows{{
+    {"the control word", {begun, word(enabled_word)}, {write, write, write_turned, x, x, silent, refused, aborted}},
+    {"the write", {begun, word(enabled_word), word(0x000F)}, {x, x, x, pauses, x, silent, refused, aborted}},
+    {"a wait after the write",
+     {begun, word(enabled_word), word(0x000F), confirmed},
+     {x, x, x, x, eta, silent, x, too_late}},
+    {"the frequency",
+     {begun, word(enabled_word), word(0x000F), confirmed, pause_over, word(reached)},
+     {pauses, pauses, pauses, x, x, silent, refused, too_late}},
+    {"the frequency for the second time",
+     {begun, word(enabled_word), word(0x000F), confirmed, pause_over, word(reached), word(300), pause_over,
+      word(reached)},
+     {pauses, done, done, x, x, silent, refused, too_late}},
+    {"the fault of a drive that was not written to",
+     {begun, word(fault_word)},
+     {fault, fault, fault, x, x, silent, refused, aborted}},
+    {"the fault of one that was",
+     {begun, word(enabled_word), word(0x000F), confirmed, pause_over, word(fault_word)},
+     {fault, fault, fault, x, x, silent, refused, too_late}},
+}};
+
+constexpr reference_procedure forward{layout, {speed, 1'500}}, reverse{layout, {speed, 0xFA24}};
+constexpr reference_procedure zero{layout, {speed, 0}};
+
+} // namespace
+
+TEST_CASE("a change of the reference does at each look what its table says")
+{
+    check_table(forward, statuses, forward_looks);
+    check_table(reverse, statuses, reverse_looks);
+    check_table(zero, statuses, zero_looks);
+}
+
+TEST_CASE("a change of the reference does in each stage, at each answer, what its table says")
+{
+    check_table(forward, others, other_rows);
+}
+
+TEST_CASE("a change of the reference begins with a look, and leaves a halt")
+{
+    CHECK(does(forward, begun, eta));
+    CHECK(does(led(forward, {begun, word(enabled_word)}), word(0x010F), halted));
+    constexpr reference_procedure old{atv28::device::layout, {401, 300}}; // has no halt
+    CHECK(does(led(old, {begun, word(enabled_word)}), word(0x010F), writes(401, 300)));
+}
+
+TEST_CASE("a change of the reference ends at its write where the client has no place for one more drive")
+{
+    way const to_write{begun, word(enabled_word), word(0x000F)};
+    CHECK(does(led(forward, to_write), failed(errc::too_many_ordered), ends(kind::no_place)));
+}

@@ -1,0 +1,115 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Compares the lists that feed the tests with the headers, and finds lists of all drives beside the one.
+
+    python3 lists.py PROJECT
+"""
+import pathlib
+import re
+import sys
+
+import declarations
+
+DRIVES, PDUS = "tests/support/drives.hpp", "tests/support/pdus.hpp"
+# Headers, by where they are, and what the list of their types is called.
+DEVICES_OF, PDUS_OF = "include/rtuwire/altivar", "include/rtuwire/wire/pdu"
+ALL_DRIVES, ALL_PDUS = "all_drives", "all_pdus"
+
+DRIVE_SPACE = re.compile(r"rtuwire::altivar::(atv\w+)")
+DEVICE = re.compile(r"device\w*")
+# A PDU is a class that can be decoded.
+DECODES = re.compile(r"\bstatic\b[^;{}]*\bdecode\s*\(")
+
+# A file that names the first and the rarest drive goes through all of them.
+ENUMERATES = (re.compile(r"\batv12\s*::\s*device\b"), re.compile(r"\bdevice_2026\b"))
+FOLDERS = ("tests", "fuzz", "bench", "examples")
+# Who may name the drives one by one, and why.
+ALLOWED = {
+    DRIVES: "the list itself",
+    "tests/altivar/device/layouts.cpp": "a value of each drive stands in its row",
+    "tests/altivar/device/safeguards.cpp": "each drive is compared with a parameter file of its own",
+    "tests/altivar/device/tables.cpp": "facts of single drives",
+    "tests/sim/drive/enumerations.cpp": "what single registers take, by the manual of each",
+    "tests/lives/far_drive.hpp": "a drive is chosen by its number when the program runs",
+    "tests/lives/conversations.hpp": "alternatives of one variant, with orders of single drives among them",
+    "examples/support/command_line.hpp": "examples do not include tests, and a drive is chosen by its name",
+    "examples/support/drive_panel.hpp": "examples do not include tests, and each drive has a panel of its own",
+}
+
+
+def devices(headers):
+    """The device types that the drives' headers define: `atv310::device_2026`."""
+    for text in headers.values():
+        for each in declarations.declarations(text):
+            space = DRIVE_SPACE.fullmatch(each.space)
+            if space and each.kind == "type" and DEVICE.fullmatch(each.name):
+                yield f"{space[1]}::{each.name}"
+
+
+def pdus(headers):
+    """The classes that can be decoded."""
+    for text in headers.values():
+        lines = declarations.code_of(text).splitlines(keepends=True)
+        for each in declarations.declarations(text):
+            begin = sum(len(line) for line in lines[:each.line - 1])
+            if each.kind == "type" and DECODES.search("".join(lines)[begin:each.end]):
+                yield each.name
+
+
+def listed(text, name):
+    """What a list holds, without the outer namespaces and without template arguments; none where it is not there."""
+    found = re.search(rf"\busing\s+{name}\s*=\s*\w+<(.*?)>\s*;", declarations.code_of(text), re.DOTALL)
+    if not found:
+        return None
+    names = (part.strip() for part in declarations.angles_cut(found[1]).split(","))
+    return [re.sub(r"^((rtuwire|altivar)::)+", "", each) for each in names if each]
+
+
+def differences(path, text, name, defined):
+    """What a list lacks, holds twice, or holds though no header defines it."""
+    held = listed(text, name)
+    if held is None:
+        yield f"{path}: there is no list {name}"
+        return
+    if not defined:
+        yield f"{path}: nothing was found in the headers that {name} should hold"
+    for each in sorted(set(defined) - set(held)):
+        yield f"{path}: {name} lacks {each}"
+    for each in sorted(set(held) - set(defined)):
+        yield f"{path}: {name} holds {each}, which no header defines"
+    for each in sorted({each for each in held if held.count(each) > 1}):
+        yield f"{path}: {name} holds {each} twice"
+
+
+def enumerates(text):
+    code = declarations.code_of(text)
+    return all(name.search(code) for name in ENUMERATES)
+
+
+def second_lists(files, allowed):
+    """Files that go through all drives by hand, and permissions that nobody needs."""
+    found = {path for path, text in files.items() if enumerates(text)}
+    for path in sorted(found - set(allowed)):
+        yield f"{path}: names the drives one by one; take {ALL_DRIVES} of {DRIVES}"
+    for path in sorted(set(allowed) - found):
+        yield f"{path}: does not name the drives one by one, and needs no permission"
+
+
+def texts(root, folder, pattern):
+    return {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8")
+            for path in sorted((root / folder).rglob(pattern))}
+
+
+def main(project):
+    root = pathlib.Path(project)
+    drives = list(devices(texts(root, DEVICES_OF, "*.hpp")))
+    kinds = list(pdus(texts(root, PDUS_OF, "*.hpp")))
+    files = {path: text for folder in FOLDERS for path, text in texts(root, folder, "*.[ch]pp").items()}
+    found = [*differences(DRIVES, files.get(DRIVES, ""), ALL_DRIVES, drives),
+             *differences(PDUS, files.get(PDUS, ""), ALL_PDUS, kinds), *second_lists(files, ALLOWED)]
+    print("\n".join(found) or f"{len(drives)} drives and {len(kinds)} kinds of PDU, each in its list")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))

@@ -1,0 +1,105 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Shows that devices and PDUs are found in headers, and that each rule of the lists can be broken."""
+import unittest
+
+import lists
+
+DEVICES = """#pragma once
+namespace rtuwire::inline RTUWIRE_BUILD::altivar::compact {
+struct family_device { int a; };
+struct device { int a; };
+}
+namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv99 {
+// struct device_1999 {};
+struct device_limit_table;
+enum class mode : int { low };
+struct device : compact::family_device { static constexpr literal name{"struct device_2000 {"}; };
+struct device_2030 : device { int b; };
+struct row { struct device_inside {}; };
+}
+"""
+
+PDUS = """#pragma once
+namespace rtuwire {
+enum class kind : int { a };
+constexpr bool decode(int);
+struct part { int a; };
+struct request {
+    using response = answer<>;
+    [[nodiscard]] static constexpr result<request> decode(byte_view pdu) noexcept { return {}; }
+};
+template <typename Words = register_view> struct answer {
+    static result<answer> decode(byte_view pdu);
+};
+struct caller { int a{decode(1)}; };
+}
+"""
+
+
+class Headers(unittest.TestCase):
+    def test_devices_are_found(self):
+        self.assertEqual(list(lists.devices({"a.hpp": DEVICES})), ["atv99::device", "atv99::device_2030"])
+
+    def test_pdus_are_found(self):
+        self.assertEqual(list(lists.pdus({"a.hpp": PDUS})), ["request", "answer"])
+
+
+class Lists(unittest.TestCase):
+    TEXT = """// using all_drives = drive_list<gone::device>;
+using some = drive_list<altivar::atv1::device>;
+using all_drives = drive_list<altivar::atv1::device, // the first
+                              rtuwire::altivar::atv2::device>;
+using all_pdus = type_list<request, answer<>, page<pair<int, char>>>;
+"""
+
+    def found(self, *defined, name="all_drives", text=TEXT):
+        return list(lists.differences("tests/a.hpp", text, name, defined))
+
+    def test_a_list_is_read(self):
+        self.assertEqual(lists.listed(self.TEXT, "all_drives"), ["atv1::device", "atv2::device"])
+        self.assertEqual(lists.listed(self.TEXT, "all_pdus"), ["request", "answer", "page"])
+        self.assertEqual(self.found("atv1::device", "atv2::device"), [])
+
+    def test_a_list_lacks_one(self):
+        found = self.found("atv1::device", "atv2::device", "atv2::device_2030")
+        self.assertEqual(found, ["tests/a.hpp: all_drives lacks atv2::device_2030"])
+        self.assertEqual(len(self.found("request", "answer", "page", "other", name="all_pdus")), 1)
+
+    def test_a_list_holds_what_is_not_there(self):
+        self.assertEqual(len(self.found("atv1::device")), 1)
+
+    def test_a_list_holds_one_twice(self):
+        twice = "using all_drives = drive_list<atv1::device, atv1::device>;"
+        self.assertEqual(len(self.found("atv1::device", text=twice)), 1)
+
+    def test_a_list_is_not_there(self):
+        self.assertEqual(len(self.found("atv1::device", text="")), 1)
+
+    def test_headers_that_define_nothing_are_noticed(self):
+        self.assertIn("tests/a.hpp: nothing was found in the headers that all_drives should hold", self.found())
+
+
+class SecondLists(unittest.TestCase):
+    def found(self, text, *allowed):
+        return list(lists.second_lists({"tests/a.cpp": text}, allowed))
+
+    def test_drives_are_named_one_by_one_in_their_list_only(self):
+        text = "run<atv12::device>();\nrun<atv310::device_2026>();"
+        self.assertEqual(len(self.found(text)), 1)
+        self.assertIn("all_drives", self.found(text)[0])
+        self.assertEqual(self.found(text, "tests/a.cpp"), [])
+        self.assertEqual(len(self.found("using namespace atv310; device_2026 a; altivar::atv12 :: device b;")), 1)
+
+    def test_single_drives_may_be_named(self):
+        self.assertEqual(self.found("run<atv12::device>();\nrun<atv310::device>();"), [])
+        self.assertEqual(self.found("run<atv310::device_2026>();\nrun<atv310::device>();"), [])
+        self.assertEqual(self.found("run<atv12::device>(); // not device_2026"), [])
+
+    def test_a_permission_is_needed(self):
+        self.assertEqual(len(self.found("run<atv12::device>();", "tests/a.cpp")), 1)
+        self.assertEqual(len(self.found("", "tests/gone.cpp")), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
