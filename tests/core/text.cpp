@@ -38,7 +38,8 @@ STATIC_CHECK(text_of(decihertz{5} - hertz{1}) == "-0.5 Hz" and text_of(-(1.30_s)
 STATIC_CHECK(text_of(9'223'372'036'854'775'806_s) == "9223372036854775806 s");
 STATIC_CHECK(text_of(9'223'372'036'854'775'807_s) == "out of range");
 
-STATIC_CHECK(std::string_view{text_of(decihertz{500})} == "50.0 Hz" and text_of(decihertz{500}).size() == 7);
+constexpr auto fifty = text_of(decihertz{500});
+STATIC_CHECK(std::string_view{fifty} == "50.0 Hz" and fifty.size() == 7);
 STATIC_CHECK(std::string_view{literal{"Hz"}} == "Hz" and not std::is_convertible_v<literal, std::string>);
 STATIC_CHECK(not(literal{"Hz"} == literal{"Hx"}) and not(text_of(rpm{1}) == "1 rpn"));
 
@@ -57,7 +58,7 @@ template <typename Rep> std::size_t mistakes_of()
     for (int i = 0; i < 20'000; ++i) {
         seed = seed * 6'364'136'223'846'793'005U + 1'442'695'040'888'963'407U;
         watts_of const amount{static_cast<Rep>(static_cast<std::int64_t>(seed) >> (i % 60))};
-        std::string_view const shown = text_of(amount);
+        std::string const shown{text_of(amount)};
         mistakes += shown == by_printf(amount) ? 0U : 1U;
     }
     return mistakes;

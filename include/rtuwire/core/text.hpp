@@ -29,7 +29,14 @@ public:
     [[nodiscard]] constexpr char const* end() const noexcept { return characters_.data() + Capacity; }
 
     /// As a std::string_view, valid as long as this text.
-    template <character_view View> constexpr operator View() const noexcept { return View(begin(), size()); }
+    template <character_view View> constexpr operator View() const& noexcept { return View(begin(), size()); }
+    /// A temporary text gives no view; it makes a std::string, and goes to a stream.
+    template <character_view View> constexpr operator View() const&& noexcept
+    {
+        static_assert(not character_view<View>,
+                      "a text that ends with its expression gives no view: give it a name first");
+        return View();
+    }
 
     friend constexpr bool operator==(short_text const& left, literal right) noexcept
     {
