@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A device of one's own: a pump with three registers, its server and a typed client.
-#include <cstdio>
+#include <iostream>
 
+#include <rtuwire/print.hpp>
 #include <rtuwire/rtuwire.hpp>
 
-#include "support/figures.hpp"
-
 using namespace rtuwire;
-using examples::figures;
 
 namespace pump {
 
@@ -37,7 +35,7 @@ int main()
     auto const asked = decode_adu(tell.next()->frame());
     auto const response = respond(asked->pdu(), registers, server_profile{}, place);
     bool const is_written = registers.take_written<pump::setpoint>();
-    std::printf("setpoint %s Hz, bearing %s degrees\n", figures(registers.get<pump::setpoint>()).c_str(),
-                figures(registers.get<pump::bearing>()).c_str());
+    std::cout << "setpoint " << registers.get<pump::setpoint>() << ", bearing " << registers.get<pump::bearing>()
+              << '\n';
     return is_written and response.size() == 5 ? 0 : 1;
 }

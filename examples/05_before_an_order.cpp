@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // What comes before the first order: the channels are set, the drive is checked, a setting goes to all drives, and
 // somebody else's drive is watched. An ATV28's link is released. The drives are simulated.
-#include <cstdio>
+#include <iostream>
 
+#include <rtuwire/print.hpp>
 #include <rtuwire/rtuwire.hpp>
 
 using namespace rtuwire;
@@ -13,7 +14,7 @@ namespace {
 
 constexpr line_timing timing{19'200, character_format::even_8_1};
 
-void show(char const* what, literal how) { std::printf("%s: %.*s\n", what, static_cast<int>(how.size()), how.begin()); }
+void show(char const* what, reason const& how) { std::cout << what << ": " << how << '\n'; }
 
 bool prepare_an_atv320()
 {
@@ -21,26 +22,25 @@ bool prepare_an_atv320()
     sim::bench bench{timing, drive};
 
     set_channel by_line{drive, channel_settings<atv320::device>::by_modbus()};
-    show("channels", name_of(bench.run(by_line).kind));
+    show("channels", bench.run(by_line));
 
     static_cast<void>(bench.run(broadcast_setting<atv320::device, atv320::tto>(3_s)));
 
     // Thirty drives, 25 ms for each exchange, 400 ms for one that is off.
     duration const gap = longest_gap_of(30, milliseconds(25), milliseconds(400));
     check_supervision safe{drive, {.longest_gap = gap}};
-    show("to be ordered", name_of(bench.run(safe).kind));
+    show("to be ordered", bench.run(safe));
     supervision_report const& found = safe.report();
-    std::printf("  register %u; time-out %u ms, needed %u ms\n", unsigned{found.address},
-                static_cast<unsigned>(found.period.timeout.microseconds / 1'000),
-                static_cast<unsigned>(found.period.shortest_timeout().microseconds / 1'000));
+    std::cout << "  register " << found.address << "; time-out " << found.period.timeout.microseconds / 1'000
+              << " ms, needed " << found.period.shortest_timeout().microseconds / 1'000 << " ms\n";
 
     static_cast<void>(bench.run(broadcast_setting<atv320::device, atv320::tto>(5_s)));
     check_supervision again{drive, {.longest_gap = gap}};
-    show("to be ordered", name_of(bench.run(again).kind));
+    show("to be ordered", bench.run(again));
 
     watch eye{drive};
     bench.run_until([&] { return eye.rounds() >= 2; }, milliseconds(1'000), eye);
-    show("seen", cia402::name_of(eye.state()));
+    std::cout << "seen: " << eye.state() << '\n';
     return by_line.succeeded() and safe.reason().kind == outcome_kind::timeout_too_short and again.ready();
 }
 
@@ -50,20 +50,20 @@ bool release_an_atv28()
     sim::bench bench{timing, old};
 
     atv28::activate_link take{old};
-    show("ATV28 by its link", name_of(bench.run(take).kind));
+    show("ATV28 by its link", bench.run(take));
     atv28::direct_start go{old, -20_Hz};
-    show("run directly", name_of(bench.run(go).kind));
+    show("run directly", bench.run(go));
     atv28::direct_stop rest{old, atv28::direct_stop_by::fast_stop};
-    show("stopped directly", name_of(bench.run(rest).kind));
+    show("stopped directly", bench.run(rest));
     recall_from_eeprom recall{old};
-    show("recalled", name_of(bench.run(recall).kind));
+    show("recalled", bench.run(recall));
 
     bench.drive().set_input(1, true); // somebody asks to run at the terminals
     atv28::release_link give{old};
-    show("released", name_of(bench.run(give).kind));
+    show("released", bench.run(give));
     bench.drive().set_input(1, false);
     atv28::release_link once_more{old};
-    show("released", name_of(bench.run(once_more).kind));
+    show("released", bench.run(once_more));
     return take.succeeded() and go.running() and rest.succeeded() and recall.succeeded() and
            give.reason().kind == outcome_kind::run_input_closed and once_more.succeeded();
 }

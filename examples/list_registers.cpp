@@ -13,8 +13,6 @@ using namespace examples;
 
 namespace {
 
-std::string words(literal characters) { return {characters.begin(), characters.end()}; }
-
 std::string shown(bound const& limit)
 {
     if (limit.is_open()) {
@@ -29,8 +27,8 @@ std::string shown(bound const& limit)
         std::snprintf(factor, sizeof factor, "%g*", double(limit.numerator()) / limit.denominator());
         share = factor;
     }
-    std::string const factor = words(limit.factor());
-    return share + words(limit.code()) + (factor.empty() ? "" : "*" + factor);
+    std::string const factor = std::string{limit.factor()};
+    return share + std::string{limit.code()} + (factor.empty() ? "" : "*" + factor);
 }
 
 char const* shown(rtuwire::access mode)
@@ -82,7 +80,7 @@ template <auto const& R> row row_of()
         std::snprintf(scale, sizeof scale, "%g", how.scale);
     }
     std::string const factory = R.factory ? std::to_string(*R.factory) : "";
-    std::string name = words(R.name);
+    std::string name = std::string{R.name};
     if (R.source == provenance::inferred) {
         name += " [inferred]";
     }
@@ -93,9 +91,9 @@ template <auto const& R> row row_of()
         name += " [never " + std::to_string(R.gap.first) + ".." + std::to_string(R.gap.last) + "]";
     }
     if (R.steps_set_by.size() > 0) {
-        name += " [steps set by " + words(R.steps_set_by) + "]";
+        name += " [steps set by " + std::string{R.steps_set_by} + "]";
     }
-    return {{words(R.code), std::to_string(R.address), shown(R.mode), how.type, how.unit, scale, shown(R.min),
+    return {{std::string{R.code}, std::to_string(R.address), shown(R.mode), how.type, how.unit, scale, shown(R.min),
              shown(R.max), factory, name}};
 }
 

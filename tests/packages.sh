@@ -10,7 +10,7 @@ packages_of() {
     case $1 in
         examples) echo cmake make c++ ;;
         build) echo cmake ninja-build g++ ;;
-        tests) echo catch2 python3 binutils spin ;;
+        tests) echo catch2 libfmt-dev python3 binutils spin ;;
         interop) echo pkg-config libmodbus-dev mbpoll python3 python3-pymodbus python3-serial python3-serial-asyncio socat tshark ;;
         arm) echo gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib ;;
         emulator) echo qemu-system-arm ;;

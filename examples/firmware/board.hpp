@@ -50,27 +50,20 @@ template <typename Line> void sleep(Line const& line)
     asm volatile("cpsie i" : : : "memory");
 }
 
-inline void print(rtuwire::literal words)
+template <typename Characters> void print_all(Characters const& characters)
 {
-    for (char const c : words) {
+    for (char const c : characters) {
         while (not console_uart::has_room()) {
         }
         console_uart::put(static_cast<std::byte>(c));
     }
 }
 
-inline void print(std::int32_t number)
-{
-    if (number < 0) {
-        print("-");
-        number = -number;
-    }
-    if (number > 9) {
-        print(number / 10);
-    }
-    char const digit[] = {static_cast<char>('0' + number % 10), '\0'};
-    print(rtuwire::literal{digit});
-}
+inline void print(rtuwire::literal words) { print_all(words); }
+
+/// Whatever has a text: an amount with its unit, an enumerator, an error, how something ended.
+template <typename Value> void print(Value const& value) { print_all(text_of(value)); }
+template <std::size_t Size> void print(char const (&words)[Size]) { print_all(rtuwire::literal{words}); }
 
 /// Clocks, pins and UARTs.
 inline void begin()

@@ -58,7 +58,7 @@ struct controller {
 bool report(literal what, reason const& how)
 {
     board::print(what);
-    board::print(name_of(how.kind));
+    board::print(how);
     board::print("\n");
     return how.kind == outcome_kind::succeeded;
 }
@@ -66,21 +66,23 @@ bool report(literal what, reason const& how)
 void print_values(monitor::snapshot const& seen)
 {
     board::print("output frequency ");
-    board::print(seen.get<model::rfr>().count());
-    board::print(" dHz, current ");
-    board::print(seen.get<model::lcr>().count());
-    board::print(" dA, mains ");
-    board::print(seen.get<model::uln>().count());
-    board::print(" dV\n");
+    board::print(seen.get<model::rfr>());
+    board::print(", current ");
+    board::print(seen.get<model::lcr>());
+    board::print(", mains ");
+    board::print(seen.get<model::uln>());
+    board::print("\n");
 }
+
+using number = quantity<dimensionless, std::uint32_t>;
 
 /// How often the line made the client ask once more.
 void print_counts(counters const& seen)
 {
     board::print("requests ");
-    board::print(static_cast<std::int32_t>(seen[line_event::request]));
+    board::print(number{seen[line_event::request]});
     board::print(", repeated ");
-    board::print(static_cast<std::int32_t>(seen[line_event::repetition]));
+    board::print(number{seen[line_event::repetition]});
     board::print("\n");
 }
 
@@ -93,7 +95,9 @@ bool poll_rounds(controller& it, unsigned seconds)
         panel.begin();
         it.run(panel);
         if (not panel.outcome()) {
-            board::print("no values\n");
+            board::print("no values: ");
+            board::print(panel.outcome().error());
+            board::print("\n");
             return false;
         }
         print_values(panel.latest());

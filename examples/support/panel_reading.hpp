@@ -46,15 +46,18 @@ public:
 
     void tell() const
     {
-        say("   ETA %04X (%s), RFR %.1f Hz, FRH %.1f Hz, LCR %.1f A, ULN %.0f V, THR %.0f %%, "
-            "LFT %s; %zu registers in %zu requests\n",
-            status(), words(name_of(state())).c_str(), number(seen_.template get<panel::rfr>()),
-            number(seen_.template get<panel::frh>()), current(), number(seen_.template get<panel::uln>()),
-            number(seen_.template get<panel::thr>()), words(rtuwire::name_of(seen_.template get<panel::lft>())).c_str(),
-            std::size_t{7}, std::size_t{plan::request_count});
+        say("   ETA %04X (%s), RFR %s, FRH %s, LCR %s, ULN %s, THR %s, LFT %s; %zu registers in %zu requests\n",
+            status(), words(state()).c_str(), shown<panel::rfr>().c_str(), shown<panel::frh>().c_str(),
+            shown<panel::lcr>().c_str(), shown<panel::uln>().c_str(), shown<panel::thr>().c_str(),
+            shown<panel::lft>().c_str(), std::size_t{7}, std::size_t{plan::request_count});
     }
 
 private:
+    template <auto const& R> std::string shown() const
+    {
+        return std::string{rtuwire::text_of(seen_.template get<R>())};
+    }
+
     values const& seen_;
 };
 

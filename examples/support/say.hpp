@@ -19,8 +19,8 @@ namespace examples {
 inline printer standard_output{STDOUT_FILENO};
 inline printer error_output{STDERR_FILENO};
 
-/// A name of the library, as printf takes it.
-inline std::string words(rtuwire::literal characters) { return {characters.begin(), characters.end()}; }
+/// A value, an error or an outcome of the library, as printf takes it.
+template <typename Value> std::string words(Value const& value) { return std::string{text_of(value)}; }
 
 /// What printf would make of it.
 [[gnu::format(printf, 1, 0)]] inline std::string formatted(char const* format, std::va_list values)

@@ -14,7 +14,6 @@
 
 #include "command_line.hpp"
 #include "drive_events.hpp"
-#include "figures.hpp"
 
 namespace examples {
 
@@ -72,9 +71,9 @@ public:
     std::string shown() const override
     {
         auto const& drive = unit_.drive();
-        auto const state = name_of(drive.state_machine().state());
-        return std::string{state.begin(), state.end()} + ", " + figures(drive.motor().frequency() / 100, 1) +
-               " Hz, LFT " + std::to_string(drive.fault());
+        using tenths = rtuwire::quantity<rtuwire::frequency, std::int32_t, std::deci>;
+        return std::string{text_of(drive.state_machine().state())} + ", " +
+               std::string{text_of(tenths{drive.motor().frequency() / 100})} + ", LFT " + std::to_string(drive.fault());
     }
 
     bool suffer(std::string const& what, rtuwire::instant now) override

@@ -14,6 +14,7 @@
 #include <rtuwire/client/line_echo_probe.hpp>
 #include <rtuwire/client/static_client.hpp>
 #include <rtuwire/client/statistics.hpp>
+#include <rtuwire/core/text.hpp>
 #include <rtuwire/frames.hpp>
 #include <rtuwire/rtu/interrupt_queue.hpp>
 #include <rtuwire/rtu/receive_from.hpp>
@@ -22,5 +23,6 @@
 #include <rtuwire/table/flags.hpp>
 #include <rtuwire/table/read_plan.hpp>
 #include <rtuwire/table/register.hpp>
+#include <rtuwire/table/register_text.hpp>
 #include <rtuwire/table/setting.hpp>
 #include <rtuwire/table/table.hpp>

@@ -54,6 +54,48 @@ STATIC_CHECK(takes_only(write_all<atv12::acc, atv12::dec>(drive, 2_s, 3_s), 5));
 using three_words = contiguous<atv12::nm1, atv12::nm2, atv12::nm3>;
 STATIC_CHECK(takes_only(exchange<three_words, atv12::nc1>(drive, 9_raw), 2 + 3 * 2));
 
+// A value known only at run time: in whatever unit it is known, exact, or refused with the reason and not sent.
+template <typename Value> constexpr auto ramp_of(Value value) { return write<atv12::acc>(drive, checked(value)); }
+constexpr bool writes_what_fits()
+{
+    bool ok = true;
+    for (int tenths = 0; tenths <= 9'999; tenths += 99) {
+        auto const tell = ramp_of(tenths * 0.1_s);
+        auto const byte = [&](std::size_t at) { return std::to_integer<int>(tell.next()->frame()[at]); };
+        ok = ok and tell.next() and byte(1) == 6 and byte(4) == tenths / 256 and byte(5) == tenths % 256;
+    }
+    return ok and asks(ramp_of(deciseconds{13}), "02 06 23 29 00 0D 92 70"_hex) and
+           asks(ramp_of(1.30_s), "02 06 23 29 00 0D 92 70"_hex) and
+           asks(write<atv12::acc>(drive, setting<atv12::acc>::checked(1.3_s)), "02 06 23 29 00 0D 92 70"_hex);
+}
+PROOF("a value known at run time is written as one known at compile time", writes_what_fits)
+
+template <typename Conversation> constexpr bool is_refused(Conversation conversation, errc why)
+{
+    bool ok = conversation.settled() and not conversation.next() and conversation.outcome() == why;
+    conversation.begin();
+    return ok and conversation.settled() and not conversation.next();
+}
+constexpr bool refuses_what_does_not_fit()
+{
+    constexpr station<atv320::device> other{unit_id{2}};
+    std::int32_t const past_end = 10'000;
+    bool ok = is_refused(ramp_of(past_end * 0.1_s), errc::value_too_high);
+    ok = ok and is_refused(ramp_of(past_end * 100 * 1_s), errc::value_too_high);
+    ok = ok and is_refused(ramp_of(-past_end * 0.1_s), errc::value_too_low);
+    ok = ok and is_refused(ramp_of(past_end * 0.01_s + 0.01_s), errc::value_between_steps);
+    ok = ok and
+         is_refused(write_with_step<centiseconds, atv320::acc>(other, checked(past_end * 1_s)), errc::value_too_high);
+    ok = ok and asks(write_with_step<centiseconds, atv320::acc>(other, checked(1.3_s)), "02 06 23 29 00 82 D3 D4"_hex);
+    ok = ok and asks(write_all<atv12::acc, atv12::dec>(drive, checked(2_s), checked(deciseconds{30})),
+                     "02 10 23 29 00 02 04 00 14 00 1E 73 A4"_hex);
+    ok = ok and is_refused(write_all<atv12::acc, atv12::dec>(drive, checked(2_s), checked(past_end * -1_s)),
+                           errc::value_too_low);
+    return ok and is_refused(write<atv12::sll>(drive, checked(static_cast<value_of<atv12::sll>>(past_end))),
+                             errc::value_without_meaning);
+}
+PROOF("a value that does not fit is not sent, and the outcome says why", refuses_what_does_not_fit)
+
 constexpr bool reads_a_value()
 {
     test::manual_unit unit;

@@ -4,7 +4,8 @@
 #include <rtuwire/core/units.hpp>
 
 #include <type_traits>
-#include <vector>
+
+#include <rtuwire/core/time.hpp>
 
 #include "support/proof.hpp"
 
@@ -50,6 +51,25 @@ STATIC_CHECK(long_decihertz{signed_decihertz{-500}}.count() == -500);
 STATIC_CHECK(std::is_convertible_v<signed_decihertz, long_decihertz>);
 STATIC_CHECK(not std::is_convertible_v<decihertz, hertz>);
 STATIC_CHECK(not std::is_constructible_v<hertz, decihertz>);
+
+// A literal becomes any register type that holds it exactly.
+constexpr decihertz fifty = 50_Hz;
+constexpr decihertz tenths = 47.5_Hz;
+constexpr hertz whole = 50.0_Hz;
+constexpr hectohertz switching = 4_kHz;
+constexpr signed_rpm backwards = -1500_rpm;
+STATIC_CHECK(fifty.count() == 500 and tenths.count() == 475 and whole.count() == 50 and switching.count() == 40);
+STATIC_CHECK(backwards.count() == -1500);
+constexpr duration wait = 5_s;
+STATIC_CHECK(wait == milliseconds(5'000) and duration{0.02_s} == milliseconds(20) and wait == 5.0_s);
+STATIC_CHECK(instant{7} + 0.000001_s == instant{8});
+STATIC_CHECK(not std::is_convertible_v<decltype(5_h), duration>);
+struct options {
+    duration limit = 2_s;
+    decihertz top = 50_Hz;
+    deciseconds ramp{1.3_s};
+};
+STATIC_CHECK(options{.limit = 3_s, .top = 60_Hz}.top.count() == 600 and options{}.ramp.count() == 13);
 STATIC_CHECK(not std::is_constructible_v<decihertz, hertz>);
 STATIC_CHECK(not std::is_constructible_v<rpm, signed_rpm>);
 STATIC_CHECK(truncated_to<hertz>(decihertz{509}) == hertz{50});
@@ -60,27 +80,12 @@ STATIC_CHECK(not std::is_constructible_v<deciamperes, decihertz>);
 STATIC_CHECK(not std::is_convertible_v<std::uint16_t, decihertz>);
 STATIC_CHECK(not std::is_convertible_v<decihertz, std::uint16_t>);
 
-// A count of a type that fits may be known only when running; any other is looked at when compiling.
+// A count of a type that fits may be known only when running; any other is a constant.
 constexpr decihertz counted(std::uint8_t steps) { return decihertz(steps); }
 STATIC_CHECK(counted(255).count() == 255);
 STATIC_CHECK(decihertz(65'535).count() == 65'535 and signed_decihertz(-32'768).count() == -32'768);
 // Two types of one size hold the same numbers.
 STATIC_CHECK(quantity<frequency, long long>(5L).count() == 5);
-// One that may not fit is the nearest that does, where it is known only when running.
-constexpr signed_decihertz nearest(int steps) { return signed_decihertz(steps); }
-STATIC_CHECK(nearest(-300).count() == -300);
-
 STATIC_CHECK(decihertz{500} == decihertz{500} and decihertz{499} < decihertz{500});
 
 } // namespace
-
-TEST_CASE("a count in parentheses that does not fit becomes the nearest that does")
-{
-    std::vector<int> const counts{32'767, 32'768, 100'000, -32'768, -32'769, -100'000, 12};
-    std::vector<int> const expected{32'767, 32'767, 32'767, -32'768, -32'768, -32'768, 12};
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        CHECK(signed_decihertz(counts[i]).count() == expected[i]);
-    }
-    CHECK(decihertz(counts[3]).count() == 0);
-    CHECK(decihertz(counts[2]).count() == 65'535);
-}

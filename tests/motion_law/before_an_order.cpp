@@ -26,13 +26,13 @@ constexpr std::uint16_t sll = 7010, tto = 6005, chcf = 8401, fr1 = 8413, cd1 = 8
                         dotd = 8652, cmi_28 = 402, atr_28 = 150, tcc_28 = 6, inputs_28 = 478, eta = 3201;
 
 /// A client, a commissioned drive, and a count of what is written to it.
-template <typename Device> struct checked : test::simulated_bus<drive_client<4>, Device> {
+template <typename Device> struct checked_drive : test::simulated_bus<drive_client<4>, Device> {
     static constexpr station<Device> drive{unit_id{3}};
     unsigned writes{0};
     std::uint16_t missing{0}; ///< the register that the drive does not have
     std::uint16_t asked{0};
 
-    checked() : test::simulated_bus<drive_client<4>, Device>{drive_client<4>{test::bus_timing, patient}}
+    checked_drive() : test::simulated_bus<drive_client<4>, Device>{drive_client<4>{test::bus_timing, patient}}
     {
         this->add(unit_id{3});
         this->idle(milliseconds(20));
@@ -77,7 +77,7 @@ template <typename Device> struct checked : test::simulated_bus<drive_client<4>,
 
 /// Whether a drive is refused by `how`, because of the word of one register; and is not where that risk is accepted.
 template <typename Device>
-void refuses(checked<Device>& it, outcome_kind how, std::uint16_t address, std::uint16_t word,
+void refuses(checked_drive<Device>& it, outcome_kind how, std::uint16_t address, std::uint16_t word,
              supervision_risks const& risk)
 {
     INFO(std::string(Device::name.begin(), Device::name.end()) << " " << address << " = " << word);
@@ -97,7 +97,7 @@ void refuses(checked<Device>& it, outcome_kind how, std::uint16_t address, std::
 template <typename Device>
 void refuses_when(std::uint16_t address, std::uint16_t word, outcome_kind how, supervision_risks const& risk)
 {
-    checked<Device> it;
+    checked_drive<Device> it;
     it.set(address, word);
     refuses(it, how, address, word, risk);
 }
@@ -115,7 +115,7 @@ constexpr supervision_risks none{};
 TEST_CASE("motion law: S19 a commissioned drive is ready, and its time-out is known")
 {
     test::all_drives::for_each([]<typename Device>() {
-        checked<Device> it;
+        checked_drive<Device> it;
         check_supervision const conversation = it.look();
         CHECK(conversation.ready());
         bool const is_28 = Device::layout.direct_control != 0;
@@ -132,7 +132,7 @@ TEST_CASE("motion law: S19 a drive that does not watch its link is refused")
 {
     test::later_drives::for_each([]<typename Device>() {
         refuses_when<Device>(sll, 0, outcome_kind::unsupervised, unsupervised);
-        checked<Device> it;
+        checked_drive<Device> it;
         it.set(sll, 0);
         CHECK(it.look({.risks = unsupervised}).report().period.timeout == duration{});
     });
@@ -145,7 +145,7 @@ TEST_CASE("motion law: S19 a drive that runs on without its link is refused")
         []<typename Device>() { refuses_when<Device>(sll, 4, outcome_kind::runs_on_without_link, running_on); });
     refuses_when<atv320::device>(sll, 5, outcome_kind::runs_on_without_link, running_on);
     for (std::uint16_t const stops : std::array<std::uint16_t, 5>{1, 2, 6, 7, 8}) {
-        checked<atv320::device> it;
+        checked_drive<atv320::device> it;
         it.set(sll, stops);
         CHECK(it.look().ready());
     }
@@ -154,7 +154,7 @@ TEST_CASE("motion law: S19 a drive that runs on without its link is refused")
 TEST_CASE("motion law: S19 a drive whose control word is single bits is refused, whatever is accepted")
 {
     refuses_when<atv320::device>(chcf, 3, outcome_kind::not_drive_profile, none);
-    checked<atv320::device> it;
+    checked_drive<atv320::device> it;
     it.set(chcf, 3);
     supervision_risks const all{true, true, true, true, true, true, true};
     CHECK(it.look({.risks = all}).reason().kind == outcome_kind::not_drive_profile);
@@ -165,24 +165,24 @@ TEST_CASE("motion law: S19 a drive that another channel commands is refused")
 {
     test::later_drives::for_each([]<typename Device>() {
         // Together, the reference's channel commands as well, and the status says "local".
-        checked<Device> together;
+        checked_drive<Device> together;
         together.set(fr1, 1);
         CHECK(together.look().reason().kind == outcome_kind::other_channel);
         CHECK(together.look().report().address == fr1);
         CHECK(together.look({.risks = other_channel}).ready());
         // Apart, either may be elsewhere.
-        checked<Device> command;
+        checked_drive<Device> command;
         command.set(chcf, 2);
         CHECK(command.look().ready());
         command.set(cd1, 1);
         CHECK(command.look().reason().kind == outcome_kind::other_channel);
         CHECK(command.look().report().address == cd1);
-        checked<Device> reference;
+        checked_drive<Device> reference;
         reference.set(chcf, 2);
         reference.set(fr1, 1);
         refuses(reference, outcome_kind::other_channel, fr1, 1, other_channel);
         // Together, CD1 counts for nothing.
-        checked<Device> without;
+        checked_drive<Device> without;
         without.set(cd1, 1);
         CHECK(without.look().ready());
     });
@@ -191,7 +191,7 @@ TEST_CASE("motion law: S19 a drive that another channel commands is refused")
 TEST_CASE("motion law: S19 a drive in local control is refused by its status")
 {
     test::all_drives::for_each([]<typename Device>() {
-        checked<Device> it;
+        checked_drive<Device> it;
         it.far().set_local(true);
         it.idle(milliseconds(20));
         check_supervision const conversation = it.look();
@@ -199,7 +199,7 @@ TEST_CASE("motion law: S19 a drive in local control is refused by its status")
         CHECK(conversation.report().address == Device::layout.eta);
         CHECK((conversation.report().word & 0x0200) == 0);
     });
-    checked<atv320::device> it;
+    checked_drive<atv320::device> it;
     it.set(flo, 131);
     CHECK(it.look().ready());
     CHECK(it.look().report().has_local_input);
@@ -212,12 +212,12 @@ TEST_CASE("motion law: S19 what is not known is refused, and the register named"
 {
     test::later_drives::for_each([]<typename Device>() {
         for (std::uint16_t const address : {sll, tto, chcf, fr1}) {
-            checked<Device> it;
+            checked_drive<Device> it;
             it.missing = address;
             refuses(it, outcome_kind::unknown_register, address, 0, unknown);
             CHECK(it.look().reason().error == errc::illegal_data_address);
         }
-        checked<Device> it;
+        checked_drive<Device> it;
         it.missing = chcf;
         bool const has_bits = Device::layout.chcf != 0;
         CHECK(it.look({.risks = unknown}).report().words == (has_bits ? word_meaning::unknown : word_meaning::cia402));
@@ -226,7 +226,7 @@ TEST_CASE("motion law: S19 what is not known is refused, and the register named"
         it.missing = flo; // tells nothing that the status does not
         CHECK(it.look().ready());
     });
-    checked<atv320::device> it;
+    checked_drive<atv320::device> it;
     it.missing = atr;
     refuses(it, outcome_kind::unknown_register, atr, 0, unknown);
     it.missing = dotd; // what a stop means, not whether there is one
@@ -240,7 +240,7 @@ TEST_CASE("motion law: S19 what is not known is refused, and the register named"
 
 TEST_CASE("motion law: S19 a line that fails is not a drive that is ready")
 {
-    checked<atv320::device> it;
+    checked_drive<atv320::device> it;
     it.cut(0, true);
     check_supervision const conversation = it.look({.risks = unknown});
     CHECK(conversation.reason().kind == outcome_kind::silent);
@@ -250,28 +250,28 @@ TEST_CASE("motion law: S19 a line that fails is not a drive that is ready")
 TEST_CASE("motion law: S19 what is refused runs on for minutes once its controller is gone")
 {
     test::later_drives::for_each([]<typename Device>() {
-        checked<Device> ready;
+        checked_drive<Device> ready;
         ready.run_anyway(400);
         ready.idle(milliseconds(120'000));
         CHECK(ready.far().state_machine().state() == state::fault);
         CHECK(ready.far().motor().frequency() == 0);
-        checked<Device> off;
+        checked_drive<Device> off;
         off.set(sll, 0);
         off.run_anyway(400);
         off.idle(milliseconds(120'000));
         CHECK(off.far().motor().frequency() == 40'000);
-        checked<Device> falls_back;
+        checked_drive<Device> falls_back;
         falls_back.set(sll, 4);
         falls_back.run_anyway(400);
         falls_back.idle(milliseconds(120'000));
         CHECK(cia402::has_power(falls_back.far().state_machine().state()));
     });
-    checked<atv320::device> keeps;
+    checked_drive<atv320::device> keeps;
     keeps.set(sll, 5);
     keeps.run_anyway(400);
     keeps.idle(milliseconds(120'000));
     CHECK(keeps.far().motor().frequency() == 40'000);
-    checked<atv28::device> old;
+    checked_drive<atv28::device> old;
     old.set(cmi_28, 0x4000);
     old.run_anyway(400);
     old.idle(milliseconds(120'000));
@@ -281,7 +281,7 @@ TEST_CASE("motion law: S19 what is refused runs on for minutes once its controll
 TEST_CASE("motion law: S28 a drive that restarts by itself runs again by mere reads, and is "
           "refused before")
 {
-    checked<atv320::device> it;
+    checked_drive<atv320::device> it;
     it.set(atr, 1);
     refuses(it, outcome_kind::restarts_by_itself, atr, 1, automatic_restart);
 
@@ -309,7 +309,7 @@ TEST_CASE("motion law: S29 an ATV28 with a closed run input runs after its power
           "refused before")
 {
     for (std::size_t const input : {1U, 2U}) {
-        checked<atv28::device> it;
+        checked_drive<atv28::device> it;
         single_request takes_over{it.drive.unit(), write_single_register{400, 0}};
         REQUIRE(it.run(takes_over));
         it.writes = 0;
@@ -325,7 +325,7 @@ TEST_CASE("motion law: S29 an ATV28 with a closed run input runs after its power
         }
     }
     // In three-wire control LI1 is the stop input, closed as a rule.
-    checked<atv28::device> it;
+    checked_drive<atv28::device> it;
     it.set(tcc_28, 1);
     single_request takes_over{it.drive.unit(), write_single_register{400, 0}};
     REQUIRE(it.run(takes_over));
@@ -334,7 +334,7 @@ TEST_CASE("motion law: S29 an ATV28 with a closed run input runs after its power
     it.idle(milliseconds(20));
     CHECK(it.look().ready());
     // A later drive under Modbus does not care for it.
-    checked<atv320::device> later;
+    checked_drive<atv320::device> later;
     later.far().set_input(1, true);
     later.idle(milliseconds(20));
     CHECK(later.look().ready());
@@ -342,7 +342,7 @@ TEST_CASE("motion law: S29 an ATV28 with a closed run input runs after its power
 
 TEST_CASE("motion law: S36 a time-out that the line cannot keep is refused with both figures")
 {
-    checked<atv320::device> it;
+    checked_drive<atv320::device> it;
     it.set(tto, 10);
     // Thirty slots with exchanges of 30 ms, and one dead unit whose time-out is a second.
     duration const gap = longest_gap_of(30, milliseconds(30), milliseconds(1'000));
@@ -359,7 +359,7 @@ TEST_CASE("motion law: S36 a time-out that the line cannot keep is refused with 
     it.set(tto, 56);
     CHECK_FALSE(it.look({.longest_gap = gap}).ready());
     // 7 s are 7 s.
-    checked<atv28::device> old;
+    checked_drive<atv28::device> old;
     CHECK(old.look({.longest_gap = milliseconds(2'333)}).ready());
     CHECK(old.look({.longest_gap = milliseconds(2'334)}).reason().kind == outcome_kind::timeout_too_short);
     CHECK(old.look({.longest_gap = milliseconds(2'334)}).report().address == 0);

@@ -18,6 +18,7 @@ from frames import with_crc
 
 FLAGS = ["-std=c++20", "-O1", "-Wall", "-Wextra", "-Werror"]
 DEVICE, OPEN_PORT = "/dev/ttyUSB0", "blocking_client line{"
+WITH_TYPES = "#include <iostream>\n#include <rtuwire/altivar/atv12.hpp>\n#include <rtuwire/print.hpp>\n"
 READ_101 = bytes.fromhex("07 03 00 65 00 01")
 WRITE_101 = bytes.fromhex("07 06 00 65 12 34")
 READ_100 = bytes.fromhex("07 03 00 64 00 01")
@@ -34,10 +35,10 @@ def compiled(compiler, project, program, target):
 
 
 def with_call(program, call):
-    """The client's program with one more request in it, behind its line."""
+    """The client's program with more requests in it, behind its line."""
     head, tail = program.split(OPEN_PORT)
     end, rest = tail.split(";\n", 1)
-    return f"{head}{OPEN_PORT}{end};\n{call}static_cast<void>(written);\n{rest}"
+    return f"{head}{OPEN_PORT}{end};\n{call}{rest}"
 
 
 def answer(near, request, limit=1.0):
@@ -68,13 +69,16 @@ def complaints(compiler, project):
     shown = blocks((project / "README.md").read_text(encoding="utf-8"))
     programs = [block for block in shown if "int main()" in block]
     calls = [block for block in shown if block.startswith("auto const written = line.ask(")]
+    typed = [block for block in shown if block.startswith("constexpr station<") and "checked(" in block]
     clients = [block for block in programs if OPEN_PORT in block]
     servers = [block for block in programs if "serve_once(" in block]
-    if not (len(clients) == len(servers) == len(calls) == 1):
-        yield f"{len(clients)} clients, {len(servers)} servers and {len(calls)} writes in the README, not one of each"
+    if not (len(clients) == len(typed) == len(servers) == len(calls) == 1):
+        yield (f"{len(clients)} clients, {len(typed)} typed ones, {len(servers)} servers and {len(calls)} writes in the "
+               "README, not one of each")
         return
     with tempfile.TemporaryDirectory() as place:
-        for program in [*clients, with_call(clients[0], calls[0])]:
+        for program in [*clients, with_call(clients[0], calls[0] + "static_cast<void>(written);\n"),
+                        WITH_TYPES + with_call(clients[0], f"int const ramp = 30;\n{typed[0]}")]:
             yield compiled(compiler, project, program, f"{place}/client")
         near, kept_open = os.openpty()
         tty.setraw(kept_open)

@@ -18,6 +18,8 @@ ALL_DRIVES, ALL_PDUS = "all_drives", "all_pdus"
 
 # Headers of single drives, by where they are or by their namespace; others know no drive. An include of one is no code.
 OWN = ("include/rtuwire/altivar/device/", "include/rtuwire/altivar/atv")
+# A header that knows the drives, and why.
+KNOWS = {"include/rtuwire/port/show.hpp": "an operator is looked for in the namespace of its operand"}
 OF_ONE_DRIVE = re.compile(r"\bnamespace rtuwire::[\w: ]*\batv\d+\w* *\{")
 NAMED_DRIVE = re.compile(r"\batv\d+\w*\b(?!\.hpp)")
 
@@ -103,7 +105,7 @@ def named_drives(headers):
     """Headers that know a drive though they are of all: neither its own, nor the list, nor a door to its registers."""
     for path, text in headers.items():
         code = declarations.code_of(text)
-        if path == DRIVES or path.startswith(OWN) or OF_ONE_DRIVE.search(code):
+        if path == DRIVES or path in KNOWS or path.startswith(OWN) or OF_ONE_DRIVE.search(code):
             continue
         for found in NAMED_DRIVE.finditer(code):
             yield f"{path}:{code.count(chr(10), 0, found.start()) + 1}: knows {found[0]}; take the data of the drive"

@@ -27,16 +27,17 @@ MAY_INCLUDE = {
     "sim/drive": {"server", "altivar/device"},
     "sim/line": {"rtu"},
     "sim/bench.hpp": {"client", "server", "sim/drive", "sim/line"},
-    "port": {"core", "rtu/line.hpp", "wire/errc.hpp", "wire/errc_name.hpp"},
+    "port": {"core", "rtu/line.hpp", "wire/errc.hpp", "wire/errc_name.hpp", "table/register_text.hpp"},
 }
 UMBRELLA = "rtuwire.hpp"
-OPERATING_SYSTEM, DOOR_OF_THE_PORT = "port", "port.hpp"
+# The doors of the port need an operating system, or the streams that come with one.
+OPERATING_SYSTEM, DOORS_OF_THE_PORT = "port", {"port.hpp", "print.hpp"}
 
 # Each of these is cheap to compile and available on a bare machine.
 STANDARD = set("array bit compare concepts cstddef cstdint limits optional ratio span type_traits"
                " utility".split())
 # Only these show a name to a person, and may use <string_view> for it.
-SHOWS_A_NAME = {"wire/errc_name.hpp"}
+SHOWS_A_NAME = {"wire/errc_name.hpp", "altivar/procedure/outcome.hpp"}
 # The compiler's own headers, behind the macros that say they are there.
 MULTIPLIES = {"core/crc16/carryless.hpp": {"wmmintrin.h", "arm_neon.h"}}
 
@@ -72,7 +73,8 @@ class Tree:
                     for path in root.rglob("*.hpp")})
 
     def portable(self):
-        return [header for header in self.texts if room_of(header) != OPERATING_SYSTEM and header != DOOR_OF_THE_PORT]
+        return [header for header in self.texts
+                if room_of(header) != OPERATING_SYSTEM and header not in DOORS_OF_THE_PORT]
 
 
 def room_of(header):

@@ -67,6 +67,11 @@ inline constexpr auto all_errors = [] {
         known_error{device_vanished, 0xA0, kind::serial_device},
         known_error{device_not_open, 0xA1, kind::serial_device},
         known_error{device_failed, 0xA2, kind::serial_device},
+        known_error{value_too_high, 0xA3, kind::request},
+        known_error{value_too_low, 0xA4, kind::request},
+        known_error{value_between_steps, 0xA5, kind::request},
+        known_error{value_never_written, 0xA6, kind::request},
+        known_error{value_without_meaning, 0xA7, kind::request},
     };
 }();
 

@@ -28,16 +28,16 @@ constexpr setting<speed> backwards = -1500_rpm;
 STATIC_CHECK(backwards.word() == 0xFA24 and backwards.value() == signed_rpm{-1500});
 
 STATIC_CHECK(setting<ramp>::checked(deciseconds{9999}).has_value());
-STATIC_CHECK(setting<ramp>::checked(deciseconds{10'000}).error() == errc::illegal_data_value);
-STATIC_CHECK(setting<ramp>::checked(deciseconds{0}).error() == errc::illegal_data_value);
+STATIC_CHECK(setting<ramp>::checked(deciseconds{10'000}).error() == errc::value_too_high);
+STATIC_CHECK(setting<ramp>::checked(deciseconds{0}).error() == errc::value_too_low);
 STATIC_CHECK(setting<ramp>::clamped(deciseconds{65'535}).word() == 9999);
 STATIC_CHECK(setting<ramp>::clamped(deciseconds{0}).word() == 1);
 
 // A limit that hangs on another register is checked where that one's value is known.
 STATIC_CHECK(protection.min.with(100) == 50 and protection.max.with(100) == 100);
 STATIC_CHECK(setting<protection>::checked(deciamperes{70}, 50, 100).has_value());
-STATIC_CHECK(setting<protection>::checked(deciamperes{49}, 50, 100).error() == errc::illegal_data_value);
-STATIC_CHECK(setting<protection>::checked(deciamperes{101}, 50, 100).error() == errc::illegal_data_value);
+STATIC_CHECK(setting<protection>::checked(deciamperes{49}, 50, 100).error() == errc::value_too_low);
+STATIC_CHECK(setting<protection>::checked(deciamperes{101}, 50, 100).error() == errc::value_too_high);
 STATIC_CHECK(product_of("HSP", "SDS", 10).with(500, 30) == 1'500);
 // What 32 bits do not hold is the nearest number that they do, however large the product.
 constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();

@@ -39,20 +39,21 @@ constexpr plan::snapshot now()
 constexpr bool takes_limits_from_the_snapshot()
 {
     plan::snapshot const seen = now();
-    auto const is_refused = [](auto const& checked) { return checked.error() == errc::illegal_data_value; };
+    auto const is_above = [](auto const& checked) { return checked.error() == errc::value_too_high; };
+    auto const is_below = [](auto const& checked) { return checked.error() == errc::value_too_low; };
     bool const between = seen.checked<atv28::sp2>(decihertz{100}).has_value() and
                          seen.checked<atv28::sp2>(decihertz{500}).has_value() and
-                         is_refused(seen.checked<atv28::sp2>(decihertz{99})) and
-                         is_refused(seen.checked<atv28::sp2>(decihertz{501}));
+                         is_below(seen.checked<atv28::sp2>(9.9_Hz)) and
+                         is_above(seen.checked<atv28::sp2>(decihertz{501}));
     bool const share = seen.checked<atv28::ith>(deciamperes{47}).has_value() and
-                       is_refused(seen.checked<atv28::ith>(deciamperes{48})) and
+                       is_above(seen.checked<atv28::ith>(deciamperes{48})) and
                        seen.checked<atv28::ith>(deciamperes{20}).has_value() and
-                       is_refused(seen.checked<atv28::ith>(deciamperes{19}));
+                       is_below(seen.checked<atv28::ith>(deciamperes{19}));
     // 50.0 Hz at 30 rpm a hertz.
     bool const product =
-        seen.checked<atv28::smil>(rpm{1500}).has_value() and is_refused(seen.checked<atv28::smil>(rpm{1501}));
+        seen.checked<atv28::smil>(rpm{1500}).has_value() and is_above(seen.checked<atv28::smil>(rpm{1501}));
     return between and share and product and seen.checked<atv28::acc>(deciseconds{36'000}).has_value() and
-           is_refused(seen.checked<atv28::acc>(deciseconds{36'001}));
+           is_above(seen.checked<atv28::acc>(deciseconds{36'001}));
 }
 PROOF("limits that hang on other registers are those of the snapshot", takes_limits_from_the_snapshot)
 

@@ -126,6 +126,14 @@ template <auto const& R, device_type Device>
     return single_request{to.unit(), write_single_register{R.address, value.word()}};
 }
 
+/// Writes a value known only at run time: `write<R>(drive, checked(n * 0.1_s))`. One that the register does not take is
+/// not sent, and the outcome says why.
+template <auto const& R, device_type Device>
+[[nodiscard]] constexpr auto write(station<Device> const& to, result<setting<R>> value) noexcept
+{
+    return value ? write<R>(to, *value) : single_request<write_single_register>{value.error()};
+}
+
 /// Writes a register whose steps another register sets; `Step` is what the caller knows them to be.
 template <typename Step, auto const& R, device_type Device>
 [[nodiscard]] constexpr auto write_with_step(station<Device> const& to, setting<restepped<Step, R>> value) noexcept
@@ -134,6 +142,14 @@ template <typename Step, auto const& R, device_type Device>
     static_assert(implements<Device>(function_code::write_single_register),
                   "this device does not implement function 06");
     return single_request{to.unit(), write_single_register{R.address, value.word()}};
+}
+
+/// The same, of a value known only at run time.
+template <typename Step, auto const& R, device_type Device>
+[[nodiscard]] constexpr auto write_with_step(station<Device> const& to,
+                                             result<setting<restepped<Step, R>>> value) noexcept
+{
+    return value ? write_with_step<Step, R>(to, *value) : single_request<write_single_register>{value.error()};
 }
 
 /// Registers that follow one another without a gap.
@@ -165,6 +181,17 @@ template <auto const&... Registers, device_type Device>
     register_block<sizeof...(Registers)> const words{values.word()...};
     return sized_request<9 + 2 * sizeof...(Registers), 5>{
         to.unit(), write_multiple_registers{contiguous<Registers...>::start, words}};
+}
+
+/// The same, of values of which some are known only at run time: each is `checked(...)`. Where one does not fit, nothing
+/// is sent.
+template <auto const&... Registers, device_type Device>
+[[nodiscard]] constexpr auto write_all(station<Device> const& to, result<setting<Registers>>... values) noexcept
+{
+    using request = decltype(write_all<Registers...>(to, *values...));
+    errc why = errc::none;
+    ((why = why == errc::none ? values.error() : why), ...);
+    return why == errc::none ? write_all<Registers...>(to, *values...) : request{why};
 }
 
 /// Writes some registers and then reads others, in one request, by function 23. The response's words

@@ -40,6 +40,9 @@ public:
         }
     }
 
+    /// A request that cannot be: nothing is sent, and `outcome()` says why.
+    explicit constexpr sized_request(errc why) noexcept { settle(why); }
+
     /// Sends the same request once more; it is then no longer settled. One that could not be encoded stays settled.
     constexpr void begin() noexcept
     {
@@ -94,6 +97,8 @@ private:
 template <pdu Request>
 class single_request : public sized_request<Request::max_size + adu_overhead, largest_response<Request>> {
 public:
+    using sized_request<Request::max_size + adu_overhead, largest_response<Request>>::sized_request;
+
     template <typename To>
     constexpr single_request(To to, Request const& request) noexcept
         : sized_request<Request::max_size + adu_overhead, largest_response<Request>>{to, request}

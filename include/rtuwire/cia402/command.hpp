@@ -90,4 +90,7 @@ inline constexpr std::uint16_t fault_reset_bit = 0x0080;
     return "none";
 }
 
+/// The same, for what shows any value.
+[[nodiscard]] constexpr literal text_of(command of) noexcept { return name_of(of); }
+
 } // namespace rtuwire::cia402

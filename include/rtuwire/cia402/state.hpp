@@ -108,4 +108,7 @@ inline constexpr std::array<state_pattern, 8> state_patterns{{
     return "unknown";
 }
 
+/// The same, for what shows any value.
+[[nodiscard]] constexpr literal text_of(state of) noexcept { return name_of(of); }
+
 } // namespace rtuwire::cia402

@@ -107,4 +107,7 @@ inline constexpr std::array<transition_rule, 16> transition_rules{{
     return at < names.size() ? names[at] : literal{"none"};
 }
 
+/// The same, for what shows any value.
+[[nodiscard]] constexpr literal text_of(transition of) noexcept { return name_of(of); }
+
 } // namespace rtuwire::cia402

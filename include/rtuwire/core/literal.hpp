@@ -2,14 +2,25 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // A string literal with its length, for the few texts that firmware has to send. Cheaper to include than a
-// string_view.
+// string_view, and one where a program includes that.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
+#include <type_traits>
 
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// std::string_view, without its header: a view of characters that somebody else owns.
+/// Internal.
+template <typename View>
+concept character_view =
+    std::constructible_from<View, char const*, std::size_t> and std::is_trivially_copyable_v<View> and requires
+{
+    typename View::traits_type;
+};
 
 /// Characters that live as long as the program, without a terminating zero.
 class literal {
@@ -25,6 +36,9 @@ public:
     [[nodiscard]] constexpr char operator[](std::size_t index) const noexcept { return data_[index]; }
     [[nodiscard]] constexpr char const* begin() const noexcept { return data_; }
     [[nodiscard]] constexpr char const* end() const noexcept { return data_ + size_; }
+
+    /// As a std::string_view.
+    template <character_view View> constexpr operator View() const noexcept { return View(data_, size_); }
 
     friend constexpr bool operator==(literal left, literal right) noexcept
     {

@@ -10,11 +10,23 @@
 #include <concepts>
 #include <cstdint>
 #include <optional>
+#include <ratio>
 #include <utility>
 
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// Not constexpr, so that in a constant expression the compiler reports one of these names. At run
+/// time they do nothing.
+inline void a_duration_is_at_most_35_minutes() noexcept {}
+inline void a_duration_is_not_negative() noexcept {}
+inline void a_duration_counts_whole_microseconds() noexcept {}
+
+/// A quantity that measures a span of time: core/quantity.hpp has them.
+/// Internal.
+template <typename T>
+concept amount_of_time = T::dimension::is_time;
 
 /// A span of time in whole microseconds. One made by the functions below is at most `longest_duration`; the
 /// difference of two instants may be more.
@@ -25,6 +37,22 @@ struct duration {
 
     /// `count` microseconds. Explicit, so that the bare 200 of `{.response_timeout = 200}` is refused.
     explicit constexpr duration(std::uint32_t count) noexcept : microseconds{count} {}
+
+    /// A literal: 5_s, 0.02_s.
+    template <amount_of_time Amount> consteval duration(Amount amount) noexcept
+    {
+        using factor = std::ratio_divide<typename Amount::scale, std::micro>;
+        if (amount.count() < 0) {
+            a_duration_is_not_negative();
+        }
+        if (amount.count() * factor::num % factor::den != 0) {
+            a_duration_counts_whole_microseconds();
+        }
+        if (amount.count() * factor::num / factor::den > 35LL * 60 * 1'000'000) {
+            a_duration_is_at_most_35_minutes();
+        }
+        microseconds = static_cast<std::uint32_t>(amount.count() * factor::num / factor::den);
+    }
 
     friend constexpr bool operator==(duration, duration) noexcept = default;
     friend constexpr auto operator<=>(duration left, duration right) noexcept
@@ -56,11 +84,6 @@ constexpr duration operator*(duration left, std::uint32_t times) noexcept
     std::uint64_t const product = std::uint64_t{left.microseconds} * times;
     return product > longest_duration.microseconds ? longest_duration : duration{static_cast<std::uint32_t>(product)};
 }
-
-/// Not constexpr, so that in a constant expression the compiler reports one of these names. At run
-/// time they do nothing.
-inline void a_duration_is_at_most_35_minutes() noexcept {}
-inline void a_duration_is_not_negative() noexcept {}
 
 /// `count` times `Size` microseconds; at run time, the nearest duration.
 /// Internal.

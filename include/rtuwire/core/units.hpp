@@ -1,157 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Numbers with a unit of measure. A quantity counts steps of a fixed size (`Scale`) of one dimension, in
-// integers only. Conversion to a finer step is implicit, to a coarser one it is `truncated_to`; one dimension
-// never converts to another, and a plain number never to or from a quantity unless the unit is named.
+// Amounts by their step, and as they are written: `decihertz`, `50_Hz`. core/quantity.hpp says what a quantity is, and
+// core/quantity_arithmetic.hpp how it compares and computes.
 #pragma once
 
-#include <compare>
-#include <concepts>
-#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <ratio>
-#include <utility>
 
+#include <rtuwire/core/quantity.hpp>
+#include <rtuwire/core/quantity_arithmetic.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
-
-/// What is measured. Each is a type without values.
-struct frequency {
-    static constexpr char symbol[] = "Hz";
-};
-struct rotation {
-    static constexpr char symbol[] = "rpm";
-};
-struct current {
-    static constexpr char symbol[] = "A";
-};
-struct voltage {
-    static constexpr char symbol[] = "V";
-};
-struct proportion {
-    static constexpr char symbol[] = "%";
-};
-struct time_span {
-    static constexpr char symbol[] = "s";
-};
-struct operating_time {
-    static constexpr char symbol[] = "h";
-};
-struct torque {
-    static constexpr char symbol[] = "Nm";
-};
-struct power {
-    static constexpr char symbol[] = "W";
-};
-struct temperature {
-    static constexpr char symbol[] = "°C";
-};
-struct rate {
-    static constexpr char symbol[] = "1/s";
-};
-/// Plain numbers: addresses, counters, gains.
-struct dimensionless {
-    static constexpr char symbol[] = "";
-};
-
-/// Whether every whole number of `From` steps is a whole number of `To` steps.
-/// Internal.
-template <typename From, typename To> inline constexpr bool is_finer = std::ratio_divide<From, To>::den == 1;
-
-/// Whether a `To` holds every `From`, multiplied by a factor.
-/// Internal.
-template <std::integral From, std::integral To> [[nodiscard]] consteval bool holds_all(std::intmax_t factor) noexcept
-{
-    using from = std::numeric_limits<From>;
-    using to = std::numeric_limits<To>;
-    bool const has_sign = std::cmp_less((from::min)(), 0);
-    return std::cmp_less_equal((from::max)(), std::intmax_t{(to::max)()} / factor) and
-           (not has_sign or std::cmp_less_equal(std::intmax_t{(to::min)()} / factor, (from::min)()));
-}
-
-/// Not constexpr, so that in a constant expression the compiler reports this name. At run time it does
-/// nothing.
-inline void this_amount_does_not_fit_the_target() noexcept {}
-
-/// `count` steps of `Scale` of a dimension: quantity<frequency, uint16, 1/10> counts tenths of a hertz.
-template <typename Dimension, std::integral Rep, typename Scale = std::ratio<1>> class quantity {
-public:
-    using dimension = Dimension;
-    using rep = Rep;
-    using scale = typename Scale::type;
-
-    constexpr quantity() noexcept = default;
-
-    /// `count` steps.
-    explicit constexpr quantity(Rep count) noexcept : count_{count} {}
-
-    /// The same, from another type whose every number fits.
-    template <std::integral Count>
-        requires(holds_all<Count, Rep>(1) and not std::same_as<Count, Rep>)
-    explicit constexpr quantity(Count count) noexcept : count_{static_cast<Rep>(count)} {}
-
-    /// The same, from a type that holds more. What does not fit does not compile in a constant expression; at run time
-    /// it becomes the nearest amount that fits, as in `truncated_to`. (Not consteval: Clang 14 crashes on literals of
-    /// a class that has such a constructor.)
-    template <std::integral Count>
-        requires(not holds_all<Count, Rep>(1))
-    explicit constexpr quantity(Count count) noexcept : count_{nearest(count)} {}
-
-    /// The same amount in finer steps, of a type that can hold all of them.
-    template <std::integral OtherRep, typename OtherScale>
-        requires(is_finer<OtherScale, Scale>and holds_all<OtherRep, Rep>(std::ratio_divide<OtherScale, Scale>::num))
-    constexpr quantity(quantity<Dimension, OtherRep, OtherScale> other) noexcept
-        : count_{static_cast<Rep>(static_cast<Rep>(other.count()) *
-                                  static_cast<Rep>(std::ratio_divide<OtherScale, Scale>::num))}
-    {}
-
-    /// How many steps of `Scale` this is.
-    [[nodiscard]] constexpr Rep count() const noexcept { return count_; }
-
-    friend constexpr bool operator==(quantity, quantity) noexcept = default;
-    friend constexpr auto operator<=>(quantity, quantity) noexcept = default;
-
-private:
-    template <std::integral Count> static constexpr Rep nearest(Count count) noexcept
-    {
-        using limits = std::numeric_limits<Rep>;
-        bool const is_below = std::cmp_less(count, (limits::min)());
-        if (is_below or std::cmp_greater(count, (limits::max)())) {
-            this_amount_does_not_fit_the_target();
-            return is_below ? (limits::min)() : (limits::max)();
-        }
-        return static_cast<Rep>(count);
-    }
-
-    Rep count_{};
-};
-
-/// The amount in steps of `Target`, the remainder cut off. What does not fit does not compile in a constant
-/// expression; at run time it becomes the nearest amount that fits.
-template <typename Target, std::integral Rep, typename Scale>
-[[nodiscard]] constexpr Target truncated_to(quantity<typename Target::dimension, Rep, Scale> amount) noexcept
-{
-    using factor = std::ratio_divide<Scale, typename Target::scale>;
-    using target_rep = typename Target::rep;
-    using to = std::numeric_limits<target_rep>;
-    using wide = std::numeric_limits<std::int64_t>;
-    std::int64_t const count = amount.count();
-    bool const is_above = count > (wide::max)() / factor::num;
-    bool const is_below = count < (wide::min)() / factor::num;
-    std::int64_t const steps = is_above ? (wide::max)() : is_below ? (wide::min)() : count * factor::num / factor::den;
-    if (is_above or std::cmp_greater(steps, (to::max)())) {
-        this_amount_does_not_fit_the_target();
-        return Target{(to::max)()};
-    }
-    if (is_below or std::cmp_less(steps, (to::min)())) {
-        this_amount_does_not_fit_the_target();
-        return Target{(to::min)()};
-    }
-    return Target{static_cast<target_rep>(steps)};
-}
 
 /// Register types, named by the step they count.
 using hertz = quantity<frequency, std::uint16_t>;
@@ -276,12 +137,5 @@ template <char... Digits> consteval auto operator""_raw() noexcept
 }
 
 } // namespace literals
-
-/// The opposite of a literal: -1500_rpm.
-template <typename Dimension, std::signed_integral Rep, typename Scale>
-[[nodiscard]] constexpr quantity<Dimension, Rep, Scale> operator-(quantity<Dimension, Rep, Scale> amount) noexcept
-{
-    return quantity<Dimension, Rep, Scale>{static_cast<Rep>(-amount.count())};
-}
 
 } // namespace rtuwire

@@ -23,7 +23,10 @@ struct named_value {
 /// The names of an enumeration's values; specialised next to each enumeration that has any.
 template <typename E> inline constexpr std::array<named_value, 0> enumerators{};
 
-/// A list of names, for a specialisation of `enumerators`.
+/// What an enumeration's values mean, in words; specialised beside `enumerators` where the manual's table has words.
+template <typename E> inline constexpr std::array<named_value, 0> meanings{};
+
+/// A list of names, for a specialisation of `enumerators` or `meanings`.
 /// Internal.
 template <typename E, std::size_t Count>
 [[nodiscard]] consteval std::array<named_value, Count> name_list(named_value const (&names)[Count]) noexcept
@@ -57,15 +60,22 @@ inline constexpr auto listed_values = [] {
     return is_listed;
 }
 
-/// The mnemonic of a value; empty where none is known.
-template <typename E> [[nodiscard]] constexpr literal name_of(E value) noexcept
+/// The name of a value in a list; empty where it has none.
+/// Internal.
+[[nodiscard]] constexpr literal listed_name(std::span<named_value const> list, std::uint16_t value) noexcept
 {
-    for (named_value const& each : enumerators<E>) {
-        if (each.value == static_cast<std::uint16_t>(value)) {
+    for (named_value const& each : list) {
+        if (each.value == value) {
             return each.name;
         }
     }
     return {};
+}
+
+/// The mnemonic of a value; empty where none is known.
+template <typename E> [[nodiscard]] constexpr literal name_of(E value) noexcept
+{
+    return listed_name(enumerators<E>, static_cast<std::uint16_t>(value));
 }
 
 } // namespace rtuwire

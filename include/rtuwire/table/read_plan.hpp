@@ -63,8 +63,9 @@ public:
         }
 
         /// A value that fits the register's limits as they are now: those that depend on other registers are
-        /// taken from this snapshot. `illegal_data_value` outside.
-        template <auto const& R> [[nodiscard]] constexpr result<setting<R>> checked(value_of<R> value) const noexcept
+        /// taken from this snapshot. Otherwise the reason, as `setting<R>::checked` has it.
+        template <auto const& R, typename Value>
+        [[nodiscard]] constexpr result<setting<R>> checked(Value value) const noexcept
         {
             static_assert(knows(R.min) and knows(R.max),
                           "the limits of this register hang on a register that is not in the plan");

@@ -52,22 +52,6 @@ template <auto const& R> [[nodiscard]] constexpr std::int32_t highest() noexcept
     }
 }
 
-/// Whether a type is a quantity, of any dimension and width.
-/// Internal.
-template <typename T>
-concept any_quantity = requires
-{
-    typename T::dimension;
-    typename T::scale;
-};
-
-/// Whether a quantity measures what a register holds.
-/// Internal.
-template <typename Value, typename Amount> inline constexpr bool measures_the_same = false;
-template <any_quantity Value, any_quantity Amount>
-inline constexpr bool measures_the_same<Value, Amount> =
-    std::same_as<typename Value::dimension, typename Amount::dimension>;
-
 /// A value within the limits of register `R`.
 template <auto const& R> class setting {
 public:
@@ -103,27 +87,24 @@ public:
         }
     }
 
-    /// A value known only at run time; `illegal_data_value` outside the limits, and for an enumerator that
-    /// does not exist.
-    [[nodiscard]] static constexpr result<setting> checked(value_type value) noexcept
+    /// A value known only at run time, in any unit of what the register measures. What does not fit is refused with the
+    /// reason: `value_too_high`, `value_too_low`, `value_between_steps`, `value_never_written`, `value_without_meaning`.
+    /// Limits that depend on other registers are given in raw counts.
+    template <typename Value>
+    [[nodiscard]] static constexpr result<setting> checked(Value value, std::int32_t min_now = lowest<R>(),
+                                                           std::int32_t max_now = highest<R>()) noexcept
     {
-        std::int32_t const raw = raw_count<value_type>(to_word(value));
-        bool const is_inside = raw >= lowest<R>() and raw <= highest<R>() and not R.gap.contains(raw);
-        if (not is_inside or not has_meaning(listed_words<value_type>(), to_word(value))) {
-            return errc::illegal_data_value;
+        static_assert(not std::is_arithmetic_v<Value>,
+                      "a plain number is no setting: give it a unit (n * 0.1_s), or name an enumerator or bits");
+        static_assert(std::is_arithmetic_v<Value> or std::same_as<Value, value_type> or
+                          measures_the_same<value_type, Value>,
+                      "this value measures something else than the register");
+        auto const raw = raw_of(value);
+        errc const why = not raw ? raw.error() : refusal(*raw, min_now, max_now);
+        if (why != errc::none) {
+            return why;
         }
-        return setting{proven{}, to_word(value)};
-    }
-
-    /// A value known only at run time, with the limits that depend on other registers, in raw counts.
-    [[nodiscard]] static constexpr result<setting> checked(value_type value, std::int32_t min_now,
-                                                           std::int32_t max_now) noexcept
-    {
-        std::int32_t const raw = raw_count<value_type>(to_word(value));
-        if (raw < min_now or raw > max_now) {
-            return errc::illegal_data_value;
-        }
-        return checked(value);
+        return setting{proven{}, static_cast<std::uint16_t>(*raw)};
     }
 
     /// The nearest value within the limits; the lower end of a gap where it lies in one.
@@ -151,6 +132,46 @@ private:
     struct proven {};
     constexpr setting(proven, std::uint16_t word) noexcept : word_{word} {}
 
+    /// Why a raw count is not written; `none` where it may be.
+    static constexpr errc refusal(std::int32_t raw, std::int32_t min_now, std::int32_t max_now) noexcept
+    {
+        if (raw > max_now or raw > highest<R>()) {
+            return errc::value_too_high;
+        }
+        if (raw < min_now or raw < lowest<R>()) {
+            return errc::value_too_low;
+        }
+        if (R.gap.contains(raw)) {
+            return errc::value_never_written;
+        }
+        return has_meaning(listed_words<value_type>(), static_cast<std::uint16_t>(raw)) ? errc::none
+                                                                                        : errc::value_without_meaning;
+    }
+
+    /// A value in raw counts; an error where it is no whole number of them, or far outside of any register.
+    template <typename Value> static constexpr result<std::int32_t> raw_of(Value value) noexcept
+    {
+        if constexpr (std::same_as<Value, value_type>) {
+            return raw_count<value_type>(to_word(value));
+        } else if constexpr (any_quantity<Value>) {
+            std::int64_t const parts = bounded_product(value.count(), ratio_of<Value>::num);
+            if (parts % denominator<Value> != 0 and not is_out_of_range(parts)) {
+                return errc::value_between_steps;
+            }
+            std::int64_t const raw = parts / denominator<Value>;
+            using limits = std::numeric_limits<std::int32_t>;
+            if (raw > (limits::max)()) {
+                return errc::value_too_high;
+            }
+            if (raw < (limits::min)()) {
+                return errc::value_too_low;
+            }
+            return static_cast<std::int32_t>(raw);
+        } else {
+            return errc::value_without_meaning;
+        }
+    }
+
     /// How many of a value's units make one step of the register, as a fraction; 1 where either counts none.
     template <typename Value, bool = measures_the_same<value_type, Value>> struct ratio_of : std::ratio<1> {};
     template <typename Value>
@@ -171,5 +192,33 @@ private:
 
     std::uint16_t word_;
 };
+
+/// Whether a type is a setting of some register.
+/// Internal.
+template <typename T> inline constexpr bool is_setting = false;
+template <auto const& R> inline constexpr bool is_setting<setting<R>> = true;
+
+/// A value known only at run time, on its way to a register: becomes a setting of it, or the reason why not.
+/// Internal.
+template <typename Value> class value_to_check {
+public:
+    explicit constexpr value_to_check(Value value) noexcept : value_{value} {}
+
+    template <typename Setting>
+        requires(is_setting<Setting>)
+    constexpr operator result<Setting>() const noexcept { return Setting::checked(value_); }
+
+private:
+    Value value_;
+};
+
+/// A value known only at run time, where a setting is written: `write<atv12::acc>(drive, checked(n * 0.1_s))`. A value
+/// that the register does not take is not sent; the outcome says why.
+template <typename Value> [[nodiscard]] constexpr value_to_check<Value> checked(Value value) noexcept
+{
+    static_assert(not std::is_arithmetic_v<Value>,
+                  "a plain number is no setting: give it a unit (n * 0.1_s), or name an enumerator or bits");
+    return value_to_check<Value>{value};
+}
 
 } // namespace rtuwire

@@ -42,6 +42,13 @@ enum class errc : std::uint8_t {
     unit_lost = 0x8A,             ///< the unit, ordered to run, did not answer a caller; its order is gone
     too_many_ordered = 0x8B,      ///< the client keeps the orders of no more units at once
 
+    // A value that was to be written does not fit its register; nothing was sent.
+    value_too_high = 0xA3,        ///< above the register's maximum
+    value_too_low = 0xA4,         ///< below the register's minimum
+    value_between_steps = 0xA5,   ///< not a whole number of the register's steps
+    value_never_written = 0xA6,   ///< inside the limits, but never to be written
+    value_without_meaning = 0xA7, ///< an enumerator that the register does not have
+
     // What was received is not what it should be; nothing of it was passed on.
     frame_too_short = 0x8C,   ///< fewer than 4 bytes
     frame_too_long = 0x8D,    ///< more than 256 bytes

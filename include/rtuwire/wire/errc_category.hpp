@@ -51,7 +51,12 @@ enum class error_category : std::uint8_t {
     case errc::finished:
     case errc::overruled:
     case errc::unit_lost:
-    case errc::too_many_ordered: return error_category::request;
+    case errc::too_many_ordered:
+    case errc::value_too_high:
+    case errc::value_too_low:
+    case errc::value_between_steps:
+    case errc::value_never_written:
+    case errc::value_without_meaning: return error_category::request;
 
     case errc::frame_too_short:
     case errc::frame_too_long:

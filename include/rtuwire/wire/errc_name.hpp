@@ -38,6 +38,11 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     case errc::overruled: return "a stop, a fault or a set-up came after the order, or a stop is under way";
     case errc::unit_lost: return "the unit did not answer, and its order is gone";
     case errc::too_many_ordered: return "the client keeps no more orders at once";
+    case errc::value_too_high: return "value above the register's maximum";
+    case errc::value_too_low: return "value below the register's minimum";
+    case errc::value_between_steps: return "value between two steps of the register";
+    case errc::value_never_written: return "value that is never written to the register";
+    case errc::value_without_meaning: return "value without a meaning in the register";
     case errc::frame_too_short: return "frame too short";
     case errc::frame_too_long: return "frame too long";
     case errc::wrong_length: return "wrong length";
@@ -64,5 +69,8 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     }
     return is_exception(error) ? "exception" : "unknown error";
 }
+
+/// The same, for what shows any value.
+[[nodiscard]] constexpr std::string_view text_of(errc error) noexcept { return name(error); }
 
 } // namespace rtuwire

@@ -186,6 +186,13 @@ inline constexpr auto enumerators<altivar::atv28::fault_code> = name_list<altiva
     {18, "ObF"}, {19, "OSF"}, {20, "OPF"}, {21, "PHF"}, {23, "SCF"}, {25, "tnF"},
 });
 template <>
+inline constexpr auto meanings<altivar::atv28::fault_code> = name_list<altivar::atv28::fault_code>({
+    {0, "no fault"}, {1, "internal fault"}, {2, "memory failed"}, {5, "serial link interrupted"}, {9, "overcurrent"},
+    {16, "drive overheated"}, {17, "motor overloaded"}, {18, "DC bus overvoltage"},
+    {19, "mains overvoltage"}, {20, "motor phase lost"}, {21, "mains phase lost"}, {23, "motor short circuit"},
+    {25, "tuning failed"},
+});
+template <>
 inline constexpr auto enumerators<altivar::atv28::rating> = name_list<altivar::atv28::rating>({
     {4, "U09"}, {5, "U18"}, {6, "U29"}, {7, "U41"}, {8, "U54"}, {10, "U72"}, {11, "U90"},
     {12, "D12"}, {13, "D16"}, {14, "D23"},
@@ -199,6 +206,13 @@ inline constexpr auto enumerators<altivar::atv28::profile_fault> = name_list<alt
     {0x0000, "nOF"}, {0x1000, "OLF"}, {0x2310, "OCF"}, {0x3110, "OSF"}, {0x3120, "USF"},
     {0x3130, "PHF"}, {0x3310, "ObF_OPF"}, {0x4210, "OHF"}, {0x5520, "EEF"}, {0x6100, "InF"},
     {0x7510, "SLF"},
+});
+template <>
+inline constexpr auto meanings<altivar::atv28::profile_fault> = name_list<altivar::atv28::profile_fault>({
+    {0x0000, "no fault"}, {0x1000, "motor overloaded"}, {0x2310, "overcurrent"}, {0x3110, "mains overvoltage"},
+    {0x3120, "mains undervoltage"}, {0x3130, "mains phase lost"}, {0x3310, "DC bus overvoltage, or motor phase lost"},
+    {0x4210, "drive overheated"}, {0x5520, "memory failed"}, {0x6100, "internal fault"},
+    {0x7510, "serial link interrupted"},
 });
 // clang-format on
 

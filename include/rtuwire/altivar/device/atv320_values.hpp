@@ -176,6 +176,15 @@ inline constexpr auto enumerators<altivar::atv320::product_state> = name_list<al
     {25, "dCP"}, {28, "SS1"}, {29, "SLS"}, {30, "StO"}, {31, "SMS"}, {32, "GdL"},
 });
 template <>
+inline constexpr auto meanings<altivar::atv320::product_state> = name_list<altivar::atv320::product_state>({
+    {0, "tuning"}, {1, "DC injection braking"}, {2, "ready"}, {3, "freewheel stop"}, {4, "running"},
+    {5, "accelerating"}, {6, "decelerating"}, {7, "in current limit"}, {8, "fast stop"}, {9, "fluxing the motor"},
+    {11, "no mains power"}, {12, "power removed"}, {13, "controlled stop"}, {14, "ramp adapted"},
+    {15, "output cut off"}, {17, "undervoltage alarm"}, {18, "test under way"}, {19, "self-test"},
+    {20, "self-test failed"}, {21, "self-test passed"}, {22, "memory test"}, {23, "in fault"}, {28, "safe stop 1"},
+    {29, "safely limited speed"}, {30, "safe torque off"},
+});
+template <>
 inline constexpr auto enumerators<altivar::atv320::fault_code> = name_list<altivar::atv320::fault_code>({
     {0, "nOF"}, {2, "EEF1"}, {3, "CFF"}, {4, "CFI"}, {5, "SLF1"}, {6, "ILF"}, {7, "CnF"},
     {8, "EPF1"}, {9, "OCF"}, {10, "CrF1"}, {11, "SPF"}, {12, "AnF"}, {16, "OHF"}, {17, "OLF"},
@@ -187,6 +196,29 @@ inline constexpr auto enumerators<altivar::atv320::fault_code> = name_list<altiv
     {67, "HdF"}, {68, "InF6"}, {69, "InFE"}, {71, "LFF3"}, {73, "HCF"}, {76, "dLF"}, {77, "CFI2"},
     {99, "CSF"}, {100, "ULF"}, {101, "OLC"}, {105, "ASF"}, {107, "SAFF"}, {108, "FbE"},
     {109, "FbES"},
+});
+template <>
+inline constexpr auto meanings<altivar::atv320::fault_code> = name_list<altivar::atv320::fault_code>({
+    {0, "no fault"}, {2, "control memory failed"}, {3, "incorrect configuration"}, {4, "invalid configuration"},
+    {5, "Modbus interrupted"}, {6, "internal link to the option interrupted"}, {7, "network fault"},
+    {8, "external fault by an input"}, {9, "overcurrent"}, {10, "precharge failed"}, {11, "speed feedback lost"},
+    {12, "speed does not follow the reference"}, {16, "drive overheated"}, {17, "motor overloaded"},
+    {18, "DC bus overvoltage"}, {19, "mains overvoltage"}, {20, "one motor phase lost"},
+    {21, "mains phase lost"}, {22, "mains undervoltage"}, {23, "motor short circuit"}, {24, "motor overspeed"},
+    {25, "tuning failed"}, {26, "drive rating unknown"}, {27, "power card incompatible"},
+    {28, "internal link interrupted"}, {29, "manufacturing data inconsistent"}, {30, "power memory failed"},
+    {32, "short circuit to earth"}, {33, "three motor phases lost"}, {34, "CANopen interrupted"},
+    {35, "brake control failed"}, {38, "external fault by the line"}, {41, "brake feedback wrong"},
+    {42, "PC software interrupted"}, {44, "torque or current limit reached"}, {45, "remote terminal interrupted"},
+    {49, "motor temperature probe failed"}, {50, "motor overheated by its probe"}, {51, "current measurement failed"},
+    {52, "mains measurement failed"}, {53, "temperature sensor failed"}, {54, "power transistors overheated"},
+    {55, "power transistor short circuit"}, {56, "short circuit at the output"},
+    {58, "output contactor stuck closed"}, {59, "output contactor stuck open"}, {64, "input contactor failed"},
+    {67, "power transistors desaturated"}, {68, "option card failed"}, {69, "processor failed"},
+    {71, "current loop of AI3 lost"}, {73, "cards do not belong together"}, {76, "dynamic load fault"},
+    {77, "configuration transfer interrupted"}, {99, "channel switching failed"}, {100, "process underloaded"},
+    {101, "process overloaded"}, {105, "motor angle not found"}, {107, "safety function fault"},
+    {108, "function block fault"}, {109, "function blocks stopped"},
 });
 template <>
 inline constexpr auto enumerators<altivar::atv320::rating> = name_list<altivar::atv320::rating>({

@@ -140,6 +140,12 @@ inline constexpr auto enumerators<altivar::compact::product_state> = name_list<a
     {32, "LOC"},
 });
 template <>
+inline constexpr auto meanings<altivar::compact::product_state> = name_list<altivar::compact::product_state>({
+    {0, "tuning"}, {1, "DC injection braking"}, {2, "ready"}, {3, "freewheel stop"}, {4, "running"},
+    {5, "accelerating"}, {6, "decelerating"}, {7, "in current limit"}, {8, "fast stop"}, {11, "no mains power"},
+    {13, "controlled stop"}, {14, "ramp adapted"}, {23, "in fault"}, {24, "fallback speed"},
+});
+template <>
 inline constexpr auto enumerators<altivar::compact::fault_code> = name_list<altivar::compact::fault_code>({
     {0, "nOF"}, {1, "InF"}, {3, "CFF"}, {4, "CFI"}, {5, "SLF1"}, {8, "EPF1"}, {9, "OCF"},
     {10, "CrF1"}, {16, "OHF"}, {17, "OLF"}, {18, "ObF"}, {19, "OSF"}, {20, "OPF1"}, {21, "PHF"},
@@ -147,6 +153,20 @@ inline constexpr auto enumerators<altivar::compact::fault_code> = name_list<alti
     {29, "InF4"}, {32, "SCF3"}, {33, "OPF2"}, {42, "SLF2"}, {45, "SLF3"}, {51, "InF9"},
     {53, "InFb"}, {54, "tJF"}, {55, "SCF4"}, {56, "SCF5"}, {69, "InFE"}, {77, "CFI2"},
     {100, "ULF"}, {101, "OLC"}, {102, "SPIF"}, {106, "LFF1"}, {253, "XXXX"},
+});
+template <>
+inline constexpr auto meanings<altivar::compact::fault_code> = name_list<altivar::compact::fault_code>({
+    {0, "no fault"}, {1, "internal fault"}, {3, "incorrect configuration"}, {4, "invalid configuration"},
+    {5, "Modbus interrupted"}, {8, "external fault by an input"}, {9, "overcurrent"}, {10, "precharge failed"},
+    {16, "drive overheated"}, {17, "motor overloaded"}, {18, "DC bus overvoltage"},
+    {19, "mains overvoltage"}, {20, "one motor phase lost"}, {21, "mains phase lost"}, {22, "mains undervoltage"},
+    {23, "motor short circuit"}, {24, "motor overspeed"}, {25, "tuning failed"}, {26, "drive rating unknown"},
+    {27, "power card incompatible"}, {28, "internal link interrupted"}, {29, "manufacturing data inconsistent"},
+    {32, "short circuit to earth"}, {33, "three motor phases lost"}, {42, "PC software interrupted"},
+    {45, "remote terminal interrupted"}, {51, "current measurement failed"}, {53, "temperature sensor failed"},
+    {54, "power transistors overheated"}, {55, "power transistor short circuit"}, {56, "short circuit at the output"},
+    {69, "processor failed"}, {77, "configuration transfer interrupted"}, {100, "process underloaded"},
+    {101, "process overloaded"}, {102, "PI feedback lost"}, {106, "current loop of AI1 lost"},
 });
 template <>
 inline constexpr auto enumerators<altivar::compact::rating> = name_list<altivar::compact::rating>({

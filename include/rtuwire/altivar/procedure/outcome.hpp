@@ -4,12 +4,16 @@
 // How a conversation with a drive ended, and what was known about the drive then.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include <rtuwire/cia402/state.hpp>
 #include <rtuwire/core/literal.hpp>
+#include <rtuwire/core/text.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
+#include <rtuwire/wire/errc_name.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
@@ -98,6 +102,35 @@ struct reason {
     case outcome_kind::started_by_terminals: return "the terminals run the motor";
     }
     return "unknown";
+}
+
+/// The same, for what shows any value.
+[[nodiscard]] constexpr literal text_of(outcome_kind kind) noexcept { return name_of(kind); }
+
+/// All of a reason: "refused by the drive: illegal data value, LFT 5, state fault", as far as it is known. What a fault is
+/// called depends on the drive: `text_of(atv320::fault_code{why.fault})`.
+[[nodiscard]] constexpr auto text_of(reason const& why) noexcept
+{
+    constexpr std::size_t longest = 224;
+    short_text<longest> text;
+    if (why.is_other_stop) {
+        text.precede(", another stop than the one ordered");
+    }
+    if (why.state != cia402::state::unknown) {
+        text.precede(cia402::name_of(why.state));
+        text.precede(", state ");
+    }
+    if (why.fault != 0) {
+        precede_by_number(text, std::uint32_t{why.fault});
+        text.precede(", LFT ");
+    }
+    if (why.error != errc::none) {
+        std::string_view const error = name(why.error);
+        text.precede(error.data(), error.size());
+        text.precede(": ");
+    }
+    text.precede(name_of(why.kind));
+    return text;
 }
 
 } // namespace rtuwire::altivar

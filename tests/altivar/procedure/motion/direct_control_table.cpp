@@ -125,21 +125,21 @@ constexpr std::array<stage_row<8>, 9> other_rows{{
 }};
 // clang-format on
 
-constexpr atv28::direct_start_procedure checked{{speed, 1'500}, supervision_procedure{layout, commissioned()}};
+constexpr atv28::direct_start_procedure checked_before{{speed, 1'500}, supervision_procedure{layout, commissioned()}};
 constexpr atv28::direct_start_procedure unchecked{{speed, 1'500}, supervision_procedure{layout}};
 
 } // namespace
 
-TEST_CASE("a direct start does at each look what its table says") { check_table(checked, statuses, look_rows); }
+TEST_CASE("a direct start does at each look what its table says") { check_table(checked_before, statuses, look_rows); }
 
 TEST_CASE("a direct start does in each stage, at each answer, what its table says")
 {
-    check_table(checked, others, other_rows);
+    check_table(checked_before, others, other_rows);
 }
 
 TEST_CASE("a direct start begins with a look, and ends with its check")
 {
-    CHECK(does(checked, begun, eta));
+    CHECK(does(checked_before, begun, eta));
     way const examining{begun, disabled};
     CHECK(does(led(unchecked, {begun}), disabled, reads(layout.cmi)));
     CHECK(does(led(unchecked, examining), word(layout.safeguards.nto), ends(kind::unsupervised)));
@@ -154,7 +154,7 @@ TEST_CASE("a direct start is withdrawn at any of its writes where the client has
     event const no_place = failed(errc::too_many_ordered);
     way const clearing{begun, disabled}, writing{begun, disabled, confirmed};
     way const telling{begun, disabled, confirmed, confirmed, read_1500, read_0, disabled};
-    CHECK(does(led(checked, clearing), no_place, undo(kind::no_place)));
-    CHECK(does(led(checked, writing), no_place, undo(kind::no_place)));
-    CHECK(does(led(checked, telling), no_place, ramp(kind::no_place)));
+    CHECK(does(led(checked_before, clearing), no_place, undo(kind::no_place)));
+    CHECK(does(led(checked_before, writing), no_place, undo(kind::no_place)));
+    CHECK(does(led(checked_before, telling), no_place, ramp(kind::no_place)));
 }

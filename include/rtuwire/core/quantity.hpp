@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Numbers with a unit of measure. A quantity counts steps of a fixed size (`Scale`) of one dimension, in
+// integers only. Conversion to a finer step is implicit, to a coarser one it is `truncated_to`; one dimension
+// never converts to another, and a plain number never to or from a quantity unless the unit is named.
+#pragma once
+
+#include <compare>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <ratio>
+#include <utility>
+
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// What is measured. Each is a type without values.
+struct frequency {
+    static constexpr char symbol[] = "Hz";
+};
+struct rotation {
+    static constexpr char symbol[] = "rpm";
+};
+struct current {
+    static constexpr char symbol[] = "A";
+};
+struct voltage {
+    static constexpr char symbol[] = "V";
+};
+struct proportion {
+    static constexpr char symbol[] = "%";
+};
+struct time_span {
+    static constexpr bool is_time = true;
+    static constexpr char symbol[] = "s";
+};
+struct operating_time {
+    static constexpr char symbol[] = "h";
+};
+struct torque {
+    static constexpr char symbol[] = "Nm";
+};
+struct power {
+    static constexpr char symbol[] = "W";
+};
+struct temperature {
+    static constexpr char symbol[] = "°C";
+};
+struct rate {
+    static constexpr char symbol[] = "1/s";
+};
+/// Plain numbers: addresses, counters, gains.
+struct dimensionless {
+    static constexpr char symbol[] = "";
+};
+
+/// Whether every whole number of `From` steps is a whole number of `To` steps.
+/// Internal.
+template <typename From, typename To> inline constexpr bool is_finer = std::ratio_divide<From, To>::den == 1;
+
+/// Whether a `To` holds every `From`, multiplied by a factor.
+/// Internal.
+template <std::integral From, std::integral To> [[nodiscard]] consteval bool holds_all(std::intmax_t factor) noexcept
+{
+    using from = std::numeric_limits<From>;
+    using to = std::numeric_limits<To>;
+    bool const has_sign = std::cmp_less((from::min)(), 0);
+    return std::cmp_less_equal((from::max)(),
+                               static_cast<std::uintmax_t>((to::max)()) / static_cast<std::uintmax_t>(factor)) and
+           (not has_sign or std::cmp_less_equal(std::intmax_t{(to::min)()} / factor, (from::min)()));
+}
+
+/// Not constexpr, so that in a constant expression the compiler reports one of these names. At run time they do
+/// nothing.
+inline void this_amount_does_not_fit_the_target() noexcept {}
+inline void this_amount_is_not_a_whole_number_of_steps() noexcept {}
+
+/// `count` steps of `Scale` of a dimension: quantity<frequency, uint16, 1/10> counts tenths of a hertz.
+template <typename Dimension, std::integral Rep, typename Scale = std::ratio<1>> class quantity {
+    static_assert(holds_all<Rep, std::int64_t>(1), "a quantity counts in at most 64 bits, one of them the sign");
+
+public:
+    using dimension = Dimension;
+    using rep = Rep;
+    using scale = typename Scale::type;
+
+    constexpr quantity() noexcept = default;
+
+    /// `count` steps.
+    template <std::same_as<Rep> Count> explicit constexpr quantity(Count count) noexcept : count_{count} {}
+
+    /// The same, from another type whose every number fits.
+    template <std::integral Count>
+        requires(holds_all<Count, Rep>(1) and not std::same_as<Count, Rep>)
+    explicit constexpr quantity(Count count) noexcept : count_{static_cast<Rep>(count)} {}
+
+    /// The same, from a type that holds more: only a constant that fits. A number known only at run time is counted in a
+    /// type that holds it: `n * 0.1_s`, which `checked` then holds against a register.
+    template <std::integral Count>
+        requires(not holds_all<Count, Rep>(1))
+    explicit consteval quantity(Count count) noexcept : count_{static_cast<Rep>(count)}
+    {
+        if (not std::in_range<Rep>(count)) {
+            this_amount_does_not_fit_the_target();
+        }
+    }
+
+    /// The same amount in finer steps, of a type that can hold all of them.
+    template <std::integral OtherRep, typename OtherScale>
+        requires(is_finer<OtherScale, Scale>and holds_all<OtherRep, Rep>(std::ratio_divide<OtherScale, Scale>::num))
+    constexpr quantity(quantity<Dimension, OtherRep, OtherScale> other) noexcept
+        : count_{static_cast<Rep>(static_cast<Rep>(other.count()) *
+                                  static_cast<Rep>(std::ratio_divide<OtherScale, Scale>::num))}
+    {}
+
+    /// The same amount, of a literal: `decihertz top = 50_Hz`. Only a constant that is a whole number of these steps, and
+    /// that fits.
+    template <typename OtherScale>
+        requires(not is_finer<OtherScale, Scale> or
+                 not holds_all<std::int64_t, Rep>(std::ratio_divide<OtherScale, Scale>::num))
+    consteval quantity(quantity<Dimension, std::int64_t, OtherScale> other) noexcept
+        : count_{static_cast<Rep>(other.count() * std::ratio_divide<OtherScale, Scale>::num /
+                                  std::ratio_divide<OtherScale, Scale>::den)}
+    {
+        using factor = std::ratio_divide<OtherScale, Scale>;
+        if (other.count() * factor::num % factor::den != 0) {
+            this_amount_is_not_a_whole_number_of_steps();
+        }
+        if (not std::in_range<Rep>(other.count() * factor::num / factor::den)) {
+            this_amount_does_not_fit_the_target();
+        }
+    }
+
+    /// How many steps of `Scale` this is.
+    [[nodiscard]] constexpr Rep count() const noexcept { return count_; }
+
+    friend constexpr bool operator==(quantity, quantity) noexcept = default;
+    friend constexpr auto operator<=>(quantity, quantity) noexcept = default;
+
+private:
+    Rep count_{};
+};
+
+/// Internal.
+template <typename T> inline constexpr bool is_quantity_type = false;
+template <typename Dimension, typename Rep, typename Scale>
+inline constexpr bool is_quantity_type<quantity<Dimension, Rep, Scale>> = true;
+
+/// Whether a type is a quantity, of any dimension and width.
+/// Internal.
+template <typename T>
+concept any_quantity = is_quantity_type<T>;
+
+/// Whether two types are quantities that measure the same.
+/// Internal.
+template <typename Left, typename Right> inline constexpr bool measures_the_same = false;
+template <any_quantity Left, any_quantity Right>
+inline constexpr bool measures_the_same<Left, Right> =
+    std::same_as<typename Left::dimension, typename Right::dimension>;
+
+/// The amount in steps of `Target`, the remainder cut off. What does not fit does not compile in a constant
+/// expression; at run time it becomes the nearest amount that fits.
+template <typename Target, std::integral Rep, typename Scale>
+[[nodiscard]] constexpr Target truncated_to(quantity<typename Target::dimension, Rep, Scale> amount) noexcept
+{
+    using factor = std::ratio_divide<Scale, typename Target::scale>;
+    using target_rep = typename Target::rep;
+    using to = std::numeric_limits<target_rep>;
+    using wide = std::numeric_limits<std::int64_t>;
+    std::int64_t const count = amount.count();
+    bool const is_above = count > (wide::max)() / factor::num;
+    bool const is_below = count < (wide::min)() / factor::num;
+    std::int64_t const steps = is_above ? (wide::max)() : is_below ? (wide::min)() : count * factor::num / factor::den;
+    if (is_above or std::cmp_greater(steps, (to::max)())) {
+        this_amount_does_not_fit_the_target();
+        return Target{(to::max)()};
+    }
+    if (is_below or std::cmp_less(steps, (to::min)())) {
+        this_amount_does_not_fit_the_target();
+        return Target{(to::min)()};
+    }
+    return Target{static_cast<target_rep>(steps)};
+}
+
+} // namespace rtuwire

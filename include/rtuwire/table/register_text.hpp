@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What registers hold, as people read it: an enumerator by its mnemonic and in words, a word of bits in hexadecimal, a
+// setting as its value. core/text.hpp does the same for amounts.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <rtuwire/core/literal.hpp>
+#include <rtuwire/core/text.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/table/enumeration.hpp>
+#include <rtuwire/table/register.hpp>
+#include <rtuwire/table/setting.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// The size of the longest name in a list.
+/// Internal.
+[[nodiscard]] constexpr std::size_t longest_name(std::span<named_value const> list) noexcept
+{
+    std::size_t longest = 0;
+    for (named_value const& each : list) {
+        longest = each.name.size() > longest ? each.name.size() : longest;
+    }
+    return longest;
+}
+
+/// An enumerator: "SLF1: Modbus interrupted", only one of both where the other is not known, and its number, "#25",
+/// where neither is.
+template <register_enumeration E> [[nodiscard]] constexpr auto text_of(E value) noexcept
+{
+    constexpr std::size_t numbered = 6;
+    constexpr std::size_t named = longest_name(enumerators<E>) + 2 + longest_name(meanings<E>);
+    auto const number = static_cast<std::uint16_t>(value);
+    short_text<(named > numbered ? named : numbered)> text;
+    literal const name = listed_name(enumerators<E>, number);
+    literal const meaning = listed_name(meanings<E>, number);
+    text.precede(meaning);
+    if (name.size() != 0 and meaning.size() != 0) {
+        text.precede(": ");
+    }
+    text.precede(name);
+    if (text.size() == 0) {
+        precede_by_number(text, std::uint32_t{number});
+        text.precede('#');
+    }
+    return text;
+}
+
+/// A word of bits: "0x0237".
+template <bit_field Bits> [[nodiscard]] constexpr auto text_of(Bits value) noexcept
+{
+    constexpr literal digits{"0123456789ABCDEF"};
+    short_text<6> text;
+    for (unsigned at = 0; at < 16U; at += 4U) {
+        text.precede(digits[(std::size_t{value.bits} >> at) % 16U]);
+    }
+    text.precede("0x");
+    return text;
+}
+
+/// A setting, as its value.
+template <auto const& R> [[nodiscard]] constexpr auto text_of(setting<R> value) noexcept
+{
+    return text_of(value.value());
+}
+
+} // namespace rtuwire
