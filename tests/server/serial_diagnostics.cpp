@@ -204,9 +204,9 @@ constexpr auto exceptions = "08 00 0D 00 00"_hex;
 constexpr bool counts_kinds_of_refusal()
 {
     serial_diagnostics unit;
-    unit.note_exception(errc::negative_acknowledge);
-    unit.note_exception(errc::server_device_busy);
-    unit.note_exception(errc::server_device_busy);
+    unit.note_end(function_code::diagnostics, errc::negative_acknowledge);
+    unit.note_end(function_code::diagnostics, errc::server_device_busy);
+    unit.note_end(function_code::diagnostics, errc::server_device_busy);
     auto const counted = [&unit](byte_view asked, std::uint16_t count) {
         std::array<std::byte, max_pdu_size> bytes{};
         byte_writer{bytes}.bytes(asked);

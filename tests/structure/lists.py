@@ -10,15 +10,15 @@ import sys
 
 import declarations
 
-DRIVES, PDUS = "tests/support/drives.hpp", "tests/support/pdus.hpp"
+DRIVES, FUNCTIONS = "tests/support/drives.hpp", "include/rtuwire/wire/functions.hpp"
 # Headers, by where they are, and what the list of their types is called.
 DEVICES_OF, PDUS_OF = "include/rtuwire/altivar", "include/rtuwire/wire/pdu"
-ALL_DRIVES, ALL_PDUS = "all_drives", "all_pdus"
+ALL_DRIVES, ALL_FUNCTIONS = "all_drives", "public_functions"
 
 DRIVE_SPACE = re.compile(r"rtuwire::altivar::(atv\w+)")
 DEVICE = re.compile(r"device\w*")
-# A PDU is a class that can be decoded.
-DECODES = re.compile(r"\bstatic\b[^;{}]*\bdecode\s*\(")
+# A function is the class of its request, which has the rules of its frames.
+RULES = re.compile(r"\bframe_rules\s+rules\b")
 
 # A file that names the first and the rarest drive goes through all of them.
 ENUMERATES = (re.compile(r"\batv12\s*::\s*device\b"), re.compile(r"\bdevice_2026\b"))
@@ -46,13 +46,13 @@ def devices(headers):
                 yield f"{space[1]}::{each.name}"
 
 
-def pdus(headers):
-    """The classes that can be decoded."""
+def functions(headers):
+    """The requests."""
     for text in headers.values():
         lines = declarations.code_of(text).splitlines(keepends=True)
         for each in declarations.declarations(text):
             begin = sum(len(line) for line in lines[:each.line - 1])
-            if each.kind == "type" and DECODES.search("".join(lines)[begin:each.end]):
+            if each.kind == "type" and RULES.search("".join(lines)[begin:each.end]):
                 yield each.name
 
 
@@ -103,11 +103,12 @@ def texts(root, folder, pattern):
 def main(project):
     root = pathlib.Path(project)
     drives = list(devices(texts(root, DEVICES_OF, "*.hpp")))
-    kinds = list(pdus(texts(root, PDUS_OF, "*.hpp")))
+    kinds = list(functions(texts(root, PDUS_OF, "*.hpp")))
+    list_of_functions = (root / FUNCTIONS).read_text(encoding="utf-8")
     files = {path: text for folder in FOLDERS for path, text in texts(root, folder, "*.[ch]pp").items()}
     found = [*differences(DRIVES, files.get(DRIVES, ""), ALL_DRIVES, drives),
-             *differences(PDUS, files.get(PDUS, ""), ALL_PDUS, kinds), *second_lists(files, ALLOWED)]
-    print("\n".join(found) or f"{len(drives)} drives and {len(kinds)} kinds of PDU, each in its list")
+             *differences(FUNCTIONS, list_of_functions, ALL_FUNCTIONS, kinds), *second_lists(files, ALLOWED)]
+    print("\n".join(found) or f"{len(drives)} drives and {len(kinds)} functions, each in its list")
     return 1 if found else 0
 
 

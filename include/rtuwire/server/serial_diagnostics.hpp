@@ -24,7 +24,7 @@ struct no_counts {
     static constexpr void note_overrun() noexcept {}
     static constexpr void note_request() noexcept {}
     static constexpr void count_no_response() noexcept {}
-    static constexpr void note_exception(errc) noexcept {}
+    static constexpr void note_end(function_code, errc) noexcept {}
     [[nodiscard]] static constexpr bool is_listen_only() noexcept { return false; }
 };
 
@@ -115,13 +115,19 @@ public:
     constexpr void note_request() noexcept { ++requests_; }
     /// That request gets no response.
     constexpr void count_no_response() noexcept { ++silences_; }
-    /// That request was refused.
-    constexpr void note_exception(errc code) noexcept
+    /// That request was executed, or refused. The event counter of functions 11 and 12 counts what was executed, but
+    /// function 11.
+    constexpr void note_end(function_code function, errc wrong) noexcept
     {
-        ++exceptions_;
-        naks_ = static_cast<std::uint16_t>(naks_ + (code == errc::negative_acknowledge ? 1 : 0));
-        busy_ = static_cast<std::uint16_t>(busy_ + (code == errc::server_device_busy ? 1 : 0));
+        bool const is_refused = wrong != errc::none;
+        bool const is_event = not is_refused and function != function_code::get_comm_event_counter;
+        events_ = static_cast<std::uint16_t>(events_ + (is_event ? 1 : 0));
+        exceptions_ = static_cast<std::uint16_t>(exceptions_ + (is_refused ? 1 : 0));
+        naks_ = static_cast<std::uint16_t>(naks_ + (wrong == errc::negative_acknowledge ? 1 : 0));
+        busy_ = static_cast<std::uint16_t>(busy_ + (wrong == errc::server_device_busy ? 1 : 0));
     }
+    [[nodiscard]] constexpr std::uint16_t event_count() const noexcept { return events_; }
+    [[nodiscard]] constexpr std::uint16_t message_count() const noexcept { return messages_; }
 
     /// Whether it is in listen-only mode: it neither acts nor responds until it is restarted.
     [[nodiscard]] constexpr bool is_listen_only() const noexcept { return is_listen_only_; }
@@ -200,6 +206,7 @@ private:
     std::uint16_t naks_{0};
     std::uint16_t busy_{0};
     std::uint16_t overruns_{0};
+    std::uint16_t events_{0};
     bool is_listen_only_{false};
 };
 
