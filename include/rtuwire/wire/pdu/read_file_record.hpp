@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <optional>
 
 #include <rtuwire/core/version.hpp>
@@ -83,7 +84,8 @@ private:
     byte_view bytes_{};
 };
 
-/// Reads records of one unit's files: `read_file_record{{{.file = 4, .record = 1, .count = 2}}}`, or with several runs.
+/// Reads records of one unit's files: `read_file_record{file_run{.file = 4, .record = 1, .count = 2}}`, or with several
+/// runs, one after the other.
 template <typename Runs = file_runs> struct read_file_record {
     using response = read_file_record_response;
     static constexpr function_code code = function_code::read_file_record;
@@ -203,5 +205,7 @@ private:
 
 template <std::size_t Count>
 read_file_record(std::array<file_run, Count>) -> read_file_record<std::array<file_run, Count>>;
+template <std::same_as<file_run>... Others>
+read_file_record(file_run, Others...) -> read_file_record<std::array<file_run, 1 + sizeof...(Others)>>;
 
 } // namespace rtuwire
