@@ -122,9 +122,11 @@ public:
     constexpr void accept(result<response> const& outcome) noexcept
     {
         if constexpr (checks_response<Request>) {
-            errc const wrong = outcome ? Request::check_response(this->request_pdu(), outcome->pdu()) : errc::none;
-            if (wrong != errc::none) {
-                return this->settle(wrong);
+            if (outcome and not outcome->pdu().empty()) { // it is after a broadcast
+                errc const wrong = Request::check_response(this->request_pdu(), outcome->pdu());
+                if (wrong != errc::none) {
+                    return this->settle(wrong);
+                }
             }
         }
         base::accept(outcome);
