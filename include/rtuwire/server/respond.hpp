@@ -114,6 +114,13 @@ template <typename Functions, typename Bank, typename Diagnostics>
 [[nodiscard]] constexpr errc respond_to(function_code function, pdu_buffer& pdu, Bank& bank,
                                         server_profile const& profile, Diagnostics& line) noexcept
 {
+    if constexpr (requires { bank.respond(function, pdu); }) {
+        // A function that is not public is the bank's own: no profile names it.
+        if (not all_functions.contains(function)) {
+            auto const own = bank.respond(function, pdu);
+            return own ? *own : errc::illegal_function;
+        }
+    }
     if (not profile.functions.contains(function)) {
         return errc::illegal_function;
     }
@@ -166,8 +173,9 @@ constexpr errc execute(function_code function, pdu_buffer& pdu, Bank& bank, serv
 
 /// Replaces a request PDU sent to one unit by its response or an exception (function + 80, code). In this order:
 /// - no PDU, or a function of 80 or above: no response (size 0), and nothing is done;
-/// - 01: the function is not in `profile.functions`, or is none of 03, 06, 08, 16, 23 and 43, or its limit in
-///   `profile.limits` is 0 (for 23: either of its two);
+/// - a function that is not public: what `respond(function, pdu)` of the bank returns, where it has that; 01 otherwise;
+/// - 01: the function is not in `profile.functions`, or not in `Functions`, or its limit in `profile.limits` is 0 (for
+///   23: either of its two);
 /// - 08: what `Diagnostics` returns; 43: what `write_identification` returns;
 /// - 03: the PDU's size, its byte count (which is twice the quantity) and its quantity (1 to the limit) do not agree.
 ///   Sizes: functions 03 and 06: 5; 16: 6 + byte count; 23: 10 + byte count;

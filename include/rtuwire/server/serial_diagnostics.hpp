@@ -58,7 +58,7 @@ struct loopback_only : no_counts {
 /// | 02  | nothing: the diagnostic register is 0 | |
 /// | 0B  | good frames, of and to any unit | when they end |
 /// | 0C  | frames with a wrong CRC, a damaged byte, below 4 or above 256 bytes | at the silence that ends them |
-/// | 0D  | exceptions, those to broadcasts too; a broadcast of any function but 06 and 16 is one | in `serve` |
+/// | 0D  | exceptions, those to broadcasts too; a broadcast that is no write is one | in `serve` |
 /// | 0E  | requests to this unit or everyone | in `serve`, where they are executed or refused |
 /// | 0F  | requests of 0E that get no response: broadcasts, those in listen-only mode, 08/04 | in `serve` |
 /// |     | responses that were dropped before they left | when dropped |
@@ -85,7 +85,7 @@ public:
         auto const asked = diagnostics<>::decode(request_pdu);
         if (is_listen_only_) {
             if (asked and asked->what == subfunction::restart_communications and is_legal(*asked)) {
-                *this = {};
+                clear();
             }
             pdu.size = 0;
             return errc::none;
@@ -120,7 +120,8 @@ public:
     constexpr void note_end(function_code function, errc wrong) noexcept
     {
         bool const is_refused = wrong != errc::none;
-        bool const is_event = not is_refused and function != function_code::get_comm_event_counter;
+        bool const is_event = not is_refused and not is_cleared_ and function != function_code::get_comm_event_counter;
+        is_cleared_ = false;
         events_ = static_cast<std::uint16_t>(events_ + (is_event ? 1 : 0));
         exceptions_ = static_cast<std::uint16_t>(exceptions_ + (is_refused ? 1 : 0));
         naks_ = static_cast<std::uint16_t>(naks_ + (wrong == errc::negative_acknowledge ? 1 : 0));
@@ -186,10 +187,16 @@ private:
         return nullptr;
     }
 
+    constexpr void clear() noexcept
+    {
+        *this = {};
+        is_cleared_ = true;
+    }
+
     constexpr void act(subfunction what) noexcept
     {
         if (what == subfunction::restart_communications or what == subfunction::clear_counters) {
-            *this = {};
+            clear();
         } else if (what == subfunction::force_listen_only) {
             is_listen_only_ = true;
         } else if (what == subfunction::clear_overrun_counter) {
@@ -208,6 +215,7 @@ private:
     std::uint16_t overruns_{0};
     std::uint16_t events_{0};
     bool is_listen_only_{false};
+    bool is_cleared_{false}; ///< by the request that is executed, which is no event then
 };
 
 } // namespace rtuwire

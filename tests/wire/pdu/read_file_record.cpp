@@ -39,7 +39,7 @@ STATIC_CHECK(verdict({1, 0, 1}) == errc::none and verdict({0xFFFF, 9999, 1}) == 
 STATIC_CHECK(verdict({1, 9998, 2}) == errc::none and verdict({1, 9998, 3}) == errc::invalid_address_range);
 STATIC_CHECK(verdict({1, 10'000, 1}) == errc::invalid_address_range);
 STATIC_CHECK(verdict({1, 0xFFFF, 0xFFFF}) == errc::invalid_address_range);
-STATIC_CHECK(verdict({0, 0, 1}) == errc::invalid_quantity and verdict({1, 0, 0}) == errc::invalid_quantity);
+STATIC_CHECK(verdict({0, 0, 1}) == errc::invalid_address_range and verdict({1, 0, 0}) == errc::invalid_quantity);
 // A response has 245 bytes at most behind its byte count: two for each run, and two for each record.
 STATIC_CHECK(verdict({1, 0, 121}) == errc::none and verdict({1, 0, 122}) == errc::invalid_quantity);
 

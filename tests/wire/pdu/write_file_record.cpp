@@ -32,24 +32,24 @@ PROOF("function 21 is read with several runs", reads_several_runs)
 constexpr errc told(byte_view pdu) { return file_writes::decode(pdu).error(); }
 STATIC_CHECK(told("15 09 06 00 04 00 07 00 01 06 AF"_hex) == errc::none);
 STATIC_CHECK(told("14 09 06 00 04 00 07 00 01 06 AF"_hex) == errc::wrong_function);
-STATIC_CHECK(told("15 09 07 00 04 00 07 00 01 06 AF"_hex) == errc::malformed); // another reference
-STATIC_CHECK(told("15 09 06 00 04 00 07 00 02 06 AF"_hex) == errc::malformed); // more records than bytes
-STATIC_CHECK(told("15 09 06 00 04 00 07 FF FF 06 AF"_hex) == errc::malformed);
-STATIC_CHECK(told("15 0A 06 00 04 00 07 00 01 06 AF 06"_hex) == errc::malformed); // the beginning of a run
-STATIC_CHECK(told("15 09 06 00 00 00 07 00 01 06 AF"_hex) == errc::invalid_quantity);
+STATIC_CHECK(told("15 09 07 00 04 00 07 00 01 06 AF"_hex) == errc::malformed);    // another reference
+STATIC_CHECK(told("15 09 06 00 04 00 07 00 02 06 AF"_hex) == errc::wrong_length); // more records than bytes
+STATIC_CHECK(told("15 09 06 00 04 00 07 FF FF 06 AF"_hex) == errc::wrong_length);
+STATIC_CHECK(told("15 0A 06 00 04 00 07 00 01 06 AF 06"_hex) == errc::wrong_length); // the beginning of a run
+STATIC_CHECK(told("15 09 06 00 00 00 07 00 01 06 AF"_hex) == errc::invalid_address_range);
 STATIC_CHECK(told("15 07 06 00 04 00 07 00 00"_hex) == errc::invalid_quantity);
 STATIC_CHECK(told("15 09 06 00 04 27 10 00 01 06 AF"_hex) == errc::invalid_address_range);
 STATIC_CHECK(told("15 09 06 00 04 27 0F 00 01 06 AF"_hex) == errc::none);
 STATIC_CHECK(told("15 0B 06 00 04 27 0F 00 02 06 AF 00 00"_hex) == errc::invalid_address_range);
-STATIC_CHECK(told("15 00"_hex) == errc::malformed and told("15"_hex) == errc::wrong_length);
+STATIC_CHECK(told("15 00"_hex) == errc::invalid_quantity and told("15"_hex) == errc::wrong_length);
 STATIC_CHECK(told("15 08 06 00 04 00 07 00 01 06 AF"_hex) == errc::wrong_length);
 // Of several runs, each one.
-STATIC_CHECK(told("15 12 06 00 04 00 07 00 01 06 AF 06 00 00 00 07 00 01 06 AF"_hex) == errc::invalid_quantity);
+STATIC_CHECK(told("15 12 06 00 04 00 07 00 01 06 AF 06 00 00 00 07 00 01 06 AF"_hex) == errc::invalid_address_range);
 
 constexpr bool is_refused_outside()
 {
     using test::is;
-    return is(test::is_refused(write_file_record{0, 7, records}, errc::invalid_quantity), "file 0") and
+    return is(test::is_refused(write_file_record{0, 7, records}, errc::invalid_address_range), "file 0") and
            is(test::is_refused(write_file_record{4, 9998, records}, errc::invalid_address_range),
               "past record 9999") and
            is(write_file_record{0xFFFF, 9997, records}.check() == errc::none, "the last records");
@@ -80,7 +80,8 @@ TEST_CASE("a request of function 21 is read only in whole runs that fill it")
         test::exact_bytes part{byte_view{whole}.first(size)};
         CHECK(file_writes::decode(part.view()).error() == (size == whole.size() ? errc::none : errc::wrong_length));
         part.span()[1] = to_byte(static_cast<std::uint32_t>(size - 2));
-        CHECK(file_writes::decode(part.view()).error() ==
-              (size == 13 or size == whole.size() ? errc::none : errc::malformed));
+        CHECK(file_writes::decode(part.view()).error() == (size == 13 or size == whole.size() ? errc::none
+                                                           : size == 2                        ? errc::invalid_quantity
+                                                                                              : errc::wrong_length));
     }
 }

@@ -26,10 +26,11 @@ struct file_run {
     [[nodiscard]] constexpr errc check() const noexcept
     {
         constexpr std::uint32_t records = 10'000;
-        if (count == 0 or file == 0) {
+        if (count == 0) {
             return errc::invalid_quantity;
         }
-        return std::uint32_t{record} + count <= records ? errc::none : errc::invalid_address_range;
+        bool const is_there = file != 0 and std::uint32_t{record} + count <= records;
+        return is_there ? errc::none : errc::invalid_address_range;
     }
 
     friend constexpr bool operator==(file_run const&, file_run const&) = default;
@@ -48,6 +49,15 @@ inline constexpr std::size_t file_run_size = 7;
 [[nodiscard]] constexpr file_run file_run_at(byte_view bytes, std::size_t at) noexcept
 {
     return {u16_at(bytes, at + 1), u16_at(bytes, at + 3), u16_at(bytes, at + 5)};
+}
+
+/// The exception to a request in which its decoder found this: another reference, file or record is an address to the
+/// specification's diagrams.
+/// Internal.
+[[nodiscard]] constexpr errc file_exception(errc wrong) noexcept
+{
+    bool const is_address = wrong == errc::malformed or wrong == errc::invalid_address_range;
+    return is_address ? errc::illegal_data_address : errc::illegal_data_value;
 }
 
 /// Writes a run's head.

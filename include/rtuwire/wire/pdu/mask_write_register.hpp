@@ -66,6 +66,9 @@ struct mask_write_register {
         if (errc const wrong = at.bank.read(asked->address, 1, out); wrong != errc::none) {
             return wrong;
         }
+        if (out.size() != word.size()) {
+            return errc::server_device_failure;
+        }
         register_block<1> const value{asked->applied_to(u16_at(word, 0))};
         if (errc const wrong = at.bank.check_write(asked->address, value); wrong != errc::none) {
             return wrong;

@@ -91,8 +91,11 @@ struct read_fifo_queue {
         if (errc const wrong = at.bank.read_fifo(asked->address, out); wrong != errc::none) {
             return wrong;
         }
-        if (out.size() > 2 * response::most or out.size() % 2 != 0) {
+        if (out.size() > 2 * response::most) {
             return errc::illegal_data_value; // more than a response carries (AP 6.18)
+        }
+        if (out.size() % 2 != 0) {
+            return errc::server_device_failure;
         }
         put_u16(&pdu.bytes[1], static_cast<std::uint16_t>(2 + out.size()));
         put_u16(&pdu.bytes[3], static_cast<std::uint16_t>(out.size() / 2));

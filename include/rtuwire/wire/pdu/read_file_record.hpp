@@ -148,7 +148,7 @@ template <typename Runs = file_runs> struct read_file_record {
         byte_view const asked_pdu = copy_of(pdu.view(), request);
         auto const asked = decode(asked_pdu);
         if (not asked) {
-            return errc::illegal_data_value;
+            return file_exception(asked.error());
         }
         for (std::size_t i = 0; i < asked->runs.size(); ++i) {
             if (errc const wrong = at.bank.check_read_file(asked->runs[i]); wrong != errc::none) {

@@ -45,6 +45,9 @@ struct file_writes {
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
+        if (not is_quantity(data.size(), max_size - 2)) {
+            return errc::invalid_quantity;
+        }
         byte_view rest = data;
         while (has_run(rest)) {
             if (errc const wrong = file_run_at(rest, 0).check(); wrong != errc::none) {
@@ -52,13 +55,16 @@ struct file_writes {
             }
             rest = rest.subspan(size_of_run(rest));
         }
-        return data.empty() or not rest.empty() or data.size() > max_size - 2 ? errc::malformed : errc::none;
+        if (rest.empty()) {
+            return errc::none;
+        }
+        return to_u8(rest[0]) == file_reference ? errc::wrong_length : errc::malformed;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 2 + data.size(); }
     constexpr void write(byte_writer& out) const noexcept { write_counted(out, code, data); }
 
-    /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `malformed` where whole runs do not fill it, and those of
-    /// a `file_run`.
+    /// Reads a PDU. Errors: `wrong_function`, `wrong_length` (where whole runs do not fill it too), `malformed` for
+    /// another reference than 6, `invalid_quantity` without a run, and those of a `file_run`.
     [[nodiscard]] static constexpr result<file_writes> decode(byte_view pdu) noexcept
     {
         auto const bytes = decode_counted(pdu, code);
@@ -121,7 +127,7 @@ template <typename Words = register_view> struct write_file_record {
             "a server of function 21 needs a bank with check_write_file(run, values) and write_file(run, values)");
         auto const asked = decode(pdu.view());
         if (not asked) {
-            return errc::illegal_data_value;
+            return file_exception(asked.error());
         }
         for (std::size_t i = 0; auto const each = asked->run(i); ++i) {
             if (errc const wrong = at.bank.check_write_file(each->run, each->values); wrong != errc::none) {
