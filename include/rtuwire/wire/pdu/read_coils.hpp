@@ -54,13 +54,16 @@ struct read_coils {
         return decode_run<read_coils>(pdu, max_bit_quantity);
     }
 
+    /// Whether a bank has what this function serves.
+    /// Internal.
+    template <typename Bank> static constexpr bool is_served_by = requires(Bank bank) { bank.coils(); };
+
     /// Answers a request.
     /// Internal.
     template <typename Memory, typename Server>
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
-        static_assert(
-            requires { at.bank.coils(); }, "a server of function 01 needs a bank with coils()");
+        static_assert(is_served_by<decltype(at.bank)>, "a server of function 01 needs a bank with coils()");
         return respond_with_bits<read_coils>(pdu, at.bank.coils());
     }
 

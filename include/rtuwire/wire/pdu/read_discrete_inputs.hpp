@@ -54,13 +54,16 @@ struct read_discrete_inputs {
         return decode_run<read_discrete_inputs>(pdu, max_bit_quantity);
     }
 
+    /// Whether a bank has what this function serves.
+    /// Internal.
+    template <typename Bank> static constexpr bool is_served_by = requires(Bank bank) { bank.discrete_inputs(); };
+
     /// Answers a request.
     /// Internal.
     template <typename Memory, typename Server>
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
-        static_assert(
-            requires { at.bank.discrete_inputs(); }, "a server of function 02 needs a bank with discrete_inputs()");
+        static_assert(is_served_by<decltype(at.bank)>, "a server of function 02 needs a bank with discrete_inputs()");
         return respond_with_bits<read_discrete_inputs>(pdu, at.bank.discrete_inputs());
     }
 

@@ -59,13 +59,16 @@ struct read_exception_status {
         return read_exception_status{};
     }
 
+    /// Whether a bank has what this function serves.
+    /// Internal.
+    template <typename Bank> static constexpr bool is_served_by = requires(Bank bank) { bank.exception_status(); };
+
     /// Answers a request.
     /// Internal.
     template <typename Memory, typename Server>
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
-        static_assert(
-            requires { at.bank.exception_status(); }, "a server of function 07 needs a bank with exception_status()");
+        static_assert(is_served_by<decltype(at.bank)>, "a server of function 07 needs a bank with exception_status()");
         if (not decode(pdu.view())) {
             return errc::illegal_data_value;
         }

@@ -74,14 +74,20 @@ struct read_fifo_queue {
         return read_fifo_queue{u16_at(pdu, 1)};
     }
 
+    /// Whether a bank has what this function serves.
+    /// Internal.
+    template <typename Bank> static constexpr bool is_served_by = requires(Bank bank, byte_writer& out)
+    {
+        bank.read_fifo(std::uint16_t{}, out);
+    };
+
     /// Answers a request.
     /// Internal.
     template <typename Memory, typename Server>
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
-        static_assert(
-            requires(byte_writer & out) { at.bank.read_fifo(std::uint16_t{}, out); },
-            "a server of function 24 needs a bank with read_fifo(address, out)");
+        static_assert(is_served_by<decltype(at.bank)>,
+                      "a server of function 24 needs a bank with read_fifo(address, out)");
         constexpr std::size_t head = 5;
         auto const asked = decode(pdu.view());
         if (not asked) {

@@ -136,14 +136,20 @@ template <typename Runs = file_runs> struct read_file_record {
         return response_pdu.size() == at and at == 2U + to_u8(response_pdu[1]) ? errc::none : errc::wrong_length;
     }
 
+    /// Whether a bank has what this function serves.
+    /// Internal.
+    template <typename Bank> static constexpr bool is_served_by = requires(Bank bank, byte_writer& out, file_run run)
+    {
+        bank.read_file(run, out);
+    };
+
     /// Answers a request.
     /// Internal.
     template <typename Memory, typename Server>
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
-        static_assert(
-            requires(byte_writer & out, file_run run) { at.bank.read_file(run, out); },
-            "a server of function 20 needs a bank with check_read_file(run) and read_file(run, out)");
+        static_assert(is_served_by<decltype(at.bank)>,
+                      "a server of function 20 needs a bank with check_read_file(run) and read_file(run, out)");
         std::array<std::byte, max_size> request{}; // its runs are read while their records are written
         byte_view const asked_pdu = copy_of(pdu.view(), request);
         auto const asked = decode(asked_pdu);

@@ -54,13 +54,16 @@ struct read_input_registers {
         return decode_run<read_input_registers>(pdu, max_read_quantity);
     }
 
+    /// Whether a bank has what this function serves.
+    /// Internal.
+    template <typename Bank> static constexpr bool is_served_by = requires(Bank bank) { bank.input_registers(); };
+
     /// Answers a request.
     /// Internal.
     template <typename Memory, typename Server>
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
-        static_assert(
-            requires { at.bank.input_registers(); }, "a server of function 04 needs a bank with input_registers()");
+        static_assert(is_served_by<decltype(at.bank)>, "a server of function 04 needs a bank with input_registers()");
         return respond_with_registers<read_input_registers>(pdu, at.bank.input_registers());
     }
 

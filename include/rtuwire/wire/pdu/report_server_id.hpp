@@ -54,13 +54,16 @@ struct report_server_id {
         return report_server_id{};
     }
 
+    /// Whether a bank has what this function serves.
+    /// Internal.
+    template <typename Bank> static constexpr bool is_served_by = requires(Bank bank) { bank.server_id(); };
+
     /// Answers a request.
     /// Internal.
     template <typename Memory, typename Server>
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
-        static_assert(
-            requires { at.bank.server_id(); }, "a server of function 17 needs a bank with server_id()");
+        static_assert(is_served_by<decltype(at.bank)>, "a server of function 17 needs a bank with server_id()");
         if (not decode(pdu.view())) {
             return errc::illegal_data_value;
         }

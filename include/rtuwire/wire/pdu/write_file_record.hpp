@@ -117,13 +117,21 @@ template <typename Words = register_view> struct write_file_record {
         return file_writes::decode(pdu);
     }
 
+    /// Whether a bank has what this function serves.
+    /// Internal.
+    template <typename Bank>
+    static constexpr bool is_served_by = requires(Bank bank, file_run where, register_view words)
+    {
+        bank.write_file(where, words);
+    };
+
     /// Answers a request.
     /// Internal.
     template <typename Memory, typename Server>
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
         static_assert(
-            requires(file_run where, register_view words) { at.bank.write_file(where, words); },
+            is_served_by<decltype(at.bank)>,
             "a server of function 21 needs a bank with check_write_file(run, values) and write_file(run, values)");
         auto const asked = decode(pdu.view());
         if (not asked) {

@@ -39,13 +39,16 @@ struct write_single_coil {
         return write_single_coil{u16_at(pdu, 1), value == on};
     }
 
+    /// Whether a bank has what this function serves.
+    /// Internal.
+    template <typename Bank> static constexpr bool is_served_by = requires(Bank bank) { bank.coils(); };
+
     /// Answers a request.
     /// Internal.
     template <typename Memory, typename Server>
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
-        static_assert(
-            requires { at.bank.coils(); }, "a server of function 05 needs a bank with coils()");
+        static_assert(is_served_by<decltype(at.bank)>, "a server of function 05 needs a bank with coils()");
         auto const asked = decode(pdu.view());
         if (not asked) {
             return errc::illegal_data_value;
