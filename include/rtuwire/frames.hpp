@@ -12,12 +12,7 @@
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/errc_category.hpp>
 #include <rtuwire/wire/errc_name.hpp>
-#include <rtuwire/wire/pdu/device_identification.hpp>
-#include <rtuwire/wire/pdu/diagnostics.hpp>
+#include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/pdu/exception.hpp>
 #include <rtuwire/wire/pdu/raw.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
-#include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
 #include <rtuwire/wire/response.hpp>

@@ -8,6 +8,7 @@
 #include <rtuwire/rtu/interrupt_queue.hpp>
 #include <rtuwire/rtu/receive_from.hpp>
 #include <rtuwire/server/bank.hpp>
+#include <rtuwire/server/bit_bank.hpp>
 #include <rtuwire/server/blocking.hpp>
 #include <rtuwire/server/identification.hpp>
 #include <rtuwire/server/response_frame.hpp>

@@ -8,6 +8,7 @@
 #include "support/catch.hpp"
 
 #include <rtuwire/core/hex.hpp>
+#include <rtuwire/wire/pdu/read_file_record.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 #include <rtuwire/wire/pdu/write_single_register.hpp>
 
@@ -115,6 +116,18 @@ TEST_CASE("what lay in the port before the request does not answer it")
     auto const response = line.ask(unit_id{1}, request);
     REQUIRE(response);
     CHECK(response->registers[0] == 0x1234);
+}
+
+TEST_CASE("a waiting client takes the records of another read of a file for none")
+{
+    scripted_port port = responding("01 14 04 03 06 33 CD CC 34"_hex);
+    port.answers.push_back(line_of("01 14 06 05 06 0D FE 00 20 8B 4E"_hex));
+    blocking_client line{port, timing};
+    read_file_record const two_records{file_run{.file = 4, .record = 1, .count = 2}};
+    CHECK(line.ask(unit_id{1}, two_records) == errc::response_mismatch);
+    auto const told = line.ask(unit_id{1}, two_records);
+    REQUIRE(told);
+    CHECK((*told->run(0))[1] == 0x0020);
 }
 
 TEST_CASE("a command to all ends without a response")

@@ -174,7 +174,7 @@ template <std::size_t Size> constexpr std::uint16_t after_broadcast(std::array<s
 {
     auto bank = fresh();
     std::array<std::byte, max_pdu_size> place{};
-    if (request_head{static_cast<function_code>(to_u8(request[0])), true}.has_effect()) {
+    if (request_head{static_cast<function_code>(to_u8(request[0])), true}.has_effect<register_functions>()) {
         static_cast<void>(respond(request, bank, drive, place));
     }
     return bank.get(105);

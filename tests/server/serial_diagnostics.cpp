@@ -19,6 +19,7 @@ constexpr std::uint16_t nothing = 0xFFFF;
 /// Unit 1 with one register, and its line.
 template <typename Server = counting_server> struct counted : test::server_on_a_line<Server, word_bank<1>> {
     using base = test::server_on_a_line<Server, word_bank<1>>;
+    using base::ask;
     using base::line;
     using base::node;
     using base::now;
@@ -28,25 +29,6 @@ template <typename Server = counting_server> struct counted : test::server_on_a_
     {
         this->receive(bytes);
         pass(line.t3_5());
-    }
-
-    /// What it answers to a PDU for a unit; the bytes are valid until the next.
-    constexpr byte_view ask(byte_view pdu, std::uint8_t unit = 1)
-    {
-        std::array<std::byte, max_adu_size> frame{};
-        byte_writer out{frame};
-        out.u8(unit);
-        out.bytes(pdu);
-        std::uint16_t const crc = crc16(out.written());
-        out.u8(crc & 0xFFU);
-        out.u8(std::uint32_t{crc} >> 8U);
-        hear(out.written());
-        byte_view const response = node.poll_transmit();
-        if (not response.empty()) {
-            node.sent(now);
-        }
-        pass(line.t3_5());
-        return response;
     }
 
     /// The word that a sub-function returns.
@@ -204,9 +186,9 @@ constexpr auto exceptions = "08 00 0D 00 00"_hex;
 constexpr bool counts_kinds_of_refusal()
 {
     serial_diagnostics unit;
-    unit.note_exception(errc::negative_acknowledge);
-    unit.note_exception(errc::server_device_busy);
-    unit.note_exception(errc::server_device_busy);
+    unit.note_end(function_code::diagnostics, errc::negative_acknowledge);
+    unit.note_end(function_code::diagnostics, errc::server_device_busy);
+    unit.note_end(function_code::diagnostics, errc::server_device_busy);
     auto const counted = [&unit](byte_view asked, std::uint16_t count) {
         std::array<std::byte, max_pdu_size> bytes{};
         byte_writer{bytes}.bytes(asked);

@@ -11,10 +11,10 @@ import sys
 
 import declarations
 
-DRIVES, PDUS = "include/rtuwire/altivar/all_drives.hpp", "tests/support/pdus.hpp"
+DRIVES, FUNCTIONS = "include/rtuwire/altivar/all_drives.hpp", "include/rtuwire/wire/functions.hpp"
 # Headers, by where they are, and what the list of their types is called.
 DEVICES_OF, PDUS_OF = "include/rtuwire/altivar", "include/rtuwire/wire/pdu"
-ALL_DRIVES, ALL_PDUS = "all_drives", "all_pdus"
+ALL_DRIVES, ALL_FUNCTIONS = "all_drives", "public_functions"
 
 # Headers of single drives, by where they are or by their namespace; others know no drive. An include of one is no code.
 OWN = ("include/rtuwire/altivar/device/", "include/rtuwire/altivar/atv")
@@ -25,8 +25,8 @@ NAMED_DRIVE = re.compile(r"\batv\d+\w*\b(?!\.hpp)")
 
 DRIVE_SPACE = re.compile(r"rtuwire::altivar::(atv\w+)")
 DEVICE = re.compile(r"device\w*")
-# A PDU is a class that can be decoded.
-DECODES = re.compile(r"\bstatic\b[^;{}]*\bdecode\s*\(")
+# A function is the class of its request, which has the rules of its frames.
+RULES = re.compile(r"\bframe_rules\s+rules\b")
 
 # A file that names the first and the rarest drive goes through all of them.
 ENUMERATES = (re.compile(r"\batv12\s*::\s*device\b"), re.compile(r"\bdevice_2026\b"))
@@ -52,13 +52,13 @@ def devices(headers):
                 yield f"{space[1]}::{each.name}"
 
 
-def pdus(headers):
-    """The classes that can be decoded."""
+def functions(headers):
+    """The requests."""
     for text in headers.values():
         lines = declarations.code_of(text).splitlines(keepends=True)
         for each in declarations.declarations(text):
             begin = sum(len(line) for line in lines[:each.line - 1])
-            if each.kind == "type" and DECODES.search("".join(lines)[begin:each.end]):
+            if each.kind == "type" and RULES.search("".join(lines)[begin:each.end]):
                 yield each.name
 
 
@@ -119,15 +119,16 @@ def texts(root, folder, pattern):
 def main(project):
     root = pathlib.Path(project)
     drives = list(devices(texts(root, DEVICES_OF, "*.hpp")))
-    kinds = list(pdus(texts(root, PDUS_OF, "*.hpp")))
+    kinds = list(functions(texts(root, PDUS_OF, "*.hpp")))
+    list_of_functions = (root / FUNCTIONS).read_text(encoding="utf-8")
     files = {path: text for folder in FOLDERS for path, text in texts(root, folder, "*.[ch]pp").items()}
     headers = texts(root, "include/rtuwire", "*.hpp")
     # The one list is public; the door of everything includes the doors of all drives.
     files.update({path: text for path, text in headers.items() if path != DRIVES})
     found = [*differences(DRIVES, headers.get(DRIVES, ""), ALL_DRIVES, drives),
-             *differences(PDUS, files.get(PDUS, ""), ALL_PDUS, kinds), *second_lists(files, ALLOWED),
+             *differences(FUNCTIONS, list_of_functions, ALL_FUNCTIONS, kinds), *second_lists(files, ALLOWED),
              *named_drives(headers)]
-    print("\n".join(found) or f"{len(drives)} drives and {len(kinds)} kinds of PDU, each in its list")
+    print("\n".join(found) or f"{len(drives)} drives and {len(kinds)} functions, each in its list")
     return 1 if found else 0
 
 

@@ -20,19 +20,17 @@ struct row { struct device_inside {}; };
 }
 """
 
-PDUS = """#pragma once
+FUNCTIONS = """#pragma once
 namespace rtuwire {
-enum class kind : int { a };
-constexpr bool decode(int);
-struct part { int a; };
+struct frame_rules { int a; };
+struct answer { static result<answer> decode(byte_view pdu); };
 struct request {
-    using response = answer<>;
-    [[nodiscard]] static constexpr result<request> decode(byte_view pdu) noexcept { return {}; }
+    using response = answer;
+    static constexpr frame_rules rules{1};
 };
-template <typename Words = register_view> struct answer {
-    static result<answer> decode(byte_view pdu);
+template <typename Words = register_view> struct ask {
+    static constexpr frame_rules rules{2};
 };
-struct caller { int a{decode(1)}; };
 }
 """
 
@@ -41,8 +39,8 @@ class Headers(unittest.TestCase):
     def test_devices_are_found(self):
         self.assertEqual(list(lists.devices({"a.hpp": DEVICES})), ["atv99::device", "atv99::device_2030"])
 
-    def test_pdus_are_found(self):
-        self.assertEqual(list(lists.pdus({"a.hpp": PDUS})), ["request", "answer"])
+    def test_functions_are_found(self):
+        self.assertEqual(list(lists.functions({"a.hpp": FUNCTIONS})), ["request", "ask"])
 
 
 class Lists(unittest.TestCase):
@@ -50,7 +48,7 @@ class Lists(unittest.TestCase):
 using some = drive_list<altivar::atv1::device>;
 using all_drives = drive_list<altivar::atv1::device, // the first
                               rtuwire::altivar::atv2::device>;
-using all_pdus = type_list<request, answer<>, page<pair<int, char>>>;
+using all_functions = type_list<request, answer<>, page<pair<int, char>>>;
 """
 
     def found(self, *defined, name="all_drives", text=TEXT):
@@ -58,13 +56,13 @@ using all_pdus = type_list<request, answer<>, page<pair<int, char>>>;
 
     def test_a_list_is_read(self):
         self.assertEqual(lists.listed(self.TEXT, "all_drives"), ["atv1::device", "atv2::device"])
-        self.assertEqual(lists.listed(self.TEXT, "all_pdus"), ["request", "answer", "page"])
+        self.assertEqual(lists.listed(self.TEXT, "all_functions"), ["request", "answer", "page"])
         self.assertEqual(self.found("atv1::device", "atv2::device"), [])
 
     def test_a_list_lacks_one(self):
         found = self.found("atv1::device", "atv2::device", "atv2::device_2030")
         self.assertEqual(found, ["tests/a.hpp: all_drives lacks atv2::device_2030"])
-        self.assertEqual(len(self.found("request", "answer", "page", "other", name="all_pdus")), 1)
+        self.assertEqual(len(self.found("request", "answer", "page", "other", name="all_functions")), 1)
 
     def test_a_list_holds_what_is_not_there(self):
         self.assertEqual(len(self.found("atv1::device")), 1)

@@ -82,6 +82,26 @@ template <typename Server = server, typename Bank = word_bank<4>> struct server_
         return is_right;
     }
 
+    /// What it answers to a PDU for a unit; the bytes are valid until the next.
+    constexpr byte_view ask(byte_view pdu, std::uint8_t unit = 1)
+    {
+        std::array<std::byte, max_adu_size> frame{};
+        byte_writer out{frame};
+        out.u8(unit);
+        out.bytes(pdu);
+        std::uint16_t const crc = crc16(out.written());
+        out.u8(crc & 0xFFU);
+        out.u8(std::uint32_t{crc} >> 8U);
+        receive(out.written());
+        pass(line.t3_5());
+        byte_view const response = node.poll_transmit();
+        if (not response.empty()) {
+            node.sent(now);
+        }
+        pass(line.t3_5());
+        return response;
+    }
+
     constexpr bool is_silent()
     {
         pass(milliseconds(500));

@@ -8,6 +8,7 @@
 #include "support/exact.hpp"
 #include "support/proof.hpp"
 #include "support/random.hpp"
+#include "support/verdict.hpp"
 
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
@@ -16,18 +17,9 @@
 #include <rtuwire/wire/pdu/write_single_register.hpp>
 
 using namespace rtuwire;
+using rtuwire::test::verdict;
 
 namespace {
-
-/// Of a response whose CRC nobody looks at any more.
-constexpr errc verdict(byte_view request, byte_view response_pdu, std::uint8_t unit = 2)
-{
-    std::array<std::byte, 32> place{};
-    byte_writer out{place};
-    out.u8(unit);
-    out.bytes(response_pdu);
-    return check_response(request, adu{byte_view{place}.first(response_pdu.size() + adu_overhead)});
-}
 
 constexpr auto read = "02 03 0C 81 00 01 D7 41"_hex;
 STATIC_CHECK(verdict(read, "03 02 12 34"_hex) == errc::none);
@@ -203,6 +195,14 @@ errc verdict_on(request const& asked, request const& answered)
 }
 
 } // namespace
+
+TEST_CASE("so it is whatever the function")
+{
+    for (std::uint8_t code = 1; code < 0x80; ++code) {
+        CAPTURE(unsigned{code});
+        CHECK(is_safe_for(code));
+    }
+}
 
 TEST_CASE("a response to another request is never accepted, and the right one always")
 {

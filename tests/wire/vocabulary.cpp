@@ -10,7 +10,7 @@
 #include "support/errors.hpp"
 #include "support/proof.hpp"
 
-#include <rtuwire/wire/function.hpp>
+#include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
@@ -115,18 +115,22 @@ constexpr bool holds_what_it_was_given()
     return true;
 }
 
-constexpr bool says_which_functions_it_answers()
+// The public function codes of the specification (AP 5.1), as data.
+constexpr std::array<unsigned, 19> codes_of_the_specification{1,  2,  3,  4,  5,  6,  7,  8,  11, 12,
+                                                              15, 16, 17, 20, 21, 22, 23, 24, 43};
+
+constexpr bool has_every_public_function()
 {
     unsigned count = 0;
     for (std::uint32_t code = 0; code <= 0xFF; ++code) {
         count += all_functions.contains(static_cast<function_code>(code)) ? 1U : 0U;
     }
-    using enum function_code;
-    return count == 6 and all_functions == function_set{encapsulated_interface,   read_write_multiple_registers,
-                                                        write_multiple_registers, diagnostics,
-                                                        write_single_register,    read_holding_registers};
+    for (unsigned const code : codes_of_the_specification) {
+        count -= all_functions.contains(static_cast<function_code>(code)) ? 1U : 0U;
+    }
+    return count == 0 and all_functions != function_set{};
 }
-PROOF("rtuwire answers six functions", says_which_functions_it_answers)
+PROOF("all public functions of the specification are known, and no other", has_every_public_function)
 
 STATIC_CHECK(not unit_id::checked(0xFFFF'FFFF) and not unit_id::checked(256 + 7));
 STATIC_CHECK(is_address_range(65535, 0) and not is_address_range(65535, 65535));

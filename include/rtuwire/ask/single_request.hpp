@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -13,17 +14,29 @@
 #include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/ask/finite_conversation.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/adu.hpp>
+#include <rtuwire/wire/frame_rules.hpp>
 #include <rtuwire/wire/limits.hpp>
-#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The largest response PDU to a request of this type, in bytes.
 /// Internal.
 template <typename Request> inline constexpr std::size_t largest_response = max_pdu_size;
-template <> inline constexpr std::size_t largest_response<write_single_register> = 5;
-template <typename Words> inline constexpr std::size_t largest_response<write_multiple_registers<Words>> = 5;
+template <typename Request>
+    requires requires { Request::response::max_size; }
+inline constexpr std::size_t largest_response<Request> = Request::response::max_size;
+
+/// A request that knows more of its response than the client compares: its conversation asks `check_response` of it.
+/// Internal.
+template <typename Request>
+concept checks_response = requires(byte_view bytes)
+{
+    {
+        Request::check_response(bytes, bytes)
+        } -> std::same_as<errc>;
+}
+and not requires { requires Request::rules.answers == answer_rule::own; };
 
 /// One request in a frame of at most `FrameSize` bytes, and room for a response PDU of `ResponseSize`.
 /// Internal.
@@ -86,6 +99,10 @@ public:
     }
     result<response> outcome() const&& = delete;
 
+protected:
+    /// What was asked, of a request that could be encoded.
+    [[nodiscard]] constexpr byte_view request_pdu() const noexcept { return pdu_of(byte_view{frame_}.first(size_)); }
+
 private:
     std::uint16_t size_{0};
     std::array<std::byte, FrameSize> frame_{};
@@ -96,15 +113,28 @@ private:
 /// The conversation of one request of a type: `single_request ask{unit_id{7}, read_holding_registers{...}}`.
 template <pdu Request>
 class single_request : public sized_request<Request::max_size + adu_overhead, largest_response<Request>> {
-public:
-    using sized_request<Request::max_size + adu_overhead, largest_response<Request>>::sized_request;
+    using base = sized_request<Request::max_size + adu_overhead, largest_response<Request>>;
 
-    template <typename To>
-    constexpr single_request(To to, Request const& request) noexcept
-        : sized_request<Request::max_size + adu_overhead, largest_response<Request>>{to, request}
+public:
+    using base::base;
+
+    template <typename To> constexpr single_request(To to, Request const& request) noexcept : base{to, request}
     {
         static_assert(std::same_as<To, unit_id> or broadcastable<Request>,
                       "a broadcast has no response, so only a write can be broadcast");
+    }
+
+    constexpr void accept(result<response> const& outcome) noexcept
+    {
+        if constexpr (checks_response<Request>) {
+            if (outcome and not outcome->pdu().empty()) { // it is after a broadcast
+                errc const wrong = Request::check_response(this->request_pdu(), outcome->pdu());
+                if (wrong != errc::none) {
+                    return this->settle(wrong);
+                }
+            }
+        }
+        base::accept(outcome);
     }
 };
 

@@ -16,8 +16,8 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Reads the bytes that have arrived or arrive within `time_limit`, and responds to a request. The port
 /// must not echo what is sent: the response to function 06 looks like its request. Errors: those of the port.
-template <typename Diagnostics, typename Port, register_bank Bank>
-result<void> serve_once(basic_server<Diagnostics>& node, Port& port, Bank& bank, duration time_limit)
+template <typename Diagnostics, typename Functions, typename Port, typename Bank>
+result<void> serve_once(basic_server<Diagnostics, Functions>& node, Port& port, Bank& bank, duration time_limit)
 {
     constexpr duration write_limit = milliseconds(1000);
     std::array<std::byte, max_adu_size> input;

@@ -10,19 +10,33 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/identification.hpp>
 #include <rtuwire/wire/errc.hpp>
-#include <rtuwire/wire/function.hpp>
+#include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/register_view.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// What a server can do. The defaults are the specification's limits and every function that rtuwire supports; a
-/// device's manual may allow less.
+/// What a server can do. The defaults are the specification's limits and every function that the server has in its
+/// type; a device's manual may allow less.
 struct server_profile {
     function_set functions{all_functions};
     device_limits limits{};
     device_objects identity{}; ///< without objects, function 43 is not supported
 };
+
+/// The functions of a server that has registers only: 03, 06, 08, 16, 23 and 43.
+/// Internal.
+using register_functions =
+    function_list<read_holding_registers, write_single_register, diagnostics<>, write_multiple_registers<>,
+                  read_write_multiple_registers<>, read_device_identification>;
+
+/// Whether a request of this function may go to every unit, of these functions.
+/// Internal.
+template <typename... Functions>
+[[nodiscard]] constexpr bool may_be_broadcast(function_list<Functions...>, function_code code) noexcept
+{
+    return ((broadcastable<Functions> and code == Functions::code) or ...);
+}
 
 /// The head of a request, decoded once: what executes, refuses and counts it takes this, and reads no byte again.
 /// Internal.
@@ -30,11 +44,10 @@ struct request_head {
     function_code function;
     bool is_broadcast; ///< to every unit: no response is sent
 
-    /// Whether it has an effect: a broadcast has one with functions 06 and 16 only.
-    [[nodiscard]] constexpr bool has_effect() const noexcept
+    /// Whether it has an effect on a server of these functions: a broadcast has one with writes only.
+    template <typename Functions> [[nodiscard]] constexpr bool has_effect() const noexcept
     {
-        return not is_broadcast or function == function_code::write_single_register or
-               function == function_code::write_multiple_registers;
+        return not is_broadcast or may_be_broadcast(Functions{}, function);
     }
 };
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/bank.hpp>
@@ -70,31 +71,96 @@ template <register_bank Bank>
     return errc::none;
 }
 
+/// How many functions of a list `respond_to_access` answers: four at most, in one piece, which is the smallest.
+/// Internal.
+template <typename... Functions>
+[[nodiscard]] consteval int count_register_functions(function_list<Functions...>) noexcept
+{
+    constexpr function_set together{function_code::read_holding_registers, function_code::write_single_register,
+                                    function_code::write_multiple_registers,
+                                    function_code::read_write_multiple_registers};
+    return (int{together.contains(Functions::code)} + ... + 0);
+}
+
+/// What the server gives the function that answers a request.
+/// Internal.
+template <typename Bank, typename Diagnostics> struct server_context {
+    Bank& bank;
+    Diagnostics& line;
+    server_profile const& profile;
+};
+
+/// Lets the function of a list answer that has a server's half in its own file; false where none of them has this code.
+/// Internal.
+template <typename... Functions, typename Context>
+[[nodiscard]] constexpr bool respond_by_own(function_list<Functions...>, function_code function, pdu_buffer& pdu,
+                                            Context const& at, errc& wrong) noexcept
+{
+    auto const ask = [&]<typename Function>(std::type_identity<Function>) {
+        if constexpr (requires { &Function::template respond<pdu_buffer, Context>; }) {
+            if (function == Function::code) {
+                wrong = Function::respond(pdu, at);
+                return true;
+            }
+        }
+        return false;
+    };
+    return (ask(std::type_identity<Functions>{}) or ...);
+}
+
 /// Answers a request of a function below 80; an error is the exception to send.
 /// Internal.
-template <register_bank Bank, typename Diagnostics>
+template <typename Functions, typename Bank, typename Diagnostics>
 [[nodiscard]] constexpr errc respond_to(function_code function, pdu_buffer& pdu, Bank& bank,
                                         server_profile const& profile, Diagnostics& line) noexcept
 {
+    if constexpr (requires { bank.respond(function, pdu); }) {
+        // A function that is not public is the bank's own: no profile names it.
+        if (not all_functions.contains(function)) {
+            auto const own = bank.respond(function, pdu);
+            return own ? *own : errc::illegal_function;
+        }
+    }
     if (not profile.functions.contains(function)) {
         return errc::illegal_function;
     }
-    if (function == function_code::diagnostics) {
-        return line.response(pdu);
+    if constexpr (Functions::template contains<diagnostics<>>) {
+        if (function == function_code::diagnostics) {
+            return line.response(pdu);
+        }
     }
-    if (function == function_code::encapsulated_interface) {
-        return write_identification(pdu, profile.identity);
+    if constexpr (Functions::template contains<read_device_identification>) {
+        if (function == function_code::encapsulated_interface) {
+            return write_identification(pdu, profile.identity);
+        }
     }
-    return respond_to_access(function, pdu, bank, profile);
+    using context = server_context<Bank, Diagnostics>;
+    errc wrong = errc::illegal_function;
+    if (respond_by_own(Functions{}, function, pdu, context{bank, line, profile}, wrong)) {
+        return wrong;
+    }
+    if constexpr (requires { bank.respond(function, pdu); }) {
+        if (auto const own = bank.respond(function, pdu)) {
+            return *own;
+        }
+    }
+    constexpr int count = count_register_functions(Functions{});
+    if constexpr (count > 0) {
+        static_assert(register_bank<Bank>, "a server of functions 03, 06, 16 or 23 needs a register_bank");
+        if (count == 4 or Functions::codes.contains(function)) {
+            return respond_to_access(function, pdu, bank, profile);
+        }
+    }
+    return wrong;
 }
 
 /// Replaces a request PDU of a function below 80 by its response or an exception; returns the exception, or none.
 /// Internal.
-template <register_bank Bank, typename Diagnostics>
+template <typename Functions, typename Bank, typename Diagnostics>
 constexpr errc execute(function_code function, pdu_buffer& pdu, Bank& bank, server_profile const& profile,
                        Diagnostics& line) noexcept
 {
-    errc const wrong = respond_to(function, pdu, bank, profile, line);
+    errc const wrong = respond_to<Functions>(function, pdu, bank, profile, line);
     if (wrong != errc::none) {
         pdu.bytes[0] |= std::byte{exception_bit};
         // An error that has no code on the wire (a local cause, `unlisted_exception`) is sent as 04.
@@ -107,8 +173,9 @@ constexpr errc execute(function_code function, pdu_buffer& pdu, Bank& bank, serv
 
 /// Replaces a request PDU sent to one unit by its response or an exception (function + 80, code). In this order:
 /// - no PDU, or a function of 80 or above: no response (size 0), and nothing is done;
-/// - 01: the function is not in `profile.functions`, or is none of 03, 06, 08, 16, 23 and 43, or its limit in
-///   `profile.limits` is 0 (for 23: either of its two);
+/// - a function that is not public: what `respond(function, pdu)` of the bank returns, where it has that; 01 otherwise;
+/// - 01: the function is not in `profile.functions`, or not in `Functions`, or its limit in `profile.limits` is 0 (for
+///   23: either of its two);
 /// - 08: what `Diagnostics` returns; 43: what `write_identification` returns;
 /// - 03: the PDU's size, its byte count (which is twice the quantity) and its quantity (1 to the limit) do not agree.
 ///   Sizes: functions 03 and 06: 5; 16: 6 + byte count; 23: 10 + byte count;
@@ -119,19 +186,19 @@ constexpr errc execute(function_code function, pdu_buffer& pdu, Bank& bank, serv
 /// An error of a bank that is no exception code below 7F is sent as 04. A normal response holds the words read (03,
 /// 23), or the first five bytes of the request (06, 16).
 /// Internal.
-template <register_bank Bank, typename Diagnostics>
+template <typename Functions = register_functions, typename Bank, typename Diagnostics>
 constexpr void respond_in_place(pdu_buffer& pdu, Bank& bank, server_profile const& profile, Diagnostics& line) noexcept
 {
     if (pdu.size == 0 or to_u8(pdu.bytes[0]) >= exception_bit) {
         pdu.size = 0;
         return;
     }
-    static_cast<void>(execute(static_cast<function_code>(to_u8(pdu.bytes[0])), pdu, bank, profile, line));
+    static_cast<void>(execute<Functions>(static_cast<function_code>(to_u8(pdu.bytes[0])), pdu, bank, profile, line));
 }
 
 /// The same for a request in other memory. Writes the response into `out`, of at least 253 bytes, and returns the
 /// part written; empty also where `out` is smaller or the PDU larger.
-template <register_bank Bank, typename Diagnostics>
+template <typename Functions = register_functions, typename Bank, typename Diagnostics>
 [[nodiscard]] constexpr byte_view respond(byte_view request_pdu, Bank& bank, server_profile const& profile,
                                           byte_span out, Diagnostics& line) noexcept
 {
@@ -142,17 +209,17 @@ template <register_bank Bank, typename Diagnostics>
         out[i] = request_pdu[i];
     }
     pdu_buffer pdu{out.template first<max_pdu_size>(), request_pdu.size()};
-    respond_in_place(pdu, bank, profile, line);
+    respond_in_place<Functions>(pdu, bank, profile, line);
     return pdu.view();
 }
 
 /// The same with function 08 as the loopback only.
-template <register_bank Bank>
+template <typename Functions = register_functions, typename Bank>
 [[nodiscard]] constexpr byte_view respond(byte_view request_pdu, Bank& bank, server_profile const& profile,
                                           byte_span out) noexcept
 {
     loopback_only line;
-    return respond(request_pdu, bank, profile, out, line);
+    return respond<Functions>(request_pdu, bank, profile, out, line);
 }
 
 } // namespace rtuwire

@@ -24,7 +24,7 @@ struct no_counts {
     static constexpr void note_overrun() noexcept {}
     static constexpr void note_request() noexcept {}
     static constexpr void count_no_response() noexcept {}
-    static constexpr void note_exception(errc) noexcept {}
+    static constexpr void note_end(function_code, errc) noexcept {}
     [[nodiscard]] static constexpr bool is_listen_only() noexcept { return false; }
 };
 
@@ -58,7 +58,7 @@ struct loopback_only : no_counts {
 /// | 02  | nothing: the diagnostic register is 0 | |
 /// | 0B  | good frames, of and to any unit | when they end |
 /// | 0C  | frames with a wrong CRC, a damaged byte, below 4 or above 256 bytes | at the silence that ends them |
-/// | 0D  | exceptions, those to broadcasts too; a broadcast of any function but 06 and 16 is one | in `serve` |
+/// | 0D  | exceptions, those to broadcasts too; a broadcast that is no write is one | in `serve` |
 /// | 0E  | requests to this unit or everyone | in `serve`, where they are executed or refused |
 /// | 0F  | requests of 0E that get no response: broadcasts, those in listen-only mode, 08/04 | in `serve` |
 /// |     | responses that were dropped before they left | when dropped |
@@ -85,7 +85,7 @@ public:
         auto const asked = diagnostics<>::decode(request_pdu);
         if (is_listen_only_) {
             if (asked and asked->what == subfunction::restart_communications and is_legal(*asked)) {
-                *this = {};
+                clear();
             }
             pdu.size = 0;
             return errc::none;
@@ -115,13 +115,20 @@ public:
     constexpr void note_request() noexcept { ++requests_; }
     /// That request gets no response.
     constexpr void count_no_response() noexcept { ++silences_; }
-    /// That request was refused.
-    constexpr void note_exception(errc code) noexcept
+    /// That request was executed, or refused. The event counter of functions 11 and 12 counts what was executed, but
+    /// function 11.
+    constexpr void note_end(function_code function, errc wrong) noexcept
     {
-        ++exceptions_;
-        naks_ = static_cast<std::uint16_t>(naks_ + (code == errc::negative_acknowledge ? 1 : 0));
-        busy_ = static_cast<std::uint16_t>(busy_ + (code == errc::server_device_busy ? 1 : 0));
+        bool const is_refused = wrong != errc::none;
+        bool const is_event = not is_refused and not is_cleared_ and function != function_code::get_comm_event_counter;
+        is_cleared_ = false;
+        events_ = static_cast<std::uint16_t>(events_ + (is_event ? 1 : 0));
+        exceptions_ = static_cast<std::uint16_t>(exceptions_ + (is_refused ? 1 : 0));
+        naks_ = static_cast<std::uint16_t>(naks_ + (wrong == errc::negative_acknowledge ? 1 : 0));
+        busy_ = static_cast<std::uint16_t>(busy_ + (wrong == errc::server_device_busy ? 1 : 0));
     }
+    [[nodiscard]] constexpr std::uint16_t event_count() const noexcept { return events_; }
+    [[nodiscard]] constexpr std::uint16_t message_count() const noexcept { return messages_; }
 
     /// Whether it is in listen-only mode: it neither acts nor responds until it is restarted.
     [[nodiscard]] constexpr bool is_listen_only() const noexcept { return is_listen_only_; }
@@ -180,10 +187,16 @@ private:
         return nullptr;
     }
 
+    constexpr void clear() noexcept
+    {
+        *this = {};
+        is_cleared_ = true;
+    }
+
     constexpr void act(subfunction what) noexcept
     {
         if (what == subfunction::restart_communications or what == subfunction::clear_counters) {
-            *this = {};
+            clear();
         } else if (what == subfunction::force_listen_only) {
             is_listen_only_ = true;
         } else if (what == subfunction::clear_overrun_counter) {
@@ -200,7 +213,9 @@ private:
     std::uint16_t naks_{0};
     std::uint16_t busy_{0};
     std::uint16_t overruns_{0};
+    std::uint16_t events_{0};
     bool is_listen_only_{false};
+    bool is_cleared_{false}; ///< by the request that is executed, which is no event then
 };
 
 } // namespace rtuwire

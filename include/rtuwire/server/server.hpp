@@ -64,7 +64,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// since the last byte, damaged or not; it is dropped if an undamaged byte arrives before `poll_transmit` returns it,
 /// or at the time limit. The request was executed even then.
 /// Internal.
-template <typename Diagnostics> class basic_server {
+template <typename Diagnostics, typename Functions = register_functions> class basic_server {
 public:
     /// Listens as `unit`; the profile, and the objects in it, must outlive the server.
     constexpr basic_server(unit_id unit, line_timing const& timing, server_profile const& profile) noexcept
@@ -145,8 +145,8 @@ public:
     }
 
     /// Calls `advance`; then executes the waiting request on the registers and prepares the response. A broadcast is
-    /// executed for functions 06 and 16 only, and never answered.
-    template <register_bank Bank> constexpr void serve(Bank& bank, instant now) noexcept
+    /// executed for writes only (functions 05, 06, 15, 16, 21 and 22), and never answered.
+    template <typename Bank> constexpr void serve(Bank& bank, instant now) noexcept
     {
         advance(now);
         if (phase_ != phase::asked) {
@@ -159,11 +159,10 @@ public:
         if (diagnostics_.is_listen_only() and not is_restart) {
             pdu.size = 0;
         } else {
-            errc const wrong = asked.has_effect() ? execute(asked.function, pdu, bank, *profile_, diagnostics_)
-                                                  : errc::illegal_function;
-            if (wrong != errc::none) {
-                diagnostics_.note_exception(wrong);
-            }
+            errc const wrong = asked.has_effect<Functions>()
+                                   ? execute<Functions>(asked.function, pdu, bank, *profile_, diagnostics_)
+                                   : errc::illegal_function;
+            diagnostics_.note_end(asked.function, wrong);
         }
         if (asked.is_broadcast or pdu.size == 0) {
             diagnostics_.count_no_response();
@@ -263,7 +262,8 @@ private:
     [[no_unique_address]] Diagnostics diagnostics_{};
 };
 
-/// A server whose function 08 is the loopback (sub-function 0) only.
+/// A server whose function 08 is the loopback (sub-function 0) only. The functions of a server are in its type:
+/// `basic_server<loopback_only, function_list<read_coils, write_single_coil>>`, or `public_functions` for all.
 using server = basic_server<loopback_only>;
 
 /// A server with the counters and the listen-only mode of function 08.

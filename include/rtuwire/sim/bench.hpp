@@ -19,6 +19,7 @@
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/server/served_functions.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/sim/drive/unit.hpp>
 #include <rtuwire/sim/line/line.hpp>
@@ -26,12 +27,13 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
-/// A server and the bank that it serves, as one end of a line. Borrows the bank, which must outlive it.
+/// A server and the bank that it serves, as one end of a line. It has the public functions that the bank has something
+/// for. Borrows the bank and the profile, which must outlive it.
 /// Internal.
 template <register_bank Bank> class bank_unit {
 public:
-    constexpr bank_unit(unit_id address, line_timing const& line, Bank& bank) noexcept
-        : node_{address, line}, bank_{&bank}
+    constexpr bank_unit(unit_id address, line_timing const& line, Bank& bank, server_profile const& profile) noexcept
+        : node_{address, line, profile}, bank_{&bank}
     {}
 
     constexpr void receive(byte_view bytes, instant now) noexcept { node_.receive(bytes, now); }
@@ -42,16 +44,25 @@ public:
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept { return node_.poll_deadline(); }
 
 private:
-    server node_;
+    basic_server<serial_diagnostics, served_functions<Bank>> node_;
     Bank* bank_;
 };
 
-/// Says to a bench: this bank answers as this unit. The bank must outlive the bench.
+/// Says to a bench: this bank answers as this unit, by every public function that it has something for (coils, a queue,
+/// files and so on), or by those that a profile allows. The bank and the profile must outlive the bench.
 template <register_bank Bank> struct bank_at {
     unit_id address;
     Bank& bank;
+    server_profile const& profile;
+
+    constexpr bank_at(unit_id unit, Bank& served, server_profile const& allowed = every_function) noexcept
+        : address{unit}, bank{served}, profile{allowed}
+    {}
+    bank_at(unit_id, Bank&, server_profile const&&) = delete;
+
+private:
+    static constexpr server_profile every_function{};
 };
-template <register_bank Bank> bank_at(unit_id, Bank&) -> bank_at<Bank>;
 
 /// The end of a line that an argument of a bench describes.
 /// Internal.
@@ -78,7 +89,7 @@ struct end_maker {
     }
     template <line_end End, register_bank Bank> constexpr End make(bank_at<Bank> const& of) const noexcept
     {
-        return End{of.address, line, of.bank};
+        return End{of.address, line, of.bank, of.profile};
     }
 };
 

@@ -56,6 +56,13 @@ template <pdu P> using frame_of = fixed_buffer<P::max_size + adu_overhead>;
     return {frame.data() + 1, frame.size() - adu_overhead};
 }
 
+/// Whether the first `size` bytes of the response are those of the request.
+/// Internal.
+[[nodiscard]] constexpr bool repeats(byte_view request_pdu, byte_view response_pdu, std::size_t size) noexcept
+{
+    return request_pdu.size() >= size and same_bytes(request_pdu.first(size), response_pdu.first(size));
+}
+
 /// A received frame whose CRC was right: a view of its bytes, valid as long as they are.
 class adu {
 public:

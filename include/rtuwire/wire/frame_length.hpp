@@ -1,33 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The length of a frame, from its first bytes: one table, a rule for each function and direction (AP 6).
+// The length of a frame, from its first bytes: one table, made of the rules of the functions (AP 6).
 // Sizes are of the whole ADU. Knows no CRC and no time.
 // Internal: may change with any version.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/wire/function.hpp>
+#include <rtuwire/wire/frame_rules.hpp>
+#include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/limits.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
-
-/// Which way a frame travels.
-enum class direction : std::uint8_t { request, response };
-
-/// How the size of an ADU follows from its bytes.
-enum class length_rule : std::uint8_t {
-    none = 0x00,        ///< only silence ends it
-    fixed = 0x20,       ///< as many bytes as its size says
-    byte_count = 0x40,  ///< its size, and as many as its last byte before the CRC says
-    word_count = 0x60,  ///< the same with the last two bytes, big-endian
-    subfunction = 0x80, ///< function 08: its size, but silence for sub-function 0
-    mei = 0xA0,         ///< function 43: known for type 14 only
-};
 
 /// What the bytes so far tell: the frame is `size` bytes long, or more is known when `size` are there, or
 /// (`size` 0) only silence ends it.
@@ -47,87 +36,77 @@ private:
     std::uint16_t hint_{0}; ///< in one register, which small processors return best
 };
 
-/// Rules with their sizes, CRC included, for function codes up to 24: one byte each.
+/// The rules of the functions that have codes up to 24, one byte each, and of the others.
 namespace length_rules {
 
-/// The bits of a rule that tell its kind; the others are its size.
-inline constexpr std::uint8_t kind_bits = 0xE0;
+inline constexpr std::size_t in_table = 25;
 
-[[nodiscard]] constexpr std::uint8_t rule(length_rule counts, unsigned size = 0) noexcept
+template <typename Function> inline constexpr bool is_in_table = to_u8(Function::code) < in_table;
+
+template <typename... Functions>
+[[nodiscard]] consteval std::array<std::uint8_t, in_table> table_of(function_list<Functions...>,
+                                                                    std::uint8_t frame_rules::*way) noexcept
 {
-    return static_cast<std::uint8_t>(static_cast<unsigned>(counts) | size);
+    std::array<std::uint8_t, in_table> rules{};
+    auto const put = [&](function_code code, frame_rules const& of) {
+        if (to_u8(code) < in_table) {
+            rules[to_u8(code)] = of.*way;
+        }
+    };
+    (put(Functions::code, Functions::rules), ...);
+    return rules;
 }
 
-using enum length_rule;
+inline constexpr auto requests = table_of(public_functions{}, &frame_rules::request);
+inline constexpr auto responses = table_of(public_functions{}, &frame_rules::response);
 
-inline constexpr std::uint8_t requests[] = {
-    rule(none),           rule(fixed, 8),      rule(fixed, 8),  rule(fixed, 8),       // 0..3
-    rule(fixed, 8),       rule(fixed, 8),      rule(fixed, 8),  rule(fixed, 4),       // 4..7
-    rule(subfunction, 8), rule(none),          rule(none),      rule(fixed, 4),       // 8..11
-    rule(fixed, 4),       rule(none),          rule(none),      rule(byte_count, 9),  // 12..15
-    rule(byte_count, 9),  rule(fixed, 4),      rule(none),      rule(none),           // 16..19
-    rule(byte_count, 5),  rule(byte_count, 5), rule(fixed, 10), rule(byte_count, 13), // 20..23
-    rule(fixed, 6),
-};
-inline constexpr std::uint8_t responses[] = {
-    rule(none),           rule(byte_count, 5), rule(byte_count, 5), rule(byte_count, 5), // 0..3
-    rule(byte_count, 5),  rule(fixed, 8),      rule(fixed, 8),      rule(fixed, 5),      // 4..7
-    rule(subfunction, 8), rule(none),          rule(none),          rule(fixed, 8),      // 8..11
-    rule(byte_count, 5),  rule(none),          rule(none),          rule(fixed, 8),      // 12..15
-    rule(fixed, 8),       rule(byte_count, 5), rule(none),          rule(none),          // 16..19
-    rule(byte_count, 5),  rule(byte_count, 5), rule(fixed, 10),     rule(byte_count, 5), // 20..23
-    rule(word_count, 6),
-};
+/// The rule of a function that is not in the table; an exception has one as a response.
+template <typename... Functions>
+[[nodiscard, gnu::always_inline]] constexpr std::uint8_t of_others(function_list<Functions...>, bool asks,
+                                                                   std::uint8_t wire_code) noexcept
+{
+    bool const is_exception = (wire_code & exception_bit) != 0;
+    std::uint8_t rule = is_exception and not asks ? sized(length_rule::fixed, exception_adu_size) : std::uint8_t{0};
+    ((rule = not is_in_table<Functions> and wire_code == to_u8(Functions::code)
+                 ? (asks ? Functions::rules.request : Functions::rules.response)
+                 : rule),
+     ...);
+    return rule;
+}
 
 /// The rule of one function in one direction; `wire_code` is the byte behind the unit address.
 [[nodiscard]] constexpr std::uint8_t of(direction dir, std::uint8_t wire_code) noexcept
 {
-    if (wire_code == to_u8(function_code::encapsulated_interface)) {
-        return rule(mei);
-    }
     bool const asks = dir == direction::request;
-    if (wire_code >= sizeof(requests)) {
-        bool const is_exception = (wire_code & exception_bit) != 0;
-        return is_exception and not asks ? rule(fixed, exception_adu_size) : rule(none);
+    if (wire_code >= in_table) {
+        return of_others(public_functions{}, asks, wire_code);
     }
     return asks ? requests[wire_code] : responses[wire_code];
 }
 
-} // namespace length_rules
+template <typename Function>
+inline constexpr bool
+    has_own = static_cast<length_rule>(Function::rules.response& length_rule_bits) == length_rule::own;
 
-/// What a rule says, before a size above 256 is refused. Two members: the size may be more than fits
-/// `length_hint`, and a caller that needs only one need not have the other.
-struct raw_length {
-    std::size_t size{0};
-    bool is_final{false};
-};
-
-/// The rule of function 43: a request is fixed, a response is walked object by object (AP 6.21).
-[[nodiscard, gnu::always_inline]] constexpr raw_length identification_length(direction dir, byte_view adu) noexcept
+/// What the one function says of its size that has a rule of its own; of several, the one with this code.
+template <typename First, typename... Others>
+[[nodiscard, gnu::always_inline]] constexpr raw_length own(function_list<First, Others...>, direction dir,
+                                                           byte_view adu) noexcept
 {
-    constexpr std::size_t mei_at = 2;
-    constexpr std::size_t count_at = 7;
-    if (adu.size() <= mei_at) {
-        return {mei_at + 1, false};
+    if constexpr (has_own<First>) {
+        bool const is_only = not(has_own<Others> or ...);
+        if (is_only or First::code == static_cast<function_code>(to_u8(adu[1]))) {
+            return First::length(dir, adu);
+        }
     }
-    if (to_u8(adu[mei_at]) != 0x0E) {
+    if constexpr (sizeof...(Others) > 0) {
+        return own(function_list<Others...>{}, dir, adu);
+    } else {
         return {};
     }
-    if (dir == direction::request) {
-        return {7, true};
-    }
-    if (adu.size() <= count_at) {
-        return {count_at + 1, false};
-    }
-    std::size_t left = to_u8(adu[count_at]);
-    std::size_t end = count_at + 1;
-    while (left > 0 and end + 2 <= adu.size()) {
-        end += 2U + to_u8(adu[end + 1]);
-        --left;
-    }
-    // Two bytes follow: the CRC, or the head of the next object.
-    return {end + 2, left == 0};
 }
+
+} // namespace length_rules
 
 /// What the first bytes of an ADU say by their rule in the table.
 [[nodiscard, gnu::always_inline]] constexpr raw_length length_by_rule(direction dir, byte_view adu) noexcept
@@ -136,16 +115,16 @@ struct raw_length {
         return {2, false};
     }
     std::uint8_t const rule = length_rules::of(dir, to_u8(adu[1]));
-    auto const counts = static_cast<length_rule>(rule & length_rules::kind_bits);
-    std::size_t const size = rule & ~length_rules::kind_bits & 0xFF;
+    auto const counts = static_cast<length_rule>(rule & length_rule_bits);
+    std::size_t const size = size_in(rule);
     if (counts == length_rule::none) {
         return {};
     }
     if (counts == length_rule::fixed) {
         return {size, true};
     }
-    if (counts == length_rule::mei) {
-        return identification_length(dir, adu);
+    if (counts == length_rule::own) {
+        return length_rules::own(public_functions{}, dir, adu);
     }
     // The bytes before the CRC.
     std::size_t const counted = counts == length_rule::subfunction ? 4 : size - 2;

@@ -12,13 +12,26 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// A function code (AP 5.1). Any code in 1..127 is possible; those that rtuwire supports have names.
+/// A function code (AP 5.1). Any code in 1..127 is possible; the public ones have names.
 enum class function_code : std::uint8_t {
+    read_coils = 1,
+    read_discrete_inputs = 2,
     read_holding_registers = 3,
+    read_input_registers = 4,
+    write_single_coil = 5,
     write_single_register = 6,
+    read_exception_status = 7,
     diagnostics = 8,
+    get_comm_event_counter = 11,
+    get_comm_event_log = 12,
+    write_multiple_coils = 15,
     write_multiple_registers = 16,
+    report_server_id = 17,
+    read_file_record = 20,
+    write_file_record = 21,
+    mask_write_register = 22,
     read_write_multiple_registers = 23,
+    read_fifo_queue = 24,
     encapsulated_interface = 43,
 };
 
@@ -73,16 +86,6 @@ private:
     }
 
     std::array<std::uint32_t, 4> words_{};
-};
-
-/// Every function that rtuwire's server can answer.
-inline constexpr function_set all_functions{
-    function_code::read_holding_registers,
-    function_code::write_single_register,
-    function_code::diagnostics,
-    function_code::write_multiple_registers,
-    function_code::read_write_multiple_registers,
-    function_code::encapsulated_interface,
 };
 
 } // namespace rtuwire

@@ -20,6 +20,8 @@ inline constexpr std::size_t adu_overhead = 3; ///< unit in front, two bytes of 
 /// Internal.
 inline constexpr std::size_t exception_adu_size = 5; ///< AP 7
 
+inline constexpr std::uint16_t max_bit_quantity = 2000;           ///< AP 6.1, 6.2
+inline constexpr std::uint16_t max_bit_write_quantity = 1968;     ///< AP 6.11
 inline constexpr std::uint16_t max_read_quantity = 125;           ///< AP 6.3
 inline constexpr std::uint16_t max_write_quantity = 123;          ///< AP 6.12
 inline constexpr std::uint16_t max_exchange_read_quantity = 125;  ///< AP 6.17

@@ -6,19 +6,108 @@
 // value.
 #pragma once
 
+#include <array>
+#include <type_traits>
+
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/frame_length.hpp>
-#include <rtuwire/wire/pdu/device_identification.hpp>
-#include <rtuwire/wire/pdu/diagnostics.hpp>
+#include <rtuwire/wire/functions.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Whether the first `size` bytes of the response are those of the request.
+/// How the functions that have codes up to 24 answer, one byte each.
 /// Internal.
-[[nodiscard]] constexpr bool repeats(byte_view request_pdu, byte_view response_pdu, std::size_t size) noexcept
+template <typename... Functions>
+[[nodiscard]] consteval std::array<answer_rule, length_rules::in_table> answers_of(function_list<Functions...>) noexcept
 {
-    return request_pdu.size() >= size and same_bytes(request_pdu.first(size), response_pdu.first(size));
+    std::array<answer_rule, length_rules::in_table> answers{};
+    ((length_rules::is_in_table<Functions>
+          ? static_cast<void>(answers[to_u8(Functions::code) % length_rules::in_table] = Functions::rules.answers)
+          : static_cast<void>(0)),
+     ...);
+    return answers;
+}
+/// Internal.
+inline constexpr auto answers = answers_of(public_functions{});
+
+/// How a function answers that is not in the table.
+/// Internal.
+template <typename... Functions>
+[[nodiscard, gnu::always_inline]] constexpr answer_rule answer_of_others(function_list<Functions...>,
+                                                                         std::uint8_t code) noexcept
+{
+    answer_rule rule = answer_rule::nothing;
+    ((rule = not length_rules::is_in_table<Functions> and code == to_u8(Functions::code) ? Functions::rules.answers
+                                                                                         : rule),
+     ...);
+    return rule;
+}
+
+/// How the function with this code answers.
+/// Internal.
+[[nodiscard, gnu::always_inline]] constexpr answer_rule answer_of(std::uint8_t code) noexcept
+{
+    return code < length_rules::in_table ? answers[code] : answer_of_others(public_functions{}, code);
+}
+
+/// The bytes behind the byte count of a response that answers a quantity; 0 for another rule.
+/// Internal.
+[[nodiscard, gnu::always_inline]] constexpr std::size_t answer_bytes(answer_rule rule, std::size_t quantity) noexcept
+{
+    return rule == answer_rule::registers ? 2 * quantity : rule == answer_rule::bits ? bytes_of_bits(quantity) : 0;
+}
+
+/// Of the functions with this code that repeat part of a request: how many bytes of it.
+/// Internal.
+template <typename... Functions>
+[[nodiscard]] constexpr std::size_t repeated_by(function_list<Functions...>, std::uint8_t code,
+                                                byte_view request_pdu) noexcept
+{
+    std::size_t found = 0;
+    auto const ask = [&]<typename Function>(std::type_identity<Function>) {
+        if constexpr (Function::rules.answers == answer_rule::partly) {
+            found = code == to_u8(Function::code) ? Function::repeated(request_pdu) : found;
+        }
+    };
+    (ask(std::type_identity<Functions>{}), ...);
+    return found;
+}
+
+/// What the function with this code finds that has a check of its own.
+/// Internal.
+template <typename... Functions>
+[[nodiscard]] constexpr errc check_by_own(function_list<Functions...>, std::uint8_t code, byte_view request_pdu,
+                                          byte_view response_pdu) noexcept
+{
+    errc found = errc::none;
+    auto const ask = [&]<typename Function>(std::type_identity<Function>) {
+        if constexpr (Function::rules.answers == answer_rule::own) {
+            if (code == to_u8(Function::code)) {
+                found = Function::check_response(request_pdu, response_pdu);
+            }
+        }
+    };
+    (ask(std::type_identity<Functions>{}), ...);
+    return found;
+}
+
+/// Whether the response to a request tells its own end, of the functions that have a length of their own.
+/// Internal.
+template <typename... Functions>
+[[nodiscard, gnu::always_inline]] constexpr bool tells_end_by_own(function_list<Functions...>,
+                                                                  byte_view request_adu) noexcept
+{
+    bool tells = false;
+    auto const ask = [&]<typename Function>(std::type_identity<Function>) {
+        if constexpr (length_rules::has_own<Function>) {
+            bool const is_only = (int{length_rules::has_own<Functions>} + ...) == 1;
+            bool const is_it = is_only or to_u8(request_adu[1]) == to_u8(Function::code);
+            tells = is_it ? Function::tells_end(request_adu) : tells;
+        }
+    };
+    (ask(std::type_identity<Functions>{}), ...);
+    return tells;
 }
 
 /// The size of the longest response to a request, an ADU; final where the response's bytes tell its end, so
@@ -28,20 +117,19 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 {
     std::uint8_t const code = to_u8(request_adu[1]);
     std::uint8_t const rule = length_rules::of(direction::response, code);
-    auto const kind = static_cast<length_rule>(rule & length_rules::kind_bits);
+    auto const kind = static_cast<length_rule>(rule & length_rule_bits);
     std::size_t size = max_adu_size;
     bool tells_end = kind != length_rule::none;
     if (kind == length_rule::fixed) {
-        size = rule & ~length_rules::kind_bits & 0xFF;
+        size = size_in(rule);
     } else if (kind == length_rule::subfunction) {
         size = request_adu.size();
         tells_end = u16_at(request_adu, 2) != 0;
-    } else if (kind == length_rule::mei) {
-        tells_end = to_u8(request_adu[2]) == identification_mei_type;
-    } else if (request_adu.size() >= 8 and (code == to_u8(function_code::read_holding_registers) or
-                                            code == to_u8(function_code::read_write_multiple_registers))) {
-        std::size_t const quantity = u16_at(request_adu, 4);
-        size = quantity <= max_read_quantity ? 5U + 2U * quantity : max_adu_size;
+    } else if (kind == length_rule::own) {
+        tells_end = tells_end_by_own(public_functions{}, request_adu);
+    } else if (request_adu.size() >= 8) {
+        std::size_t const bytes = answer_bytes(answer_of(code), u16_at(request_adu, 4));
+        size = is_quantity(bytes, max_adu_size - 5U) ? 5U + bytes : max_adu_size;
     }
     return {size, tells_end};
 }
@@ -53,51 +141,31 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     return longest_response(request_adu).size();
 }
 
-/// Compares a page of identification with its request.
-/// Internal.
-[[nodiscard]] constexpr errc check_identification(byte_view request_pdu, byte_view response_pdu) noexcept
-{
-    constexpr std::size_t count_at = 6;
-    constexpr std::size_t first_id_at = device_identification::head_size;
-    if (errc const wrong = device_identification::check_page(response_pdu); wrong != errc::none) {
-        return wrong;
-    }
-    // A stream may start at another object than the one requested; a single object is the one requested.
-    bool const is_single = to_u8(request_pdu[2]) == static_cast<std::uint8_t>(identification_access::single);
-    bool const is_other =
-        request_pdu[2] != response_pdu[2] or
-        (is_single and (to_u8(response_pdu[count_at]) != 1 or response_pdu[first_id_at] != request_pdu[3]));
-    return is_other ? errc::response_mismatch : errc::none;
-}
-
 /// Compares the fields of a normal response with its request; both PDUs are of one function. Inlined in
 /// `check_response`, where it is smaller than a separate function.
 /// Internal.
 [[nodiscard, gnu::always_inline]] constexpr errc check_fields(byte_view request_pdu, byte_view response_pdu) noexcept
 {
     // A raw request may be shorter than its function allows; then there is nothing to compare with.
-    if (request_pdu.size() < read_device_identification::max_size) {
+    constexpr std::size_t shortest = 4;
+    if (request_pdu.size() < shortest) {
         return errc::none;
     }
+    std::uint8_t const code = to_u8(request_pdu[0]);
     std::size_t size = 5;    // of the response
     std::size_t same = size; // bytes that are those of the request
-    switch (static_cast<function_code>(to_u8(request_pdu[0]))) {
-    case function_code::read_holding_registers:
-    case function_code::read_write_multiple_registers: {
-        std::uint32_t const bytes = request_pdu.size() < 5 ? 0U : std::uint32_t{2} * u16_at(request_pdu, 3);
+    answer_rule const rule = answer_of(code);
+    if (rule == answer_rule::registers or rule == answer_rule::bits) {
+        std::size_t const bytes = request_pdu.size() < size ? 0 : answer_bytes(rule, u16_at(request_pdu, 3));
         bool const fits = response_pdu.size() == 2 + bytes and to_u8(response_pdu[1]) == bytes;
         return fits ? errc::none : errc::wrong_length;
     }
-    case function_code::write_single_register:
-    case function_code::write_multiple_registers: break;
-    case function_code::diagnostics:
+    if (rule != answer_rule::head) {
         size = request_pdu.size();
-        same = repeats_data(static_cast<subfunction>(u16_at(request_pdu, 1))) ? size : 3;
-        break;
-    case function_code::encapsulated_interface:
-        return to_u8(request_pdu[1]) == identification_mei_type ? check_identification(request_pdu, response_pdu)
-                                                                : errc::none;
-    default: return errc::none;
+        same = rule == answer_rule::whole ? size : repeated_by(public_functions{}, code, request_pdu);
+        if (same == 0) {
+            return check_by_own(public_functions{}, code, request_pdu, response_pdu);
+        }
     }
     if (response_pdu.size() != size) {
         return errc::wrong_length;

@@ -9,6 +9,7 @@
 
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
+#include <rtuwire/wire/frame_rules.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
@@ -160,6 +161,8 @@ private:
 /// Requests the identification of one unit, from one object on.
 struct read_device_identification {
     using response = device_identification;
+    static constexpr function_code code = function_code::encapsulated_interface;
+    static constexpr frame_rules rules{sized(length_rule::own), sized(length_rule::own), answer_rule::own};
     static constexpr std::size_t max_size = 4;
 
     identification_access access{identification_access::basic};
@@ -176,6 +179,61 @@ struct read_device_identification {
         out.u8(identification_mei_type);
         out.u8(static_cast<std::uint32_t>(access));
         out.u8(object);
+    }
+
+    /// The size of an ADU: a request is fixed, a response is walked object by object; known for type 14 only.
+    /// Internal.
+    [[nodiscard, gnu::always_inline]] static constexpr raw_length length(direction dir, byte_view adu) noexcept
+    {
+        constexpr std::size_t mei_at = 2;
+        constexpr std::size_t count_at = 7;
+        if (adu.size() <= mei_at) {
+            return {mei_at + 1, false};
+        }
+        if (to_u8(adu[mei_at]) != identification_mei_type) {
+            return {};
+        }
+        if (dir == direction::request) {
+            return {7, true};
+        }
+        if (adu.size() <= count_at) {
+            return {count_at + 1, false};
+        }
+        std::size_t left = to_u8(adu[count_at]);
+        std::size_t end = count_at + 1;
+        while (left > 0 and end + 2 <= adu.size()) {
+            end += 2U + to_u8(adu[end + 1]);
+            --left;
+        }
+        // Two bytes follow: the CRC, or the head of the next object.
+        return {end + 2, left == 0};
+    }
+
+    /// Whether the response to a request of 4 bytes or more, an ADU, tells its own size.
+    /// Internal.
+    [[nodiscard]] static constexpr bool tells_end(byte_view request_adu) noexcept
+    {
+        return to_u8(request_adu[2]) == identification_mei_type;
+    }
+
+    /// Compares a page with its request of 4 bytes or more.
+    /// Internal.
+    [[nodiscard]] static constexpr errc check_response(byte_view request_pdu, byte_view response_pdu) noexcept
+    {
+        constexpr std::size_t count_at = 6;
+        constexpr std::size_t first_id_at = device_identification::head_size;
+        if (to_u8(request_pdu[1]) != identification_mei_type) {
+            return errc::none;
+        }
+        if (errc const wrong = device_identification::check_page(response_pdu); wrong != errc::none) {
+            return wrong;
+        }
+        // A stream may start at another object than the one requested; a single object is the one requested.
+        bool const is_single = to_u8(request_pdu[2]) == static_cast<std::uint8_t>(identification_access::single);
+        bool const is_other =
+            request_pdu[2] != response_pdu[2] or
+            (is_single and (to_u8(response_pdu[count_at]) != 1 or response_pdu[first_id_at] != request_pdu[3]));
+        return is_other ? errc::response_mismatch : errc::none;
     }
 
     /// Reads a PDU. Errors: `wrong_function` (another type within function 43 too), `wrong_length`,

@@ -6,6 +6,7 @@
 
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
+#include <rtuwire/wire/frame_rules.hpp>
 #include <rtuwire/wire/register_view.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -42,6 +43,9 @@ enum class subfunction : std::uint16_t {
 /// stored elsewhere.
 template <typename Words = register_view> struct diagnostics {
     using response = diagnostics<>;
+    static constexpr function_code code = function_code::diagnostics;
+    static constexpr frame_rules rules{sized(length_rule::subfunction, 8), sized(length_rule::subfunction, 8),
+                                       answer_rule::partly};
     static constexpr std::size_t max_words = 125;
     static constexpr std::size_t max_size = 3U + bytes_at_most<Words, max_words>;
 
@@ -61,6 +65,13 @@ template <typename Words = register_view> struct diagnostics {
         out.u8(to_u8(function_code::diagnostics));
         out.u16(static_cast<std::uint32_t>(what));
         out.bytes(data.bytes());
+    }
+
+    /// How many bytes of a request of 4 or more its response repeats.
+    /// Internal.
+    [[nodiscard]] static constexpr std::size_t repeated(byte_view request_pdu) noexcept
+    {
+        return repeats_data(static_cast<subfunction>(u16_at(request_pdu, 1))) ? request_pdu.size() : 3;
     }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.

@@ -5,13 +5,14 @@
 #pragma once
 
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/wire/adu.hpp>
-#include <rtuwire/wire/register_view.hpp>
+#include <rtuwire/wire/frame_rules.hpp>
+#include <rtuwire/wire/parts/pdu_fields.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The response to function 23: the registers read after the write.
 struct read_write_multiple_registers_response {
+    static constexpr function_code code = function_code::read_write_multiple_registers;
     static constexpr std::size_t max_size = 2U + 2U * max_exchange_read_quantity;
 
     /// In wire order; after decoding, a view of the received bytes.
@@ -41,6 +42,9 @@ struct read_write_multiple_registers_response {
 /// it owns that block; made of a view, its words are stored elsewhere.
 template <typename Words = register_view> struct read_write_multiple_registers {
     using response = read_write_multiple_registers_response;
+    static constexpr function_code code = function_code::read_write_multiple_registers;
+    static constexpr frame_rules rules{sized(length_rule::byte_count, 13), sized(length_rule::byte_count, 5),
+                                       answer_rule::registers};
     static constexpr std::size_t max_size = 10U + bytes_at_most<Words, max_exchange_write_quantity>;
 
     std::uint16_t read_start;

@@ -5,13 +5,14 @@
 #pragma once
 
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/wire/adu.hpp>
-#include <rtuwire/wire/register_view.hpp>
+#include <rtuwire/wire/frame_rules.hpp>
+#include <rtuwire/wire/parts/pdu_fields.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The response to function 16: what was written where, without the values.
 struct write_multiple_registers_response {
+    static constexpr function_code code = function_code::write_multiple_registers;
     static constexpr std::size_t max_size = 5;
 
     std::uint16_t start;
@@ -22,25 +23,12 @@ struct write_multiple_registers_response {
         return is_quantity(count, max_write_quantity) ? errc::none : errc::invalid_quantity;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
-    constexpr void write(byte_writer& out) const noexcept
-    {
-        write_head(out, function_code::write_multiple_registers, start, count);
-    }
+    constexpr void write(byte_writer& out) const noexcept { write_head(out, code, start, count); }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
     [[nodiscard]] static constexpr result<write_multiple_registers_response> decode(byte_view pdu) noexcept
     {
-        if (not is_pdu_of(pdu, function_code::write_multiple_registers)) {
-            return errc::wrong_function;
-        }
-        if (pdu.size() != max_size) {
-            return errc::wrong_length;
-        }
-        write_multiple_registers_response const read{u16_at(pdu, 1), u16_at(pdu, 3)};
-        if (errc const wrong = read.check(); wrong != errc::none) {
-            return wrong;
-        }
-        return read;
+        return decode_run<write_multiple_registers_response>(pdu, max_write_quantity);
     }
 
     friend constexpr bool operator==(write_multiple_registers_response const&,
@@ -51,6 +39,9 @@ struct write_multiple_registers_response {
 /// of a view, its words are stored elsewhere.
 template <typename Words = register_view> struct write_multiple_registers {
     using response = write_multiple_registers_response;
+    static constexpr function_code code = function_code::write_multiple_registers;
+    static constexpr frame_rules rules{sized(length_rule::byte_count, 9), sized(length_rule::fixed, 8),
+                                       answer_rule::head};
     static constexpr std::size_t max_size = 6U + bytes_at_most<Words, max_write_quantity>;
     static constexpr bool may_be_broadcast = true;
 
@@ -58,17 +49,11 @@ template <typename Words = register_view> struct write_multiple_registers {
     /// 1..123 in wire order; after decoding, a view of the received bytes.
     Words values;
 
-    [[nodiscard]] constexpr errc check() const noexcept
-    {
-        if (not is_quantity(values.size(), max_write_quantity)) {
-            return errc::invalid_quantity;
-        }
-        return is_address_range(start, values.size()) ? errc::none : errc::invalid_address_range;
-    }
+    [[nodiscard]] constexpr errc check() const noexcept { return check_run(start, values.size(), max_write_quantity); }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 6 + values.bytes().size(); }
     constexpr void write(byte_writer& out) const noexcept
     {
-        write_head(out, function_code::write_multiple_registers, start, static_cast<std::uint32_t>(values.size()));
+        write_head(out, code, start, static_cast<std::uint32_t>(values.size()));
         out.u8(static_cast<std::uint32_t>(values.bytes().size()));
         out.bytes(values.bytes());
     }
@@ -78,7 +63,7 @@ template <typename Words = register_view> struct write_multiple_registers {
     [[nodiscard]] static constexpr result<write_multiple_registers<>> decode(byte_view pdu) noexcept
     {
         constexpr std::size_t head = 6;
-        if (not is_pdu_of(pdu, function_code::write_multiple_registers)) {
+        if (not is_pdu_of(pdu, code)) {
             return errc::wrong_function;
         }
         if (pdu.size() < head or pdu.size() != head + to_u8(pdu[5])) {

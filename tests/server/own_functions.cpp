@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A function of the bank's own: it answers, refuses, or leaves it to the server; and a client asks for it.
+#include <rtuwire/server/server.hpp>
+
+#include <optional>
+
+#include "support/catch.hpp"
+
+#include <rtuwire/ask/single_request.hpp>
+#include <rtuwire/core/hex.hpp>
+#include <rtuwire/sim/bench.hpp>
+#include <rtuwire/wire/pdu/raw.hpp>
+
+using namespace rtuwire;
+
+namespace {
+
+/// Function 41 (hexadecimal) adds two bytes.
+struct adding_bank : word_bank<4> {
+    static constexpr std::optional<errc> respond(function_code function, pdu_buffer& pdu)
+    {
+        if (function != static_cast<function_code>(0x41)) {
+            return std::nullopt;
+        }
+        if (pdu.size != 3) {
+            return errc::illegal_data_value;
+        }
+        pdu.bytes[1] = to_byte(std::uint32_t{to_u8(pdu.bytes[1])} + to_u8(pdu.bytes[2]));
+        pdu.size = 2;
+        return errc::none;
+    }
+};
+
+/// Its request and its response, of the same kind as those of the public functions.
+struct sum_of_two {
+    static constexpr std::size_t max_size = 2;
+    std::uint8_t sum;
+
+    [[nodiscard]] static constexpr result<sum_of_two> decode(byte_view pdu)
+    {
+        return pdu.size() == max_size ? result<sum_of_two>{sum_of_two{to_u8(pdu[1])}} : errc::wrong_length;
+    }
+};
+struct add_two {
+    using response = sum_of_two;
+    static constexpr std::size_t max_size = 3;
+    std::uint8_t left;
+    std::uint8_t right;
+
+    [[nodiscard]] constexpr errc check() const { return errc::none; }
+    [[nodiscard]] constexpr std::size_t size() const { return max_size; }
+    constexpr void write(byte_writer& out) const
+    {
+        out.u8(0x41);
+        out.u8(left);
+        out.u8(right);
+    }
+};
+
+constexpr line_timing timing{19'200, character_format::even_8_1};
+
+template <std::size_t Size> unsigned exception_to(std::array<std::byte, Size> const& asked)
+{
+    adding_bank bank;
+    std::array<std::byte, max_pdu_size> place{};
+    byte_view const told = respond(asked, bank, server_profile{}, place);
+    return told.size() == 2 and to_u8(told[0]) >= 0x80 ? to_u8(told[1]) : 0U;
+}
+
+} // namespace
+
+TEST_CASE("a client asks for a function of the bank's own, as bytes and by a type")
+{
+    adding_bank bank;
+    static_cast<void>(bank.set(2, 7));
+    sim::bench bench{timing, sim::bank_at{unit_id{3}, bank}};
+    constexpr auto operands = "12 34"_hex;
+    single_request raw{unit_id{3}, raw_pdu{static_cast<function_code>(0x41), operands}};
+    auto const told = bench.run(raw);
+    REQUIRE(told);
+    CHECK(same_bytes(told->pdu(), "41 46"_hex));
+
+    single_request typed{unit_id{3}, add_two{3, 4}};
+    auto const sum = bench.run(typed)->to<add_two>();
+    REQUIRE(sum);
+    CHECK(sum->sum == 7);
+
+    single_request read{unit_id{3}, read_holding_registers{2, 1}};
+    CHECK(bench.run(read)->to<read_holding_registers>()->registers[0] == 7);
+}
+
+TEST_CASE("what the bank refuses or does not know is an exception")
+{
+    CHECK(exception_to("41 12 34"_hex) == 0);
+    CHECK(exception_to("41 12"_hex) == 3);
+    CHECK(exception_to("42 12 34"_hex) == 1);
+    CHECK(exception_to("01 00 00 00 01"_hex) == 1);
+    CHECK(exception_to("03 00 00 00 01"_hex) == 0);
+}

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The functions of a server beside those of registers: which exception to which request, in the specification's order
+// (function, quantity, address, execution), and that nothing is written in part.
+#include <rtuwire/server/respond.hpp>
+
+#include <array>
+
+#include "support/proof.hpp"
+#include "support/whole_bank.hpp"
+
+#include <rtuwire/core/hex.hpp>
+
+using namespace rtuwire;
+using rtuwire::test::whole_bank;
+
+namespace {
+
+constexpr whole_bank fresh()
+{
+    whole_bank bank;
+    static_cast<void>(bank.words.set(4, 0x0012));
+    static_cast<void>(bank.switched.set(3, true));
+    bank.files[0] = {1, 2, 3, 4, 5, 6, 7, 8};
+    bank.files[1] = bank.files[0];
+    return bank;
+}
+
+constexpr bool is_as_before(whole_bank const& bank)
+{
+    whole_bank const before = fresh();
+    bool is_same = bank.files == before.files;
+    for (std::uint16_t i = 0; i < 64; ++i) {
+        is_same = is_same and bank.switched.get(i) == before.switched.get(i);
+    }
+    for (std::uint16_t i = 0; i < 16; ++i) {
+        is_same = is_same and bank.words.get(i) == before.words.get(i);
+    }
+    return is_same;
+}
+
+/// The exception to a request of a bank, and 0 for a normal response; 0xFF where it was refused and changed something.
+template <typename Functions = public_functions>
+constexpr unsigned exception_of(whole_bank& bank, byte_view asked, server_profile const& profile = {})
+{
+    serial_diagnostics line;
+    std::array<std::byte, max_pdu_size> place{};
+    byte_view const told = respond<Functions>(asked, bank, profile, place, line);
+    if (told.size() != 2 or told[0] != (asked[0] | std::byte{0x80})) {
+        return 0;
+    }
+    return is_as_before(bank) ? to_u8(told[1]) : 0xFFU;
+}
+
+template <std::size_t Size> constexpr unsigned exception_to(std::array<std::byte, Size> const& asked)
+{
+    whole_bank bank = fresh();
+    return exception_of(bank, asked);
+}
+
+/// Whether a good request of a function is answered; is refused by a server without it (01), with a byte more or less
+/// (03), and by a bank that fails (04, or whatever it says).
+template <std::size_t Size> constexpr bool is_checked(std::array<std::byte, Size> const& good, bool can_fail = true)
+{
+    std::array<std::byte, Size + 1> longer{};
+    byte_writer{longer}.bytes(good);
+    auto bank = fresh();
+    auto other = fresh();
+    auto failing = fresh();
+    auto busy = fresh();
+    auto odd = fresh();
+    failing.fail(errc::server_device_failure);
+    busy.fail(errc::server_device_busy);
+    odd.fail(errc::device_failed);
+    server_profile const without{.functions = function_set{function_code::read_holding_registers}};
+    using test::is;
+    return is(exception_of(bank, good) == 0, "the good one") and
+           is(exception_of<register_functions>(other, good) == 1, "a server without the function") and
+           is(exception_of(other, good, without) == 1, "a profile without it") and
+           is(exception_of(other, longer) == 3, "a byte more") and
+           is(Size == 1 or exception_of(other, byte_view{good}.first(Size - 1)) == 3, "a byte less") and
+           is(not can_fail or exception_of(failing, good) == 4, "a failure") and
+           is(not can_fail or exception_of(busy, good) == 6, "busy") and
+           is(not can_fail or exception_of(odd, good) == 4, "an error without a code");
+}
+STATIC_CHECK(is_checked("01 00 00 00 40"_hex));
+STATIC_CHECK(is_checked("02 00 00 00 20"_hex));
+STATIC_CHECK(is_checked("04 00 00 00 08"_hex, false));
+STATIC_CHECK(is_checked("05 00 3F FF 00"_hex));
+STATIC_CHECK(is_checked("07"_hex, false));
+STATIC_CHECK(is_checked("0B"_hex, false));
+STATIC_CHECK(is_checked("0C"_hex, false));
+STATIC_CHECK(is_checked("0F 00 00 00 40 08 01 02 03 04 05 06 07 08"_hex));
+STATIC_CHECK(is_checked("11"_hex, false));
+STATIC_CHECK(is_checked("14 07 06 00 01 00 00 00 08"_hex));
+STATIC_CHECK(is_checked("15 09 06 00 02 00 07 00 01 12 34"_hex));
+STATIC_CHECK(is_checked("16 00 0F 00 F2 00 25"_hex));
+STATIC_CHECK(is_checked("18 00 64"_hex));
+
+// Bits: the quantity comes before the address.
+STATIC_CHECK(exception_to("01 FF FF 00 00"_hex) == 3 and exception_to("01 FF FF 07 D1"_hex) == 3);
+STATIC_CHECK(exception_to("01 FF FF 07 D0"_hex) == 2 and exception_to("01 00 00 00 41"_hex) == 2);
+STATIC_CHECK(exception_to("01 00 3F 00 02"_hex) == 2 and exception_to("01 00 3F 00 01"_hex) == 0);
+STATIC_CHECK(exception_to("02 FF FF 00 00"_hex) == 3 and exception_to("02 FF FF 07 D1"_hex) == 3);
+STATIC_CHECK(exception_to("02 00 00 00 21"_hex) == 2 and exception_to("02 FF FF 00 01"_hex) == 2);
+STATIC_CHECK(exception_to("04 FF FF 00 00"_hex) == 3 and exception_to("04 FF FF 00 7E"_hex) == 3);
+STATIC_CHECK(exception_to("04 00 00 00 09"_hex) == 2 and exception_to("04 FF FF 00 7D"_hex) == 2);
+STATIC_CHECK(exception_to("05 FF FF 12 34"_hex) == 3 and exception_to("05 FF FF 00 FF"_hex) == 3);
+STATIC_CHECK(exception_to("05 00 40 FF 00"_hex) == 2 and exception_to("05 FF FF 00 00"_hex) == 2);
+STATIC_CHECK(exception_to("0F FF FF 00 00 00"_hex) == 3 and exception_to("0F FF FF 00 09 01 FF"_hex) == 3);
+STATIC_CHECK(exception_to("0F FF FF 00 08 02 FF FF"_hex) == 3);
+STATIC_CHECK(exception_to("0F 00 39 00 08 01 FF"_hex) == 2 and exception_to("0F FF FF 00 01 01 FF"_hex) == 2);
+STATIC_CHECK(exception_to("16 00 10 00 F2 00 25"_hex) == 2);
+STATIC_CHECK(exception_to("18 00 65"_hex) == 2);
+
+// Files: the byte count, then each reference, file and record (the diagrams of AP 6.14 and 6.15).
+STATIC_CHECK(exception_to("14 00"_hex) == 3 and exception_to("14 06 06 00 01 00 00 00"_hex) == 3);
+STATIC_CHECK(exception_to("14 07 07 00 01 00 00 00 01"_hex) == 2);
+STATIC_CHECK(exception_to("14 07 06 00 00 00 00 00 01"_hex) == 2);
+STATIC_CHECK(exception_to("14 07 06 00 03 00 00 00 01"_hex) == 2);
+STATIC_CHECK(exception_to("14 07 06 00 01 00 08 00 01"_hex) == 2);
+STATIC_CHECK(exception_to("14 07 06 00 01 27 10 00 01"_hex) == 2);
+STATIC_CHECK(exception_to("14 07 06 00 01 00 00 00 00"_hex) == 3);
+STATIC_CHECK(exception_to("14 07 06 00 01 00 00 00 7A"_hex) == 3); // more than a response carries
+STATIC_CHECK(exception_to("14 0E 06 00 01 00 00 00 01 06 00 03 00 00 00 01"_hex) == 2);
+STATIC_CHECK(exception_to("15 00"_hex) == 3 and exception_to("15 0A 06 00 01 00 00 00 01 12 34 06"_hex) == 3);
+STATIC_CHECK(exception_to("15 09 06 00 01 00 00 00 02 12 34"_hex) == 3);
+STATIC_CHECK(exception_to("15 09 07 00 01 00 00 00 01 12 34"_hex) == 2);
+STATIC_CHECK(exception_to("15 09 06 00 00 00 00 00 01 12 34"_hex) == 2);
+STATIC_CHECK(exception_to("15 09 06 00 01 27 10 00 01 12 34"_hex) == 2);
+// Of several runs none is written where one is refused.
+STATIC_CHECK(exception_to("15 12 06 00 01 00 00 00 01 12 34 06 00 03 00 00 00 01 12 34"_hex) == 2);
+STATIC_CHECK(exception_to("15 12 06 00 01 00 00 00 01 12 34 06 00 02 00 08 00 01 12 34"_hex) == 2);
+STATIC_CHECK(exception_to("15 12 06 00 01 00 00 00 01 12 34 07 00 02 00 07 00 01 12 34"_hex) == 2);
+STATIC_CHECK(exception_to("15 12 06 00 01 00 00 00 01 12 34 06 00 02 00 07 00 01 56 78"_hex) == 0);
+
+constexpr bool tells_what_fits()
+{
+    whole_bank bank;
+    bank.queued = 31;
+    bool const fits = exception_of(bank, "18 00 64"_hex) == 0;
+    bank = fresh();
+    bank.queued = 32;
+    bool const is_too_long = exception_of(bank, "18 00 64"_hex) == 3;
+    bank.id_size = 0;
+    using test::is;
+    return is(fits, "31 registers") and is(is_too_long, "32 registers") and
+           is(exception_of(bank, "11"_hex) == 4, "no identifier");
+}
+PROOF("a queue of more than 31 registers is exception 03, a unit without an identifier 04", tells_what_fits)
+
+/// Its registers are half there.
+struct half_bank : whole_bank {
+    constexpr errc read(std::uint16_t, std::size_t, byte_writer& out)
+    {
+        out.u8(0x12);
+        return errc::none;
+    }
+    constexpr errc read_fifo(std::uint16_t, byte_writer& out) const
+    {
+        out.u8(0x12);
+        return errc::none;
+    }
+    constexpr errc read_file(file_run, byte_writer&) const { return errc::none; }
+};
+
+constexpr bool takes_no_half_words()
+{
+    half_bank bank;
+    std::array<std::byte, max_pdu_size> place{};
+    serial_diagnostics line;
+    auto const refuses = [&](byte_view asked) {
+        byte_view const told = respond<public_functions>(asked, bank, server_profile{}, place, line);
+        return told.size() == 2 and told[1] == std::byte{4} and bank.writes == 0;
+    };
+    using test::is;
+    return is(refuses("16 00 04 00 F2 00 25"_hex), "22") and is(refuses("18 00 64"_hex), "24") and
+           is(refuses("14 07 06 00 01 00 00 00 01"_hex), "20");
+}
+PROOF("a bank that gives less than it was asked for is exception 04", takes_no_half_words)
+
+/// Bits of a bank between others, as they leave.
+constexpr bool pads_bits()
+{
+    whole_bank bank;
+    for (std::uint16_t i = 0; i < 64; ++i) {
+        static_cast<void>(bank.switched.set(i, true));
+    }
+    std::array<std::byte, max_pdu_size> place{};
+    place.fill(std::byte{0xFF});
+    serial_diagnostics line;
+    return same_bytes(respond<public_functions>("01 00 05 00 0B"_hex, bank, server_profile{}, place, line),
+                      "01 02 FF 07"_hex);
+}
+PROOF("what is left of the last byte of a response is 0", pads_bits)
+
+} // namespace
