@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""mbpoll sends random requests to our server, a process for each: agreement_mbpoll_client.py DEVICE COUNT FUNCTION...
+"""mbpoll sends random requests to our server, a process for each: agreement_mbpoll_client.py DEVICE SEED COUNT
+FUNCTION...
 
 mbpoll asks for 125 values at most, of bits too. It writes one value with 05 or 06 and several with 15 or 16.
 """
@@ -60,8 +61,8 @@ class Client:
         return self.write("4", start, words)
 
 
-def main(device, count, *functions):
-    test = Agreement(Client(device), {1: 125, 2: 125, 15: LONGEST}, window=1024)
+def main(device, seed, count, *functions):
+    test = Agreement(Client(device), {1: 125, 2: 125, 15: LONGEST}, window=1024, seed=int(seed))
     test.run(int(count), list(map(int, functions)))
     return test.status()
 

@@ -26,7 +26,7 @@ from pymodbus.transaction import ModbusRtuFramer
 from agreement import (ADDRESSES, COUNTERS_AT, EVENTS_AT, ID_AT, LOG_AT, MESSAGES_AT, STATUS_AT, input_bit,
                        input_word, record_at)
 
-# Too much for one page; client.cpp has the lengths.
+# Too much for one page; agreement_client.cpp has the lengths.
 IDENTITY = {0x00: "pymodbus", 0x01: "product " + "x" * 150, 0x02: "3.0", 0x03: "url " + "y" * 180, 0x04: "name",
             0x06: "application", 0x80: "z" * 100, 0xFF: "l" * 150}
 COUNTERS = ["BusMessage", "BusCommunicationError", "BusExceptionError", "SlaveMessage", "SlaveNoResponse", "SlaveNAK",
