@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSL-1.0
 """Runs a server and a client on the two ends of a serial line made by socat; the status is the client's.
 
-    python3 pair.py SERVER [ARGUMENT...] -- CLIENT [ARGUMENT...]
+    python3 pair.py [--seconds LIMIT] SERVER [ARGUMENT...] -- CLIENT [ARGUMENT...]
 
-In the commands, @ stands for the device of that end. The line lives in the working directory.
+The client has 40 seconds where no limit is named. In the commands, @ stands for the device of that end. The line
+lives in the working directory.
 """
 import os
 import select
@@ -36,23 +37,26 @@ def on(device, command):
     return [device if word == "@" else word for word in command]
 
 
-def run(server, client, folder, processes):
+def run(server, client, limit, folder, processes):
     ends = [os.path.join(folder, name) for name in ("server", "client")]
     processes.append(subprocess.Popen(["socat", *[f"pty,raw,echo=0,link={end}" for end in ends]]))
     wait_for_line(processes[-1], ends)
     processes.append(subprocess.Popen(on(ends[0], server), stdout=subprocess.PIPE, text=True))
     wait_for_server(processes[-1])
-    return subprocess.run(on(ends[1], client), timeout=CLIENT_LIMIT, check=False).returncode
+    return subprocess.run(on(ends[1], client), timeout=limit, check=False).returncode
 
 
 def main(words):
+    limit = CLIENT_LIMIT
+    if words[0] == "--seconds":
+        limit, words = float(words[1]), words[2:]
     cut = words.index("--")
     processes = []
     # An exception, so that being ended cleans up too.
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     with tempfile.TemporaryDirectory(prefix="line-", dir=os.getcwd()) as folder:
         try:
-            status = run(words[:cut], words[cut + 1:], folder, processes)
+            status = run(words[:cut], words[cut + 1:], limit, folder, processes)
             print("the client's status:", status)
             return status
         finally:

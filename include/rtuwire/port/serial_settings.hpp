@@ -38,7 +38,6 @@ struct serial_settings {
 };
 
 /// The platform's code of a bit rate, if it has one.
-/// Internal.
 [[nodiscard]] inline std::optional<speed_t> speed_code(std::uint32_t bits_per_second) noexcept
 {
     switch (bits_per_second) {

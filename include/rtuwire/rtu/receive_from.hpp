@@ -15,6 +15,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// A port that knows which bytes arrived damaged: `read` then stops before one, leaves it out, and
 /// `take_receive_error` reports it, once. Other ports only read.
+/// Internal.
 template <typename T>
 concept reports_receive_errors = requires(T& port)
 {
@@ -24,7 +25,8 @@ concept reports_receive_errors = requires(T& port)
 };
 
 /// Passes to an engine what has arrived at a port, or arrives until `until`. `place` is working memory.
-/// Errors: those of the port.
+/// Errors: those of the port. A port whose `take_receive_error()` reports a damaged byte before which `read` stopped, once,
+/// has it told to the engine.
 template <typename Engine, typename Port>
 result<void> receive_from(Port& port, Engine& engine, byte_span place, instant until)
 {

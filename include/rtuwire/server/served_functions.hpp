@@ -26,7 +26,8 @@ template <typename Bank, typename Chosen, typename Others> struct choose_functio
 template <typename Bank, typename... Chosen, typename First, typename... Others>
 struct choose_functions<Bank, function_list<Chosen...>, function_list<First, Others...>>
     : choose_functions<
-          Bank, std::conditional_t<is_function_of<First, Bank>, function_list<Chosen..., First>, function_list<Chosen...>>,
+          Bank,
+          std::conditional_t<is_function_of<First, Bank>, function_list<Chosen..., First>, function_list<Chosen...>>,
           function_list<Others...>> {};
 
 /// The public functions that a bank of registers serves.

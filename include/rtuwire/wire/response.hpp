@@ -74,6 +74,19 @@ template <typename... Functions>
     return found;
 }
 
+/// The shortest request PDU with which a response may be compared: 4 bytes, or the shortest request of a function that
+/// has a check of its own.
+/// Internal.
+template <typename... Functions>
+[[nodiscard]] consteval std::size_t shortest_checked(function_list<Functions...>, std::size_t usual) noexcept
+{
+    std::size_t shortest = usual;
+    ((shortest = Functions::rules.answers == answer_rule::own and Functions::max_size < shortest ? Functions::max_size
+                                                                                                 : shortest),
+     ...);
+    return shortest;
+}
+
 /// What the function with this code finds that has a check of its own.
 /// Internal.
 template <typename... Functions>
@@ -81,9 +94,12 @@ template <typename... Functions>
                                           byte_view response_pdu) noexcept
 {
     errc found = errc::none;
+    constexpr std::size_t usual = 4;
+    constexpr bool is_usual = shortest_checked(function_list<Functions...>{}, usual) == usual;
     auto const ask = [&]<typename Function>(std::type_identity<Function>) {
         if constexpr (Function::rules.answers == answer_rule::own) {
-            if (code == to_u8(Function::code)) {
+            constexpr std::size_t least = Function::max_size < usual ? Function::max_size : usual;
+            if (code == to_u8(Function::code) and (is_usual or request_pdu.size() >= least)) {
                 found = Function::check_response(request_pdu, response_pdu);
             }
         }
@@ -147,7 +163,8 @@ template <typename... Functions>
 [[nodiscard, gnu::always_inline]] constexpr errc check_fields(byte_view request_pdu, byte_view response_pdu) noexcept
 {
     // A raw request may be shorter than its function allows; then there is nothing to compare with.
-    constexpr std::size_t shortest = 4;
+    constexpr std::size_t usual = 4;
+    constexpr std::size_t shortest = shortest_checked(public_functions{}, usual);
     if (request_pdu.size() < shortest) {
         return errc::none;
     }
@@ -155,6 +172,9 @@ template <typename... Functions>
     std::size_t size = 5;    // of the response
     std::size_t same = size; // bytes that are those of the request
     answer_rule const rule = answer_of(code);
+    if (shortest < usual and rule != answer_rule::own and request_pdu.size() < usual) {
+        return errc::none;
+    }
     if (rule == answer_rule::registers or rule == answer_rule::bits) {
         std::size_t const bytes = request_pdu.size() < size ? 0 : answer_bytes(rule, u16_at(request_pdu, 3));
         bool const fits = response_pdu.size() == 2 + bytes and to_u8(response_pdu[1]) == bytes;
