@@ -194,7 +194,7 @@ private:
 
     bool has_receive_error()
     {
-        if constexpr (rtuwire::reports_receive_errors<Port>) {
+        if constexpr (requires { port_.take_receive_error(); }) {
             return port_.take_receive_error();
         } else {
             return false;
