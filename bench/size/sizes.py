@@ -27,12 +27,12 @@ FLAGS = ["-std=c++20", "-Os", "-mthumb", "-fno-exceptions", "-fno-rtti", "-ffunc
 LINK = ["-nostartfiles", "--specs=nano.specs", "--specs=nosys.specs", "-Wl,--gc-sections",
         "-T", IMAGES / "image.ld"]
 CPUS = ("cortex-m0plus", "cortex-m3")
-NAMES = ("server_frames", "server", "client_frames", "client_encoding", "client",
+NAMES = ("server_frames", "server", "server_all", "client_frames", "client_encoding", "client",
          "client_counting", "client_counting_fixed", "typed_read",
          "monitor", "two_conversations", "bus", "text",
          "crc_bitwise", "crc_nibble_table", "crc_byte_table", "crc_byte_algebra")
 # What this library wants to need at most: flash on a Cortex-M0+, RAM of an engine with its frame.
-BARS = {"server_frames": 1000, "client_frames": 1250, "text": 500}
+BARS = {"server_frames": 1000, "server_all": 3600, "client_frames": 1250, "text": 500}
 STACK_BAR = 160
 RAM_BAR = 256 + 64
 # How much of flash these may gain over the baseline on a Cortex-M0+.
