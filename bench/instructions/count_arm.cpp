@@ -3,6 +3,8 @@
 // Counts instructions on an emulated board whose clock ticks once for 40 of them (-icount shift=0).
 #include "board.hpp"
 
+#include <rtuwire/client.hpp>
+
 #include RTUWIRE_OPERATIONS
 
 namespace {
@@ -37,7 +39,7 @@ int main()
             board::console_uart::put(static_cast<std::byte>(*c));
         }
         board::print(" ");
-        board::print(ticks * instructions_a_tick / rounds);
+        board::print(rtuwire::quantity<rtuwire::dimensionless, std::int32_t>{ticks * instructions_a_tick / rounds});
         board::print("\n");
     }
     return 0;
