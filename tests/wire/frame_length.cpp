@@ -190,13 +190,13 @@ TEST_CASE("every function's frames have the size that the specification gives th
 
 TEST_CASE("the size of a queue's response stands in two bytes")
 {
+    unsigned wrong = 0;
     for (std::uint32_t count = 0; count <= 0xFFFF; ++count) {
         std::array<std::byte, 4> const head{std::byte{2}, std::byte{24}, to_byte(count >> 8U), to_byte(count)};
-        length_hint const told = count > 250 ? silence : length_hint{6 + count, true};
-        if (frame_length(answers, head) != told) {
-            FAIL("byte count " << count);
-        }
+        auto const size = static_cast<std::size_t>(6 + count);
+        wrong += frame_length(answers, head) == (count > 250 ? silence : length_hint{size, true}) ? 0U : 1U;
     }
+    CHECK(wrong == 0);
     CHECK(frame_length(asks, "02 18"_hex) == length_hint{6, true});
 }
 
