@@ -50,6 +50,27 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         there_and_back(unit, read_write_multiple_registers{first, second, third, words});
         there_and_back(unit, read_write_multiple_registers_response{words});
         there_and_back(unit, diagnostics{static_cast<subfunction>(first), words});
+        bit_view const bits{words.bytes(), third};
+        there_and_back(unit, read_coils{first, second});
+        there_and_back(unit, read_discrete_inputs{first, second});
+        there_and_back(unit, read_input_registers{first, second});
+        there_and_back(unit, read_input_registers_response{words});
+        there_and_back(unit, read_coils_response{bits});
+        there_and_back(unit, read_discrete_inputs_response{bits});
+        there_and_back(unit, write_single_coil{first, second % 2 != 0});
+        there_and_back(unit, write_multiple_coils{first, bits});
+        there_and_back(unit, write_multiple_coils_response{first, second});
+        there_and_back(unit, read_exception_status_response{kind});
+        there_and_back(unit, get_comm_event_counter_response{first, second});
+        there_and_back(unit, get_comm_event_log_response{first, second, third, words.bytes()});
+        there_and_back(unit, report_server_id_response{words.bytes()});
+        there_and_back(unit, read_file_record_response{words.bytes()});
+        there_and_back(unit, read_file_record{file_run{first, second, third}});
+        there_and_back(unit, file_writes{words.bytes()});
+        there_and_back(unit, write_file_record{first, second, words});
+        there_and_back(unit, mask_write_register{first, second, third});
+        there_and_back(unit, read_fifo_queue{first});
+        there_and_back(unit, read_fifo_queue_response{words});
         there_and_back(
             unit, exception_response{static_cast<function_code>(first & 0xFFU), static_cast<std::uint8_t>(second)});
     }

@@ -6,6 +6,8 @@
 
 #include "input.hpp"
 
+#include "../tests/support/whole_bank.hpp"
+
 using namespace rtuwire;
 using fuzz::require;
 
@@ -14,26 +16,13 @@ namespace {
 constexpr device_object objects[] = {{0, "vendor"}, {1, "code"}, {2, "0100"}};
 constexpr server_profile wide{.identity = identity_of<objects>};
 
-struct shadowed_bank {
-    word_bank<32> words{100};
-    unsigned writes{0};
-
-    errc check_read(std::uint16_t start, std::size_t count) const { return words.check_read(start, count); }
-    errc check_write(std::uint16_t start, register_view values) const { return words.check_write(start, values); }
-    errc read(std::uint16_t start, std::size_t count, byte_writer& out) { return words.read(start, count, out); }
-    errc write(std::uint16_t start, register_view values)
-    {
-        ++writes;
-        return words.write(start, values);
-    }
-};
-
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
     static constexpr server_profile narrow{.limits = {7, 7, 0, 0}};
-    shadowed_bank bank;
+    test::whole_bank bank;
+    bank.queued = size % bank.queue.size();
     serial_diagnostics line;
     fuzz::input in{data, size};
     while (not in.is_empty()) {
@@ -41,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         byte_view const asked = in.some(in.u8());
         std::array<std::byte, max_pdu_size> place{};
         unsigned const before = bank.writes;
-        byte_view const response = respond(asked, bank, is_wide ? wide : narrow, place, line);
+        byte_view const response = respond<public_functions>(asked, bank, is_wide ? wide : narrow, place, line);
         if (response.empty()) {
             continue;
         }

@@ -8,6 +8,8 @@
 
 #include <rtuwire/rtuwire.hpp>
 
+#include "../tests/support/whole_bank.hpp"
+
 using namespace rtuwire;
 
 namespace {
@@ -19,8 +21,9 @@ constexpr server_profile profile{.identity = identity_of<objects>};
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
-    server node{unit_id{1}, line_timing{19'200, character_format::even_8_1}, profile};
-    word_bank<16> bank;
+    basic_server<serial_diagnostics, public_functions> node{unit_id{1}, line_timing{19'200, character_format::even_8_1},
+                                                            profile};
+    test::whole_bank bank;
     instant now{0xFFFF'0000U};
     node.advance(now);
     now = now + milliseconds(10);

@@ -45,13 +45,13 @@ STATIC_CHECK(not after_broadcast<register_functions>("05 00 03 FF 00"_hex).switc
 
 /// A unit, and what it tells of itself by functions 11 and 12.
 struct counted : whole_unit<> {
-    constexpr unsigned events()
+    unsigned events()
     {
         byte_view const told = ask("0B"_hex);
         bool const is_free = told.size() == 8 and told[1] == std::byte{0x0B} and u16_at(told, 2) == 0;
         return is_free ? u16_at(told, 4) : 0xFFFFU;
     }
-    constexpr bool is_logged(std::uint16_t events, std::uint16_t messages)
+    bool is_logged(std::uint16_t events, std::uint16_t messages)
     {
         byte_view const told = ask("0C"_hex);
         return told.size() == 11 and told[2] == std::byte{6} and u16_at(told, 3) == 0 and u16_at(told, 5) == events and
@@ -59,42 +59,40 @@ struct counted : whole_unit<> {
     }
 };
 
-constexpr bool counts_what_is_executed()
+} // namespace
+
+TEST_CASE("the event counter counts what was executed, but not its own requests")
 {
     counted unit;
-    using test::is;
-    bool const is_none = is(unit.events() == 0, "at first") and is(unit.events() == 0, "its own request");
+    CHECK(unit.events() == 0);
+    CHECK(unit.events() == 0);
     unit.ask("01 00 00 00 01"_hex);
     unit.ask("06 00 00 12 34"_hex);
-    bool const are_two = is(unit.events() == 2, "two requests");
-    unit.ask("01 00 00 00 00"_hex);
+    CHECK(unit.events() == 2);
+    unit.ask("01 00 00 00 00"_hex); // exceptions
     unit.ask("42"_hex);
-    bool const still_two = is(unit.events() == 2, "exceptions");
+    CHECK(unit.events() == 2);
     unit.ask("05 00 03 FF 00"_hex, 0);
-    bool const are_three = is(unit.events() == 3, "a write to everyone");
-    unit.ask("01 00 00 00 01"_hex, 0);
-    unit.ask("01 00 00 00 01"_hex, 2);
-    return is_none and are_two and still_two and are_three and is(unit.events() == 3, "what has no effect") and
-           is(unit.is_logged(3, 14), "the log counts all messages") and is(unit.is_logged(4, 15), "and is an event");
+    CHECK(unit.events() == 3);
+    unit.ask("01 00 00 00 01"_hex, 0); // without effect
+    unit.ask("01 00 00 00 01"_hex, 2); // to another unit
+    CHECK(unit.events() == 3);
+    CHECK(unit.is_logged(3, 14)); // all messages
+    CHECK(unit.is_logged(4, 15)); // the first one was an event
 }
-PROOF("the event counter counts what was executed, but not its own requests", counts_what_is_executed)
 
-constexpr bool is_cleared()
+TEST_CASE("clearing the counters clears that of events, and is none")
 {
-    using test::is;
     counted unit;
     unit.ask("01 00 00 00 01"_hex);
     unit.ask("08 00 0A 00 00"_hex);
-    bool const by_clear = is(unit.events() == 0, "08/0A");
+    CHECK(unit.events() == 0);
     unit.ask("01 00 00 00 01"_hex);
-    bool const counts_again = is(unit.events() == 1, "the next request");
+    CHECK(unit.events() == 1);
     unit.ask("08 00 01 00 00"_hex);
-    bool const by_restart = is(unit.events() == 0, "08/01");
-    unit.ask("08 00 04 00 00"_hex);
+    CHECK(unit.events() == 0);
+    unit.ask("08 00 04 00 00"_hex); // listens only
     unit.ask("01 00 00 00 01"_hex);
     unit.ask("08 00 01 00 00"_hex);
-    return by_clear and counts_again and by_restart and is(unit.events() == 0, "08/01 after listening only");
+    CHECK(unit.events() == 0);
 }
-PROOF("clearing the counters clears that of events, and is none", is_cleared)
-
-} // namespace

@@ -6,7 +6,8 @@
 
 #include <array>
 
-#include "support/proof.hpp"
+#include "support/catch.hpp"
+#include "support/fact.hpp"
 #include "support/whole_bank.hpp"
 
 #include <rtuwire/core/hex.hpp>
@@ -16,7 +17,7 @@ using rtuwire::test::whole_bank;
 
 namespace {
 
-constexpr whole_bank fresh()
+whole_bank fresh()
 {
     whole_bank bank;
     static_cast<void>(bank.words.set(4, 0x0012));
@@ -26,7 +27,7 @@ constexpr whole_bank fresh()
     return bank;
 }
 
-constexpr bool is_as_before(whole_bank const& bank)
+bool is_as_before(whole_bank const& bank)
 {
     whole_bank const before = fresh();
     bool is_same = bank.files == before.files;
@@ -41,7 +42,7 @@ constexpr bool is_as_before(whole_bank const& bank)
 
 /// The exception to a request of a bank, and 0 for a normal response; 0xFF where it was refused and changed something.
 template <typename Functions = public_functions>
-constexpr unsigned exception_of(whole_bank& bank, byte_view asked, server_profile const& profile = {})
+unsigned exception_of(whole_bank& bank, byte_view asked, server_profile const& profile = {})
 {
     serial_diagnostics line;
     std::array<std::byte, max_pdu_size> place{};
@@ -52,7 +53,7 @@ constexpr unsigned exception_of(whole_bank& bank, byte_view asked, server_profil
     return is_as_before(bank) ? to_u8(told[1]) : 0xFFU;
 }
 
-template <std::size_t Size> constexpr unsigned exception_to(std::array<std::byte, Size> const& asked)
+template <std::size_t Size> unsigned exception_to(std::array<std::byte, Size> const& asked)
 {
     whole_bank bank = fresh();
     return exception_of(bank, asked);
@@ -60,7 +61,7 @@ template <std::size_t Size> constexpr unsigned exception_to(std::array<std::byte
 
 /// Whether a good request of a function is answered; is refused by a server without it (01), with a byte more or less
 /// (03), and by a bank that fails (04, or whatever it says).
-template <std::size_t Size> constexpr bool is_checked(std::array<std::byte, Size> const& good, bool can_fail = true)
+template <std::size_t Size> bool is_checked(std::array<std::byte, Size> const& good, bool can_fail = true)
 {
     std::array<std::byte, Size + 1> longer{};
     byte_writer{longer}.bytes(good);
@@ -83,71 +84,6 @@ template <std::size_t Size> constexpr bool is_checked(std::array<std::byte, Size
            is(not can_fail or exception_of(busy, good) == 6, "busy") and
            is(not can_fail or exception_of(odd, good) == 4, "an error without a code");
 }
-STATIC_CHECK(is_checked("01 00 00 00 40"_hex));
-STATIC_CHECK(is_checked("02 00 00 00 20"_hex));
-STATIC_CHECK(is_checked("04 00 00 00 08"_hex, false));
-STATIC_CHECK(is_checked("05 00 3F FF 00"_hex));
-STATIC_CHECK(is_checked("07"_hex, false));
-STATIC_CHECK(is_checked("0B"_hex, false));
-STATIC_CHECK(is_checked("0C"_hex, false));
-STATIC_CHECK(is_checked("0F 00 00 00 40 08 01 02 03 04 05 06 07 08"_hex));
-STATIC_CHECK(is_checked("11"_hex, false));
-STATIC_CHECK(is_checked("14 07 06 00 01 00 00 00 08"_hex));
-STATIC_CHECK(is_checked("15 09 06 00 02 00 07 00 01 12 34"_hex));
-STATIC_CHECK(is_checked("16 00 0F 00 F2 00 25"_hex));
-STATIC_CHECK(is_checked("18 00 64"_hex));
-
-// Bits: the quantity comes before the address.
-STATIC_CHECK(exception_to("01 FF FF 00 00"_hex) == 3 and exception_to("01 FF FF 07 D1"_hex) == 3);
-STATIC_CHECK(exception_to("01 FF FF 07 D0"_hex) == 2 and exception_to("01 00 00 00 41"_hex) == 2);
-STATIC_CHECK(exception_to("01 00 3F 00 02"_hex) == 2 and exception_to("01 00 3F 00 01"_hex) == 0);
-STATIC_CHECK(exception_to("02 FF FF 00 00"_hex) == 3 and exception_to("02 FF FF 07 D1"_hex) == 3);
-STATIC_CHECK(exception_to("02 00 00 00 21"_hex) == 2 and exception_to("02 FF FF 00 01"_hex) == 2);
-STATIC_CHECK(exception_to("04 FF FF 00 00"_hex) == 3 and exception_to("04 FF FF 00 7E"_hex) == 3);
-STATIC_CHECK(exception_to("04 00 00 00 09"_hex) == 2 and exception_to("04 FF FF 00 7D"_hex) == 2);
-STATIC_CHECK(exception_to("05 FF FF 12 34"_hex) == 3 and exception_to("05 FF FF 00 FF"_hex) == 3);
-STATIC_CHECK(exception_to("05 00 40 FF 00"_hex) == 2 and exception_to("05 FF FF 00 00"_hex) == 2);
-STATIC_CHECK(exception_to("0F FF FF 00 00 00"_hex) == 3 and exception_to("0F FF FF 00 09 01 FF"_hex) == 3);
-STATIC_CHECK(exception_to("0F FF FF 00 08 02 FF FF"_hex) == 3);
-STATIC_CHECK(exception_to("0F 00 39 00 08 01 FF"_hex) == 2 and exception_to("0F FF FF 00 01 01 FF"_hex) == 2);
-STATIC_CHECK(exception_to("16 00 10 00 F2 00 25"_hex) == 2);
-STATIC_CHECK(exception_to("18 00 65"_hex) == 2);
-
-// Files: the byte count, then each reference, file and record (the diagrams of AP 6.14 and 6.15).
-STATIC_CHECK(exception_to("14 00"_hex) == 3 and exception_to("14 06 06 00 01 00 00 00"_hex) == 3);
-STATIC_CHECK(exception_to("14 07 07 00 01 00 00 00 01"_hex) == 2);
-STATIC_CHECK(exception_to("14 07 06 00 00 00 00 00 01"_hex) == 2);
-STATIC_CHECK(exception_to("14 07 06 00 03 00 00 00 01"_hex) == 2);
-STATIC_CHECK(exception_to("14 07 06 00 01 00 08 00 01"_hex) == 2);
-STATIC_CHECK(exception_to("14 07 06 00 01 27 10 00 01"_hex) == 2);
-STATIC_CHECK(exception_to("14 07 06 00 01 00 00 00 00"_hex) == 3);
-STATIC_CHECK(exception_to("14 07 06 00 01 00 00 00 7A"_hex) == 3); // more than a response carries
-STATIC_CHECK(exception_to("14 0E 06 00 01 00 00 00 01 06 00 03 00 00 00 01"_hex) == 2);
-STATIC_CHECK(exception_to("15 00"_hex) == 3 and exception_to("15 0A 06 00 01 00 00 00 01 12 34 06"_hex) == 3);
-STATIC_CHECK(exception_to("15 09 06 00 01 00 00 00 02 12 34"_hex) == 3);
-STATIC_CHECK(exception_to("15 09 07 00 01 00 00 00 01 12 34"_hex) == 2);
-STATIC_CHECK(exception_to("15 09 06 00 00 00 00 00 01 12 34"_hex) == 2);
-STATIC_CHECK(exception_to("15 09 06 00 01 27 10 00 01 12 34"_hex) == 2);
-// Of several runs none is written where one is refused.
-STATIC_CHECK(exception_to("15 12 06 00 01 00 00 00 01 12 34 06 00 03 00 00 00 01 12 34"_hex) == 2);
-STATIC_CHECK(exception_to("15 12 06 00 01 00 00 00 01 12 34 06 00 02 00 08 00 01 12 34"_hex) == 2);
-STATIC_CHECK(exception_to("15 12 06 00 01 00 00 00 01 12 34 07 00 02 00 07 00 01 12 34"_hex) == 2);
-STATIC_CHECK(exception_to("15 12 06 00 01 00 00 00 01 12 34 06 00 02 00 07 00 01 56 78"_hex) == 0);
-
-constexpr bool tells_what_fits()
-{
-    whole_bank bank;
-    bank.queued = 31;
-    bool const fits = exception_of(bank, "18 00 64"_hex) == 0;
-    bank = fresh();
-    bank.queued = 32;
-    bool const is_too_long = exception_of(bank, "18 00 64"_hex) == 3;
-    bank.id_size = 0;
-    using test::is;
-    return is(fits, "31 registers") and is(is_too_long, "32 registers") and
-           is(exception_of(bank, "11"_hex) == 4, "no identifier");
-}
-PROOF("a queue of more than 31 registers is exception 03, a unit without an identifier 04", tells_what_fits)
 
 /// Its registers are half there.
 struct half_bank : whole_bank {
@@ -164,34 +100,115 @@ struct half_bank : whole_bank {
     constexpr errc read_file(file_run, byte_writer&) const { return errc::none; }
 };
 
-constexpr bool takes_no_half_words()
+} // namespace
+
+TEST_CASE("every function is refused where it is not there, is not whole, or fails")
+{
+    CHECK(is_checked("01 00 00 00 40"_hex));
+    CHECK(is_checked("02 00 00 00 20"_hex));
+    CHECK(is_checked("04 00 00 00 08"_hex, false));
+    CHECK(is_checked("05 00 3F FF 00"_hex));
+    CHECK(is_checked("07"_hex, false));
+    CHECK(is_checked("0B"_hex, false));
+    CHECK(is_checked("0C"_hex, false));
+    CHECK(is_checked("0F 00 00 00 40 08 01 02 03 04 05 06 07 08"_hex));
+    CHECK(is_checked("11"_hex, false));
+    CHECK(is_checked("14 07 06 00 01 00 00 00 08"_hex));
+    CHECK(is_checked("15 09 06 00 02 00 07 00 01 12 34"_hex));
+    CHECK(is_checked("16 00 0F 00 F2 00 25"_hex));
+    CHECK(is_checked("18 00 64"_hex));
+}
+
+TEST_CASE("the quantity or value comes before the address")
+{
+    // Bits: the quantity comes before the address.
+    CHECK(exception_to("01 FF FF 00 00"_hex) == 3);
+    CHECK(exception_to("01 FF FF 07 D1"_hex) == 3);
+    CHECK(exception_to("01 FF FF 07 D0"_hex) == 2);
+    CHECK(exception_to("01 00 00 00 41"_hex) == 2);
+    CHECK(exception_to("01 00 3F 00 02"_hex) == 2);
+    CHECK(exception_to("01 00 3F 00 01"_hex) == 0);
+    CHECK(exception_to("02 FF FF 00 00"_hex) == 3);
+    CHECK(exception_to("02 FF FF 07 D1"_hex) == 3);
+    CHECK(exception_to("02 00 00 00 21"_hex) == 2);
+    CHECK(exception_to("02 FF FF 00 01"_hex) == 2);
+    CHECK(exception_to("04 FF FF 00 00"_hex) == 3);
+    CHECK(exception_to("04 FF FF 00 7E"_hex) == 3);
+    CHECK(exception_to("04 00 00 00 09"_hex) == 2);
+    CHECK(exception_to("04 FF FF 00 7D"_hex) == 2);
+    CHECK(exception_to("05 FF FF 12 34"_hex) == 3);
+    CHECK(exception_to("05 FF FF 00 FF"_hex) == 3);
+    CHECK(exception_to("05 00 40 FF 00"_hex) == 2);
+    CHECK(exception_to("05 FF FF 00 00"_hex) == 2);
+    CHECK(exception_to("0F FF FF 00 00 00"_hex) == 3);
+    CHECK(exception_to("0F FF FF 00 09 01 FF"_hex) == 3);
+    CHECK(exception_to("0F FF FF 00 08 02 FF FF"_hex) == 3);
+    CHECK(exception_to("0F 00 39 00 08 01 FF"_hex) == 2);
+    CHECK(exception_to("0F FF FF 00 01 01 FF"_hex) == 2);
+    CHECK(exception_to("16 00 10 00 F2 00 25"_hex) == 2);
+    CHECK(exception_to("18 00 65"_hex) == 2);
+}
+
+TEST_CASE("of files, the byte count comes before each reference, file and record")
+{
+    // Files: the byte count, then each reference, file and record (the diagrams of AP 6.14 and 6.15).
+    CHECK(exception_to("14 00"_hex) == 3);
+    CHECK(exception_to("14 06 06 00 01 00 00 00"_hex) == 3);
+    CHECK(exception_to("14 07 07 00 01 00 00 00 01"_hex) == 2);
+    CHECK(exception_to("14 07 06 00 00 00 00 00 01"_hex) == 2);
+    CHECK(exception_to("14 07 06 00 03 00 00 00 01"_hex) == 2);
+    CHECK(exception_to("14 07 06 00 01 00 08 00 01"_hex) == 2);
+    CHECK(exception_to("14 07 06 00 01 27 10 00 01"_hex) == 2);
+    CHECK(exception_to("14 07 06 00 01 00 00 00 00"_hex) == 3);
+    CHECK(exception_to("14 07 06 00 01 00 00 00 7A"_hex) == 3); // more than a response carries
+    CHECK(exception_to("14 0E 06 00 01 00 00 00 01 06 00 03 00 00 00 01"_hex) == 2);
+    CHECK(exception_to("15 00"_hex) == 3);
+    CHECK(exception_to("15 0A 06 00 01 00 00 00 01 12 34 06"_hex) == 3);
+    CHECK(exception_to("15 09 06 00 01 00 00 00 02 12 34"_hex) == 3);
+    CHECK(exception_to("15 09 07 00 01 00 00 00 01 12 34"_hex) == 2);
+    CHECK(exception_to("15 09 06 00 00 00 00 00 01 12 34"_hex) == 2);
+    CHECK(exception_to("15 09 06 00 01 27 10 00 01 12 34"_hex) == 2);
+    // Of several runs none is written where one is refused.
+    CHECK(exception_to("15 12 06 00 01 00 00 00 01 12 34 06 00 03 00 00 00 01 12 34"_hex) == 2);
+    CHECK(exception_to("15 12 06 00 01 00 00 00 01 12 34 06 00 02 00 08 00 01 12 34"_hex) == 2);
+    CHECK(exception_to("15 12 06 00 01 00 00 00 01 12 34 07 00 02 00 07 00 01 12 34"_hex) == 2);
+    CHECK(exception_to("15 12 06 00 01 00 00 00 01 12 34 06 00 02 00 07 00 01 56 78"_hex) == 0);
+}
+
+TEST_CASE("a queue of more than 31 registers is exception 03, a unit without an identifier 04")
+{
+    whole_bank bank = fresh();
+    bank.queued = 31;
+    CHECK(exception_of(bank, "18 00 64"_hex) == 0);
+    bank.queued = 32;
+    CHECK(exception_of(bank, "18 00 64"_hex) == 3);
+    bank.id_size = 0;
+    CHECK(exception_of(bank, "11"_hex) == 4);
+}
+
+TEST_CASE("a bank that gives less than it was asked for is exception 04, and nothing is written")
 {
     half_bank bank;
     std::array<std::byte, max_pdu_size> place{};
     serial_diagnostics line;
-    auto const refuses = [&](byte_view asked) {
+    auto const is_refused = [&](byte_view asked) {
         byte_view const told = respond<public_functions>(asked, bank, server_profile{}, place, line);
         return told.size() == 2 and told[1] == std::byte{4} and bank.writes == 0;
     };
-    using test::is;
-    return is(refuses("16 00 04 00 F2 00 25"_hex), "22") and is(refuses("18 00 64"_hex), "24") and
-           is(refuses("14 07 06 00 01 00 00 00 01"_hex), "20");
+    CHECK(is_refused("16 00 04 00 F2 00 25"_hex));
+    CHECK(is_refused("18 00 64"_hex));
+    CHECK(is_refused("14 07 06 00 01 00 00 00 01"_hex));
 }
-PROOF("a bank that gives less than it was asked for is exception 04", takes_no_half_words)
 
-/// Bits of a bank between others, as they leave.
-constexpr bool pads_bits()
+TEST_CASE("what is left of the last byte of a response is 0")
 {
     whole_bank bank;
     for (std::uint16_t i = 0; i < 64; ++i) {
-        static_cast<void>(bank.switched.set(i, true));
+        REQUIRE(bank.switched.set(i, true));
     }
     std::array<std::byte, max_pdu_size> place{};
     place.fill(std::byte{0xFF});
     serial_diagnostics line;
-    return same_bytes(respond<public_functions>("01 00 05 00 0B"_hex, bank, server_profile{}, place, line),
-                      "01 02 FF 07"_hex);
+    CHECK(same_bytes(respond<public_functions>("01 00 05 00 0B"_hex, bank, server_profile{}, place, line),
+                     "01 02 FF 07"_hex));
 }
-PROOF("what is left of the last byte of a response is 0", pads_bits)
-
-} // namespace

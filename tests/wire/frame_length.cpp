@@ -107,34 +107,98 @@ constexpr bool knows_nineteen_functions()
 PROOF("nineteen functions have a length rule, a refusal has five bytes, all else ends by silence",
       knows_nineteen_functions)
 
-constexpr bool ends_no_frame_beyond_256()
+/// Where a frame's size stands, by the clause of the specification that gives the frame: its size where that is fixed,
+/// else the byte that counts and the size without what it counts.
+struct size_rule {
+    std::uint8_t code;
+    std::size_t fixed;
+    std::size_t at{0};
+    std::size_t base{0};
+};
+constexpr std::size_t counted = 0;
+constexpr std::array<size_rule, 16> request_sizes{{{1, 8},
+                                                   {2, 8},
+                                                   {3, 8},
+                                                   {4, 8},
+                                                   {5, 8},
+                                                   {6, 8},
+                                                   {7, 4},
+                                                   {11, 4},
+                                                   {12, 4},
+                                                   {15, counted, 6, 9},
+                                                   {16, counted, 6, 9},
+                                                   {17, 4},
+                                                   {20, counted, 2, 5},
+                                                   {21, counted, 2, 5},
+                                                   {22, 10},
+                                                   {23, counted, 10, 13}}};
+constexpr std::array<size_rule, 16> response_sizes{{{1, counted, 2, 5},
+                                                    {2, counted, 2, 5},
+                                                    {3, counted, 2, 5},
+                                                    {4, counted, 2, 5},
+                                                    {5, 8},
+                                                    {6, 8},
+                                                    {7, 5},
+                                                    {11, 8},
+                                                    {12, counted, 2, 5},
+                                                    {15, 8},
+                                                    {16, 8},
+                                                    {17, counted, 2, 5},
+                                                    {20, counted, 2, 5},
+                                                    {21, counted, 2, 5},
+                                                    {22, 10},
+                                                    {23, counted, 2, 5}}};
+
+/// Whether a rule holds at every number of bytes that have arrived and every byte count.
+constexpr bool is_obeyed(direction way, size_rule const& rule)
 {
-    struct {
-        direction way;
-        std::uint8_t code;
-        std::size_t at;
-        std::size_t base;
-    } constexpr rules[]{{answers, 1, 2, 5},  {answers, 2, 2, 5},  {answers, 3, 2, 5}, {answers, 4, 2, 5},
-                        {answers, 12, 2, 5}, {answers, 17, 2, 5}, {asks, 15, 6, 9},   {asks, 16, 6, 9},
-                        {asks, 20, 2, 5},    {answers, 20, 2, 5}, {asks, 21, 2, 5},   {answers, 21, 2, 5},
-                        {asks, 23, 10, 13},  {answers, 23, 2, 5}};
-    for (auto const& rule : rules) {
-        for (std::uint32_t count = 0; count <= 0xFF; ++count) {
-            test::exact_bytes head{rule.at + 1};
-            head.span()[1] = to_byte(rule.code);
+    for (std::uint32_t count = 0; count <= 0xFF; ++count) {
+        test::exact_bytes head{12, std::byte{0x33}};
+        head.span()[1] = to_byte(rule.code);
+        bool const is_fixed = rule.fixed != counted;
+        if (not is_fixed) {
             head.span()[rule.at] = to_byte(count);
-            std::size_t const size = rule.base + count;
-            length_hint const expected = size > 256 ? silence : length_hint{size, true};
-            if (frame_length(rule.way, head.view()) != expected) {
+        }
+        std::size_t const size = is_fixed ? rule.fixed : rule.base + count;
+        length_hint const told = size > 256 ? silence : length_hint{size, true};
+        for (std::size_t there = 2; there <= head.view().size(); ++there) {
+            bool const is_known = is_fixed or there > rule.at;
+            if (frame_length(way, head.view().first(there)) != (is_known ? told : length_hint{rule.at + 1, false})) {
                 return false;
             }
+        }
+        if (is_fixed) {
+            return true;
         }
     }
     return true;
 }
-PROOF("a byte count ends a frame of up to 256 bytes, and none beyond", ends_no_frame_beyond_256)
 
 } // namespace
+
+TEST_CASE("every function's frames have the size that the specification gives them, up to 256 bytes")
+{
+    for (size_rule const& rule : request_sizes) {
+        CAPTURE(unsigned{rule.code});
+        CHECK(is_obeyed(asks, rule));
+    }
+    for (size_rule const& rule : response_sizes) {
+        CAPTURE(unsigned{rule.code});
+        CHECK(is_obeyed(answers, rule));
+    }
+}
+
+TEST_CASE("the size of a queue's response stands in two bytes")
+{
+    unsigned wrong = 0;
+    for (std::uint32_t count = 0; count <= 0xFFFF; ++count) {
+        std::array<std::byte, 4> const head{std::byte{2}, std::byte{24}, to_byte(count >> 8U), to_byte(count)};
+        auto const size = static_cast<std::size_t>(6 + count);
+        wrong += frame_length(answers, head) == (count > 250 ? silence : length_hint{size, true}) ? 0U : 1U;
+    }
+    CHECK(wrong == 0);
+    CHECK(frame_length(asks, "02 18"_hex) == length_hint{6, true});
+}
 
 TEST_CASE("whatever the bytes say, a final size is one that a frame can have")
 {

@@ -14,10 +14,10 @@
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Whether a bank has what a function serves.
-template <typename Function, typename Bank> inline constexpr bool is_function_of = true;
+template <typename Function, typename Bank> inline constexpr bool serves_function = true;
 template <typename Function, typename Bank>
     requires requires { Function::template is_served_by<Bank&>; }
-inline constexpr bool is_function_of<Function, Bank> = Function::template is_served_by<Bank&>;
+inline constexpr bool serves_function<Function, Bank> = Function::template is_served_by<Bank&>;
 
 /// Moves those of a list that a bank serves behind those that are chosen.
 template <typename Bank, typename Chosen, typename Others> struct choose_functions {
@@ -27,7 +27,7 @@ template <typename Bank, typename... Chosen, typename First, typename... Others>
 struct choose_functions<Bank, function_list<Chosen...>, function_list<First, Others...>>
     : choose_functions<
           Bank,
-          std::conditional_t<is_function_of<First, Bank>, function_list<Chosen..., First>, function_list<Chosen...>>,
+          std::conditional_t<serves_function<First, Bank>, function_list<Chosen..., First>, function_list<Chosen...>>,
           function_list<Others...>> {};
 
 /// The public functions that a bank of registers serves.
