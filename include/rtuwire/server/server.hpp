@@ -66,6 +66,9 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// Internal.
 template <typename Diagnostics, typename Functions = register_functions> class basic_server {
 public:
+    /// The same with other functions: `server::with<function_list<read_coils>>`; `public_functions` are all.
+    template <typename Others> using with = basic_server<Diagnostics, Others>;
+
     /// Listens as `unit`; the profile, and the objects in it, must outlive the server.
     constexpr basic_server(unit_id unit, line_timing const& timing, server_profile const& profile) noexcept
         : unit_{unit.byte()}, profile_{&profile}, framer_{timing}
@@ -262,8 +265,7 @@ private:
     [[no_unique_address]] Diagnostics diagnostics_{};
 };
 
-/// A server whose function 08 is the loopback (sub-function 0) only. The functions of a server are in its type:
-/// `basic_server<loopback_only, function_list<read_coils, write_single_coil>>`, or `public_functions` for all.
+/// A server whose function 08 is the loopback (sub-function 0) only, with functions 03, 06, 08, 16, 23 and 43.
 using server = basic_server<loopback_only>;
 
 /// A server with the counters and the listen-only mode of function 08.
