@@ -4,6 +4,7 @@
 // EXPECT: one request writes registers that follow one another
 // CASES: 3
 #include <rtuwire/ask/access.hpp>
+#include <rtuwire/wire/functions.hpp>
 
 using namespace rtuwire;
 

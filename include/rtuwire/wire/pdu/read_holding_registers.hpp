@@ -5,6 +5,7 @@
 #pragma once
 
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/frame_rules.hpp>
 #include <rtuwire/wire/parts/pdu_fields.hpp>
 
