@@ -46,15 +46,15 @@ struct access_record {
                    same_bytes(frame.subspan(values_at, frame.size() - values_at - 2), values);
         };
         bool const reads = is_read and u16_at(frame, 2) == start and u16_at(frame, 4) == count;
-        switch (static_cast<function_code>(to_u8(frame[1]))) {
-        case function_code::read_holding_registers: return reads;
-        case function_code::write_single_register: return writes(2, 4);
-        case function_code::write_multiple_registers: return writes(2, 7);
-        case function_code::read_write_multiple_registers: return reads or writes(6, 11);
-        case function_code::diagnostics:
-        case function_code::encapsulated_interface: break;
+        auto const function = static_cast<function_code>(to_u8(frame[1]));
+        if (function == function_code::read_holding_registers) {
+            return reads;
         }
-        return false;
+        if (function == function_code::read_write_multiple_registers) {
+            return reads or writes(6, 11);
+        }
+        bool const is_one = function == function_code::write_single_register and writes(2, 4);
+        return is_one or (function == function_code::write_multiple_registers and writes(2, 7));
     }
 };
 
