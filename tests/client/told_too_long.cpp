@@ -38,7 +38,7 @@ TEST_CASE("a raw request takes no response that silence cut", "[client]")
     using frame = std::array<std::byte, 8>;
     auto const counted = [](unsigned count) {
         return outcome_of(
-            4, frame{std::byte{1}, std::byte{4}, std::byte(count), std::byte{1}, std::byte{2}, std::byte{3}});
+            17, frame{std::byte{1}, std::byte{17}, std::byte(count), std::byte{1}, std::byte{2}, std::byte{3}});
     };
     CHECK(counted(3) == errc::none);
     // 251 bytes of data are the most a frame has room for; 252 to 255 are more than any frame can hold.

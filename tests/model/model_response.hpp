@@ -39,10 +39,16 @@ inline bool tells_size(bytes const& request)
 inline response_size longest_response(bytes const& request)
 {
     std::size_t const size = request.size();
-    std::size_t const quantity = size < 8 ? 125 : std::min<std::size_t>(word_at(request, 4), 125);
+    std::size_t const quantity = size < 8 ? 0xFFFF : word_at(request, 4);
+    auto const counted = [](bool is_allowed, std::size_t data) {
+        return response_size{is_allowed ? 5 + data : 256, true};
+    };
     switch (request[1]) {
+    case 1:
+    case 2: return counted(quantity <= 2000, (quantity + 7) / 8);
     case 3:
-    case 23: return {5 + 2 * quantity, true};
+    case 4:
+    case 23: return counted(quantity <= 125, 2 * quantity);
     case 5:
     case 6:
     case 11:
@@ -124,20 +130,28 @@ inline fault check_response(bytes const& request, bytes const& frame)
     }
     unsigned const function = request[1];
     bool const is_itself = frame == request;
-    if (is_itself and (function == 3 or function == 16 or function == 23 or (function == 43 and request[2] == 14))) {
+    if (is_itself and (function <= 4 or function == 15 or function == 16 or function == 23 or
+                       (function == 43 and request[2] == 14))) {
         return line_echo;
     }
     auto const counted = [&](std::size_t data) {
         return frame.size() != 5 + data or frame[2] != data ? wrong_length : none;
     };
     switch (function) {
+    case 1:
+    case 2: return counted((word_at(request, 4) + 7) / 8);
     case 3:
+    case 4:
     case 23: return counted(2 * word_at(request, 4));
     case 6:
+    case 21:
+    case 22:
         if (frame.size() != request.size()) {
             return wrong_length;
         }
         return is_itself ? none : response_mismatch;
+    case 5:
+    case 15:
     case 16:
         if (frame.size() != 8) {
             return wrong_length;

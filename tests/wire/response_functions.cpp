@@ -88,6 +88,11 @@ STATIC_CHECK(verdict(inputs, "02 00 C4 00 16"_hex) == errc::line_echo);
 STATIC_CHECK(verdict(registers, "04 00 08 00 01"_hex) == errc::line_echo);
 STATIC_CHECK(verdict(block, "0F 00 13 00 0A 02 CD 01"_hex) == errc::line_echo);
 
+// A request for 17 bits from 0300 on begins as its own response of three bytes would.
+constexpr auto alike = "02 01 03 00 00 11 00 00"_hex;
+STATIC_CHECK(verdict(alike, "01 03 00 00 11"_hex) == errc::line_echo);
+STATIC_CHECK(verdict(alike, "01 03 00 00 10"_hex) == errc::none);
+
 // How much room a response needs, and whether its bytes tell its end.
 STATIC_CHECK(longest_response(coils) == length_hint{8, true} and longest_response(inputs) == length_hint{8, true});
 STATIC_CHECK(longest_response(registers) == length_hint{7, true} and longest_response(coil) == length_hint{8, true});

@@ -51,6 +51,13 @@ template <typename... Functions>
     return code < length_rules::in_table ? answers[code] : answer_of_others(public_functions{}, code);
 }
 
+/// Whether the quantity of a request gives the size of its response.
+/// Internal.
+[[nodiscard]] constexpr bool counts_by_quantity(answer_rule rule) noexcept
+{
+    return rule == answer_rule::registers or rule == answer_rule::bits;
+}
+
 /// The bytes behind the byte count of a response that answers a quantity; 0 for another rule.
 /// Internal.
 [[nodiscard, gnu::always_inline]] constexpr std::size_t answer_bytes(answer_rule rule, std::size_t quantity) noexcept
@@ -144,8 +151,10 @@ template <typename... Functions>
     } else if (kind == length_rule::own) {
         tells_end = tells_end_by_own(public_functions{}, request_adu);
     } else if (request_adu.size() >= 8) {
-        std::size_t const bytes = answer_bytes(answer_of(code), u16_at(request_adu, 4));
-        size = is_quantity(bytes, max_adu_size - 5U) ? 5U + bytes : max_adu_size;
+        constexpr std::size_t most = 250; // 125 registers, 2000 bits
+        answer_rule const counts = answer_of(code);
+        std::size_t const bytes = answer_bytes(counts, u16_at(request_adu, 4));
+        size = counts_by_quantity(counts) and bytes <= most ? 5U + bytes : max_adu_size;
     }
     return {size, tells_end};
 }
@@ -175,7 +184,7 @@ template <typename... Functions>
     if (shortest < usual and rule != answer_rule::own and request_pdu.size() < usual) {
         return errc::none;
     }
-    if (rule == answer_rule::registers or rule == answer_rule::bits) {
+    if (counts_by_quantity(rule)) {
         std::size_t const bytes = request_pdu.size() < size ? 0 : answer_bytes(rule, u16_at(request_pdu, 3));
         bool const fits = response_pdu.size() == 2 + bytes and to_u8(response_pdu[1]) == bytes;
         return fits ? errc::none : errc::wrong_length;
@@ -211,7 +220,9 @@ template <typename... Functions>
         return response_pdu.size() == 2 ? exception_error(to_u8(response_pdu[1])) : errc::wrong_length;
     }
     errc const wrong = check_fields(request_pdu, response_pdu);
-    bool const is_own = wrong != errc::none and same_bytes(request_adu, response.bytes());
+    // A request for bits may look like its own response: 01 01 03 00 00 11 begins one of three bytes.
+    bool const is_doubtful = wrong != errc::none or answer_of(to_u8(request_pdu[0])) == answer_rule::bits;
+    bool const is_own = is_doubtful and same_bytes(request_adu, response.bytes());
     return is_own ? errc::line_echo : wrong;
 }
 
