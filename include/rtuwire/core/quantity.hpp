@@ -98,10 +98,15 @@ public:
     explicit constexpr quantity(Count count) noexcept : count_{static_cast<Rep>(count)} {}
 
     /// The same, from a type that holds more: only a constant that fits. A number known only at run time is counted in a
-    /// type that holds it: `n * 0.1_s`, which `checked` then holds against a register.
+    /// type that holds it: `n * 0.1_s`, which `checked` then holds against a register. (Clang 14, which fails on such
+    /// constructors, takes it, and the nearest amount.)
     template <std::integral Count>
         requires(not holds_all<Count, Rep>(1))
-    explicit consteval quantity(Count count) noexcept : count_{static_cast<Rep>(count)}
+#if defined(__clang__) && __clang_major__ < 15
+    explicit constexpr quantity(Count count) noexcept : count_ { nearest(count) }
+#else
+    explicit consteval quantity(Count count) noexcept : count_{nearest(count)}
+#endif
     {
         if (not std::in_range<Rep>(count)) {
             this_amount_does_not_fit_the_target();
@@ -141,6 +146,14 @@ public:
     friend constexpr auto operator<=>(quantity, quantity) noexcept = default;
 
 private:
+    template <std::integral Count> static constexpr Rep nearest(Count count) noexcept
+    {
+        using to = std::numeric_limits<Rep>;
+        return std::cmp_less(count, (to::min)())      ? (to::min)()
+               : std::cmp_greater(count, (to::max)()) ? (to::max)()
+                                                      : static_cast<Rep>(count);
+    }
+
     Rep count_{};
 };
 
