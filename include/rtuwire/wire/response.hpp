@@ -29,7 +29,7 @@ template <typename... Functions>
     return answers;
 }
 /// Internal.
-inline constexpr auto answers = answers_of(public_functions{});
+inline constexpr auto answer_rules = answers_of(public_functions{});
 
 /// How a function answers that is not in the table.
 /// Internal.
@@ -48,7 +48,7 @@ template <typename... Functions>
 /// Internal.
 [[nodiscard, gnu::always_inline]] constexpr answer_rule answer_of(std::uint8_t code) noexcept
 {
-    return code < length_rules::in_table ? answers[code] : answer_of_others(public_functions{}, code);
+    return code < length_rules::in_table ? answer_rules[code] : answer_of_others(public_functions{}, code);
 }
 
 /// Whether the quantity of a request gives the size of its response.
