@@ -3,10 +3,12 @@
 // The client that waits, over a port that is played by hand.
 #include <rtuwire/client/blocking.hpp>
 
+#include <type_traits>
 #include <vector>
 
 #include "support/catch.hpp"
 
+#include <rtuwire/ask/access.hpp>
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/wire/pdu/read_file_record.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
@@ -286,6 +288,91 @@ struct silent_at_first : single_request<read_holding_registers> {
 };
 
 } // namespace
+
+namespace {
+
+/// Ends with a reason, as orders to drives do: that of its one request.
+struct reasoned : patient_request {
+    struct ending {
+        bool is_done;
+        errc error;
+    };
+    ending reason() const { return {settled(), settled() ? last_ : errc::none}; }
+    void accept(result<response> const& outcome)
+    {
+        last_ = outcome.error();
+        patient_request::accept(outcome);
+    }
+    void outcome() const = delete;
+
+private:
+    errc last_{errc::none};
+};
+
+/// Breaks at its first read after so many frames.
+struct port_that_breaks : scripted_port {
+    std::size_t frames{0};
+
+    result<byte_span> read(byte_span place, instant until)
+    {
+        is_broken = is_broken or sent.size() >= frames;
+        return scripted_port::read(place, until);
+    }
+};
+
+} // namespace
+
+TEST_CASE("a waiting client gives the outcome of what it ran")
+{
+    scripted_port port = responding(response_1234);
+    port.answers.push_back(line_of(refusal));
+    blocking_client line{port, timing};
+    register_read<count16> speed{unit_id{1}, 0x0C81};
+    auto const told = line.run(speed);
+    static_assert(std::is_same_v<decltype(told), result<count16> const>);
+    REQUIRE(told);
+    CHECK(*told == count16{std::uint16_t{0x1234}});
+    CHECK(line.run(register_read<count16>{unit_id{1}, 0x0C81}) == errc::illegal_data_address);
+}
+
+TEST_CASE("the outcome of a request without a name is no view of it")
+{
+    scripted_port port = responding(response_1234);
+    port.answers.push_back(line_of(refusal));
+    blocking_client line{port, timing};
+    auto const told = line.run(single_request{unit_id{1}, request});
+    static_assert(std::is_same_v<decltype(told), result<void> const>);
+    CHECK(told);
+    CHECK(line.run(single_request{unit_id{1}, request}) == errc::illegal_data_address);
+}
+
+TEST_CASE("a request that the device refuses is no success of its run")
+{
+    scripted_port port = responding(refusal);
+    blocking_client line{port, timing};
+    single_request conversation{unit_id{1}, request};
+    CHECK(line.run(conversation) == errc::illegal_data_address);
+}
+
+TEST_CASE("what ends with a reason gives it, with the port's error where the port failed")
+{
+    scripted_port port = responding(refusal);
+    blocking_client line{port, timing};
+    reasoned conversation;
+    auto const ended = line.run(conversation);
+    CHECK(ended.is_done);
+    CHECK(ended.error == errc::illegal_data_address);
+    for (std::size_t const frames : {0U, 1U}) {
+        INFO("after " << frames << " frames");
+        port_that_breaks broken;
+        broken.frames = frames;
+        blocking_client other{broken, timing};
+        reasoned asked;
+        auto const cut = other.run(asked);
+        CHECK(cut.error == errc::device_vanished);
+        CHECK(cut.is_done == (frames == 1));
+    }
+}
 
 TEST_CASE("a conversation that does not say when it goes on is looked at again within ten milliseconds")
 {

@@ -71,7 +71,7 @@ TEST_CASE("a reason tells all that is known")
     using altivar::outcome_kind;
     using rtuwire::errc;
     using rtuwire::cia402::state;
-    CHECK(shown(altivar::reason{}) == "under way");
+    CHECK(shown(altivar::reason{}) == "not ended");
     CHECK(shown(altivar::reason{.kind = outcome_kind::silent, .error = errc::timed_out}) ==
           "no response: no response in time");
     CHECK(shown(altivar::reason{.kind = outcome_kind::in_fault, .state = state::fault, .fault = 5}) ==

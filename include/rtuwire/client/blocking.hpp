@@ -8,7 +8,10 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 
+#include <rtuwire/ask/outcome_of.hpp>
 #include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/core/version.hpp>
@@ -64,7 +67,7 @@ public:
     template <typename To, pdu Request> result<typename Request::response> ask(To to, Request const& request) &
     {
         single_request conversation{to, request};
-        auto const outcome = outcome_of(conversation);
+        auto const outcome = run(conversation);
         if (not outcome) {
             return outcome.error();
         }
@@ -79,18 +82,26 @@ public:
     /// port.
     template <broadcastable Request> result<void> send_broadcast(Request const& command)
     {
-        single_request conversation{broadcast, command};
-        auto const outcome = outcome_of(conversation);
-        if (not outcome) {
-            return outcome.error();
-        }
-        return {};
+        return run(single_request{broadcast, command});
     }
 
-    /// Runs a conversation until it is settled; one that is already settled begins anew where it can. Errors:
-    /// `finished` where it cannot; those of the port: the request under way is then cancelled and the conversation
-    /// gets that outcome.
-    template <conversation Conversation> result<void> run(Conversation& conversation)
+    /// Runs a conversation until it is settled, and returns its `outcome()`; where it has none, its `reason()`; where it
+    /// has neither, a `result<void>`. Of a conversation without a name, whose response would end with the statement, only
+    /// the error. One that is already settled begins anew where it can. Errors besides its own: `finished` where it
+    /// cannot; those of the port: the request under way is then cancelled, and the conversation itself gets that as its
+    /// outcome.
+    template <typename Conversation>
+        requires conversation<std::remove_cvref_t<Conversation>>
+    auto run(Conversation&& conversation)
+    {
+        errc const why = run_to_end(conversation);
+        return why == errc::none ? outcome_of(std::forward<Conversation>(conversation))
+                                 : outcome_of(std::forward<Conversation>(conversation), why);
+    }
+
+private:
+    /// Until it is settled; or `finished`, or the error of the port.
+    template <conversation Conversation> errc run_to_end(Conversation& conversation)
     {
         static_assert(not endless_conversation<Conversation>,
                       "this conversation never ends: give it to a client in each pass");
@@ -109,7 +120,7 @@ public:
             if (client_.is_busy()) {
                 passed = pump(client_, port_, input_, now + write_limit_, write_limit_);
             } else if (conversation.settled()) {
-                return {};
+                return errc::none;
             } else {
                 passed = wait_for(conversation, now);
             }
@@ -118,7 +129,6 @@ public:
         return passed.error();
     }
 
-private:
     /// Ends the request under way: once the port has failed, nothing more is known of it.
     template <typename Conversation> void give_up(Conversation& conversation, instant now)
     {
@@ -129,15 +139,6 @@ private:
             conversation.forget();
             conversation.accept(errc::cancelled);
         }
-    }
-
-    template <typename Conversation> result<response> outcome_of(Conversation& conversation)
-    {
-        auto const ended = run(conversation);
-        if (not ended) {
-            return ended.error();
-        }
-        return conversation.outcome();
     }
 
     /// Waits until a conversation that paused at `now` may have a request again. A deadline that had passed by then

@@ -15,6 +15,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <rtuwire/ask/outcome_of.hpp>
 #include <rtuwire/client/bus.hpp>
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/core/time.hpp>
@@ -162,7 +163,7 @@ public:
     }
 
     /// Runs a conversation to its end, at most for `limit`, and returns its `outcome()`, or where it has none its
-    /// `reason()`, or where it has neither whether it has ended; what the limit cut says that it has not ended. Of a
+    /// `reason()`, or where it has neither a `result<void>`; what the limit cut says that it has not ended. Of a
     /// conversation without a name, whose response would end with the statement, only the error. A conversation that is
     /// already settled begins anew where it can.
     template <typename Conversation>
@@ -177,16 +178,7 @@ public:
             }
         }
         static_cast<void>(run_until([&] { return conversation.settled(); }, limit, conversation));
-        if constexpr (requires { std::forward<Conversation>(conversation).outcome(); }) {
-            return conversation.outcome();
-        } else if constexpr (requires { conversation.outcome(); }) {
-            auto const outcome = conversation.outcome();
-            return outcome ? result<void>{} : result<void>{outcome.error()};
-        } else if constexpr (requires { conversation.reason(); }) {
-            return conversation.reason();
-        } else {
-            return conversation.settled();
-        }
+        return outcome_of(std::forward<Conversation>(conversation));
     }
 
     /// Runs conversations side by side until all have ended, at most for `longest_run`; returns whether they have.

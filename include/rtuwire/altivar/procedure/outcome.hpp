@@ -68,7 +68,7 @@ struct reason {
 [[nodiscard]] constexpr literal name_of(outcome_kind kind) noexcept
 {
     switch (kind) {
-    case outcome_kind::pending: return "under way";
+    case outcome_kind::pending: return "not ended";
     case outcome_kind::succeeded: return "done";
     case outcome_kind::executed_unconfirmed: return "executed, not confirmed";
     case outcome_kind::refused: return "refused by the drive";
