@@ -19,3 +19,4 @@ for program in build/bench/bench/bench_*; do
         --benchmark_out_format=json --benchmark_out="build/bench/${program##*/}.json" >/dev/null
 done
 python3 bench/speed/report.py build/bench
+build/bench/bench/pseudo_terminal

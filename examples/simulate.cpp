@@ -152,7 +152,8 @@ int run(options const& chosen)
         return 1;
     }
     // Nothing delays the bytes of a pseudo-terminal inside a frame.
-    auto const timing = line_timing::host(set.bits_per_second, set.format, milliseconds(5));
+    // A pseudo-terminal is no wire: nothing has to be silent before a response.
+    auto const timing = line_timing::host(set.bits_per_second, set.format, milliseconds(5)).with_silence(duration{});
     return serve(port, port.path(), timing, chosen);
 }
 

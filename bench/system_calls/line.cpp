@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Either end of a line over a pseudo-terminal, for so many transactions: `line serve COUNT` names its
-// device on standard output and answers, `line ask COUNT DEVICE` asks.
+// Either end of a line over a pseudo-terminal, for so many transactions: `line serve COUNT` names its device on standard
+// output and answers, `line serve COUNT MS` so many milliseconds late; `line ask COUNT DEVICE` asks.
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
+
+#include <unistd.h>
 
 #include <rtuwire/port/posix_serial.hpp>
 #include <rtuwire/port/pseudo_terminal.hpp>
@@ -17,17 +19,21 @@ namespace {
 constexpr std::uint32_t bits_per_second = 115'200;
 constexpr line_timing timing = line_timing::host(bits_per_second, character_format::even_8_1);
 
-/// A bank that knows how often it was read.
+/// A bank that knows how often it was read, and takes its time.
 struct counted_bank : word_bank<16> {
     errc read(std::uint16_t start, std::size_t count, byte_writer& out) noexcept
     {
         ++reads;
+        if (milliseconds_late > 0) {
+            ::usleep(1'000 * milliseconds_late);
+        }
         return word_bank<16>::read(start, count, out);
     }
     unsigned long reads{0};
+    unsigned milliseconds_late{0};
 };
 
-int serve(unsigned long count)
+int serve(unsigned long count, unsigned milliseconds_late)
 {
     pseudo_terminal port;
     if (not port.open()) {
@@ -37,6 +43,7 @@ int serve(unsigned long count)
     std::fflush(stdout);
     server node{unit_id{1}, timing};
     counted_bank bank;
+    bank.milliseconds_late = milliseconds_late;
     result<void> served;
     while (served and (bank.reads < count or node.poll_deadline())) {
         served = serve_once(node, port, bank, milliseconds(1'000));
@@ -55,7 +62,9 @@ int ask(unsigned long count, char const* device)
     }
     blocking_client line{port, timing};
     for (; count > 0; --count) {
-        if (not line.ask(unit_id{1}, read_holding_registers{.start = 0, .count = 4})) {
+        auto const response = line.ask(unit_id{1}, read_holding_registers{.start = 0, .count = 4});
+        if (not response) {
+            std::fprintf(stderr, "line: %s, %lu to go\n", name(response.error()).data(), count);
             return 1;
         }
     }
@@ -68,7 +77,8 @@ int main(int words, char** word)
 {
     std::string_view const end = words > 2 ? word[1] : "";
     if (end == "serve") {
-        return serve(std::strtoul(word[2], nullptr, 10));
+        unsigned long const late = words > 3 ? std::strtoul(word[3], nullptr, 10) : 0;
+        return serve(std::strtoul(word[2], nullptr, 10), static_cast<unsigned>(late));
     }
     return end == "ask" and words > 3 ? ask(std::strtoul(word[2], nullptr, 10), word[3]) : 2;
 }

@@ -110,6 +110,21 @@ TEST_CASE("a request without a response takes its time, and no more")
     CHECK((port.clock - before).microseconds - least < 5'000);
 }
 
+TEST_CASE("where there is no wire a client waits for nothing but responses")
+{
+    for (bool const is_wire : {true, false}) {
+        scripted_port port = responding(response_1234);
+        port.answers.push_back(line_of(response_5678));
+        blocking_client line{port, is_wire ? timing : line_timing::without_wire()};
+        instant const before = port.clock;
+        CHECK(line.ask(unit_id{1}, request));
+        CHECK(line.ask(unit_id{1}, request));
+        std::uint32_t const silences = 2 * timing.t3_5().microseconds;
+        CHECK(((port.clock - before).microseconds < 1'000) != is_wire);
+        CHECK(((port.clock - before).microseconds >= silences) == is_wire);
+    }
+}
+
 TEST_CASE("what lay in the port before the request does not answer it")
 {
     scripted_port port = responding(response_1234);

@@ -22,7 +22,7 @@ constexpr line_timing timing{19'200, character_format::even_8_1};
 constexpr read_holding_registers registers{0x0C81, 1};
 constexpr auto response_of_unit_1 = "01 03 02 12 34 B5 33"_hex;
 
-/// A port whose clock jumps to each deadline, and that counts how often it is read. A pass that takes no
+/// A port whose clock jumps to each deadline where nothing arrives, and that counts how often it is read. A pass that takes no
 /// time takes 10 us, as a fast host's does.
 struct counted_port {
     instant clock{0xFFFF'0000U};
@@ -39,7 +39,7 @@ struct counted_port {
     result<byte_span> read(byte_span place, instant until)
     {
         ++reads;
-        clock = reached(clock, until) ? clock + microseconds(10) : until;
+        clock = has_response or reached(clock, until) ? clock + microseconds(10) : until;
         std::size_t const count = has_response ? response_of_unit_1.size() : 0;
         for (std::size_t i = 0; i < count; ++i) {
             place[i] = response_of_unit_1[i];

@@ -57,6 +57,22 @@ inline model::bytes copy(rtuwire::byte_view of)
 }
 inline rtuwire::duration length(model::time of) { return rtuwire::microseconds(of); }
 
+/// A line of the library: of a microcontroller, of a host that ends a frame after `end`, or without a bit rate no wire.
+inline rtuwire::line_timing line_of(std::uint32_t bits, rtuwire::character_format format, model::time end,
+                                    std::optional<model::time> silence)
+{
+    auto const line = bits == 0 ? rtuwire::line_timing::without_wire(length(end))
+                      : end > 0 ? rtuwire::line_timing::host(bits, format, length(end))
+                                : rtuwire::line_timing{bits, format};
+    return silence ? line.with_silence(length(*silence)) : line;
+}
+
+/// A silence before sending, where it is not t3.5.
+inline std::optional<model::time> any_silence(random_source& roll)
+{
+    return roll.chance(60) ? std::nullopt : std::optional{roll.any<model::time>({0, 0, 1, 700, 4'000, 60'000})};
+}
+
 inline std::string hex(model::bytes const& of)
 {
     std::string out;

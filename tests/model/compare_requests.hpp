@@ -18,19 +18,19 @@ struct setting {
     std::uint32_t bits;
     time end;
     time bits_by_character;
+    std::optional<time> silence; ///< before sending, where it is not t3.5
 };
 inline setting any_setting(random_source& roll)
 {
     return {roll.chance(70) ? 0U - 5'000'000U + roll.below(1'000) : static_cast<std::uint32_t>(roll.next()),
-            roll.any<std::uint32_t>({4'800, 9'600, 19'200, 38'400, 115'200}),
-            roll.any<time>({0, 0, 1'000, 8'000, 50'000}), roll.any<time>({11, 11, 10})};
+            roll.any<std::uint32_t>({4'800, 9'600, 19'200, 38'400, 115'200, 0}),
+            roll.any<time>({0, 0, 1'000, 8'000, 50'000}), roll.any<time>({11, 11, 10}), any_silence(roll)};
 }
 inline rtuwire::line_timing timing(setting const& as)
 {
     using enum rtuwire::character_format;
     rtuwire::character_format const format = as.bits_by_character == 10 ? none_8_1 : even_8_1;
-    return as.end > 0 ? rtuwire::line_timing::host(as.bits, format, length(as.end))
-                      : rtuwire::line_timing{as.bits, format};
+    return line_of(as.bits, format, as.end, as.silence);
 }
 
 /// Between two sendings of one request lie less than 71 minutes: the longest time-out goes without repetitions.

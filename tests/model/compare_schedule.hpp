@@ -25,7 +25,7 @@ struct schedule {
 
     schedule(random_source& with, report& to, setting const& as, model::options const& options,
              unsigned percent_of_echoes)
-        : roll{with}, told{to}, clock{as.start}, times{as.bits, as.bits_by_character, as.end}, how{options},
+        : roll{with}, told{to}, clock{as.start}, times{as.bits, as.bits_by_character, as.end, as.silence}, how{options},
           line{with, times, options.response_timeout, options.has_line_echo or with.chance(percent_of_echoes)}
     {}
 

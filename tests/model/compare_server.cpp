@@ -28,15 +28,11 @@ struct world {
     bytes last_foreign{};
     std::size_t leaving{0};
 
-    static rtuwire::line_timing timing(std::uint32_t bits, time end)
-    {
-        using enum rtuwire::character_format;
-        return end > 0 ? rtuwire::line_timing::host(bits, even_8_1, compare::length(end))
-                       : rtuwire::line_timing{bits, even_8_1};
-    }
-    world(random_source& with, report& to, std::uint32_t start, std::uint32_t bits, time end)
-        : roll{with}, told{to}, clock{start}, times{bits, 11, end},
-          engine{rtuwire::unit_id{own_unit}, timing(bits, end)}, second{own_unit, times}
+    world(random_source& with, report& to, std::uint32_t start, std::uint32_t bits, time end,
+          std::optional<time> silence)
+        : roll{with}, told{to}, clock{start}, times{bits, 11, end, silence},
+          engine{rtuwire::unit_id{own_unit}, compare::line_of(bits, rtuwire::character_format::even_8_1, end, silence)},
+          second{own_unit, times}
     {}
 
     bytes request()
@@ -247,8 +243,8 @@ int main(int argc, char** argv)
     return compare::main(argc, argv, [](random_source& roll, report& told) {
         std::uint32_t const start =
             roll.chance(70) ? 0U - roll.below(3'000'000) : static_cast<std::uint32_t>(roll.next());
-        std::uint32_t const bits = roll.any<std::uint32_t>({4'800, 9'600, 19'200, 38'400, 115'200});
+        std::uint32_t const bits = roll.any<std::uint32_t>({4'800, 9'600, 19'200, 38'400, 115'200, 0});
         time const end = roll.any<time>({0, 0, 1'000, 8'000, 50'000});
-        world{roll, told, start, bits, end}.run();
+        world{roll, told, start, bits, end, compare::any_silence(roll)}.run();
     });
 }

@@ -102,15 +102,14 @@ public:
         if (not line_.is_known) {
             line_.note_activity(now);
         }
-        if (now >= line_.last + line_.times.t3_5) {
+        if (now >= line_.last + line_.times.silence) {
             line_.is_quiet = true;
         }
         end_by_silence(0, now);
         if (phase_ == phase::handed_out) {
             phase_ = phase::transmitting;
             until_ = now + leaving_time();
-        }
-        if (is_timed() and now >= until_) {
+        } else if (is_timed() and now >= until_) {
             time_out(now);
         }
         if (debts_.advance(now)) {
@@ -229,8 +228,8 @@ public:
         std::optional<time> next = debts_.next();
         auto const add = [&](time at) { next = next ? std::min(*next, at) : at; };
         if (line_.is_known) {
-            if (not line_.is_quiet) {
-                add(line_.last + line_.times.t3_5);
+            if (not line_.is_quiet and phase_ != phase::awaiting) {
+                add(line_.last + line_.times.silence);
             } else if (line_.at != receiver::state::between) {
                 add(line_.last + line_.times.frame_end);
             }

@@ -71,18 +71,23 @@ inline bytes with_crc(bytes frame)
     return frame;
 }
 
-/// How long characters and silences last.
+/// How long characters and silences last. Without a bit rate there is no wire: a character takes no time, and nothing has
+/// to be silent before sending; t3.5 is that of 19 200 bit/s.
 struct line_times {
     time character;
     time t3_5;
     time frame_end;
+    time silence; ///< before sending
 
-    line_times(time bits_per_second, time bits, time host_frame_end)
-        : character{(bits * 1'000'000 + bits_per_second - 1) / bits_per_second},
+    line_times(time bits_per_second, time bits, time host_frame_end, std::optional<time> before_sending = {})
+        : character{bits_per_second == 0 ? 0 : up(bits * 1'000'000, bits_per_second)},
           t3_5{bits_per_second > 19'200 ? 1750
-                                        : (7 * bits * 1'000'000 + 2 * bits_per_second - 1) / (2 * bits_per_second)},
-          frame_end{std::max(t3_5, host_frame_end)}
+               : bits_per_second == 0   ? up(7 * 11 * 1'000'000, 2 * 19'200)
+                                        : up(7 * bits * 1'000'000, 2 * bits_per_second)},
+          frame_end{std::max({t3_5, host_frame_end, before_sending.value_or(0)})}, silence{before_sending.value_or(
+                                                                                       bits_per_second == 0 ? 0 : t3_5)}
     {}
+    static time up(time dividend, time divisor) { return (dividend + divisor - 1) / divisor; }
     time characters(std::size_t count) const { return character * static_cast<time>(count); }
 };
 

@@ -55,7 +55,7 @@ public:
             line_.last = now;
             line_.is_quiet = false;
         }
-        if (not line_.is_quiet and now >= line_.last + line_.times.t3_5) {
+        if (not line_.is_quiet and now >= line_.last + line_.times.silence) {
             line_.is_quiet = true;
         }
         if (phase_ != phase::listening and now >= until_) {
@@ -127,7 +127,7 @@ public:
             }
             return line_.last + (is_open_end_ ? line_.times.t3_5 : line_.times.frame_end);
         }
-        time const quiet = line_.last + line_.times.t3_5;
+        time const quiet = line_.last + line_.times.silence;
         return not line_.is_quiet ? std::min(quiet, until_) : until_;
     }
 

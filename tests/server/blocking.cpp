@@ -83,6 +83,52 @@ TEST_CASE("a request that lies in the port is answered behind a silence, and may
     CHECK(it.port.for_writing == milliseconds(1'000));
 }
 
+namespace {
+
+/// Takes its time to give its registers.
+struct slow_bank : word_bank<1> {
+    played_port* port;
+    duration time;
+
+    slow_bank(played_port& of, duration takes) : word_bank<1>{100}, port{&of}, time{takes} {}
+    errc read(std::uint16_t start, std::size_t count, byte_writer& out)
+    {
+        port->clock = port->clock + time;
+        return word_bank<1>::read(start, count, out);
+    }
+};
+
+} // namespace
+
+TEST_CASE("a bank that takes longer than the silence before a response is answered for at once")
+{
+    for (duration const takes : {milliseconds(1), milliseconds(15), milliseconds(90)}) {
+        INFO("takes " << takes.microseconds << " us");
+        station_of_one it;
+        it.settle();
+        slow_bank slow{it.port, takes};
+        it.port.input.assign(request.begin(), request.end());
+        instant const before = it.port.clock;
+        for (int passes = 0; passes < 3 and it.port.sent.empty(); ++passes) {
+            REQUIRE(serve_once(it.node, it.port, slow, milliseconds(1'000)));
+        }
+        CHECK(it.port.sent.size() == 7);
+        CHECK(it.port.clock - before == (takes < timing.t3_5() ? timing.t3_5() : takes));
+    }
+}
+
+TEST_CASE("a program that is slow between passes has its response sent before it waits")
+{
+    station_of_one it;
+    it.settle();
+    it.port.input.assign(request.begin(), request.end());
+    REQUIRE(it.pass(milliseconds(1'000)));
+    it.port.clock = it.port.clock + milliseconds(20);
+    it.port.read_error = errc::device_failed; // nothing is read before
+    CHECK(it.pass(milliseconds(1'000)) == errc::device_failed);
+    CHECK(it.port.sent == std::vector<std::byte>(response.begin(), response.end()));
+}
+
 TEST_CASE("a pass in which nobody asks ends with its patience, and sends nothing")
 {
     station_of_one it;

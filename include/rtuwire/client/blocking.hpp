@@ -159,7 +159,7 @@ private:
     {
         instant const now = port_.now();
         client_.advance(now);
-        return receive_until(client_.is_quiet() ? now : now + client_.line().t3_5());
+        return receive_until(client_.is_quiet() ? now : now + client_.line().silence());
     }
 
     result<void> receive_until(instant until) { return receive_from(port_, client_, input_, until); }

@@ -8,6 +8,8 @@
 
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
+#include <ctime>
 #include <utility>
 
 #include <poll.h>
@@ -42,13 +44,24 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     }
 }
 
-/// The time left until an instant, as `poll` takes it: whole milliseconds, rounded up; 0 when it has passed.
-[[nodiscard]] inline int milliseconds_until(instant until, instant now) noexcept
+/// The time left until an instant; zero when it has passed.
+[[nodiscard]] inline duration time_until(instant until, instant now) noexcept
 {
-    if (reached(now, until)) {
-        return 0;
-    }
-    return static_cast<int>(((until - now).microseconds + 999U) / 1000U);
+    return reached(now, until) ? duration{} : until - now;
+}
+
+/// Waits as `poll` does: to the microsecond where the system offers that, elsewhere to the millisecond, rounded up.
+[[nodiscard]] inline int poll_for(pollfd& watched, duration longest) noexcept
+{
+#ifdef __linux__
+    constexpr std::uint32_t million = 1'000'000;
+    timespec limit{};
+    limit.tv_sec = static_cast<time_t>(longest.microseconds / million);
+    limit.tv_nsec = static_cast<long>(longest.microseconds % million) * 1'000;
+    return ::ppoll(&watched, 1, &limit, nullptr);
+#else
+    return ::poll(&watched, 1, static_cast<int>((longest.microseconds + 999U) / 1000U));
+#endif
 }
 
 /// An open descriptor in non-blocking mode, closed by its destructor. Can be moved.
@@ -143,7 +156,7 @@ private:
     {
         for (;;) {
             pollfd watched{number_, events, 0};
-            int const count = ::poll(&watched, 1, milliseconds_until(until, steady_now()));
+            int const count = poll_for(watched, time_until(until, steady_now()));
             if (count == 0) {
                 return false;
             }

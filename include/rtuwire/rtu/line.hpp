@@ -33,7 +33,7 @@ public:
         : character_{bit_times(2, bits_per_second, format)}, t3_5_{bits_per_second > 19'200
                                                                        ? microseconds(1750)
                                                                        : bit_times(7, bits_per_second, format)},
-          frame_end_{t3_5_}
+          frame_end_{t3_5_}, silence_{t3_5_}
     {}
 
     /// Times for a host, where an operating system or a USB adapter delivers characters late and in chunks:
@@ -46,6 +46,26 @@ public:
         if (frame_end > line.frame_end_) {
             line.frame_end_ = frame_end;
         }
+        return line;
+    }
+
+    /// Times for what is no wire, where bytes take no time and need no silence between frames: a pseudo-terminal, a
+    /// socket. What has no length rule ends after `frame_end` there, too.
+    [[nodiscard]] static constexpr line_timing without_wire(duration frame_end = milliseconds(50)) noexcept
+    {
+        constexpr std::uint32_t usual = 19'200;
+        line_timing line = host(usual, character_format::even_8_1, frame_end).with_silence(duration{});
+        line.character_ = duration{};
+        return line;
+    }
+
+    /// The same with another silence before sending than t3.5, at most 35 minutes: more for units that miss a request
+    /// that comes that soon, less behind an adapter that hands bytes over late, so that the line has rested already.
+    [[nodiscard]] constexpr line_timing with_silence(duration silence) const noexcept
+    {
+        line_timing line = *this;
+        line.silence_ = silence;
+        line.frame_end_ = silence > frame_end_ ? silence : frame_end_;
         return line;
     }
 
@@ -68,8 +88,11 @@ public:
     /// The shortest silence between frames: 3.5 characters, 1 750 us above 19 200 bit/s.
     [[nodiscard]] constexpr duration t3_5() const noexcept { return t3_5_; }
 
-    /// The silence after which a receiver treats what it has as complete; never below t3.5.
+    /// The silence after which a receiver treats what it has as complete; never below t3.5, nor the one before sending.
     [[nodiscard]] constexpr duration frame_end() const noexcept { return frame_end_; }
+
+    /// The silence before sending: t3.5 where no other was given.
+    [[nodiscard]] constexpr duration silence() const noexcept { return silence_; }
 
 private:
     static constexpr duration bit_times(std::uint32_t half_characters, std::uint32_t bits_per_second,
@@ -82,6 +105,7 @@ private:
     duration character_;
     duration t3_5_;
     duration frame_end_;
+    duration silence_;
 };
 
 } // namespace rtuwire

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Internal: the states of a framer and what silence does to them: when the line was last active, whether it has been
-// silent for t3.5 since, and when silence ends a frame. Knows no byte of it. The table is in rtu/frame_cutter.hpp.
+// silent long enough to send since, and when silence ends a frame. Knows no byte of it. The table is in rtu/frame_cutter.hpp.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ public:
             state_ = state::idle;
         }
         // The first byte of a chunk arrived earlier than the chunk was handed over.
-        if (activity_ != activity::unknown and reached(now, last_ + silence() + line().characters(bytes))) {
+        if (activity_ != activity::unknown and reached(now, last_ + end_silence() + line().characters(bytes))) {
             on_silence();
         }
         note_activity(now);
@@ -40,22 +40,23 @@ public:
         if (activity_ == activity::unknown) {
             note_activity(now);
         }
-        if (reached(now, last_ + line().t3_5())) {
+        if (reached(now, last_ + line().silence())) {
             activity_ = activity::quiet;
         }
-        if (waits_for_silence() and reached(now, last_ + silence())) {
+        if (waits_for_silence() and reached(now, last_ + end_silence())) {
             on_silence();
         }
     }
 
-    /// Adds the time when `advance` has something to do to the earliest of several.
-    constexpr void add_to(earliest& next) const noexcept
+    /// Adds the time when `advance` has something to do to the earliest of several. `awaits_bytes` leaves the silence
+    /// before sending out: nothing is to be sent before more has arrived, or a time limit is over.
+    constexpr void add_to(earliest& next, bool awaits_bytes = false) const noexcept
     {
         // The silence that ends a frame is never shorter than the one before sending.
-        if (activity_ == activity::busy) {
-            next.add(last_ + line().t3_5());
-        } else if (activity_ == activity::quiet and waits_for_silence()) {
-            next.add(last_ + line().frame_end());
+        if (activity_ == activity::busy and not awaits_bytes) {
+            next.add(last_ + line().silence());
+        } else if (activity_ != activity::unknown and waits_for_silence()) {
+            next.add(last_ + end_silence());
         }
     }
 
@@ -63,7 +64,7 @@ public:
     /// being ignored. A separate plain form, which is smaller (docs/size-notes.md).
     [[nodiscard]] constexpr deadline poll_end_deadline() const noexcept
     {
-        return activity_ == activity::unknown or not waits_for_silence() ? deadline{} : deadline{last_ + silence()};
+        return activity_ == activity::unknown or not waits_for_silence() ? deadline{} : deadline{last_ + end_silence()};
     }
 
     /// Whether a frame ended, whole or damaged, once.
@@ -100,7 +101,7 @@ public:
         activity_ = activity::busy;
     }
 
-    /// Whether t3.5 of silence has passed, so that sending is allowed.
+    /// Whether the silence before sending has passed.
     [[nodiscard]] constexpr bool is_quiet() const noexcept { return activity_ == activity::quiet; }
 
     /// Whether the next byte would be the first of a frame.
@@ -124,7 +125,7 @@ private:
     constexpr bool waits_for_silence() const noexcept { return state_ < state::idle; }
 
     /// The silence that ends what is being received.
-    constexpr duration silence() const noexcept { return is_open_end() ? line().t3_5() : line().frame_end(); }
+    constexpr duration end_silence() const noexcept { return is_open_end() ? line().t3_5() : line().frame_end(); }
 
     constexpr void on_silence() noexcept
     {

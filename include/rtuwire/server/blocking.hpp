@@ -14,22 +14,12 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Reads the bytes that have arrived or arrive within `time_limit`, and responds to a request. The port
-/// must not echo what is sent: the response to function 06 looks like its request. Errors: those of the port.
-template <typename Diagnostics, typename Functions, typename Port, typename Bank>
-result<void> serve_once(basic_server<Diagnostics, Functions>& node, Port& port, Bank& bank, duration time_limit)
+/// Sends the response that is ready, if there is one. Errors: those of the port.
+/// Internal.
+template <typename Diagnostics, typename Functions, typename Port>
+result<void> send_response(basic_server<Diagnostics, Functions>& node, Port& port)
 {
-    constexpr duration write_limit = milliseconds(1000);
-    std::array<std::byte, max_adu_size> input;
-    instant const start = port.now();
-    node.advance(start);
-    instant const until = *earlier(node.poll_deadline(), start + time_limit);
-    auto const received = receive_from(port, node, input, until);
-    if (not received) {
-        return received;
-    }
-    node.advance(port.now());
-    node.serve(bank, port.now());
+    constexpr duration write_limit = milliseconds(1'000);
     byte_view const frame = node.poll_transmit();
     if (frame.empty()) {
         return {};
@@ -37,6 +27,28 @@ result<void> serve_once(basic_server<Diagnostics, Functions>& node, Port& port, 
     auto const written = port.write(frame, port.now() + write_limit);
     node.sent(port.now());
     return written;
+}
+
+/// Reads the bytes that have arrived or arrive within `time_limit`, and responds to a request. The port
+/// must not echo what is sent: the response to function 06 looks like its request. Errors: those of the port.
+template <typename Diagnostics, typename Functions, typename Port, typename Bank>
+result<void> serve_once(basic_server<Diagnostics, Functions>& node, Port& port, Bank& bank, duration time_limit)
+{
+    std::array<std::byte, max_adu_size> input;
+    instant const start = port.now();
+    node.advance(start);
+    // Where the program took longer than the silence before sending since the last pass, nothing is waited for.
+    if (auto const sent = send_response(node, port); not sent) {
+        return sent;
+    }
+    instant const until = *earlier(node.poll_deadline(), start + time_limit);
+    if (auto const received = receive_from(port, node, input, until); not received) {
+        return received;
+    }
+    node.advance(port.now());
+    node.serve(bank, port.now());
+    node.advance(port.now()); // the bank may have taken longer than that silence
+    return send_response(node, port);
 }
 
 } // namespace rtuwire

@@ -177,7 +177,7 @@ public:
         phase_ = phase::responding;
     }
 
-    /// The bytes to send now, once, after the `serve` or `advance` that found t3.5 of silence; empty when there are
+    /// The bytes to send now, once, after the `serve` or `advance` that found the silence before sending; empty when there are
     /// none. They are stored in the server, unchanged until `sent`, or until the time limit without it.
     [[nodiscard]] constexpr byte_view poll_transmit() noexcept
     {
@@ -192,13 +192,13 @@ public:
 
     /// When `advance` is due next. Listening: never between frames and before the first `advance`; with a frame
     /// begun, or while bytes are ignored, the last byte + `frame_end` (t3.5 with an open end). In any other phase:
-    /// the time limit; the last byte + t3.5 before that, until `advance` has processed it.
+    /// the time limit; the last byte + the silence before sending before that, until `advance` has processed it.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
         if (phase_ == phase::listening) {
             return framer_.poll_end_deadline();
         }
-        instant const quiet = framer_.last_activity() + framer_.line().t3_5();
+        instant const quiet = framer_.last_activity() + framer_.line().silence();
         return framer_.is_quiet() or reached(quiet, until_) ? until_ : quiet;
     }
 

@@ -114,7 +114,7 @@ public:
     /// When the next pass has something to do.
     constexpr void add_to(earliest& next) const noexcept
     {
-        framer().add_to(next);
+        framer().add_to(next, phase_ == phase::awaiting);
         quarantine_.add_to(next);
         if (is_woken_ or is_under_way(phase_)) {
             // After `wake`, a time that has come already.
