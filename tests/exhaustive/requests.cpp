@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A server's verdict on every header of functions 03 and 06, and on every quantity, byte count and length
+// A server's verdict on every header of functions 01 to 04 and 06, and on every quantity, byte count and length
 // of 16 and 23, against an oracle that knows nothing of the codec.
 #include <array>
 
@@ -12,7 +12,16 @@ using namespace rtuwire;
 
 namespace {
 
-/// Has every register; keeps none.
+/// Has every coil and input; keeps none.
+struct every_bit {
+    static constexpr errc check_read(std::uint16_t start, std::size_t count)
+    {
+        return start + count <= 0x10000 ? errc::none : errc::illegal_data_address;
+    }
+    static constexpr errc read(std::uint16_t, std::size_t, byte_span) { return errc::none; }
+};
+
+/// Has every register, coil and input; keeps none.
 struct every_register {
     static constexpr errc check_read(std::uint16_t start, std::size_t count)
     {
@@ -30,8 +39,15 @@ struct every_register {
         return errc::none;
     }
     static constexpr errc write(std::uint16_t, register_view) { return errc::none; }
+    every_bit& coils() { return bits; }
+    every_bit& discrete_inputs() { return bits; }
+    every_register& input_registers() { return *this; }
+
+    every_bit bits{};
 };
 
+using served = function_list<read_coils, read_discrete_inputs, read_holding_registers, read_input_registers,
+                             write_single_register, write_multiple_registers<>, read_write_multiple_registers<>>;
 constexpr server_profile profile{};
 
 /// A PDU from its first bytes; the rest is zero.
@@ -48,27 +64,34 @@ struct pdu {
     void zeros(std::size_t count) { size += count; }
 };
 
-/// The exception that the server answers with; 0 for a normal response.
+/// The exception that the server answers with; 0 for a normal response. `asked` becomes the response.
 unsigned verdict(pdu& asked)
 {
     every_register bank;
     no_diagnostics none;
     pdu_buffer place{asked.bytes, asked.size};
-    respond_in_place(place, bank, profile, none);
+    respond_in_place<served>(place, bank, profile, none);
+    asked.size = place.size;
     bool const is_exception = (to_u8(asked.bytes[0]) & 0x80U) != 0;
     return is_exception ? to_u8(asked.bytes[1]) : 0U;
 }
 
-bool is_read_right(std::uint64_t header)
+/// A read of 1 to `Most` values of `Bits` bits each: what is answered, in how many bytes, and how many they are told
+/// to be.
+template <unsigned Function, unsigned Most, unsigned Bits> bool is_read_right(std::uint64_t header)
 {
     std::uint64_t const address = header >> 16U;
     std::uint64_t const quantity = header & 0xFFFFU;
     pdu asked;
-    asked.u8(3);
+    asked.u8(Function);
     asked.u16(address);
     asked.u16(quantity);
-    unsigned const expected = quantity < 1 or quantity > 125 ? 3U : address + quantity > 65'536 ? 2U : 0U;
-    return verdict(asked) == expected;
+    unsigned const expected = quantity < 1 or quantity > Most ? 3U : address + quantity > 65'536 ? 2U : 0U;
+    if (verdict(asked) != expected) {
+        return false;
+    }
+    std::uint64_t const bytes = (quantity * Bits + 7) / 8;
+    return expected != 0 ? asked.size == 2 : asked.size == 2 + bytes and to_u8(asked.bytes[1]) == bytes;
 }
 
 bool is_write_right(std::uint64_t header)
@@ -144,7 +167,10 @@ int main(int argc, char** argv)
     using exhaustive::holds;
     std::uint64_t const stride = exhaustive::stride_of(argc, argv);
     constexpr std::uint64_t all = std::uint64_t{1} << 32U;
-    bool ok = holds("03, address and quantity", all, stride, is_read_right);
+    bool ok = holds("01, address and quantity", all, stride, is_read_right<1, 2000, 1>);
+    ok = holds("02, address and quantity", all, stride, is_read_right<2, 2000, 1>) and ok;
+    ok = holds("03, address and quantity", all, stride, is_read_right<3, 125, 16>) and ok;
+    ok = holds("04, address and quantity", all, stride, is_read_right<4, 125, 16>) and ok;
     ok = holds("06, address and value", all, stride, is_write_right) and ok;
     ok = holds("16, quantity, byte count and length", all, stride, is_block_right) and ok;
     ok = holds("23, what is written", all, stride, is_exchange_right) and ok;

@@ -4,7 +4,10 @@
 // function, against an oracle that knows nothing of the codec.
 #include <array>
 
+#include <rtuwire/wire/pdu/read_coils.hpp>
+#include <rtuwire/wire/pdu/read_discrete_inputs.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/pdu/read_input_registers.hpp>
 #include <rtuwire/wire/pdu/write_multiple_registers.hpp>
 #include <rtuwire/wire/pdu/write_single_register.hpp>
 #include <rtuwire/wire/response.hpp>
@@ -17,8 +20,13 @@ namespace {
 
 constexpr std::uint8_t unit = 17;
 constexpr std::uint64_t registers = 5;
+constexpr std::uint64_t coils = 19;
+constexpr std::uint64_t bytes_of_coils = 3;
 
+auto const read_bits = *encode(*unit_id::checked(unit), read_coils{0, coils});
+auto const read_contacts = *encode(*unit_id::checked(unit), read_discrete_inputs{0, coils});
 auto const read = *encode(*unit_id::checked(unit), read_holding_registers{0, registers});
+auto const read_inputs = *encode(*unit_id::checked(unit), read_input_registers{0, registers});
 auto const write = *encode(*unit_id::checked(unit), write_single_register{0x0A00, 0x0002});
 auto const write_block = *encode(*unit_id::checked(unit), write_multiple_registers{0x0A00, register_block{1, 2}});
 
@@ -65,12 +73,18 @@ bool is_right(response const& heard, std::uint64_t asked, errc got, bool is_good
 
 bool is_size_possible(response const& heard) { return heard.size >= 1 and heard.size <= max_pdu_size; }
 
-bool is_read_right(std::uint64_t at)
+/// To a read whose response has so many bytes behind its byte count.
+bool is_read_right(std::uint64_t at, byte_view request, std::uint64_t function, std::uint64_t bytes)
 {
     response const heard{at};
-    bool const is_good = heard.third == 2 * registers and heard.size == 2 + 2 * registers;
-    return not is_size_possible(heard) or is_right(heard, 3, heard.against(read), is_good);
+    bool const is_good = heard.third == bytes and heard.size == 2 + bytes;
+    return not is_size_possible(heard) or is_right(heard, function, heard.against(request), is_good);
 }
+
+bool is_01_right(std::uint64_t at) { return is_read_right(at, read_bits, 1, bytes_of_coils); }
+bool is_02_right(std::uint64_t at) { return is_read_right(at, read_contacts, 2, bytes_of_coils); }
+bool is_03_right(std::uint64_t at) { return is_read_right(at, read, 3, 2 * registers); }
+bool is_04_right(std::uint64_t at) { return is_read_right(at, read_inputs, 4, 2 * registers); }
 
 bool is_write_right(std::uint64_t at)
 {
@@ -91,7 +105,10 @@ int main(int argc, char** argv)
     using exhaustive::holds;
     std::uint64_t const stride = exhaustive::stride_of(argc, argv);
     constexpr std::uint64_t all = std::uint64_t{1} << 32U;
-    bool ok = holds("answers to 03", all, stride, is_read_right);
+    bool ok = holds("answers to 01", all, stride, is_01_right);
+    ok = holds("answers to 02", all, stride, is_02_right) and ok;
+    ok = holds("answers to 03", all, stride, is_03_right) and ok;
+    ok = holds("answers to 04", all, stride, is_04_right) and ok;
     ok = holds("answers to 06", all, stride, is_write_right) and ok;
     ok = holds("answers to 16", all, stride, is_block_right) and ok;
     return ok ? 0 : 1;
