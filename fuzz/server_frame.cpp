@@ -29,7 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         bool const is_wide = (in.u8() & 1U) != 0;
         byte_view const asked = in.some(in.u8());
         std::array<std::byte, max_pdu_size> place{};
-        unsigned const before = bank.writes;
+        unsigned const before = bank.all_writes();
         byte_view const response = respond<public_functions>(asked, bank, is_wide ? wide : narrow, place, line);
         if (response.empty()) {
             continue;
@@ -38,7 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         require((to_u8(response[0]) & 0x7FU) == to_u8(asked[0]));
         if (to_u8(response[0]) >= 0x80) {
             require(response.size() == 2 and to_u8(response[1]) >= 1 and to_u8(response[1]) <= 4);
-            require(bank.writes == before);
+            require(bank.all_writes() == before);
         }
     }
     return 0;

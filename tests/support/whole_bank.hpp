@@ -16,6 +16,7 @@ namespace rtuwire::test {
 /// Bits that fail where they are told to.
 template <std::size_t Count> struct failing_bits : bit_bank<Count> {
     errc broken{errc::none};
+    unsigned writes{0};
 
     constexpr errc read(std::uint16_t start, std::size_t count, byte_span out)
     {
@@ -23,12 +24,13 @@ template <std::size_t Count> struct failing_bits : bit_bank<Count> {
     }
     constexpr errc write(std::uint16_t start, bit_view values)
     {
+        ++writes;
         return broken != errc::none ? broken : bit_bank<Count>::write(start, values);
     }
 };
 
 /// 16 registers, 64 coils, 32 inputs and 8 input registers from address 0 on; a queue at 100; files 1 and 2 of 8
-/// records each. Nothing that is refused may change it, and `writes` counts what does.
+/// records each. Nothing that is refused may change it, and `all_writes` counts what does.
 struct whole_bank {
     word_bank<16> words{};
     failing_bits<64> switched{};
@@ -42,6 +44,9 @@ struct whole_bank {
     std::size_t id_size{3};
     errc broken{errc::none}; ///< what every access returns
     unsigned writes{0};
+
+    /// How often anything was written.
+    [[nodiscard]] constexpr unsigned all_writes() const { return writes + switched.writes; }
 
     /// Lets every access fail.
     constexpr void fail(errc how)
