@@ -103,6 +103,25 @@ inline fault check_page(bytes const& request, bytes const& frame)
     return none;
 }
 
+/// Whether a response is never its request.
+constexpr bool is_never_repeated(unsigned function, unsigned third_byte)
+{
+    switch (function) {
+    case 43: return third_byte == 14;
+    case 5:
+    case 6:
+    case 8:
+    case 21:
+    case 22: return false;
+    case 20:
+    case 23:
+    case 24: return true;
+    default:
+        return function <= 4 or function == 7 or function == 11 or function == 12 or
+               (function >= 15 and function <= 17);
+    }
+}
+
 /// Why a frame with a right CRC is not the response to a request; none where it is, an exception's number where the
 /// unit refused.
 inline fault check_response(bytes const& request, bytes const& frame)
@@ -130,8 +149,7 @@ inline fault check_response(bytes const& request, bytes const& frame)
     }
     unsigned const function = request[1];
     bool const is_itself = frame == request;
-    if (is_itself and (function <= 4 or function == 15 or function == 16 or function == 23 or
-                       (function == 43 and request[2] == 14))) {
+    if (is_itself and is_never_repeated(function, request[2])) {
         return line_echo;
     }
     auto const counted = [&](std::size_t data) {

@@ -87,6 +87,16 @@ STATIC_CHECK(verdict(coils, "01 00 13 00 13"_hex) == errc::line_echo);
 STATIC_CHECK(verdict(inputs, "02 00 C4 00 16"_hex) == errc::line_echo);
 STATIC_CHECK(verdict(registers, "04 00 08 00 01"_hex) == errc::line_echo);
 STATIC_CHECK(verdict(block, "0F 00 13 00 0A 02 CD 01"_hex) == errc::line_echo);
+STATIC_CHECK(verdict(status, "07"_hex) == errc::line_echo);
+STATIC_CHECK(verdict(counter, "0B"_hex) == errc::line_echo);
+STATIC_CHECK(verdict(log, "0C"_hex) == errc::line_echo);
+STATIC_CHECK(verdict(id, "11"_hex) == errc::line_echo);
+STATIC_CHECK(verdict(records, "14 07 06 00 04 00 01 00 02"_hex) == errc::line_echo);
+STATIC_CHECK(verdict(queue, "18 04 DE"_hex) == errc::line_echo);
+
+// The response of a function that nobody knows may be its request, whether its code is among the public ones or not.
+STATIC_CHECK(verdict("02 0A 12 34 00 00"_hex, "0A 12 34"_hex) == errc::none);
+STATIC_CHECK(verdict("02 41 12 34 00 00"_hex, "41 12 34"_hex) == errc::none);
 
 // A request for 17 bits from 0300 on begins as its own response of three bytes would.
 constexpr auto alike = "02 01 03 00 00 11 00 00"_hex;

@@ -46,13 +46,14 @@ inline constexpr std::uint8_t length_rule_bits = 0xE0;
 
 /// What a normal response has in common with its request.
 enum class answer_rule : std::uint8_t {
-    nothing,   ///< nothing but the function
+    unknown,   ///< of a function that is not in the list: it may even be the request
     head,      ///< it is the first five bytes of the request
     whole,     ///< it is the request
     partly,    ///< it has the request's size, and repeats as many bytes as the function's `repeated` says
+    own,       ///< the function has a `check_response` of its own
     registers, ///< two bytes for each of the registers that the request's second field counts
     bits,      ///< a byte for each eight of the bits that it counts
-    own,       ///< the function has a `check_response` of its own
+    nothing,   ///< nothing but the function; it is never the request
 };
 
 /// The rules of one function.

@@ -37,7 +37,7 @@ template <typename... Functions>
 [[nodiscard, gnu::always_inline]] constexpr answer_rule answer_of_others(function_list<Functions...>,
                                                                          std::uint8_t code) noexcept
 {
-    answer_rule rule = answer_rule::nothing;
+    answer_rule rule = answer_rule::unknown;
     ((rule = not length_rules::is_in_table<Functions> and code == to_u8(Functions::code) ? Functions::rules.answers
                                                                                          : rule),
      ...);
@@ -220,8 +220,9 @@ template <typename... Functions>
         return response_pdu.size() == 2 ? exception_error(to_u8(response_pdu[1])) : errc::wrong_length;
     }
     errc const wrong = check_fields(request_pdu, response_pdu);
-    // A request for bits may look like its own response: 01 01 03 00 00 11 begins one of three bytes.
-    bool const is_doubtful = wrong != errc::none or answer_of(to_u8(request_pdu[0])) == answer_rule::bits;
+    // A request for bits may look like its own response: 01 01 03 00 00 11 begins one of three bytes. Where nothing is
+    // compared, any request does.
+    bool const is_doubtful = wrong != errc::none or answer_of(to_u8(request_pdu[0])) >= answer_rule::bits;
     bool const is_own = is_doubtful and same_bytes(request_adu, response.bytes());
     return is_own ? errc::line_echo : wrong;
 }
