@@ -9,8 +9,8 @@ and our client meet all the same:
   file response length, reference type, data.
 - 24: its encoder tells the bytes of the queue where AP 6.18 has the FIFO count, in registers.
 - 07: with its event counter above 0 the status has nine bits, which is an exception 04; AP 6.7 has one byte.
-- 08/04: is not asked, because AP 6.8.1 has no response to it; 08/0D has another name in it than its counter, 08/13 is
-  not in AP 6.8.1.
+- 08/04 is not asked, because AP 6.8.1 has no response to it, nor 08/13, which is not in AP 6.8.1: pymodbus answers it
+  with the counter of 08/12.
 """
 import asyncio
 import struct
