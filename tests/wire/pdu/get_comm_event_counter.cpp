@@ -3,6 +3,7 @@
 // Function 11: every status, every size.
 #include <rtuwire/wire/pdu/get_comm_event_counter.hpp>
 
+#include "support/length.hpp"
 #include "support/pdu_facts.hpp"
 #include "support/proof.hpp"
 
@@ -30,6 +31,10 @@ constexpr bool is_as_printed()
            not get_comm_event_counter_response{0, 264}.is_busy();
 }
 PROOF("function 11 is read as it is printed", is_as_printed)
+
+// The last two bytes stand for the CRC.
+STATIC_CHECK(test::is_told(direction::request, "02 0B 00 00"_hex));
+STATIC_CHECK(test::is_told(direction::response, "02 0B FF FF 01 08 00 00"_hex));
 
 } // namespace
 
