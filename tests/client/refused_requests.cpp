@@ -13,6 +13,8 @@
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/client/line_echo_probe.hpp>
 #include <rtuwire/core/hex.hpp>
+#include <rtuwire/wire/pdu/read_file_record.hpp>
+#include <rtuwire/wire/pdu/write_file_record.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -30,7 +32,27 @@ struct bad_request : asker {
 
 using plan = read_plan<atv12::device, atv12::eta, atv12::acc>;
 
+/// What comes of a request that a board's client takes, up to the moment where it leaves: busy, while it is under way.
+template <typename Request> errc taken(Request const& request)
+{
+    test::manual_unit unit;
+    single_request ask{unit_id{1}, request};
+    unit.link.converse(ask, unit.now);
+    return unit.transmit() == (ask.outcome() == errc::busy) ? ask.outcome().error() : errc::none;
+}
+
 } // namespace
+
+TEST_CASE("a board's client has room for records, up to its 264 bytes")
+{
+    CHECK((taken(read_file_record{file_run{4, 1, 1}}) == errc::busy));
+    CHECK((taken(read_file_record{file_run{4, 1, 121}}) == errc::busy));
+    CHECK((taken(read_file_record{file_run{4, 1, 1}, file_run{4, 2, 1}}) == errc::buffer_too_small));
+    CHECK((taken(write_file_record{4, 7, register_block<1>{}}) == errc::busy));
+    // 132 bytes each way, then 134.
+    CHECK((taken(write_file_record{4, 7, register_block<60>{}}) == errc::busy));
+    CHECK((taken(write_file_record{4, 7, register_block<61>{}}) == errc::buffer_too_small));
+}
 
 TEST_CASE("a frame that is none is refused, by a client and by a bus")
 {

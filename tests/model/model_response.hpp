@@ -55,6 +55,8 @@ inline response_size longest_response(bytes const& request)
     case 15:
     case 16: return {8, true};
     case 7: return {5, true};
+    case 20: return counted(size == 12 and word_at(request, 8) <= 121, 2 + 2 * word_at(request, 8));
+    case 21: return {size, true};
     case 22: return {10, true};
     case 8: return word_at(request, 2) == 0 ? response_size{size, false} : response_size{8, true};
     default: return {256, tells_size(request)};

@@ -109,7 +109,12 @@ STATIC_CHECK(longest_response(registers) == length_hint{7, true} and longest_res
 STATIC_CHECK(longest_response(status) == length_hint{5, true} and longest_response(counter) == length_hint{8, true});
 STATIC_CHECK(longest_response(log) == length_hint{256, true} and longest_response(id) == length_hint{256, true});
 STATIC_CHECK(longest_response(block) == length_hint{8, true} and longest_response(mask) == length_hint{10, true});
-STATIC_CHECK(longest_response(records) == length_hint{256, true} and longest_response(file) == length_hint{256, true});
+STATIC_CHECK(longest_response(records) == length_hint{11, true} and longest_response(file) == length_hint{14, true});
+constexpr auto most_records = "02 14 07 06 00 04 00 01 00 79 00 00"_hex;
+constexpr auto too_many_records = "02 14 07 06 00 04 00 01 00 7A 00 00"_hex;
+constexpr auto two_runs = "02 14 0E 06 00 04 00 01 00 02 06 00 03 00 09 00 02 00 00"_hex;
+STATIC_CHECK(response_size(most_records) == 249 and response_size(too_many_records) == 256);
+STATIC_CHECK(longest_response(two_runs) == length_hint{256, true});
 STATIC_CHECK(longest_response(queue) == length_hint{256, true});
 constexpr auto all_coils = "02 01 00 00 07 D0 00 00"_hex;
 constexpr auto too_many_coils = "02 01 00 00 07 D9 00 00"_hex;

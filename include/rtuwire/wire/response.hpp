@@ -133,6 +133,22 @@ template <typename... Functions>
     return tells;
 }
 
+/// Of the functions with this code that tell the size of the response to a request: that size, or the largest possible.
+/// Internal.
+template <typename... Functions>
+[[nodiscard]] constexpr std::size_t longest_by_own(function_list<Functions...>, std::uint8_t code,
+                                                byte_view request_adu) noexcept
+{
+    std::size_t size = max_adu_size;
+    auto const ask = [&]<typename Function>(std::type_identity<Function>) {
+        if constexpr (requires { Function::longest_response(request_adu); }) {
+            size = code == to_u8(Function::code) ? Function::longest_response(request_adu) : size;
+        }
+    };
+    (ask(std::type_identity<Functions>{}), ...);
+    return size;
+}
+
 /// The size of the longest response to a request, an ADU; final where the response's bytes tell its end, so
 /// that no silence need follow. Where the request does not tell the size it is the largest possible.
 /// Internal.
@@ -153,8 +169,14 @@ template <typename... Functions>
     } else if (request_adu.size() >= 8) {
         constexpr std::size_t most = 250; // 125 registers, 2000 bits
         answer_rule const counts = answer_of(code);
-        std::size_t const bytes = answer_bytes(counts, u16_at(request_adu, 4));
-        size = counts_by_quantity(counts) and bytes <= most ? 5U + bytes : max_adu_size;
+        if (counts == answer_rule::whole) {
+            size = request_adu.size();
+        } else if (counts_by_quantity(counts)) {
+            std::size_t const bytes = answer_bytes(counts, u16_at(request_adu, 4));
+            size = bytes <= most ? 5U + bytes : max_adu_size;
+        } else {
+            size = longest_by_own(public_functions{}, code, request_adu);
+        }
     }
     return {size, tells_end};
 }

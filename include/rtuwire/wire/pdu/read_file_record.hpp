@@ -120,6 +120,15 @@ template <typename Runs = file_runs> struct read_file_record {
         }
     }
 
+    /// The size of the longest response to a request, both ADUs: known of one run.
+    /// Internal.
+    [[nodiscard]] static constexpr std::size_t longest_response(byte_view request_adu) noexcept
+    {
+        constexpr std::size_t with_one_run = 12, count_at = 8, most = 121;
+        std::size_t const count = request_adu.size() == with_one_run ? u16_at(request_adu, count_at) : most + 1;
+        return count <= most ? 7 + 2 * count : max_adu_size;
+    }
+
     /// Whether a response has the records of each run of its request.
     /// Internal.
     [[nodiscard]] static constexpr errc check_response(byte_view request_pdu, byte_view response_pdu) noexcept
