@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Any bytes in any chunking and any pauses to a client that keeps asking: every request ends by its
+// Any bytes in any chunking and any pauses to a client that keeps asking, by any function: every request ends by its
 // deadline, is sent no more often than it may be, and waits for its unit no longer than rules 17 to 19 of
 // docs/engine-rules.md say.
+#include <array>
+
 #include <rtuwire/rtuwire.hpp>
 
 #include "input.hpp"
@@ -16,14 +18,63 @@ namespace {
 
 constexpr line_timing line{19'200, character_format::even_8_1};
 constexpr unsigned retries = 2, busy_retries = 3;
-constexpr std::size_t longest_response = 7; ///< a value of one register
+constexpr unit_id unit{1};
+
+// What stands behind the code of a request, in the forms that there are.
+constexpr auto address = "04 DE"_hex;
+constexpr auto two_words = "0C 81 00 01"_hex;
+constexpr auto coil = "00 AC FF 00"_hex;
+constexpr auto identification = "0E 01 00"_hex;
+constexpr auto coils = "00 13 00 03 01 05"_hex;
+constexpr auto masks = "00 04 00 F2 00 25"_hex;
+constexpr auto registers = "23 29 00 01 02 00 0F"_hex;
+constexpr auto run = "07 06 00 04 00 01 00 02"_hex;
+constexpr auto run_of_values = "09 06 00 04 00 07 00 01 06 AF"_hex;
+constexpr auto both = "0C 81 00 01 21 35 00 01 02 00 0F"_hex;
+
+/// A request of a function: the first form that it decodes.
+template <typename Function> fixed_buffer<max_adu_size> request_of()
+{
+    fixed_buffer<max_adu_size> found;
+    auto const look = [&](byte_view fields) {
+        std::array<std::byte, max_pdu_size> pdu{static_cast<std::byte>(Function::code)};
+        for (std::size_t i = 0; i < fields.size(); ++i) {
+            pdu[1 + i] = fields[i];
+        }
+        auto const value = Function::decode(byte_view{pdu}.first(1 + fields.size()));
+        if (found.empty() and value) {
+            found.resize(encode_into(found.storage(), unit, *value)->size());
+        }
+    };
+    look({});
+    look(address);
+    look(two_words);
+    look(coil);
+    look(identification);
+    look(coils);
+    look(masks);
+    look(registers);
+    look(run);
+    look(run_of_values);
+    look(both);
+    require(not found.empty());
+    return found;
+}
+
+/// One request of each function in the list.
+template <typename... Functions> auto requests_of(function_list<Functions...>)
+{
+    return std::array{request_of<Functions>()...};
+}
 
 /// What the sendings of one request leave behind, at most.
 class debt {
 public:
-    explicit debt(client_options const& options) : late_{options.late_response}
+    debt(client_options const& options, byte_view request) : late_{options.late_response}
     {
-        each_ = options.response_timeout + line.characters(longest_response) + late_;
+        length_hint const response = longest_response(request);
+        each_ = options.response_timeout + line.characters(response.size()) + late_;
+        each_ = response.is_final() ? each_ : each_ + line.frame_end();
     }
 
     void forget() { sendings_ = 0; }
@@ -58,14 +109,16 @@ private:
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
     constexpr std::uint32_t longest_us = 30'000'000; // with passes up to a second apart
-    constexpr unit_id unit{1};
-    static auto const frame = *encode(unit, read_holding_registers{3201, 1});
+    static auto const requests = requests_of(public_functions{});
     fuzz::input in{data, size};
     std::uint8_t const flags = in.u8();
     client_options options{.response_timeout = milliseconds(100), .retries = retries};
     options.has_line_echo = (flags & 1U) != 0;
     options.max_leading_noise = (flags & 2U) != 0 ? 3 : 0;
-    using engine = basic_client<unit_statistics<2>>;
+    // The third function, 03, is asked without further flags.
+    auto const& frame = requests[(2U + (flags >> 2U)) % requests.size()];
+    using engine =
+        basic_client<unit_statistics<2>, stored<line_timing>, stored<client_options>, quarantine<1>, separate_memory>;
     test::asking<engine> link{line, options};
     engine const& under_way = link;
     instant now{0xFFFF'0000U};
@@ -73,7 +126,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     instant started = now;
     instant held_until = now;
     unsigned visits = 0;
-    debt owed{options};
+    debt owed{options, frame};
     while (not in.is_empty()) {
         std::uint8_t const what = in.u8();
         now = now + microseconds(std::uint32_t{in.u8()} * ((what & 0x40U) != 0 ? 4'000U : 40U));
