@@ -10,6 +10,7 @@
 #include <rtuwire/server/bank.hpp>
 #include <rtuwire/server/bit_bank.hpp>
 #include <rtuwire/server/blocking.hpp>
+#include <rtuwire/server/hook/with_hooks.hpp>
 #include <rtuwire/server/identification.hpp>
 #include <rtuwire/server/response_frame.hpp>
 #include <rtuwire/server/server.hpp>
