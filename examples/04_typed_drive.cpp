@@ -18,7 +18,7 @@ int main()
     bank<atv12::eta, atv12::rfr, atv12::frh, atv12::lcr, atv12::acc> registers{};
     registers.set<atv12::eta>(status_word{0x0237});
     registers.set<atv12::rfr>(48.7_Hz);
-    sim::bench bench{line_timing{19'200, character_format::even_8_1}, sim::bank_at{drive.unit(), registers}};
+    sim::bench bench{line_timing{19'200, character_format::even_8_1}, bank_at{drive.unit(), registers}};
 
     unsigned refused = 0;
     for (int const ramp : {10'000, 13}) { // tenths of a second, from a panel or a file

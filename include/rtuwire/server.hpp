@@ -15,3 +15,4 @@
 #include <rtuwire/server/response_frame.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/server/typed_bank.hpp>
+#include <rtuwire/server/units/several_units.hpp>
