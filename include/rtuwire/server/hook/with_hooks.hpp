@@ -8,7 +8,7 @@
 //                       .check<pump::setpoint>([&](decihertz asked) {
 //                           return tank.is_empty() ? errc::server_device_failure : errc::none;
 //                       })
-//                       .on_write<pump::setpoint>([&](decihertz now) { inverter.go(now); });
+//                       .on_write<pump::setpoint>([&](decihertz speed) { inverter.go(speed); });
 //     node.serve(served, now);
 #pragma once
 
