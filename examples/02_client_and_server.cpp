@@ -12,7 +12,7 @@ int main()
 {
     word_bank<16> registers;
     static_cast<void>(registers.set(3, 1500));
-    sim::bench bench{line_timing{19'200, character_format::even_8_1}, sim::bank_at{unit_id{7}, registers}};
+    sim::bench bench{line_timing{19'200, character_format::even_8_1}, bank_at{unit_id{7}, registers}};
 
     single_request ask_speed{unit_id{7}, read_holding_registers{.start = 3, .count = 1}};
     auto const outcome = bench.run(ask_speed);

@@ -35,7 +35,7 @@ void pages_are_whole(fuzz::input in)
     byte_writer out{bytes};
     std::size_t count = 0;
     for (unsigned id = 0; count < 4 and not in.is_empty() and id < 256; ++count) {
-        write_object(out, {static_cast<std::uint8_t>(id), texts[in.u8() % std::size(texts)]});
+        device_object{static_cast<std::uint8_t>(id), texts[in.u8() % std::size(texts)]}.write(out);
         id += 1U + in.u8() % 90U;
     }
     auto const made = device_objects::from(out.written());

@@ -176,7 +176,7 @@ private:
             if (each.id == rtuwire::vendor_name and not vendor_.empty()) {
                 write_vendor(out);
             } else {
-                rtuwire::write_object(out, each);
+                each.write(out);
             }
         }
         auto const made = rtuwire::device_objects::from(out.written());

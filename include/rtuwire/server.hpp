@@ -10,7 +10,9 @@
 #include <rtuwire/server/bank.hpp>
 #include <rtuwire/server/bit_bank.hpp>
 #include <rtuwire/server/blocking.hpp>
+#include <rtuwire/server/hook/with_hooks.hpp>
 #include <rtuwire/server/identification.hpp>
 #include <rtuwire/server/response_frame.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/server/typed_bank.hpp>
+#include <rtuwire/server/units/several_units.hpp>

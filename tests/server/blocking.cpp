@@ -149,3 +149,19 @@ TEST_CASE("what the port says of its failure is what the pass returns")
     mute.port.write_error = errc::device_failed;
     CHECK(mute.is_asked() == errc::device_failed);
 }
+
+TEST_CASE("a server of several units knows its banks, and answers from the one that is asked")
+{
+    played_port port;
+    word_bank<1> other{100}, asked{100};
+    static_cast<void>(asked.set(100, 0x1234));
+    auto node = server::for_units(timing, bank_at{unit_id{6}, other}, bank_at{unit_id{7}, asked});
+    static_cast<void>(serve_once(node, port, milliseconds(50)));
+    port.input.assign(request.begin(), request.end());
+    for (int pass = 0; pass < 2; ++pass) {
+        CHECK(serve_once(node, port, milliseconds(50)));
+    }
+    CHECK(port.sent == std::vector<std::byte>(response.begin(), response.end()));
+    port.read_error = errc::device_vanished;
+    CHECK(serve_once(node, port, milliseconds(50)) == errc::device_vanished);
+}

@@ -11,13 +11,13 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/receive_from.hpp>
 #include <rtuwire/server/server.hpp>
+#include <rtuwire/server/units/several_units.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Sends the response that is ready, if there is one. Errors: those of the port.
 /// Internal.
-template <typename Diagnostics, typename Functions, typename Port>
-result<void> send_response(basic_server<Diagnostics, Functions>& node, Port& port)
+template <typename Server, typename Port> result<void> send_response(Server& node, Port& port)
 {
     constexpr duration write_limit = milliseconds(1'000);
     byte_view const frame = node.poll_transmit();
@@ -29,10 +29,11 @@ result<void> send_response(basic_server<Diagnostics, Functions>& node, Port& por
     return written;
 }
 
-/// Reads the bytes that have arrived or arrive within `time_limit`, and responds to a request. The port
-/// must not echo what is sent: the response to function 06 looks like its request. Errors: those of the port.
-template <typename Diagnostics, typename Functions, typename Port, typename Bank>
-result<void> serve_once(basic_server<Diagnostics, Functions>& node, Port& port, Bank& bank, duration time_limit)
+/// Reads the bytes that have arrived or arrive within `time_limit`, lets `serve(now)` execute a request, and sends what
+/// the server has to say.
+/// Internal.
+template <typename Server, typename Port, typename Serve>
+result<void> serve_pass(Server& node, Port& port, duration time_limit, Serve&& serve)
 {
     std::array<std::byte, max_adu_size> input;
     instant const start = port.now();
@@ -46,9 +47,24 @@ result<void> serve_once(basic_server<Diagnostics, Functions>& node, Port& port, 
         return received;
     }
     node.advance(port.now());
-    node.serve(bank, port.now());
+    serve(port.now());
     node.advance(port.now()); // the bank may have taken longer than that silence
     return send_response(node, port);
+}
+
+/// Reads the bytes that have arrived or arrive within `time_limit`, and responds to a request. The port
+/// must not echo what is sent: the response to function 06 looks like its request. Errors: those of the port.
+template <typename Diagnostics, typename Functions, typename Port, typename Bank>
+result<void> serve_once(basic_server<Diagnostics, Functions>& node, Port& port, Bank& bank, duration time_limit)
+{
+    return serve_pass(node, port, time_limit, [&](instant now) { node.serve(bank, now); });
+}
+
+/// The same for a server of several units, which knows its banks.
+template <typename Diagnostics, typename Functions, typename... Entries, typename Port>
+result<void> serve_once(several_units<Diagnostics, Functions, Entries...>& node, Port& port, duration time_limit)
+{
+    return serve_pass(node, port, time_limit, [&](instant now) { node.serve(now); });
 }
 
 } // namespace rtuwire

@@ -22,6 +22,16 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 struct device_object {
     std::uint8_t id;
     literal value;
+
+    /// Appends it encoded as in a response; a text longer than 244 characters fits no response.
+    constexpr void write(byte_writer& out) const noexcept
+    {
+        out.u8(id);
+        out.u8(static_cast<std::uint32_t>(value.size()));
+        for (char const letter : value) {
+            out.u8(static_cast<std::uint8_t>(letter));
+        }
+    }
 };
 
 /// The largest object number of an access category: 02, 7F or FF.
@@ -91,16 +101,6 @@ private:
     std::uint8_t conformity_{0x81};
 };
 
-/// Appends an object encoded as in a response; a text longer than 244 characters fits no response.
-constexpr void write_object(byte_writer& out, device_object const& object) noexcept
-{
-    out.u8(object.id);
-    out.u8(static_cast<std::uint32_t>(object.value.size()));
-    for (char const letter : object.value) {
-        out.u8(static_cast<std::uint8_t>(letter));
-    }
-}
-
 /// The bytes of objects known at compile time.
 /// Internal.
 template <auto const& Objects> [[nodiscard]] consteval auto bytes_of() noexcept
@@ -115,7 +115,7 @@ template <auto const& Objects> [[nodiscard]] consteval auto bytes_of() noexcept
     std::array<std::byte, size> bytes{};
     byte_writer out{bytes};
     for (device_object const& each : Objects) {
-        write_object(out, each);
+        each.write(out);
     }
     return bytes;
 }

@@ -3,21 +3,6 @@
 //
 // The server on a line (SL 2.4.2): receives requests to its unit and broadcasts, responds to the former, and sends
 // nothing else. Owns neither the wire, nor a clock, nor the registers.
-//
-//   event                                  listening  asked       responding    transmitting
-//   a whole request to this unit or all    asked      asked (1)   asked (1)     stays
-//   any other byte                         stays      listening   listening     stays
-//   a damaged byte                         stays      stays       stays         stays
-//   serve, a response is due               -          responding  stays         stays
-//   serve, none is due                     -          listening   -             -
-//   poll_transmit after t3.5 of silence    stays      stays       transmitting  stays
-//   poll_transmit before                   stays      stays       stays         stays
-//   sent                                   stays      stays       stays         listening
-//   its time limit                         -          listening   listening     listening (2)
-//
-// (1) the newer one: what waited is dropped, and so it is where the table says listening. (2) after the next silence.
-// Time limit: for asked and responding, frame_end + response_limit after the request's last byte; for transmitting,
-// the time of the response's characters and response_limit more.
 #pragma once
 
 #include <cstdint>
@@ -25,12 +10,25 @@
 
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/rtu/frame_cutter.hpp>
-#include <rtuwire/rtu/line.hpp>
 #include <rtuwire/server/respond.hpp>
+#include <rtuwire/server/server_engine.hpp>
+#include <rtuwire/server/units/bank_at.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// The unit address of a server that has one; 0 for none.
+/// Internal.
+struct one_unit {
+    static constexpr bool has_banks = false;
+    std::uint8_t number;
+
+    [[nodiscard]] constexpr bool contains(std::uint8_t unit) const noexcept { return unit == number; }
+};
+
+/// A server of several unit addresses, from server/units/several_units.hpp.
+/// Internal.
+template <typename Diagnostics, typename Functions, typename... Entries> class several_units;
 
 /// Serves one unit address. In each pass call `receive` with what arrived, `sent` when the last stop bit of a
 /// response was sent, `advance`, `serve`; then send what `poll_transmit` returns. Sleep no longer than until
@@ -64,205 +62,48 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// since the last byte, damaged or not; it is dropped if an undamaged byte arrives before `poll_transmit` returns it,
 /// or at the time limit. The request was executed even then.
 /// Internal.
-template <typename Diagnostics, typename Functions = register_functions> class basic_server {
+template <typename Diagnostics, typename Functions = register_functions>
+class basic_server : public server_engine<Diagnostics, one_unit> {
+    using engine = server_engine<Diagnostics, one_unit>;
+
 public:
     /// The same with other functions: `server::with<function_list<read_coils>>`; `public_functions` are all.
     template <typename Others> using with = basic_server<Diagnostics, Others>;
 
+    /// A server of several unit addresses, each with a bank of its own, that have one line and one frame's memory in
+    /// common: `auto node = server::for_units(timing, bank_at{unit_id{3}, io}, bank_at{unit_id{4}, meter})`. It is
+    /// served by `node.serve(now)`.
+    template <typename... Banks>
+    [[nodiscard]] static constexpr auto for_units(line_timing const& timing, Banks&&... banks) noexcept
+    {
+        return several_units<Diagnostics, Functions, unit_entry<Banks>...>{timing, unit_entry<Banks>{banks}...};
+    }
+
     /// Listens as `unit`; the profile, and the objects in it, must outlive the server.
     constexpr basic_server(unit_id unit, line_timing const& timing, server_profile const& profile) noexcept
-        : unit_{unit.byte()}, profile_{&profile}, framer_{timing}
+        : engine{one_unit{unit.byte()}, timing, profile}
     {}
 
     /// Listens as `unit` with every function and the specification's limits, without identification.
     constexpr basic_server(unit_id unit, line_timing const& timing) noexcept
-        : basic_server{unit, timing, default_profile}
+        : basic_server{unit, timing, engine::default_profile}
     {}
 
     basic_server(unit_id, line_timing const&, server_profile&&) = delete;
-
-    /// Receives bytes that had arrived by `now`, in chunks of any size. Drops a request that waits for `serve`, or
-    /// its response, and decodes the next frame. While a response is sent, bytes are ignored; they only keep the line
-    /// from being silent.
-    constexpr void receive(byte_view bytes, instant now) noexcept
-    {
-        while (not bytes.empty()) {
-            if (phase_ == phase::transmitting) {
-                receive_error(now);
-                return;
-            }
-            drop_request();
-            bytes = bytes.subspan(framer_.receive(bytes, now));
-            take_frame();
-        }
-    }
-
-    /// Reports a byte that arrived damaged (parity, framing, overrun): its frame is dropped. After a request, where
-    /// the line's turnaround often produces one, it only delays the response; bytes after it are ignored up to a
-    /// silence of `frame_end`, and still drop the request. A frame that silence ended before it, and no `advance` has
-    /// processed, is dropped.
-    constexpr void receive_error(instant now) noexcept
-    {
-        if (phase_ == phase::listening) {
-            framer_.receive_error(now);
-        } else {
-            framer_.note_activity(now);
-            framer_.resynchronise();
-        }
-    }
-
-    /// The same, where the receiver reports that it lost a byte.
-    constexpr void receive_overrun(instant now) noexcept
-    {
-        diagnostics_.note_overrun();
-        receive_error(now);
-    }
-
-    /// Reports that the last stop bit of what `poll_transmit` returned was sent at `now`: the next byte begins a
-    /// frame. In any other phase it only means that the line was not silent at `now`.
-    constexpr void sent(instant now) noexcept
-    {
-        if (phase_ == phase::transmitting) {
-            framer_.restart(now);
-            phase_ = phase::listening;
-        } else {
-            framer_.note_activity(now);
-        }
-    }
-
-    /// Lets time pass. Where `sent` was not called in time, the server listens again once the line has been silent
-    /// for `frame_end` since the last byte; a `sent` after that does no harm.
-    constexpr void advance(instant now) noexcept
-    {
-        if (phase_ != phase::listening and reached(now, until_)) {
-            if (phase_ == phase::transmitting) {
-                framer_.resynchronise();
-                phase_ = phase::listening;
-            }
-            drop_request();
-        }
-        framer_.advance(now);
-        if (phase_ == phase::listening) {
-            take_frame();
-        }
-    }
 
     /// Calls `advance`; then executes the waiting request on the registers and prepares the response. A broadcast is
     /// executed for writes only (functions 05, 06, 15, 16, 21 and 22), and never answered.
     template <typename Bank> constexpr void serve(Bank& bank, instant now) noexcept
     {
-        advance(now);
-        if (phase_ != phase::asked) {
-            return;
-        }
-        diagnostics_.note_request();
-        pdu_buffer pdu{framer_.storage().subspan(1).first<max_pdu_size>(), pdu_size_};
-        request_head const asked{static_cast<function_code>(to_u8(pdu.bytes[0])), is_broadcast_};
-        bool const is_restart = asked.function == function_code::diagnostics and not asked.is_broadcast;
-        if (diagnostics_.is_listen_only() and not is_restart) {
-            pdu.size = 0;
-        } else {
-            errc const wrong = asked.has_effect<Functions>()
-                                   ? execute<Functions>(asked.function, pdu, bank, *profile_, diagnostics_)
-                                   : errc::illegal_function;
-            diagnostics_.note_end(asked.function, wrong);
-        }
-        if (asked.is_broadcast or pdu.size == 0) {
-            diagnostics_.count_no_response();
-            phase_ = phase::listening;
-            return;
-        }
-        pdu_size_ = static_cast<std::uint8_t>(pdu.size);
-        static_cast<void>(append_crc(framer_.storage(), pdu.size));
-        phase_ = phase::responding;
-    }
-
-    /// The bytes to send now, once, after the `serve` or `advance` that found the silence before sending; empty when there are
-    /// none. They are stored in the server, unchanged until `sent`, or until the time limit without it.
-    [[nodiscard]] constexpr byte_view poll_transmit() noexcept
-    {
-        if (phase_ != phase::responding or not framer_.is_quiet()) {
-            return {};
-        }
-        phase_ = phase::transmitting;
-        byte_view const frame = framer_.storage().first(pdu_size_ + adu_overhead);
-        until_ = until_ + framer_.line().characters(frame.size()) + response_limit;
-        return frame;
-    }
-
-    /// When `advance` is due next. Listening: never between frames and before the first `advance`; with a frame
-    /// begun, or while bytes are ignored, the last byte + `frame_end` (t3.5 with an open end). In any other phase:
-    /// the time limit; the last byte + the silence before sending before that, until `advance` has processed it.
-    [[nodiscard]] constexpr deadline poll_deadline() const noexcept
-    {
-        if (phase_ == phase::listening) {
-            return framer_.poll_end_deadline();
-        }
-        instant const quiet = framer_.last_activity() + framer_.line().silence();
-        return framer_.is_quiet() or reached(quiet, until_) ? until_ : quiet;
+        this->template serve_by<Functions>(bank, now);
     }
 
     /// Listens to another address from the next frame on; without one, to broadcasts only. A waiting response is
     /// still sent.
-    constexpr void listen_as(std::optional<unit_id> unit) noexcept { unit_ = unit ? unit->byte() : std::uint8_t{0}; }
-
-    /// Whether a request waits for `serve`.
-    [[nodiscard]] constexpr bool is_asked() const noexcept { return phase_ == phase::asked; }
-
-    /// How long after its request, and the silence that may have ended that, the sending of a response may start; and
-    /// how long after its last character `sent` may be called. Later its client may have timed out, and take the
-    /// response for one to another request; no client waits less for a response. A transmitter that has not started,
-    /// or not reported its end, within this time never will.
-    static constexpr duration response_limit = milliseconds(100);
-
-private:
-    enum class phase : std::uint8_t { listening, asked, responding, transmitting };
-
-    static constexpr server_profile default_profile{};
-
-    constexpr void take_frame() noexcept
+    constexpr void listen_as(std::optional<unit_id> unit) noexcept
     {
-        if (not framer_.poll_end()) {
-            return;
-        }
-        if (framer_.verdict() != errc::none) {
-            diagnostics_.note_error();
-            return;
-        }
-        diagnostics_.note_message();
-        adu const heard = framer_.frame();
-        std::uint8_t expected = exception_bit; // no response
-        if (not framer_.is_foreign_response() and not heard.is_exception()) {
-            if (heard.unit() == unit_ or heard.unit() == 0) {
-                is_broadcast_ = heard.unit() == 0;
-                pdu_size_ = static_cast<std::uint8_t>(heard.pdu().size());
-                until_ = framer_.last_activity() + framer_.line().frame_end() + response_limit;
-                phase_ = phase::asked;
-            } else {
-                expected = heard.wire_code();
-            }
-        }
-        framer_.note_foreign_request(heard.unit(), expected);
+        this->set_units({unit ? unit->byte() : std::uint8_t{0}});
     }
-
-    /// Drops the waiting request, or its response.
-    constexpr void drop_request() noexcept
-    {
-        if (phase_ == phase::responding) {
-            diagnostics_.count_no_response();
-        }
-        phase_ = phase::listening;
-    }
-
-    // Small first, as in the framer.
-    phase phase_{phase::listening};
-    std::uint8_t unit_;
-    std::uint8_t pdu_size_{0}; ///< of the request, then of the response
-    bool is_broadcast_{false}; ///< whether the request goes to every unit
-    instant until_{0};         ///< when the phase ends by itself, unless it is listening
-    server_profile const* profile_;
-    detail::frame_receiver<direction::request> framer_;
-    [[no_unique_address]] Diagnostics diagnostics_{};
 };
 
 /// A server whose function 08 is the loopback (sub-function 0) only, with functions 03, 06, 08, 16, 23 and 43.

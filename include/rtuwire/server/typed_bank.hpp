@@ -47,6 +47,9 @@ template <auto const&... Registers> class bank {
     static constexpr std::array<rule, none> rules{rule_of<Registers>...};
 
 public:
+    /// Whether a register is one of this bank's.
+    template <auto const& R> static constexpr bool contains = registers::template contains<R>;
+
     /// The value of a register.
     template <auto const& R> [[nodiscard]] constexpr value_of<R> get() const noexcept
     {

@@ -22,6 +22,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/served_functions.hpp>
 #include <rtuwire/server/server.hpp>
+#include <rtuwire/server/units/bank_at.hpp>
 #include <rtuwire/sim/drive/unit.hpp>
 #include <rtuwire/sim/line/line.hpp>
 #include <rtuwire/sim/line/terminal.hpp>
@@ -49,21 +50,9 @@ private:
     Bank* bank_;
 };
 
-/// Says to a bench: this bank answers as this unit, by every public function that it has something for (coils, a queue,
-/// files and so on), or by those that a profile allows. The bank and the profile must outlive the bench.
-template <register_bank Bank> struct bank_at {
-    unit_id address;
-    Bank& bank;
-    server_profile const& profile;
-
-    constexpr bank_at(unit_id unit, Bank& served, server_profile const& allowed = every_function) noexcept
-        : address{unit}, bank{served}, profile{allowed}
-    {}
-    bank_at(unit_id, Bank&, server_profile const&&) = delete;
-
-private:
-    static constexpr server_profile every_function{};
-};
+/// A bank at a unit address, as for a server of several units.
+/// Internal.
+using rtuwire::bank_at;
 
 /// The end of a line that an argument of a bench describes.
 /// Internal.
@@ -209,7 +198,7 @@ private:
         (visit(visitors, slot++), ...);
         ends_.for_each([this](auto& each) {
             if constexpr (std::remove_cvref_t<decltype(each)>::sender != 0) {
-                each.end.advance(now_);
+                each.advance(now_);
             }
             each.transmit(wire_, link().line(), now_);
         });
@@ -283,7 +272,7 @@ private:
 };
 
 /// A client or bus and up to seven units on a line. A unit is given as a `station` (a simulated drive of that kind),
-/// as `bank_at`, or as an end of a line that is already made.
+/// as `bank_at`, as a server of several units, or as another end of a line that is already made.
 template <typename Link, line_end... Units> class bench : public basic_bench<Link, line, Units...> {
     using base = basic_bench<Link, line, Units...>;
 

@@ -80,6 +80,16 @@ template <std::size_t Sender, line_end End> struct terminal {
         }
     }
 
+    /// Lets time pass; a server that knows its banks serves them.
+    constexpr void advance(instant now) noexcept
+    {
+        if constexpr (requires { end.serve(now); }) {
+            end.serve(now);
+        } else {
+            end.advance(now);
+        }
+    }
+
     constexpr void finish(instant now) noexcept
     {
         if (sends_until and reached(now, *sends_until)) {
