@@ -108,21 +108,37 @@ template <typename... Functions, typename Context>
     return (ask(std::type_identity<Functions>{}) or ...);
 }
 
+/// Whether a bank answers functions of its own.
+/// Internal.
+template <typename Bank>
+concept answers_own_functions = requires(Bank& bank, function_code function, pdu_buffer& pdu)
+{
+    bank.respond(function, pdu);
+};
+
+/// Whether all functions of a list are public.
+/// Internal.
+template <typename... Functions> [[nodiscard]] consteval bool are_public(function_list<Functions...>) noexcept
+{
+    return (all_functions.contains(Functions::code) and ...);
+}
+
 /// Answers a request of a function below 80; an error is the exception to send.
 /// Internal.
 template <typename Functions, typename Bank, typename Diagnostics>
 [[nodiscard]] constexpr errc respond_to(function_code function, pdu_buffer& pdu, Bank& bank,
                                         server_profile const& profile, Diagnostics& line) noexcept
 {
-    if constexpr (requires { bank.respond(function, pdu); }) {
-        // A function that is not public is the bank's own: no profile names it.
-        if (not all_functions.contains(function)) {
-            auto const own = bank.respond(function, pdu);
-            return own ? *own : errc::illegal_function;
-        }
-    }
-    if (not profile.functions.contains(function)) {
+    // No profile names a function that is not public.
+    constexpr bool only_public = not answers_own_functions<Bank> and are_public(Functions{});
+    bool const needs_entry = only_public or all_functions.contains(function);
+    if (needs_entry and not profile.functions.contains(function)) {
         return errc::illegal_function;
+    }
+    if constexpr (answers_own_functions<Bank>) {
+        if (not Functions::codes.contains(function)) {
+            return bank.respond(function, pdu).value_or(errc::illegal_function);
+        }
     }
     if constexpr (Functions::template contains<diagnostics<>>) {
         if (function == function_code::diagnostics) {
@@ -138,11 +154,6 @@ template <typename Functions, typename Bank, typename Diagnostics>
     errc wrong = errc::illegal_function;
     if (respond_by_own(Functions{}, function, pdu, context{bank, line, profile}, wrong)) {
         return wrong;
-    }
-    if constexpr (requires { bank.respond(function, pdu); }) {
-        if (auto const own = bank.respond(function, pdu)) {
-            return *own;
-        }
     }
     constexpr int count = count_register_functions(Functions{});
     if constexpr (count > 0) {
@@ -173,9 +184,10 @@ constexpr errc execute(function_code function, pdu_buffer& pdu, Bank& bank, serv
 
 /// Replaces a request PDU sent to one unit by its response or an exception (function + 80, code). In this order:
 /// - no PDU, or a function of 80 or above: no response (size 0), and nothing is done;
-/// - a function that is not public: what `respond(function, pdu)` of the bank returns, where it has that; 01 otherwise;
-/// - 01: the function is not in `profile.functions`, or not in `Functions`, or its limit in `profile.limits` is 0 (for
-///   23: either of its two);
+/// - 01: a public function that is not in `profile.functions`;
+/// - a function that is not in `Functions`: what `respond(function, pdu)` of the bank returns, where it has that; 01
+///   otherwise;
+/// - 01: its limit in `profile.limits` is 0 (for 23: either of its two);
 /// - 08: what `Diagnostics` returns; 43: what `write_identification` returns;
 /// - 03: the PDU's size, its byte count (which is twice the quantity) and its quantity (1 to the limit) do not agree.
 ///   Sizes: functions 03 and 06: 5; 16: 6 + byte count; 23: 10 + byte count;

@@ -185,9 +185,9 @@ public:
             return {};
         }
         phase_ = phase::transmitting;
-        byte_view const frame = framer_.storage().first(pdu_size_ + adu_overhead);
-        until_ = until_ + framer_.line().characters(frame.size()) + response_limit;
-        return frame;
+        std::size_t const size = pdu_size_ + adu_overhead;
+        until_ = until_ + framer_.line().characters(size) + response_limit;
+        return {framer_.storage().data(), size};
     }
 
     /// When `advance` is due next. Listening: never between frames and before the first `advance`; with a frame
