@@ -261,8 +261,8 @@ private:
     bool is_broadcast_{false}; ///< whether the request goes to every unit
     instant until_{0};         ///< when the phase ends by itself, unless it is listening
     server_profile const* profile_;
-    detail::frame_receiver<direction::request> framer_;
     [[no_unique_address]] Diagnostics diagnostics_{};
+    detail::frame_receiver<direction::request> framer_;
 };
 
 /// A server whose function 08 is the loopback (sub-function 0) only, with functions 03, 06, 08, 16, 23 and 43.
