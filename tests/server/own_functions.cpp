@@ -58,6 +58,19 @@ struct add_two {
     }
 };
 
+/// Answers whatever it is asked with one byte, and counts.
+struct eager_bank : word_bank<4> {
+    int asked{0};
+
+    std::optional<errc> respond(function_code, pdu_buffer& pdu)
+    {
+        ++asked;
+        pdu.bytes[1] = std::byte{0xEE};
+        pdu.size = 2;
+        return errc::none;
+    }
+};
+
 constexpr line_timing timing{19'200, character_format::even_8_1};
 
 template <std::size_t Size> unsigned exception_to(std::array<std::byte, Size> const& asked)
@@ -97,4 +110,31 @@ TEST_CASE("what the bank refuses or does not know is an exception")
     CHECK(exception_to("42 12 34"_hex) == 1);
     CHECK(exception_to("01 00 00 00 01"_hex) == 1);
     CHECK(exception_to("03 00 00 00 01"_hex) == 0);
+}
+
+TEST_CASE("a bank is asked for what the server has not itself, and only where the profile allows a public function")
+{
+    eager_bank bank;
+    std::array<std::byte, max_pdu_size> place{};
+    auto const told = [&](auto const& asked, server_profile const& profile = {}) {
+        return respond(asked, bank, profile, place);
+    };
+    CHECK(same_bytes(told("03 00 00 00 01"_hex), "03 02 00 00"_hex));
+    CHECK(same_bytes(told("06 00 01 12 34"_hex), "06 00 01 12 34"_hex));
+    CHECK(same_bytes(told("10 00 02 00 01 02 56 78"_hex), "10 00 02 00 01"_hex));
+    CHECK(same_bytes(told("17 00 01 00 02 00 03 00 01 02 9A BC"_hex), "17 04 12 34 56 78"_hex));
+    CHECK(same_bytes(told("08 00 00 12 34"_hex), "08 00 00 12 34"_hex));
+    CHECK(same_bytes(told("2B 0E 01 00"_hex), "AB 01"_hex));
+    CHECK(bank.get(3) == 0x9ABC);
+    CHECK(bank.asked == 0);
+
+    CHECK(same_bytes(told("01 00 00 00 01"_hex), "01 EE"_hex));
+    CHECK(same_bytes(told("42 12"_hex), "42 EE"_hex));
+    CHECK(bank.asked == 2);
+
+    server_profile const none{.functions = function_set{}};
+    CHECK(same_bytes(told("03 00 00 00 01"_hex, none), "83 01"_hex));
+    CHECK(same_bytes(told("01 00 00 00 01"_hex, none), "81 01"_hex));
+    CHECK(bank.asked == 2);
+    CHECK(same_bytes(told("42 12"_hex, none), "42 EE"_hex));
 }

@@ -168,11 +168,78 @@ TEST_CASE("of files, the byte count comes before each reference, file and record
     CHECK(exception_to("15 09 07 00 01 00 00 00 01 12 34"_hex) == 2);
     CHECK(exception_to("15 09 06 00 00 00 00 00 01 12 34"_hex) == 2);
     CHECK(exception_to("15 09 06 00 01 27 10 00 01 12 34"_hex) == 2);
+    // Of several runs the first that is wrong decides, whatever is wrong with it.
+    CHECK(exception_to("14 0E 06 00 01 00 00 00 00 06 00 00 00 00 00 01"_hex) == 3);
+    CHECK(exception_to("14 0E 06 00 00 00 00 00 01 06 00 01 00 00 00 00"_hex) == 2);
+    CHECK(exception_to("15 10 06 00 01 00 00 00 00 06 00 00 00 00 00 01 12 34"_hex) == 3);
+    CHECK(exception_to("15 10 06 00 00 00 00 00 01 12 34 06 00 01 00 00 00 00"_hex) == 2);
     // Of several runs none is written where one is refused.
     CHECK(exception_to("15 12 06 00 01 00 00 00 01 12 34 06 00 03 00 00 00 01 12 34"_hex) == 2);
     CHECK(exception_to("15 12 06 00 01 00 00 00 01 12 34 06 00 02 00 08 00 01 12 34"_hex) == 2);
     CHECK(exception_to("15 12 06 00 01 00 00 00 01 12 34 07 00 02 00 07 00 01 12 34"_hex) == 2);
     CHECK(exception_to("15 12 06 00 01 00 00 00 01 12 34 06 00 02 00 07 00 01 56 78"_hex) == 0);
+}
+
+TEST_CASE("a request of function 20 has as many runs as fit a PDU")
+{
+    std::array<std::byte, max_pdu_size> asked{std::byte{0x14}};
+    byte_writer out{byte_span{asked}.subspan(2)};
+    while (out.ok()) {
+        write_run(out, {1, 0, 1});
+    }
+    for (std::size_t size = 0; size <= asked.size() - 2; ++size) {
+        CAPTURE(size);
+        asked[1] = to_byte(static_cast<std::uint32_t>(size));
+        whole_bank bank = fresh();
+        CHECK(exception_of(bank, byte_view{asked}.first(2 + size)) == (size > 0 and size % 7 == 0 ? 0U : 3U));
+    }
+}
+
+TEST_CASE("a function that a server has not is exception 01 at any size")
+{
+    whole_bank bank = fresh();
+    using only_coils = function_list<read_coils>;
+    CHECK(exception_of<only_coils>(bank, "01 00 00 00 01"_hex) == 0);
+    CHECK(exception_of<only_coils>(bank, "01 00 00 00"_hex) == 3);
+    for (std::size_t size = 1; size <= 6; ++size) {
+        CHECK(exception_of<only_coils>(bank, byte_view{"05 00 00 00 01 00"_hex}.first(size)) == 1);
+        CHECK(exception_of<only_coils>(bank, byte_view{"03 00 00 00 01 00"_hex}.first(size)) == 1);
+    }
+}
+
+TEST_CASE("a server of input registers, files or coils alone needs nothing else of its bank")
+{
+    struct inputs_only {
+        word_bank<4> words{};
+        word_bank<4>& input_registers() { return words; }
+    } inputs;
+    static_cast<void>(inputs.words.set(1, 0x1234));
+    struct file_only {
+        static errc check_write_file(file_run run, register_view values)
+        {
+            return run.file == 4 and values.size() == run.count ? errc::none : errc::illegal_data_address;
+        }
+        errc write_file(file_run, register_view values)
+        {
+            word = values[0];
+            return errc::none;
+        }
+        std::uint16_t word{0};
+    } file;
+    std::array<std::byte, max_pdu_size> place{};
+    loopback_only line;
+    auto const ask = [&]<typename... Functions>(function_list<Functions...> functions, byte_view asked, auto& bank) {
+        return respond<decltype(functions)>(asked, bank, server_profile{}, place, line);
+    };
+    using of_inputs = function_list<read_input_registers>;
+    using of_files = function_list<write_file_record<>>;
+    CHECK(same_bytes(ask(of_inputs{}, "04 00 01 00 01"_hex, inputs), "04 02 12 34"_hex));
+    CHECK(same_bytes(ask(of_inputs{}, "04 00 01 00 04"_hex, inputs), "84 02"_hex));
+    CHECK(same_bytes(ask(of_inputs{}, "03 00 01 00 01"_hex, inputs), "83 01"_hex));
+    CHECK(same_bytes(ask(of_files{}, "15 09 06 00 04 00 00 00 01 56 78"_hex, file),
+                     "15 09 06 00 04 00 00 00 01 56 78"_hex));
+    CHECK(file.word == 0x5678);
+    CHECK(same_bytes(ask(of_files{}, "14 07 06 00 04 00 00 00 01"_hex, file), "94 01"_hex));
 }
 
 TEST_CASE("a queue of more than 31 registers is exception 03, a unit without an identifier 04")

@@ -63,18 +63,14 @@ public:
     /// Puts bits that `check_read` allows into `out`, which has room for them and is 0.
     constexpr errc read(std::uint16_t start, std::size_t count, byte_span out) noexcept
     {
-        for (std::size_t i = 0; i < count; ++i) {
-            put_bit(out, i, bit_at(bytes_, offset(start) + i));
-        }
+        copy_bits(out, 0, bytes_, offset(start), count);
         return errc::none;
     }
 
     /// Stores bits that `check_write` allows.
     constexpr errc write(std::uint16_t start, bit_view values) noexcept
     {
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            put_bit(bytes_, offset(start) + i, values[i]);
-        }
+        copy_bits(bytes_, offset(start), values.bytes(), 0, values.size());
         return errc::none;
     }
 

@@ -104,16 +104,19 @@ struct register_access {
 /// `illegal_function` for any other function and for one with a limit of 0; `illegal_data_value` when quantity, byte
 /// count and size do not agree or a limit of the device is exceeded; `access` is then undefined.
 /// Internal.
+template <typename Functions>
 [[nodiscard]] constexpr errc decode_access(function_code function, byte_view fields, device_limits const& limits,
                                            register_access& access) noexcept
 {
-    bool const is_read = function == function_code::read_holding_registers;
+    bool const is_input =
+        Functions::template contains<read_input_registers> and function == function_code::read_input_registers;
+    bool const is_read = function == function_code::read_holding_registers or is_input;
     std::size_t write_limit = 0;
     if (function == function_code::write_single_register) {
         return access.take_value(fields) ? errc::none : errc::illegal_data_value;
     }
     if (is_read or function == function_code::read_write_multiple_registers) {
-        std::size_t limit = limits.read;
+        std::size_t limit = is_input ? max_read_quantity : limits.read;
         if (not is_read) {
             write_limit = limits.exchange_write;
             limit = write_limit == 0 ? 0 : limits.exchange_read;

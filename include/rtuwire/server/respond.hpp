@@ -13,74 +13,13 @@
 #include <rtuwire/server/bank.hpp>
 #include <rtuwire/server/identification.hpp>
 #include <rtuwire/server/pdu_buffer.hpp>
+#include <rtuwire/server/register_responses.hpp>
 #include <rtuwire/server/request.hpp>
 #include <rtuwire/server/serial_diagnostics.hpp>
+#include <rtuwire/wire/frame_length.hpp>
 #include <rtuwire/wire/pdu/diagnostics.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
-
-/// Executes functions 03, 06, 16 and 23: both halves are checked before the write, and the write comes before the
-/// read. The words read are appended to `out`.
-/// Internal.
-template <register_bank Bank>
-[[nodiscard]] constexpr errc access_registers(register_access const& asked, Bank& bank, byte_writer& out) noexcept
-{
-    bool const reads = asked.read_count > 0;
-    bool const writes = not asked.values.empty();
-    errc wrong = errc::none;
-    if (reads) {
-        wrong = bank.check_read(asked.read_start, asked.read_count);
-    }
-    if (wrong == errc::none and writes) {
-        wrong = bank.check_write(asked.write_start, asked.values);
-    }
-    if (wrong == errc::none and writes) {
-        wrong = bank.write(asked.write_start, asked.values);
-    }
-    if (wrong == errc::none and reads) {
-        wrong = bank.read(asked.read_start, asked.read_count, out);
-    }
-    return wrong;
-}
-
-/// Answers a request of functions 03, 06, 16 and 23.
-/// Internal.
-template <register_bank Bank>
-[[nodiscard]] constexpr errc respond_to_access(function_code function, pdu_buffer& pdu, Bank& bank,
-                                               server_profile const& profile) noexcept
-{
-    constexpr std::size_t echo_size = 5;
-    constexpr std::size_t head_size = 2;
-    register_access asked;
-    if (errc const wrong = decode_access(function, pdu.view().subspan(1), profile.limits, asked); wrong != errc::none) {
-        return wrong;
-    }
-    byte_writer out{pdu.bytes.subspan(head_size)};
-    if (errc const wrong = access_registers(asked, bank, out); wrong != errc::none) {
-        return wrong;
-    }
-    if (out.size() != 2U * asked.read_count) {
-        return errc::server_device_failure;
-    }
-    bool const reads = asked.read_count > 0;
-    if (reads) {
-        pdu.bytes[1] = static_cast<std::byte>(out.size());
-    }
-    // The bytes that a write repeats are in place.
-    pdu.size = reads ? head_size + out.size() : echo_size;
-    return errc::none;
-}
-
-/// How many functions of a list `respond_to_access` answers: four at most, in one piece, which is the smallest.
-/// Internal.
-template <typename... Functions>
-[[nodiscard]] consteval int count_register_functions(function_list<Functions...>) noexcept
-{
-    constexpr function_set together{function_code::read_holding_registers, function_code::write_single_register,
-                                    function_code::write_multiple_registers,
-                                    function_code::read_write_multiple_registers};
-    return (int{together.contains(Functions::code)} + ... + 0);
-}
 
 /// What the server gives the function that answers a request.
 /// Internal.
@@ -88,16 +27,34 @@ template <typename Bank, typename Diagnostics> struct server_context {
     Bank& bank;
     Diagnostics& line;
     server_profile const& profile;
+    byte_writer& out; ///< behind the byte count, which is written for it
 };
 
-/// Lets the function of a list answer that has a server's half in its own file; false where none of them has this code.
+/// Whether a function of a list has a server's half in its own file.
+/// Internal.
+template <typename Function, typename Context>
+concept has_server_half = requires
+{
+    &Function::template respond<pdu_buffer, Context>;
+};
+
+/// Whether one of a list has.
+/// Internal.
+template <typename Context, typename... Functions>
+[[nodiscard]] consteval bool have_server_half(function_list<Functions...>) noexcept
+{
+    return (has_server_half<Functions, Context> or ...);
+}
+
+/// Lets the function of a list answer that has this code and a server's half in its own file.
 /// Internal.
 template <typename... Functions, typename Context>
-[[nodiscard]] constexpr bool respond_by_own(function_list<Functions...>, function_code function, pdu_buffer& pdu,
-                                            Context const& at, errc& wrong) noexcept
+[[nodiscard]] constexpr errc respond_by_own(function_list<Functions...>, function_code function, pdu_buffer& pdu,
+                                            Context const& at) noexcept
 {
+    errc wrong = errc::illegal_function;
     auto const ask = [&]<typename Function>(std::type_identity<Function>) {
-        if constexpr (requires { &Function::template respond<pdu_buffer, Context>; }) {
+        if constexpr (has_server_half<Function, Context>) {
             if (function == Function::code) {
                 wrong = Function::respond(pdu, at);
                 return true;
@@ -105,7 +62,49 @@ template <typename... Functions, typename Context>
         }
         return false;
     };
-    return (ask(std::type_identity<Functions>{}) or ...);
+    static_cast<void>((ask(std::type_identity<Functions>{}) or ...));
+    return wrong;
+}
+
+/// Answers a request on a server that has functions with a server's half in their own files, beside 03, 04, 06, 16 and
+/// 23. What such a half appends to `out` becomes a response with a byte count; where it appends nothing, the response is
+/// in place. The size by the function's length rule is checked for it.
+/// Internal.
+template <typename Functions, typename Bank, typename Diagnostics>
+[[nodiscard]] constexpr errc respond_beside(function_code function, pdu_buffer& pdu, Bank& bank,
+                                            server_profile const& profile, Diagnostics& line) noexcept
+{
+    using accesses = register_accesses<Functions>;
+    byte_writer out{pdu.bytes.subspan(counted_head)};
+    errc wrong = errc::illegal_function;
+    if (accesses::contain(function)) {
+        if constexpr (accesses::any) {
+            wrong = respond_to_access<Functions>(function, pdu, bank, profile, out);
+        }
+    } else if (has_size_of_rule(pdu.view())) {
+        wrong = respond_by_own(Functions{}, function, pdu, server_context<Bank, Diagnostics>{bank, line, profile, out});
+    } else if (Functions::codes == all_functions or Functions::codes.contains(function)) {
+        wrong = errc::illegal_data_value;
+    }
+    if (out.size() > 0) {
+        write_count(pdu, out);
+    }
+    return wrong;
+}
+
+/// Whether a bank answers functions of its own.
+/// Internal.
+template <typename Bank>
+concept answers_own_functions = requires(Bank& bank, function_code function, pdu_buffer& pdu)
+{
+    bank.respond(function, pdu);
+};
+
+/// Whether all functions of a list are public.
+/// Internal.
+template <typename... Functions> [[nodiscard]] consteval bool are_public(function_list<Functions...>) noexcept
+{
+    return (all_functions.contains(Functions::code) and ...);
 }
 
 /// Answers a request of a function below 80; an error is the exception to send.
@@ -114,15 +113,16 @@ template <typename Functions, typename Bank, typename Diagnostics>
 [[nodiscard]] constexpr errc respond_to(function_code function, pdu_buffer& pdu, Bank& bank,
                                         server_profile const& profile, Diagnostics& line) noexcept
 {
-    if constexpr (requires { bank.respond(function, pdu); }) {
-        // A function that is not public is the bank's own: no profile names it.
-        if (not all_functions.contains(function)) {
-            auto const own = bank.respond(function, pdu);
-            return own ? *own : errc::illegal_function;
-        }
-    }
-    if (not profile.functions.contains(function)) {
+    // No profile names a function that is not public.
+    constexpr bool only_public = not answers_own_functions<Bank> and are_public(Functions{});
+    bool const needs_entry = only_public or all_functions.contains(function);
+    if (needs_entry and not profile.functions.contains(function)) {
         return errc::illegal_function;
+    }
+    if constexpr (answers_own_functions<Bank>) {
+        if (not Functions::codes.contains(function)) {
+            return bank.respond(function, pdu).value_or(errc::illegal_function);
+        }
     }
     if constexpr (Functions::template contains<diagnostics<>>) {
         if (function == function_code::diagnostics) {
@@ -134,24 +134,26 @@ template <typename Functions, typename Bank, typename Diagnostics>
             return write_identification(pdu, profile.identity);
         }
     }
-    using context = server_context<Bank, Diagnostics>;
-    errc wrong = errc::illegal_function;
-    if (respond_by_own(Functions{}, function, pdu, context{bank, line, profile}, wrong)) {
-        return wrong;
-    }
-    if constexpr (requires { bank.respond(function, pdu); }) {
-        if (auto const own = bank.respond(function, pdu)) {
-            return *own;
+    using accesses = register_accesses<Functions>;
+    if constexpr (have_server_half<server_context<Bank, Diagnostics>>(Functions{})) {
+        return respond_beside<Functions>(function, pdu, bank, profile, line);
+    } else if constexpr (accesses::any) {
+        // All four in one piece, which refuses others, is the smallest.
+        if (accesses::holding == 4 or accesses::contain(function)) {
+            return respond_to_access<Functions>(function, pdu, bank, profile);
         }
     }
-    constexpr int count = count_register_functions(Functions{});
-    if constexpr (count > 0) {
-        static_assert(register_bank<Bank>, "a server of functions 03, 06, 16 or 23 needs a register_bank");
-        if (count == 4 or Functions::codes.contains(function)) {
-            return respond_to_access(function, pdu, bank, profile);
-        }
-    }
-    return wrong;
+    return errc::illegal_function;
+}
+
+/// The same out of line, for a server of many functions: in line, compilers join each of its ends with what follows
+/// (70 bytes). A small server is faster in line.
+/// Internal.
+template <typename Functions, typename Bank, typename Diagnostics>
+[[nodiscard, gnu::noinline]] constexpr errc respond_apart(function_code function, pdu_buffer& pdu, Bank& bank,
+                                                          server_profile const& profile, Diagnostics& line) noexcept
+{
+    return respond_to<Functions>(function, pdu, bank, profile, line);
 }
 
 /// Replaces a request PDU of a function below 80 by its response or an exception; returns the exception, or none.
@@ -160,7 +162,12 @@ template <typename Functions, typename Bank, typename Diagnostics>
 constexpr errc execute(function_code function, pdu_buffer& pdu, Bank& bank, server_profile const& profile,
                        Diagnostics& line) noexcept
 {
-    errc const wrong = respond_to<Functions>(function, pdu, bank, profile, line);
+    errc wrong = errc::none;
+    if constexpr (have_server_half<server_context<Bank, Diagnostics>>(Functions{})) {
+        wrong = respond_apart<Functions>(function, pdu, bank, profile, line);
+    } else {
+        wrong = respond_to<Functions>(function, pdu, bank, profile, line);
+    }
     if (wrong != errc::none) {
         pdu.bytes[0] |= std::byte{exception_bit};
         // An error that has no code on the wire (a local cause, `unlisted_exception`) is sent as 04.
@@ -173,9 +180,10 @@ constexpr errc execute(function_code function, pdu_buffer& pdu, Bank& bank, serv
 
 /// Replaces a request PDU sent to one unit by its response or an exception (function + 80, code). In this order:
 /// - no PDU, or a function of 80 or above: no response (size 0), and nothing is done;
-/// - a function that is not public: what `respond(function, pdu)` of the bank returns, where it has that; 01 otherwise;
-/// - 01: the function is not in `profile.functions`, or not in `Functions`, or its limit in `profile.limits` is 0 (for
-///   23: either of its two);
+/// - 01: a public function that is not in `profile.functions`;
+/// - a function that is not in `Functions`: what `respond(function, pdu)` of the bank returns, where it has that; 01
+///   otherwise;
+/// - 01: its limit in `profile.limits` is 0 (for 23: either of its two);
 /// - 08: what `Diagnostics` returns; 43: what `write_identification` returns;
 /// - 03: the PDU's size, its byte count (which is twice the quantity) and its quantity (1 to the limit) do not agree.
 ///   Sizes: functions 03 and 06: 5; 16: 6 + byte count; 23: 10 + byte count;

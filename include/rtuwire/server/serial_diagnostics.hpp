@@ -5,8 +5,10 @@
 // and the listen-only mode.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
@@ -75,147 +77,130 @@ struct loopback_only : no_counts {
 /// Internal.
 class serial_diagnostics {
 public:
+    constexpr serial_diagnostics() noexcept
+    {
+        clear();
+        is_cleared_ = false;
+    }
+
     /// Replaces a request of function 08 by its response: 00: its own data; 02 and 0B to 12: a word; 01, 03, 0A and
     /// 14: the request. Exceptions, in this order: 01 for the sub-functions 05 to 09, 13, 15 and above; 03 for data
     /// that is not one word (00: 1 to 125 words), and for another word than 0000 (01: 0000 or FF00; 03: any with a
     /// low byte of 00). In listen-only mode, and to 04, the size is 0: no response.
     [[nodiscard]] constexpr errc response(pdu_buffer& pdu) noexcept
     {
-        byte_view const request_pdu = pdu.view();
-        auto const asked = diagnostics<>::decode(request_pdu);
+        errc const wrong = refusal_of(pdu.view());
+        // A refused one does what a loopback does: nothing.
+        auto const what = wrong == errc::none ? static_cast<subfunction>(u16_at(pdu.bytes, 1)) : subfunction{};
         if (is_listen_only_) {
-            if (asked and asked->what == subfunction::restart_communications and is_legal(*asked)) {
+            if (what == subfunction::restart_communications) {
                 clear();
             }
             pdu.size = 0;
             return errc::none;
         }
-        if (request_pdu.size() >= 3 and not is_known(u16_at(request_pdu, 1))) {
-            return errc::illegal_function;
+        if (is_count(what)) {
+            put_u16(&pdu.bytes[data_at], count_of(what));
+        } else if (what == subfunction::restart_communications or what == subfunction::clear_counters) {
+            clear();
+        } else if (what == subfunction::clear_overrun_counter) {
+            count_of(subfunction::bus_character_overrun_count) = 0;
+        } else if (what == subfunction::force_listen_only) {
+            is_listen_only_ = true;
+            pdu.size = 0;
         }
-        if (not asked or not is_legal(*asked)) {
-            return errc::illegal_data_value;
-        }
-        if (std::uint16_t const* const count = count_of(asked->what); count != nullptr) {
-            constexpr std::size_t data_at = 3;
-            put_u16(pdu.bytes.data() + data_at, *count);
-        }
-        act(asked->what);
-        pdu.size = is_listen_only_ ? 0 : pdu.size;
-        return errc::none;
+        return wrong;
     }
 
     /// A frame with a good CRC was received, of or to any unit.
-    constexpr void note_message() noexcept { ++messages_; }
+    constexpr void note_message() noexcept { ++count_of(subfunction::bus_message_count); }
     /// A frame was damaged.
-    constexpr void note_error() noexcept { ++errors_; }
+    constexpr void note_error() noexcept { ++count_of(subfunction::bus_communication_error_count); }
     /// The receiver lost a byte.
-    constexpr void note_overrun() noexcept { ++overruns_; }
+    constexpr void note_overrun() noexcept { ++count_of(subfunction::bus_character_overrun_count); }
     /// A request to this server, or a broadcast.
-    constexpr void note_request() noexcept { ++requests_; }
+    constexpr void note_request() noexcept { ++count_of(subfunction::server_message_count); }
     /// That request gets no response.
-    constexpr void count_no_response() noexcept { ++silences_; }
+    constexpr void count_no_response() noexcept { ++count_of(subfunction::server_no_response_count); }
     /// That request was executed, or refused. The event counter of functions 11 and 12 counts what was executed, but
     /// function 11.
     constexpr void note_end(function_code function, errc wrong) noexcept
     {
-        bool const is_refused = wrong != errc::none;
-        bool const is_event = not is_refused and not is_cleared_ and function != function_code::get_comm_event_counter;
+        if (wrong != errc::none) {
+            ++count_of(subfunction::bus_exception_error_count);
+        } else if (not is_cleared_ and function != function_code::get_comm_event_counter) {
+            ++events_;
+        }
+        if (wrong == errc::negative_acknowledge) {
+            ++count_of(subfunction::server_nak_count);
+        }
+        if (wrong == errc::server_device_busy) {
+            ++count_of(subfunction::server_busy_count);
+        }
         is_cleared_ = false;
-        events_ = static_cast<std::uint16_t>(events_ + (is_event ? 1 : 0));
-        exceptions_ = static_cast<std::uint16_t>(exceptions_ + (is_refused ? 1 : 0));
-        naks_ = static_cast<std::uint16_t>(naks_ + (wrong == errc::negative_acknowledge ? 1 : 0));
-        busy_ = static_cast<std::uint16_t>(busy_ + (wrong == errc::server_device_busy ? 1 : 0));
     }
     [[nodiscard]] constexpr std::uint16_t event_count() const noexcept { return events_; }
-    [[nodiscard]] constexpr std::uint16_t message_count() const noexcept { return messages_; }
+    [[nodiscard]] constexpr std::uint16_t message_count() const noexcept { return counts_[0]; }
 
     /// Whether it is in listen-only mode: it neither acts nor responds until it is restarted.
     [[nodiscard]] constexpr bool is_listen_only() const noexcept { return is_listen_only_; }
 
 private:
-    static constexpr bool is_known(std::uint16_t number) noexcept
+    static constexpr std::size_t data_at = 3;
+
+    /// The exception to a request, or none.
+    static constexpr errc refusal_of(byte_view asked) noexcept
     {
-        constexpr std::uint16_t last_of_first = 0x04, first_count = 0x0A, last_count = 0x12, clear_overrun = 0x14;
-        return number <= last_of_first or (number >= first_count and number <= last_count) or number == clear_overrun;
+        if (asked.size() < data_at) {
+            return errc::illegal_data_value;
+        }
+        std::uint16_t const number = u16_at(asked, 1);
+        auto const what = static_cast<subfunction>(number);
+        if (number >= 32 or ((known >> number) & 1U) == 0) {
+            return errc::illegal_function;
+        }
+        std::size_t const size = asked.size() - data_at;
+        std::size_t const most = what == subfunction::return_query_data ? diagnostics<>::max_words : 1;
+        bool const is_whole = size % 2 == 0 and is_quantity(size / 2, most);
+        return is_whole and is_allowed(what, u16_at(asked, data_at)) ? errc::none : errc::illegal_data_value;
     }
 
-    static constexpr bool is_legal(diagnostics<> const& asked) noexcept
+    /// Whether a sub-function takes this first word of data.
+    static constexpr bool is_allowed(subfunction what, std::uint16_t data) noexcept
     {
         constexpr std::uint16_t clear_log = 0xFF00, low_byte = 0x00FF;
-        std::uint16_t const data = asked.data[0];
-        switch (asked.what) {
-        case subfunction::return_query_data: return true;
-        case subfunction::restart_communications: return data == 0 or data == clear_log;
-        case subfunction::change_ascii_delimiter: return (data & low_byte) == 0;
-        case subfunction::return_diagnostic_register:
-        case subfunction::force_listen_only:
-        case subfunction::clear_counters:
-        case subfunction::bus_message_count:
-        case subfunction::bus_communication_error_count:
-        case subfunction::bus_exception_error_count:
-        case subfunction::server_message_count:
-        case subfunction::server_no_response_count:
-        case subfunction::server_nak_count:
-        case subfunction::server_busy_count:
-        case subfunction::bus_character_overrun_count:
-        case subfunction::clear_overrun_counter: break;
+        if (what == subfunction::change_ascii_delimiter) {
+            data &= low_byte;
         }
-        return data == 0;
+        return data == 0 or what == subfunction::return_query_data or
+               (what == subfunction::restart_communications and data == clear_log);
     }
 
-    /// The counter that a sub-function returns; null where it returns its data.
-    constexpr std::uint16_t const* count_of(subfunction what) const noexcept
+    /// The sub-functions 00 to 04, 0A to 12 and 14.
+    static constexpr std::uint32_t known = 0x0017'FC1F;
+
+    static constexpr std::size_t index_of(subfunction what) noexcept
     {
-        switch (what) {
-        case subfunction::return_diagnostic_register: return &register_;
-        case subfunction::bus_message_count: return &messages_;
-        case subfunction::bus_communication_error_count: return &errors_;
-        case subfunction::bus_exception_error_count: return &exceptions_;
-        case subfunction::server_message_count: return &requests_;
-        case subfunction::server_no_response_count: return &silences_;
-        case subfunction::server_nak_count: return &naks_;
-        case subfunction::server_busy_count: return &busy_;
-        case subfunction::bus_character_overrun_count: return &overruns_;
-        case subfunction::return_query_data:
-        case subfunction::restart_communications:
-        case subfunction::change_ascii_delimiter:
-        case subfunction::force_listen_only:
-        case subfunction::clear_counters:
-        case subfunction::clear_overrun_counter: break;
-        }
-        return nullptr;
+        return static_cast<std::size_t>(what) - static_cast<std::size_t>(subfunction::bus_message_count);
     }
+    static constexpr bool is_count(subfunction what) noexcept { return index_of(what) < counted; }
+    constexpr std::uint16_t& count_of(subfunction what) noexcept { return counts_[index_of(what)]; }
 
     constexpr void clear() noexcept
     {
-        *this = {};
+        // One store for each: of a loop, compilers make a call of memset, which has 166 bytes.
+        [this]<std::size_t... Index>(std::index_sequence<Index...>) { ((counts_[Index] = 0), ...); }
+        (std::make_index_sequence<counted>{});
+        events_ = 0;
+        is_listen_only_ = false;
         is_cleared_ = true;
     }
 
-    constexpr void act(subfunction what) noexcept
-    {
-        if (what == subfunction::restart_communications or what == subfunction::clear_counters) {
-            clear();
-        } else if (what == subfunction::force_listen_only) {
-            is_listen_only_ = true;
-        } else if (what == subfunction::clear_overrun_counter) {
-            overruns_ = 0;
-        }
-    }
-
-    std::uint16_t register_{0}; ///< the diagnostic register
-    std::uint16_t messages_{0};
-    std::uint16_t errors_{0};
-    std::uint16_t exceptions_{0};
-    std::uint16_t requests_{0};
-    std::uint16_t silences_{0};
-    std::uint16_t naks_{0};
-    std::uint16_t busy_{0};
-    std::uint16_t overruns_{0};
-    std::uint16_t events_{0};
-    bool is_listen_only_{false};
-    bool is_cleared_{false}; ///< by the request that is executed, which is no event then
+    static constexpr std::size_t counted = 8;
+    std::array<std::uint16_t, counted> counts_; ///< of the sub-functions 0B to 12
+    std::uint16_t events_;
+    bool is_listen_only_;
+    bool is_cleared_; ///< by the request that is executed, which is no event then
 };
 
 } // namespace rtuwire

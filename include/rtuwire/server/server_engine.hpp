@@ -109,9 +109,9 @@ public:
             return {};
         }
         phase_ = phase::transmitting;
-        byte_view const frame = framer_.storage().first(pdu_size_ + adu_overhead);
-        until_ = until_ + framer_.line().characters(frame.size()) + response_limit;
-        return frame;
+        std::size_t const size = pdu_size_ + adu_overhead;
+        until_ = until_ + framer_.line().characters(size) + response_limit;
+        return {framer_.storage().data(), size};
     }
 
     /// When `advance` is due next. Listening: never between frames and before the first `advance`; with a frame
@@ -143,6 +143,7 @@ protected:
     {}
 
     constexpr void set_units(Units const& units) noexcept { units_ = units; }
+
     /// Serves a waiting request: on that bank, or on those of the units where these have some. Force-inlined, which is
     /// smaller.
     template <typename Functions, typename Bank>
@@ -214,15 +215,15 @@ private:
         phase_ = phase::listening;
     }
 
-    // Small first, as in the framer.
+    // Small first, as in the framer, and its memory last.
     phase phase_{phase::listening};
     Units units_;
     std::uint8_t pdu_size_{0}; ///< of the request, then of the response
     bool is_broadcast_{false}; ///< whether the request goes to every unit
     instant until_{0};         ///< when the phase ends by itself, unless it is listening
     server_profile const* profile_;
-    detail::frame_receiver<direction::request> framer_;
     [[no_unique_address]] Diagnostics diagnostics_{};
+    detail::frame_receiver<direction::request> framer_;
 };
 
 } // namespace rtuwire

@@ -35,6 +35,16 @@ constexpr void put_bit(byte_span bytes, std::size_t index, bool value) noexcept
     bytes[index / 8] = value ? bytes[index / 8] | mask : bytes[index / 8] & ~mask;
 }
 
+/// Copies `count` bits from one place to another; the caller has checked that they are there.
+/// Internal.
+constexpr void copy_bits(byte_span to, std::size_t to_at, byte_view from, std::size_t from_at,
+                         std::size_t count) noexcept
+{
+    for (; count > 0; --count) {
+        put_bit(to, to_at++, bit_at(from, from_at++));
+    }
+}
+
 /// A view of bits; valid as long as its bytes.
 class bit_view {
 public:

@@ -143,6 +143,21 @@ template <typename First, typename... Others>
     return word == 0 ? raw_length{} : raw_length{size, true};
 }
 
+/// Whether a request PDU, of one byte at least, has the size that its function's rule tells. A function whose rule does
+/// not tell it checks that itself.
+[[nodiscard]] constexpr bool has_size_of_rule(byte_view pdu) noexcept
+{
+    std::uint8_t const rule = length_rules::of(direction::request, to_u8(pdu[0]));
+    auto const counts = static_cast<length_rule>(rule & length_rule_bits);
+    std::size_t size = size_in(rule) - adu_overhead;
+    if (counts == length_rule::byte_count) {
+        size += pdu.size() < size ? 0U : to_u8(pdu[size - 1]);
+    } else if (counts != length_rule::fixed) {
+        return true;
+    }
+    return pdu.size() == size;
+}
+
 /// What the first bytes of an ADU tell about its size. A size above 256 is never returned: such a frame ends
 /// by silence and is refused.
 [[nodiscard]] constexpr length_hint frame_length(direction dir, byte_view adu) noexcept

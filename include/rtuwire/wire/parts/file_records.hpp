@@ -44,20 +44,50 @@ inline constexpr std::uint8_t file_reference = 6;
 /// Internal.
 inline constexpr std::size_t file_run_size = 7;
 
-/// Reads a run's head. Internal: the caller has checked that its bytes are there.
+/// Reads a run's head; the caller has checked that its bytes are there.
 /// Internal.
 [[nodiscard]] constexpr file_run file_run_at(byte_view bytes, std::size_t at) noexcept
 {
     return {u16_at(bytes, at + 1), u16_at(bytes, at + 3), u16_at(bytes, at + 5)};
 }
 
-/// The exception to a request in which its decoder found this: another reference, file or record is an address to the
-/// specification's diagrams.
+/// Takes a run off the front of bytes, with its records where they follow it. Errors: `wrong_length` where the bytes end
+/// within it, `malformed` for another reference, and those of the run.
 /// Internal.
-[[nodiscard]] constexpr errc file_exception(errc wrong) noexcept
+[[nodiscard]] constexpr errc take_run(byte_view& bytes, file_run& run, bool with_records) noexcept
 {
-    bool const is_address = wrong == errc::malformed or wrong == errc::invalid_address_range;
-    return is_address ? errc::illegal_data_address : errc::illegal_data_value;
+    if (bytes.size() < file_run_size) {
+        return errc::wrong_length;
+    }
+    if (to_u8(bytes[0]) != file_reference) {
+        return errc::malformed;
+    }
+    run = file_run_at(bytes, 0);
+    std::size_t const size = file_run_size + (with_records ? std::size_t{2} * run.count : 0);
+    if (bytes.size() < size) {
+        return errc::wrong_length;
+    }
+    bytes = bytes.subspan(size);
+    return run.check();
+}
+
+/// The records of a run that was just taken, where they ended at `end`.
+/// Internal.
+[[nodiscard]] constexpr register_view records_of(file_run const& run, std::byte const* end) noexcept
+{
+    std::size_t const size = std::size_t{2} * run.count;
+    return register_view{{end - size, size}};
+}
+
+/// The most bytes behind the byte count of a response of function 20.
+/// Internal.
+inline constexpr std::size_t max_file_answer = 245;
+
+/// The bytes of a run in that response: size, reference, records.
+/// Internal.
+[[nodiscard]] constexpr std::size_t size_of_answer(file_run const& run) noexcept
+{
+    return 2U + std::size_t{2} * run.count;
 }
 
 /// Writes a run's head.

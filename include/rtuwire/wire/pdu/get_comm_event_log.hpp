@@ -31,11 +31,14 @@ struct get_comm_event_log_response {
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 8 + log.size(); }
     constexpr void write(byte_writer& out) const noexcept
     {
-        out.u8(to_u8(code));
-        out.u8(static_cast<std::uint32_t>(6 + log.size()));
-        out.u16(status);
-        out.u16(events);
-        out.u16(messages);
+        constexpr std::size_t head = 8;
+        if (std::byte* const at = out.take(head); at != nullptr) {
+            at[0] = to_byte(to_u8(code));
+            at[1] = to_byte(static_cast<std::uint32_t>(6 + log.size()));
+            put_u16(at + 2, status);
+            put_u16(at + 4, events);
+            put_u16(at + 6, messages);
+        }
         out.bytes(log);
     }
 
@@ -80,16 +83,13 @@ struct get_comm_event_log {
     /// Answers a request.
     /// Internal.
     template <typename Memory, typename Server>
-    [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
+    [[nodiscard]] static constexpr errc respond(Memory&, Server const& at) noexcept
     {
         static_assert(
             requires { at.line.event_count(); }, "a server of function 12 counts: take serial_diagnostics");
-        if (not decode(pdu.view())) {
-            return errc::illegal_data_value;
-        }
-        byte_writer out{pdu.bytes};
-        response{0, at.line.event_count(), at.line.message_count(), {}}.write(out);
-        pdu.size = out.size();
+        at.out.u16(0); // never under way
+        at.out.u16(at.line.event_count());
+        at.out.u16(at.line.message_count());
         return errc::none;
     }
 

@@ -4,8 +4,6 @@
 // Function 22, mask write register (AP 6.16). Request and response are the same bytes.
 #pragma once
 
-#include <array>
-
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/frame_rules.hpp>
 #include <rtuwire/wire/parts/pdu_fields.hpp>
@@ -54,26 +52,26 @@ struct mask_write_register {
     template <typename Memory, typename Server>
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
-        auto const asked = decode(pdu.view());
-        if (not asked) {
-            return errc::illegal_data_value;
-        }
-        if (errc const wrong = at.bank.check_read(asked->address, 1); wrong != errc::none) {
+        std::uint16_t const address = u16_at(pdu.bytes, 1);
+        if (errc const wrong = at.bank.check_read(address, 1); wrong != errc::none) {
             return wrong;
         }
-        std::array<std::byte, 2> word{};
-        byte_writer out{word};
-        if (errc const wrong = at.bank.read(asked->address, 1, out); wrong != errc::none) {
+        // The register stands behind the request, which is the response.
+        auto const place = pdu.bytes.template subspan<max_size, 2>();
+        byte_writer out{place};
+        if (errc const wrong = at.bank.read(address, 1, out); wrong != errc::none) {
             return wrong;
         }
-        if (out.size() != word.size()) {
+        if (out.size() != place.size()) {
             return errc::server_device_failure;
         }
-        register_block<1> const value{asked->applied_to(u16_at(word, 0))};
-        if (errc const wrong = at.bank.check_write(asked->address, value); wrong != errc::none) {
+        mask_write_register const asked{address, u16_at(pdu.bytes, 3), u16_at(pdu.bytes, 5)};
+        put_u16(place.data(), asked.applied_to(u16_at(place, 0)));
+        register_view const value{place};
+        if (errc const wrong = at.bank.check_write(address, value); wrong != errc::none) {
             return wrong;
         }
-        return at.bank.write(asked->address, value);
+        return at.bank.write(address, value);
     }
 
     friend constexpr bool operator==(mask_write_register const&, mask_write_register const&) = default;

@@ -64,7 +64,7 @@ struct read_coils {
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
         static_assert(is_served_by<decltype(at.bank)>, "a server of function 01 needs a bank with coils()");
-        return respond_with_bits<read_coils>(pdu, at.bank.coils());
+        return respond_with_bits(pdu.view(), at.bank.coils(), at.out);
     }
 
     friend constexpr bool operator==(read_coils const&, read_coils const&) = default;

@@ -64,7 +64,7 @@ struct read_discrete_inputs {
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
         static_assert(is_served_by<decltype(at.bank)>, "a server of function 02 needs a bank with discrete_inputs()");
-        return respond_with_bits<read_discrete_inputs>(pdu, at.bank.discrete_inputs());
+        return respond_with_bits(pdu.view(), at.bank.discrete_inputs(), at.out);
     }
 
     friend constexpr bool operator==(read_discrete_inputs const&, read_discrete_inputs const&) = default;

@@ -69,9 +69,6 @@ struct read_exception_status {
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
         static_assert(is_served_by<decltype(at.bank)>, "a server of function 07 needs a bank with exception_status()");
-        if (not decode(pdu.view())) {
-            return errc::illegal_data_value;
-        }
         pdu.bytes[1] = to_byte(at.bank.exception_status());
         pdu.size = response::max_size;
         return errc::none;

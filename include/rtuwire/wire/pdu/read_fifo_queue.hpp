@@ -89,12 +89,8 @@ struct read_fifo_queue {
         static_assert(is_served_by<decltype(at.bank)>,
                       "a server of function 24 needs a bank with read_fifo(address, out)");
         constexpr std::size_t head = 5;
-        auto const asked = decode(pdu.view());
-        if (not asked) {
-            return errc::illegal_data_value;
-        }
         byte_writer out{pdu.bytes.subspan(head)};
-        if (errc const wrong = at.bank.read_fifo(asked->address, out); wrong != errc::none) {
+        if (errc const wrong = at.bank.read_fifo(u16_at(pdu.bytes, 1), out); wrong != errc::none) {
             return wrong;
         }
         if (out.size() > 2 * response::most) {

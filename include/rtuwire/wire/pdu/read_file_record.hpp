@@ -11,6 +11,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/frame_rules.hpp>
 #include <rtuwire/wire/parts/file_records.hpp>
+#include <rtuwire/wire/parts/file_serving.hpp>
 #include <rtuwire/wire/parts/pdu_fields.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -106,7 +107,7 @@ template <typename Runs = file_runs> struct read_file_record {
             if (errc const wrong = runs[i].check(); wrong != errc::none) {
                 return wrong;
             }
-            answer += 2U + std::size_t{2} * runs[i].count;
+            answer += size_of_answer(runs[i]);
         }
         return answer > response::max_size - 2 ? errc::invalid_quantity : errc::none;
     }
@@ -147,10 +148,7 @@ template <typename Runs = file_runs> struct read_file_record {
 
     /// Whether a bank has what this function serves.
     /// Internal.
-    template <typename Bank> static constexpr bool is_served_by = requires(Bank bank, byte_writer& out, file_run run)
-    {
-        bank.read_file(run, out);
-    };
+    template <typename Bank> static constexpr bool is_served_by = reads_files<Bank>;
 
     /// Answers a request.
     /// Internal.
@@ -159,33 +157,7 @@ template <typename Runs = file_runs> struct read_file_record {
     {
         static_assert(is_served_by<decltype(at.bank)>,
                       "a server of function 20 needs a bank with check_read_file(run) and read_file(run, out)");
-        std::array<std::byte, max_size> request{}; // its runs are read while their records are written
-        byte_view const asked_pdu = copy_of(pdu.view(), request);
-        auto const asked = decode(asked_pdu);
-        if (not asked) {
-            return file_exception(asked.error());
-        }
-        for (std::size_t i = 0; i < asked->runs.size(); ++i) {
-            if (errc const wrong = at.bank.check_read_file(asked->runs[i]); wrong != errc::none) {
-                return wrong;
-            }
-        }
-        byte_writer out{pdu.bytes.subspan(2)};
-        for (std::size_t i = 0; i < asked->runs.size(); ++i) {
-            file_run const run = asked->runs[i];
-            out.u8(1U + 2U * run.count);
-            out.u8(file_reference);
-            std::size_t const before = out.size();
-            if (errc const wrong = at.bank.read_file(run, out); wrong != errc::none) {
-                return wrong;
-            }
-            if (out.size() != before + std::size_t{2} * run.count) {
-                return errc::server_device_failure;
-            }
-        }
-        pdu.bytes[1] = to_byte(static_cast<std::uint32_t>(out.size()));
-        pdu.size = 2 + out.size();
-        return errc::none;
+        return access_files(pdu.view().subspan(2), at.bank, false, at.out);
     }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `malformed` for another reference than 6, and those of
@@ -205,16 +177,6 @@ template <typename Runs = file_runs> struct read_file_record {
             }
         }
         return checked_pdu(read_file_record<>{file_runs{*bytes}});
-    }
-
-private:
-    static constexpr byte_view copy_of(byte_view from, byte_span to) noexcept
-    {
-        std::size_t const size = from.size() < to.size() ? from.size() : to.size();
-        for (std::size_t i = 0; i < size; ++i) {
-            to[i] = from[i];
-        }
-        return to.first(size);
     }
 };
 

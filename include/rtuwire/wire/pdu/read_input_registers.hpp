@@ -7,7 +7,6 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/frame_rules.hpp>
 #include <rtuwire/wire/parts/pdu_fields.hpp>
-#include <rtuwire/wire/parts/serving.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
@@ -57,15 +56,6 @@ struct read_input_registers {
     /// Whether a bank has what this function serves.
     /// Internal.
     template <typename Bank> static constexpr bool is_served_by = requires(Bank bank) { bank.input_registers(); };
-
-    /// Answers a request.
-    /// Internal.
-    template <typename Memory, typename Server>
-    [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
-    {
-        static_assert(is_served_by<decltype(at.bank)>, "a server of function 04 needs a bank with input_registers()");
-        return respond_with_registers<read_input_registers>(pdu, at.bank.input_registers());
-    }
 
     friend constexpr bool operator==(read_input_registers const&, read_input_registers const&) = default;
 };

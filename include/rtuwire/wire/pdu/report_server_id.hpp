@@ -61,20 +61,11 @@ struct report_server_id {
     /// Answers a request.
     /// Internal.
     template <typename Memory, typename Server>
-    [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
+    [[nodiscard]] static constexpr errc respond(Memory&, Server const& at) noexcept
     {
         static_assert(is_served_by<decltype(at.bank)>, "a server of function 17 needs a bank with server_id()");
-        if (not decode(pdu.view())) {
-            return errc::illegal_data_value;
-        }
-        response const told{at.bank.server_id()};
-        if (told.check() != errc::none) {
-            return errc::server_device_failure;
-        }
-        byte_writer out{pdu.bytes};
-        told.write(out);
-        pdu.size = out.size();
-        return errc::none;
+        at.out.bytes(at.bank.server_id());
+        return at.out.size() > 0 ? errc::none : errc::server_device_failure;
     }
 
     friend constexpr bool operator==(report_server_id const&, report_server_id const&) = default;

@@ -10,6 +10,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/frame_rules.hpp>
 #include <rtuwire/wire/parts/file_records.hpp>
+#include <rtuwire/wire/parts/file_serving.hpp>
 #include <rtuwire/wire/parts/pdu_fields.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -30,35 +31,23 @@ struct file_writes {
     /// The run at an index, if there is one.
     [[nodiscard]] constexpr std::optional<write_of_run> run(std::size_t index) const noexcept
     {
-        byte_view rest = data;
-        while (has_run(rest)) {
-            std::size_t const size = size_of_run(rest);
+        file_run each{};
+        for (byte_view rest = data; take_run(rest, each, true) == errc::none; --index) {
             if (index == 0) {
-                return write_of_run{file_run_at(rest, 0),
-                                    register_view{rest.subspan(file_run_size, size - file_run_size)}};
+                return write_of_run{each, records_of(each, rest.data())};
             }
-            --index;
-            rest = rest.subspan(size);
         }
         return std::nullopt;
     }
 
     [[nodiscard]] constexpr errc check() const noexcept
     {
-        if (not is_quantity(data.size(), max_size - 2)) {
-            return errc::invalid_quantity;
+        file_run each{};
+        errc wrong = is_quantity(data.size(), max_size - 2) ? errc::none : errc::invalid_quantity;
+        for (byte_view rest = data; wrong == errc::none and not rest.empty();) {
+            wrong = take_run(rest, each, true);
         }
-        byte_view rest = data;
-        while (has_run(rest)) {
-            if (errc const wrong = file_run_at(rest, 0).check(); wrong != errc::none) {
-                return wrong;
-            }
-            rest = rest.subspan(size_of_run(rest));
-        }
-        if (rest.empty()) {
-            return errc::none;
-        }
-        return to_u8(rest[0]) == file_reference ? errc::wrong_length : errc::malformed;
+        return wrong;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return 2 + data.size(); }
     constexpr void write(byte_writer& out) const noexcept { write_counted(out, code, data); }
@@ -69,17 +58,6 @@ struct file_writes {
     {
         auto const bytes = decode_counted(pdu, code);
         return bytes ? checked_pdu(file_writes{*bytes}) : bytes.error();
-    }
-
-private:
-    static constexpr std::size_t size_of_run(byte_view bytes) noexcept
-    {
-        return file_run_size + std::size_t{2} * u16_at(bytes, 5);
-    }
-    static constexpr bool has_run(byte_view bytes) noexcept
-    {
-        return bytes.size() >= file_run_size and to_u8(bytes[0]) == file_reference and
-               bytes.size() >= size_of_run(bytes);
     }
 };
 
@@ -119,11 +97,7 @@ template <typename Words = register_view> struct write_file_record {
 
     /// Whether a bank has what this function serves.
     /// Internal.
-    template <typename Bank>
-    static constexpr bool is_served_by = requires(Bank bank, file_run where, register_view words)
-    {
-        bank.write_file(where, words);
-    };
+    template <typename Bank> static constexpr bool is_served_by = writes_files<Bank>;
 
     /// Answers a request.
     /// Internal.
@@ -133,21 +107,7 @@ template <typename Words = register_view> struct write_file_record {
         static_assert(
             is_served_by<decltype(at.bank)>,
             "a server of function 21 needs a bank with check_write_file(run, values) and write_file(run, values)");
-        auto const asked = decode(pdu.view());
-        if (not asked) {
-            return file_exception(asked.error());
-        }
-        for (std::size_t i = 0; auto const each = asked->run(i); ++i) {
-            if (errc const wrong = at.bank.check_write_file(each->run, each->values); wrong != errc::none) {
-                return wrong;
-            }
-        }
-        for (std::size_t i = 0; auto const each = asked->run(i); ++i) {
-            if (errc const wrong = at.bank.write_file(each->run, each->values); wrong != errc::none) {
-                return wrong;
-            }
-        }
-        return errc::none;
+        return access_files(pdu.view().subspan(2), at.bank, true, at.out);
     }
 
 private:

@@ -65,22 +65,18 @@ template <typename Bits = bit_view> struct write_multiple_coils {
     /// `invalid_quantity`.
     [[nodiscard]] static constexpr result<write_multiple_coils<>> decode(byte_view pdu) noexcept
     {
-        constexpr std::size_t head = 6;
         if (not is_pdu_of(pdu, code)) {
             return errc::wrong_function;
         }
         if (pdu.size() < head or pdu.size() != head + to_u8(pdu[5])) {
             return errc::wrong_length;
         }
-        std::size_t const count = u16_at(pdu, 3);
-        if (not is_quantity(count, max_bit_write_quantity)) {
-            return errc::invalid_quantity;
+        if (errc const wrong = check_quantity(pdu); wrong != errc::none) {
+            return wrong;
         }
-        if (pdu.size() != head + bytes_of_bits(count)) {
-            return errc::wrong_length;
-        }
-        return write_multiple_coils<>{u16_at(pdu, 1), bit_view{pdu.subspan(head), count}};
+        return write_multiple_coils<>{u16_at(pdu, 1), bit_view{pdu.subspan(head), u16_at(pdu, 3)}};
     }
+
     /// Whether a bank has what this function serves.
     /// Internal.
     template <typename Bank> static constexpr bool is_served_by = requires(Bank bank) { bank.coils(); };
@@ -91,11 +87,23 @@ template <typename Bits = bit_view> struct write_multiple_coils {
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
         static_assert(is_served_by<decltype(at.bank)>, "a server of function 15 needs a bank with coils()");
-        auto const asked = decode(pdu.view());
-        if (not asked) {
+        if (check_quantity(pdu.view()) != errc::none) {
             return errc::illegal_data_value;
         }
-        return write_into(pdu, at.bank.coils(), asked->start, asked->values);
+        return write_bits_into(at.bank.coils(), pdu, head, u16_at(pdu.bytes, 3));
+    }
+
+private:
+    static constexpr std::size_t head = 6;
+
+    /// Whether the quantity of a PDU of at least the head is allowed, and is that of its bytes.
+    static constexpr errc check_quantity(byte_view pdu) noexcept
+    {
+        std::size_t const count = u16_at(pdu, 3);
+        if (not is_quantity(count, max_bit_write_quantity)) {
+            return errc::invalid_quantity;
+        }
+        return pdu.size() == head + bytes_of_bits(count) ? errc::none : errc::wrong_length;
     }
 };
 

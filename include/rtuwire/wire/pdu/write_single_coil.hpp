@@ -33,7 +33,7 @@ struct write_single_coil {
             return wrong;
         }
         std::uint16_t const value = u16_at(pdu, 3);
-        if (value != on and value != 0) {
+        if (not is_value(value)) {
             return errc::malformed;
         }
         return write_single_coil{u16_at(pdu, 1), value == on};
@@ -49,18 +49,21 @@ struct write_single_coil {
     [[nodiscard]] static constexpr errc respond(Memory& pdu, Server const& at) noexcept
     {
         static_assert(is_served_by<decltype(at.bank)>, "a server of function 05 needs a bank with coils()");
-        auto const asked = decode(pdu.view());
-        if (not asked) {
+        constexpr std::size_t value_at = 3;
+        std::uint16_t const value = u16_at(pdu.bytes, value_at);
+        if (not is_value(value)) {
             return errc::illegal_data_value;
         }
-        bit_block<1> const value{asked->value};
-        return write_into(pdu, at.bank.coils(), asked->address, value);
+        // The first bit of FF or of 00.
+        return write_bits_into(at.bank.coils(), pdu, value_at, 1);
     }
 
     friend constexpr bool operator==(write_single_coil const&, write_single_coil const&) = default;
 
 private:
     static constexpr std::uint16_t on = 0xFF00;
+
+    static constexpr bool is_value(std::uint16_t value) noexcept { return value == on or value == 0; }
 };
 
 } // namespace rtuwire
