@@ -20,6 +20,8 @@
 // the time of the response's characters and response_limit more.
 #pragma once
 
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -95,6 +97,21 @@ public:
             bytes = bytes.subspan(framer_.receive(bytes, now));
             take_frame();
         }
+    }
+
+    /// The same of one byte, for a receiver that hands over each as it arrives: a program that calls only this has no code
+    /// for chunks.
+    constexpr void receive(std::same_as<std::byte> auto byte, instant now) noexcept
+    {
+        if (phase_ == phase::transmitting) {
+            return receive_error(now);
+        }
+        drop_request();
+        while (not framer_.receive(byte, now)) {
+            take_frame();
+            drop_request();
+        }
+        take_frame();
     }
 
     /// Reports a byte that arrived damaged (parity, framing, overrun): its frame is dropped. After a request, where
