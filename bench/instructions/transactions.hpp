@@ -20,6 +20,7 @@ using namespace rtuwire;
 
 inline constexpr unit_id address{1};
 inline constexpr auto read_4 = "01 03 00 01 00 04 15 C9"_hex;
+inline constexpr auto exchange_4 = "01 17 00 01 00 04 00 01 00 04 08 00 01 00 02 00 03 00 04 2B 29"_hex;
 
 struct memory {
     std::array<std::byte, 13> response_4{};
@@ -69,36 +70,46 @@ constinit inline read_again<63> read_of_63;
 
 inline void let_pass(duration length) { line->now = line->now + length; }
 
-/// One transaction of a client, its response fed byte by byte as a receiver's interrupt would. Ends by
-/// taking the outcome and asking again.
+/// How bytes arrive: one by one, as from a receiver's interrupt, or all at once, as from DMA or a port of a host.
+enum class fed { by_byte, whole };
+
+template <typename Engine> [[gnu::noinline]] void feed(Engine& engine, byte_view bytes, fed how)
+{
+    if (how == fed::whole) {
+        let_pass(microseconds(573 * static_cast<std::uint32_t>(bytes.size())));
+        return engine.receive(bytes, line->now);
+    }
+    for (std::byte const& each : bytes) {
+        let_pass(microseconds(573));
+        engine.receive(each, line->now);
+    }
+}
+
+/// One transaction of a client. Ends by taking the outcome and asking again.
 template <typename Conversation>
-[[gnu::noinline]] void transact(client& link, Conversation& conversation, byte_view response)
+[[gnu::noinline]] void transact(client& link, Conversation& conversation, byte_view response, fed how)
 {
     let_pass(milliseconds(4));
     link.advance(line->now);
     link.converse(conversation, line->now);
     all.sum = all.sum + link.poll_transmit().size();
     link.sent(line->now);
-    for (std::byte const& each : response) {
-        let_pass(microseconds(573));
-        link.receive({&each, 1}, line->now);
-    }
+    feed(link, response, how);
     link.advance(line->now);
     link.converse(conversation, line->now);
     all.sum = all.sum + (link.poll_deadline() ? 1 : 0);
 }
-inline void client_read_4() { transact(line->asks_4, read_of_4, all.response_4); }
-inline void client_read_63() { transact(line->asks_63, read_of_63, all.response_63); }
+inline void client_read_4() { transact(line->asks_4, read_of_4, all.response_4, fed::by_byte); }
+inline void client_read_63() { transact(line->asks_63, read_of_63, all.response_63, fed::by_byte); }
+inline void client_read_4_whole() { transact(line->asks_4, read_of_4, all.response_4, fed::whole); }
+inline void client_read_63_whole() { transact(line->asks_63, read_of_63, all.response_63, fed::whole); }
 
-/// One transaction of the server, fed the same way.
-[[gnu::noinline]] inline void server_read_4()
+/// One transaction of the server.
+[[gnu::noinline]] inline void answer(byte_view request, fed how)
 {
     let_pass(milliseconds(4));
     line->node.advance(line->now);
-    for (std::byte const& each : read_4) {
-        let_pass(microseconds(573));
-        line->node.receive({&each, 1}, line->now);
-    }
+    feed(line->node, request, how);
     line->node.serve(all.bank, line->now);
     let_pass(milliseconds(4));
     line->node.advance(line->now);
@@ -106,6 +117,10 @@ inline void client_read_63() { transact(line->asks_63, read_of_63, all.response_
     line->node.sent(line->now);
     all.sum = all.sum + (line->node.poll_deadline() ? 1 : 0);
 }
+
+inline void server_read_4() { answer(read_4, fed::by_byte); }
+inline void server_read_4_whole() { answer(read_4, fed::whole); }
+inline void server_exchange_4_whole() { answer(exchange_4, fed::whole); }
 
 /// Whether the engines do what their names say.
 inline bool are_right()
@@ -124,8 +139,12 @@ inline bool are_right()
     client_read_4();
     all.sum = 0;
     server_read_4();
-    server_read_4();
-    return line->values == 8 + 126 + 8 and all.sum == 2 * 13;
+    server_read_4_whole();
+    server_exchange_4_whole();
+    bool const is_served = all.sum == 3 * 13;
+    client_read_4_whole();
+    client_read_63_whole();
+    return line->values == 8 + 126 + 8 + 8 + 126 and is_served;
 }
 
 struct operation {
@@ -138,6 +157,10 @@ inline constexpr operation list[] = {
     {"client_read_4", client_read_4, nothing},
     {"client_read_63", client_read_63, nothing},
     {"server_read_4", server_read_4, nothing},
+    {"client_read_4_whole", client_read_4_whole, nothing},
+    {"client_read_63_whole", client_read_63_whole, nothing},
+    {"server_read_4_whole", server_read_4_whole, nothing},
+    {"server_exchange_4_whole", server_exchange_4_whole, nothing},
 };
 
 } // namespace operations

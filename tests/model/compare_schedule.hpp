@@ -67,7 +67,7 @@ struct schedule {
         switch (what.what) {
         case line_event::kind::chunk:
             step("receive", what.of);
-            engine.receive(view(what.of), clock.at(now));
+            receive(engine, what.of, clock.at(now));
             second.receive(what.of, now);
             break;
         case line_event::kind::damage:

@@ -49,7 +49,7 @@ template <typename Engine> [[gnu::noinline]] void pass(Engine& engine)
         bool const is_good = not is_damaged();
         std::byte const byte = board::byte();
         if (is_good) {
-            engine.receive({&byte, 1}, now);
+            engine.receive(byte, now);
         } else {
             engine.receive_error(now);
         }

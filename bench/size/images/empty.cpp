@@ -6,7 +6,7 @@
 namespace {
 
 struct nothing {
-    static void receive(std::span<std::byte const> bytes, rtuwire::instant) { board::put(bytes); }
+    static void receive(std::byte byte, rtuwire::instant) { board::put(byte); }
     static void receive_error(rtuwire::instant) {}
     static void advance(rtuwire::instant) {}
     static void sent(rtuwire::instant) {}

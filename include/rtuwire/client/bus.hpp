@@ -6,6 +6,7 @@
 // the line.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -48,6 +49,7 @@ public:
     }
 
     constexpr void receive(byte_view bytes, instant now) noexcept { client_.receive(bytes, now); }
+    constexpr void receive(std::same_as<std::byte> auto byte, instant now) noexcept { client_.receive(byte, now); }
     constexpr void receive_error(instant now) noexcept { client_.receive_error(now); }
     constexpr void sent(instant at) noexcept { client_.sent(at); }
     [[nodiscard]] constexpr line_timing const& line() const noexcept { return client_.line(); }

@@ -36,6 +36,7 @@ public:
     }
     static constexpr void begin_frame() noexcept {}
     static constexpr void end_frame(bool) noexcept {}
+    static constexpr bool takes(std::byte) noexcept { return false; }
 };
 
 /// For a receiver of requests.

@@ -11,11 +11,11 @@
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/constant.hpp>
-#include <rtuwire/core/crc16.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/foreign_exchange.hpp>
 #include <rtuwire/rtu/frame_place.hpp>
+#include <rtuwire/rtu/frame_sum.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/rtu/line_silence.hpp>
 #include <rtuwire/wire/adu.hpp>
@@ -44,16 +44,47 @@ public:
         if (bytes.empty() or begin_chunk(bytes.size(), now)) {
             return 0;
         }
+        if (is_open_end()) {
+            return takes_behind_open_end(bytes[0]) ? 1 : 0;
+        }
         std::size_t taken = 0;
-        if constexpr (Way == direction::request) {
-            if (is_open_end()) {
-                state_ = state::done;
-                return others_.takes(bytes[0]) ? 1 : 0;
+        do {
+            if (push(bytes[taken++]) or taken == bytes.size()) {
+                break;
             }
-        }
-        while (taken < bytes.size() and not push(bytes[taken++])) {
-        }
+            taken += take_run(bytes.data() + taken, bytes.size() - taken);
+        } while (taken < bytes.size());
         return taken;
+    }
+
+    /// The same of one byte. Returns whether it was taken.
+    constexpr bool receive(std::byte byte, instant now) noexcept
+    {
+        if (begin_chunk(1, now)) {
+            return false;
+        }
+        if (is_open_end()) {
+            return takes_behind_open_end(byte);
+        }
+        static_cast<void>(push(byte));
+        return true;
+    }
+
+    /// Takes bytes of a chunk behind one that `push` took: those before the next one that `push` has to look at. Returns
+    /// how many. Not inlined: a receiver that is given single bytes never calls it.
+    [[gnu::noinline]] constexpr std::size_t take_run(std::byte const* at, std::size_t count) noexcept
+    {
+        if (state_ != state::receiving) {
+            return 0;
+        }
+        // Where the rule has nothing to say, its position is 0 and the distance large.
+        std::size_t const looked_at = std::size_t{rule_at_} - end_ - 1U;
+        std::size_t const room = place_.memory - end_;
+        count = count < looked_at ? count : looked_at;
+        count = count < room ? count : room;
+        sum_.copy(at, count, storage().data() + end_);
+        end_ = static_cast<std::uint16_t>(end_ + count);
+        return count;
     }
 
     /// The second part of `receive`, after `begin_chunk`: takes one byte. Returns whether it was the last of a frame.
@@ -72,7 +103,7 @@ public:
             return false;
         }
         storage()[end_++] = byte;
-        crc_.add(byte);
+        sum_.add(byte);
         return end_ == rule_at_ and apply_length_rule();
     }
 
@@ -100,13 +131,10 @@ public:
     /// Why the last frame is refused; none where it is good.
     [[nodiscard]] constexpr errc verdict() const noexcept
     {
-        if (error_ != errc::none) {
-            return error_;
-        }
-        if (size() < min_adu_size) {
-            return errc::frame_too_short;
-        }
-        return crc_.value() == 0 ? errc::none : errc::crc_mismatch;
+        return error_ != errc::none         ? error_
+               : size() < min_adu_size      ? errc::frame_too_short
+               : not sum_.is_right(bytes()) ? errc::crc_mismatch
+                                            : errc::none;
     }
 
     /// Whether the last frame has the size that its own bytes tell, where they tell one. Silence may have ended
@@ -114,10 +142,9 @@ public:
     [[nodiscard]] constexpr bool matches_size_hint() const noexcept { return rule_at_ == 0 or rule_at_ == end_; }
 
     /// The last frame, where the verdict is none.
-    [[nodiscard]] constexpr adu frame() const noexcept { return adu{{storage().data() + place_.begin(), size()}}; }
+    [[nodiscard]] constexpr adu frame() const noexcept { return adu{bytes()}; }
 
-    /// Whether the last frame had at least the smallest size, and began as a response to this request does:
-    /// with its unit and its function.
+    /// Whether the last frame had the smallest size, and began with this request's unit and function.
     [[nodiscard]] constexpr bool looks_addressed_to(byte_view request) const noexcept
     {
         std::byte const* const start = storage().data() + place_.begin();
@@ -156,8 +183,11 @@ public:
     [[nodiscard]] constexpr std::size_t room() const noexcept { return place_.memory - place_.begin(); }
 
 private:
-    /// A constant, so that no constructor computes it.
-    static constexpr running_crc16<> no_bytes{0};
+    constexpr bool takes_behind_open_end(std::byte next) noexcept
+    {
+        state_ = state::done;
+        return others_.takes(next);
+    }
 
     constexpr void begin() noexcept
     {
@@ -165,7 +195,7 @@ private:
         others_.begin_frame();
         end_ = place_.begin();
         rule_at_ = static_cast<std::uint16_t>(place_.begin() + 2);
-        crc_ = running_crc16<>{};
+        sum_.begin();
         error_ = errc::none;
     }
 
@@ -173,21 +203,23 @@ private:
     /// which is smaller (docs/size-notes.md).
     [[gnu::always_inline]] constexpr bool apply_length_rule() noexcept
     {
-        end_hint const told = others_.apply({storage().data() + place_.begin(), size()});
+        end_hint const told = others_.apply(bytes());
         // Zero, which is no byte's position here, where only silence tells the end. Past an end whose CRC is
         // wrong only silence tells where the next frame starts.
         rule_at_ = told.next == 0 ? std::uint16_t{0} : static_cast<std::uint16_t>(place_.begin() + told.next);
         if (not told.is_here or verdict() != errc::none) {
             return false;
         }
+        sum_.note_right();
         others_.end_frame(told.is_response);
         state_ = told.is_open ? state::open_end : state::done;
         return true;
     }
 
     constexpr std::size_t size() const noexcept { return std::size_t{end_} - place_.begin(); }
+    constexpr byte_view bytes() const noexcept { return {storage().data() + place_.begin(), size()}; }
 
-    [[no_unique_address]] running_crc16<> crc_{no_bytes};
+    [[no_unique_address]] frame_sum<> sum_{};
     errc error_{errc::none};
     std::uint16_t end_{0};     ///< behind the last byte
     std::uint16_t rule_at_{0}; ///< where the length rule is to be applied; 0 where it has nothing to say

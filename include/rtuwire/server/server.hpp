@@ -20,10 +20,19 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// The unit address of a server that has one; 0 for none.
 /// Internal.
 struct one_unit {
-    static constexpr bool has_banks = false;
     std::uint8_t number;
 
     [[nodiscard]] constexpr bool contains(std::uint8_t unit) const noexcept { return unit == number; }
+
+    /// Executes a request on its bank; returns the exception, or none. Force-inlined, which is smaller.
+    template <typename Functions, typename Bank, typename Diagnostics>
+    [[gnu::always_inline]] static constexpr errc execute_on(std::uint8_t, request_head const& asked, pdu_buffer& pdu,
+                                                            Bank& bank, server_profile const& profile,
+                                                            Diagnostics& line) noexcept
+    {
+        return asked.has_effect<Functions>() ? execute<Functions>(asked.function, pdu, bank, profile, line)
+                                             : errc::illegal_function;
+    }
 };
 
 /// A server of several unit addresses, from server/units/several_units.hpp.

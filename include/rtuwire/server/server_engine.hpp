@@ -20,6 +20,8 @@
 // the time of the response's characters and response_limit more.
 #pragma once
 
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 
 #include <rtuwire/core/time.hpp>
@@ -40,13 +42,26 @@ public:
     /// from being silent.
     constexpr void receive(byte_view bytes, instant now) noexcept
     {
+        if (phase_ == phase::transmitting and not bytes.empty()) {
+            return receive_error(now);
+        }
         while (not bytes.empty()) {
-            if (phase_ == phase::transmitting) {
-                receive_error(now);
-                return;
-            }
             drop_request();
             bytes = bytes.subspan(framer_.receive(bytes, now));
+            take_frame();
+        }
+    }
+
+    /// The same of one byte, for a receiver that hands over each as it arrives: a program that calls only this has no code
+    /// for chunks.
+    constexpr void receive(std::same_as<std::byte> auto byte, instant now) noexcept
+    {
+        if (phase_ == phase::transmitting) {
+            return receive_error(now);
+        }
+        for (bool is_taken = false; not is_taken;) {
+            drop_request();
+            is_taken = framer_.receive(byte, now);
             take_frame();
         }
     }
@@ -144,10 +159,9 @@ protected:
 
     constexpr void set_units(Units const& units) noexcept { units_ = units; }
 
-    /// Serves a waiting request: on that bank, or on those of the units where these have some. Force-inlined, which is
-    /// smaller.
+    /// Serves a waiting request: on that bank, or on those of the units. Force-inlined, which is smaller.
     template <typename Functions, typename Bank>
-    [[gnu::always_inline]] constexpr void serve_by(Bank& bank, instant now) noexcept
+    [[gnu::always_inline]] constexpr void serve_by(Bank&& bank, instant now) noexcept
     {
         advance(now);
         if (phase_ != phase::asked) {
@@ -156,17 +170,13 @@ protected:
         diagnostics_.note_request();
         pdu_buffer pdu{framer_.storage().subspan(1).template first<max_pdu_size>(), pdu_size_};
         request_head const asked{static_cast<function_code>(to_u8(pdu.bytes[0])), is_broadcast_};
-        bool const is_restart = asked.function == function_code::diagnostics and not asked.is_broadcast;
-        if (diagnostics_.is_listen_only() and not is_restart) {
+        bool const may_restart = asked.function == function_code::diagnostics and not asked.is_broadcast;
+        if (diagnostics_.is_listen_only() and not may_restart) {
             pdu.size = 0;
         } else {
-            errc wrong = errc::illegal_function;
-            if constexpr (Units::has_banks) {
-                wrong = units_.template execute_on<Functions>(to_u8(framer_.storage()[0]), asked, pdu, diagnostics_);
-            } else if (asked.has_effect<Functions>()) {
-                wrong = execute<Functions>(asked.function, pdu, bank, *profile_, diagnostics_);
-            }
-            diagnostics_.note_end(asked.function, wrong);
+            std::uint8_t const unit = to_u8(framer_.storage()[0]);
+            diagnostics_.note_end(
+                asked.function, units_.template execute_on<Functions>(unit, asked, pdu, bank, *profile_, diagnostics_));
         }
         if (asked.is_broadcast or pdu.size == 0) {
             diagnostics_.count_no_response();

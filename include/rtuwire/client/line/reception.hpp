@@ -6,6 +6,7 @@
 // Internal: may change with any version.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -53,13 +54,24 @@ public:
         }
         bool const is_start = framer().is_quiet();
         begin_chunk(bytes.size(), now);
-        std::size_t taken = 0;
-        while (taken < bytes.size() and take(bytes[taken], now)) {
-            ++taken;
+        std::byte const* const end = bytes.data() + bytes.size();
+        std::byte const* at = bytes.data();
+        while (take(*at, now)) {
+            if (++at == end or (at = take_run(at, end)) == end) {
+                return;
+            }
         }
-        if (taken < bytes.size()) {
-            this->count_stray(bytes.subspan(taken), is_start and taken == 0);
-            on_line_activity(now);
+        drop({at, end}, is_start and at == bytes.data(), now);
+    }
+
+    /// The same of one byte, for a receiver that hands over each as it arrives: a program that calls only this has no code
+    /// for chunks.
+    constexpr void receive(std::same_as<std::byte> auto byte, instant now) noexcept
+    {
+        bool const is_start = framer().is_quiet();
+        begin_chunk(1, now);
+        if (not take(byte, now)) {
+            drop({&byte, 1}, is_start, now);
         }
     }
 
@@ -128,9 +140,7 @@ private:
     /// 2 % of the instructions of a read, and cost 24 bytes of stack.
     constexpr bool take(std::byte byte, instant now) noexcept
     {
-        bool const is_echo_due =
-            echo_.is_open() and (options().has_line_echo or is_leaving(phase_) or echo_.is_half(this->size_));
-        if (is_echo_due and take_echo(byte, now)) {
+        if (may_be_echo() and take_echo(byte, now)) {
             return true;
         }
         if (phase_ != phase::awaiting) {
@@ -143,6 +153,26 @@ private:
             take_frame(now);
         }
         return true;
+    }
+
+    /// Bytes that nobody expected.
+    constexpr void drop(byte_view bytes, bool is_start, instant now) noexcept
+    {
+        this->count_stray(bytes, is_start);
+        on_line_activity(now);
+    }
+
+    /// Takes those of the bytes behind one that `take` took that `take` need not look at. Returns the first one left.
+    [[gnu::noinline]] constexpr std::byte const* take_run(std::byte const* at, std::byte const* end) noexcept
+    {
+        bool const may_run = phase_ == phase::awaiting and not may_be_echo();
+        return may_run ? at + framer().take_run(at, static_cast<std::size_t>(end - at)) : at;
+    }
+
+    /// Whether the next byte may be one of our own.
+    constexpr bool may_be_echo() const noexcept
+    {
+        return echo_.is_open() and (options().has_line_echo or is_leaving(phase_) or echo_.is_half(this->size_));
     }
 
     /// Compares a byte with the one that was sent. Returns whether it is accounted for: on a line that echoes it

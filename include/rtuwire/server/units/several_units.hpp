@@ -6,7 +6,6 @@
 // 08, and its listen-only mode, are those of the line, so all units show the same.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -48,12 +47,14 @@ private:
     [[no_unique_address]] unit_list<Rest...> rest_;
 };
 
+/// In the place of a bank: each unit has its own.
+/// Internal.
+struct own_banks {};
+
 /// The unit addresses of a server, and what it executes on their banks.
 /// Internal.
 template <typename... Entries> class unit_set {
 public:
-    static constexpr bool has_banks = true;
-
     explicit constexpr unit_set(Entries const&... entries) noexcept : entries_{entries...} {}
 
     [[nodiscard]] constexpr bool contains(std::uint8_t unit) const noexcept
@@ -64,16 +65,16 @@ public:
     }
 
     /// Executes a request to a unit, or a broadcast; returns the exception, or none. Each bank finds a broadcast as it
-    /// came: a write changes no more of it than an exception's two bytes, and a function of a bank's own gets a copy.
+    /// came: a write changes no more of it than an exception's two bytes. A function of a bank's own is no broadcast.
     template <typename Functions, typename Diagnostics>
-    constexpr errc execute_on(std::uint8_t unit, request_head const& asked, pdu_buffer& pdu,
-                              Diagnostics& line) const noexcept
+    constexpr errc execute_on(std::uint8_t unit, request_head const& asked, pdu_buffer& pdu, own_banks,
+                              server_profile const&, Diagnostics& line) const noexcept
     {
         errc wrong = errc::none;
         bool is_done = false;
         entries_.for_each([&](auto const& at) {
             if (asked.is_broadcast) {
-                errc const refused = execute_copy<Functions>(at, asked, pdu, line);
+                errc const refused = execute_again<Functions>(at, asked, pdu, line);
                 wrong = wrong == errc::none ? refused : wrong;
             } else if (at.address.byte() == unit and not is_done) {
                 is_done = true;
@@ -85,22 +86,15 @@ public:
 
 private:
     template <typename Functions, typename Bank, typename Diagnostics>
-    static constexpr errc execute_copy(bank_at<Bank> const& at, request_head const& asked, pdu_buffer& pdu,
+    static constexpr errc execute_again(bank_at<Bank> const& at, request_head const& asked, pdu_buffer& pdu,
                                        Diagnostics& line) noexcept
     {
-        if constexpr (requires { at.bank.respond(asked.function, pdu); }) {
-            std::array<std::byte, max_pdu_size> bytes{};
-            byte_writer{bytes}.bytes(pdu.view());
-            pdu_buffer copy{bytes, pdu.size};
-            return execute_at<Functions>(at, asked, copy, line);
-        } else {
-            std::byte const function = pdu.bytes[0], second = pdu.bytes[1];
-            pdu_buffer same = pdu;
-            errc const wrong = execute_at<Functions>(at, asked, same, line);
-            pdu.bytes[0] = function;
-            pdu.bytes[1] = second;
-            return wrong;
-        }
+        std::byte const function = pdu.bytes[0], second = pdu.bytes[1];
+        pdu_buffer same = pdu;
+        errc const wrong = execute_at<Functions>(at, asked, same, line);
+        pdu.bytes[0] = function;
+        pdu.bytes[1] = second;
+        return wrong;
     }
 
     template <typename Functions, typename Bank, typename Diagnostics>
@@ -130,9 +124,7 @@ public:
     {}
 
     /// Calls `advance`; then executes the waiting request and prepares the response.
-    constexpr void serve(instant now) noexcept { this->template serve_by<Functions>(no_bank, now); }
-
-private:
-    static constexpr struct { } no_bank{}; };
+    constexpr void serve(instant now) noexcept { this->template serve_by<Functions>(own_banks{}, now); }
+};
 
 } // namespace rtuwire
