@@ -75,6 +75,7 @@ template <typename Functions, typename Bank, typename Diagnostics>
                                             server_profile const& profile, Diagnostics& line) noexcept
 {
     using accesses = register_accesses<Functions>;
+    constexpr bool has_all = Functions::codes == all_functions;
     byte_writer out{pdu.bytes.subspan(counted_head)};
     errc wrong = errc::illegal_function;
     if (accesses::contain(function)) {
@@ -83,7 +84,7 @@ template <typename Functions, typename Bank, typename Diagnostics>
         }
     } else if (has_size_of_rule(pdu.view())) {
         wrong = respond_by_own(Functions{}, function, pdu, server_context<Bank, Diagnostics>{bank, line, profile, out});
-    } else if (Functions::codes == all_functions or Functions::codes.contains(function)) {
+    } else if (has_all or Functions::codes.contains(function)) {
         wrong = errc::illegal_data_value;
     }
     if (out.size() > 0) {

@@ -7,30 +7,12 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/frame_rules.hpp>
 #include <rtuwire/wire/parts/pdu_fields.hpp>
+#include <rtuwire/wire/parts/shared_responses.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// The response to function 04: as many registers as were requested.
-struct read_input_registers_response {
-    static constexpr function_code code = function_code::read_input_registers;
-    static constexpr std::size_t max_size = 2U + 2U * max_read_quantity;
-
-    /// In wire order; after decoding, a view of the received bytes.
-    register_view registers;
-
-    [[nodiscard]] constexpr errc check() const noexcept
-    {
-        return is_quantity(registers.size(), max_read_quantity) ? errc::none : errc::invalid_quantity;
-    }
-    [[nodiscard]] constexpr std::size_t size() const noexcept { return 2 + registers.bytes().size(); }
-    constexpr void write(byte_writer& out) const noexcept { write_counted(out, code, registers.bytes()); }
-
-    /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
-    [[nodiscard]] static constexpr result<read_input_registers_response> decode(byte_view pdu) noexcept
-    {
-        return decode_registers<read_input_registers_response>(pdu, code);
-    }
-};
+/// The response to function 04: as many `registers` as were requested.
+using read_input_registers_response = registers_response<function_code::read_input_registers>;
 
 /// Reads `count` input registers of one unit from address `start`.
 struct read_input_registers {

@@ -7,36 +7,12 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/frame_rules.hpp>
 #include <rtuwire/wire/parts/pdu_fields.hpp>
+#include <rtuwire/wire/parts/shared_responses.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// The response to function 23: the registers read after the write.
-struct read_write_multiple_registers_response {
-    static constexpr function_code code = function_code::read_write_multiple_registers;
-    static constexpr std::size_t max_size = 2U + 2U * max_exchange_read_quantity;
-
-    /// In wire order; after decoding, a view of the received bytes.
-    register_view registers;
-
-    [[nodiscard]] constexpr errc check() const noexcept
-    {
-        return is_quantity(registers.size(), max_exchange_read_quantity) ? errc::none : errc::invalid_quantity;
-    }
-    [[nodiscard]] constexpr std::size_t size() const noexcept { return 2 + registers.bytes().size(); }
-    constexpr void write(byte_writer& out) const noexcept
-    {
-        out.u8(to_u8(function_code::read_write_multiple_registers));
-        out.u8(static_cast<std::uint32_t>(registers.bytes().size()));
-        out.bytes(registers.bytes());
-    }
-
-    /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
-    [[nodiscard]] static constexpr result<read_write_multiple_registers_response> decode(byte_view pdu) noexcept
-    {
-        return decode_registers<read_write_multiple_registers_response>(pdu,
-                                                                        function_code::read_write_multiple_registers);
-    }
-};
+/// The response to function 23: the `registers` read after the write.
+using read_write_multiple_registers_response = registers_response<function_code::read_write_multiple_registers>;
 
 /// Writes registers of one unit from `write_start`, then reads `read_count` from `read_start`. Made of a block,
 /// it owns that block; made of a view, its words are stored elsewhere.

@@ -7,33 +7,13 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/frame_rules.hpp>
 #include <rtuwire/wire/parts/pdu_fields.hpp>
+#include <rtuwire/wire/parts/shared_responses.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// The response to function 16: what was written where, without the values.
-struct write_multiple_registers_response {
-    static constexpr function_code code = function_code::write_multiple_registers;
-    static constexpr std::size_t max_size = 5;
-
-    std::uint16_t start;
-    std::uint16_t count; ///< 1..123
-
-    [[nodiscard]] constexpr errc check() const noexcept
-    {
-        return is_quantity(count, max_write_quantity) ? errc::none : errc::invalid_quantity;
-    }
-    [[nodiscard]] constexpr std::size_t size() const noexcept { return max_size; }
-    constexpr void write(byte_writer& out) const noexcept { write_head(out, code, start, count); }
-
-    /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
-    [[nodiscard]] static constexpr result<write_multiple_registers_response> decode(byte_view pdu) noexcept
-    {
-        return decode_run<write_multiple_registers_response>(pdu, max_write_quantity);
-    }
-
-    friend constexpr bool operator==(write_multiple_registers_response const&,
-                                     write_multiple_registers_response const&) = default;
-};
+/// The response to function 16: `start` and `count` of what was written, without the values.
+using write_multiple_registers_response =
+    written_run_response<function_code::write_multiple_registers, max_write_quantity>;
 
 /// Writes registers from address `start` on, of one unit or of all. Made of a block, it owns that block; made
 /// of a view, its words are stored elsewhere.
