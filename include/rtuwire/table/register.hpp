@@ -147,8 +147,9 @@ enum class register_space : std::uint8_t {
 /// - `from_words`, which makes a value of an array of so many words, or says why they are none;
 /// - `to_words`, which makes the words of a value;
 /// - `is_total`, true where any words are a value.
+/// A quantity is asked for nothing, so that a table does not make the compiler look into every unit.
 template <typename T>
-concept register_form = requires
+concept register_form = not is_quantity_type<T> and std::is_class_v<T> and requires
 {
     typename T::value_type;
     T::word_count;
@@ -160,30 +161,42 @@ template <typename T> struct held_by {
     using type = T;
     static constexpr std::uint16_t words = 1;
     static constexpr bool is_form = false;
+    static constexpr bool is_bit = false;
+};
+template <> struct held_by<bool> : held_by<void> {
+    using type = bool;
+    static constexpr bool is_bit = true;
 };
 template <register_form T> struct held_by<T> {
     using type = typename T::value_type;
     static constexpr std::uint16_t words = T::word_count;
     static constexpr bool is_form = true;
+    static constexpr bool is_bit = false;
 };
+
+/// Who may write a register where its row does not say it.
+/// Internal.
+template <register_space Space>
+inline constexpr access usual_access =
+    Space == register_space::holding or Space == register_space::coil ? access::read_write : access::read_only;
 
 /// One register whose values are of type `T`: a quantity, an enumeration, a bit field, or a form of several words. A
 /// coil or a discrete input has the type bool.
 template <typename T, register_space Space = register_space::holding> struct reg {
-    static_assert(std::same_as<T, bool> == is_space_of_bits(Space),
+    using held = held_by<T>;
+    static_assert(held::is_bit == (Space == register_space::coil or Space == register_space::discrete_input),
                   "a coil and a discrete input hold a bool, and a register something else");
 
-    using value_type = typename held_by<T>::type;
+    using value_type = typename held::type;
     using form = T;
     static constexpr register_space space = Space;
-    static constexpr std::uint16_t word_count = held_by<T>::words; ///< how many addresses it takes, from `address` on
+    static constexpr std::uint16_t word_count = held::words; ///< how many addresses it takes, from `address` on
     /// A holding register of one word, which is a value whatever it is: what a drive has.
-    static constexpr bool is_plain = Space == register_space::holding and not held_by<T>::is_form;
+    static constexpr bool is_plain = Space == register_space::holding and not held::is_form;
 
     literal code;          ///< the manufacturer's mnemonic, in upper case
     std::uint16_t address; ///< as it stands on the wire
-    access mode{Space == register_space::holding or Space == register_space::coil ? access::read_write
-                                                                                  : access::read_only};
+    access mode = usual_access<Space>;
     bound min = open_bound;                              ///< in raw counts
     bound max = open_bound;                              ///< in raw counts
     std::optional<std::int32_t> factory = unknown_count; ///< the value as delivered, in raw counts, where known

@@ -41,15 +41,12 @@ template <std::size_t Index, auto const& First, auto const&... Rest>
     return std::uint32_t{static_cast<std::uint8_t>(space)} << 16U | address;
 }
 
-/// Whether a register lies within the 65536 addresses of its space.
-/// Internal.
-template <auto const& R>
-inline constexpr bool ends_within_its_space = std::uint32_t{R.address} + R.word_count <= 0x1'0000U;
-
 /// All addresses of some registers, wide ones with every word, in their order; and whose address each is.
 /// Internal.
 template <auto const&... Registers> class address_list {
     static constexpr std::size_t count = sizeof...(Registers);
+    static_assert(((std::uint32_t{Registers.address} + Registers.word_count <= 0x1'0000U) and ...),
+                  "a register ends at address 65535 or before");
 
 public:
     static constexpr std::size_t size = (std::size_t{Registers.word_count} + ... + 0U);
@@ -67,13 +64,38 @@ public:
         }
     }
 
+    [[nodiscard]] static constexpr std::uint32_t key(register_space space, std::uint16_t address) noexcept
+    {
+        return key_of(space, address);
+    }
+    [[nodiscard]] constexpr std::size_t owner(std::size_t place) const noexcept { return owners[place]; }
+
     std::array<std::uint32_t, size> keys{};
     std::array<std::uint16_t, size> owners{};
 };
 
+/// The same where each is a holding register of one word, as those of drives are: half the work for the compiler.
+/// Internal.
+template <auto const&... Registers>
+    requires(Registers.is_plain and...)
+class address_list<Registers...> {
+    /// Of another kind than all registers.
+    static constexpr std::uint32_t no_key = 0xFFFF'FFFFU;
+
+public:
+    static constexpr std::size_t size = sizeof...(Registers);
+
+    [[nodiscard]] static constexpr std::uint32_t key(register_space space, std::uint16_t address) noexcept
+    {
+        return space == register_space::holding ? address : no_key;
+    }
+    [[nodiscard]] static constexpr std::size_t owner(std::size_t place) noexcept { return place; }
+
+    std::array<std::uint32_t, size> keys{Registers.address...};
+};
+
 /// A device's registers. Each address of a space and each mnemonic occurs once.
 template <auto const&... Registers> class table {
-    static_assert((ends_within_its_space<Registers> and ...), "a register ends at address 65535 or before");
     static constexpr std::array<void const*, sizeof...(Registers)> places{&Registers...};
 
 public:
@@ -85,7 +107,7 @@ private:
 
     static constexpr std::size_t owner_of(std::uint16_t address, register_space space) noexcept
     {
-        return all.owners[by_address.find(key_of(space, address))];
+        return all.owner(by_address.find(all.key(space, address)));
     }
 
 public:
@@ -96,7 +118,7 @@ public:
     [[nodiscard]] static constexpr bool has_address(std::uint16_t address,
                                                     register_space space = register_space::holding) noexcept
     {
-        return by_address.find(key_of(space, address)) < all.size;
+        return by_address.find(all.key(space, address)) < all.size;
     }
 
     /// Whether a register is one of this device's, or one of them counted in other steps.
@@ -117,8 +139,8 @@ private:
     static constexpr index_pair namesake = first_duplicate(codes);
 
     // In the class itself: GCC prints a line for each function between the table and its message.
-    static_assert(sizeof(these_registers_overlap<register_at<all.owners[overlap.first], Registers...>(),
-                                                 register_at<all.owners[overlap.second], Registers...>()>) > 0);
+    static_assert(sizeof(these_registers_overlap<register_at<all.owner(overlap.first), Registers...>(),
+                                                 register_at<all.owner(overlap.second), Registers...>()>) > 0);
     static_assert(sizeof(these_registers_have_one_code<register_at<namesake.first, Registers...>(),
                                                        register_at<namesake.second, Registers...>()>) > 0);
 };
