@@ -16,3 +16,10 @@
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/server/typed_bank.hpp>
 #include <rtuwire/server/units/several_units.hpp>
+#include <rtuwire/table/form/ascii.hpp>
+#include <rtuwire/table/form/floating.hpp>
+#include <rtuwire/table/form/known.hpp>
+#include <rtuwire/table/form/packed.hpp>
+#include <rtuwire/table/form/real_text.hpp>
+#include <rtuwire/table/form/scaled.hpp>
+#include <rtuwire/table/form/whole.hpp>

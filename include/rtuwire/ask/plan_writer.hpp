@@ -28,6 +28,12 @@ template <typename Plan> class plan_writer : public finite_conversation {
 public:
     constexpr plan_writer(station<device> const& to, Plan const& values) noexcept : plan_{values}, unit_{to.unit()}
     {
+        if constexpr (requires { values.error(); }) {
+            if (values.error() != errc::none) {
+                settle(values.error());
+                return;
+            }
+        }
         prepare();
     }
 

@@ -12,8 +12,7 @@
 
 #include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/ask/finite_conversation.hpp>
-#include <rtuwire/core/bytes.hpp>
-#include <rtuwire/core/crc16.hpp>
+#include <rtuwire/ask/words_read.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/read_plan.hpp>
@@ -29,12 +28,7 @@ template <typename Plan> [[nodiscard]] constexpr auto read_frames(unit_id unit) 
     constexpr address_block const* blocks = Plan::requests().data();
     std::array<std::array<std::byte, 8>, Plan::request_count> all{};
     for (std::size_t i = 0; i < Plan::request_count; ++i) {
-        byte_writer out{all[i]};
-        out.u8(unit.byte());
-        read_holding_registers{blocks[i].start, blocks[i].count}.write(out);
-        std::uint16_t const crc = crc16(out.written());
-        out.u8(crc);
-        out.u8(std::uint32_t{crc} >> 8U);
+        all[i] = read_frame(unit, Plan::space_of(i), blocks[i].start, blocks[i].count);
     }
     return all;
 }
@@ -69,14 +63,23 @@ public:
         if (not outcome) {
             return settle(outcome.error());
         }
-        auto const response = outcome->to<read_holding_registers>();
-        if (not response) {
-            return settle(response.error());
+        std::uint16_t const count = Plan::requests()[at_].count;
+        if constexpr (Plan::is_plain) {
+            auto const response = outcome->to<read_holding_registers>();
+            if (not response) {
+                return settle(response.error());
+            }
+            if (response->registers.size() != count) {
+                return settle(errc::wrong_length);
+            }
+            incoming_.store(at_, response->registers);
+        } else {
+            read_words const words{outcome->pdu(), Plan::space_of(at_)};
+            if (not words.holds(count)) {
+                return settle(errc::wrong_length);
+            }
+            incoming_.store(at_, words);
         }
-        if (response->registers.size() != Plan::requests()[at_].count) {
-            return settle(errc::wrong_length);
-        }
-        incoming_.store(at_, response->registers);
         if (++at_ < Plan::request_count) {
             return;
         }
@@ -89,6 +92,22 @@ public:
     snapshot const& latest() const&& = delete;
 
 private:
+    /// The functions of the kinds that a plan reads, each once.
+    static constexpr bool has_function(register_space space) noexcept
+    {
+        return implements<typename Plan::device>(function_that_reads(space));
+    }
+    static constexpr bool are_all_implemented() noexcept
+    {
+        bool are = true;
+        for (std::size_t i = 0; i < Plan::request_count; ++i) {
+            are = are and has_function(Plan::space_of(i));
+        }
+        return are;
+    }
+    static_assert(Plan::is_plain or are_all_implemented(),
+                  "this device does not implement the function that reads one of these kinds of registers");
+
     std::size_t at_{0};
     std::array<std::array<std::byte, 8>, Plan::request_count> frames_; ///< behind the number they are aligned: smaller
     snapshot incoming_{};

@@ -46,6 +46,9 @@ struct torque {
 struct power {
     static constexpr char symbol[] = "W";
 };
+struct electrical_energy {
+    static constexpr char symbol[] = "kWh";
+};
 struct temperature {
     static constexpr char symbol[] = "°C";
 };
@@ -173,6 +176,22 @@ template <typename Left, typename Right> inline constexpr bool measures_the_same
 template <any_quantity Left, any_quantity Right>
 inline constexpr bool measures_the_same<Left, Right> =
     std::same_as<typename Left::dimension, typename Right::dimension>;
+
+/// Internal.
+inline constexpr int no_power_of_ten = -1'000;
+
+/// The power of ten that a step is; `no_power_of_ten` where it is none.
+/// Internal.
+template <typename Scale> [[nodiscard]] consteval int power_of_ten() noexcept
+{
+    std::intmax_t rest = Scale::num > Scale::den ? Scale::num : Scale::den;
+    int power = 0;
+    for (; rest % 10 == 0; rest /= 10) {
+        ++power;
+    }
+    bool const is_one = rest == 1 and (Scale::num == 1 or Scale::den == 1);
+    return not is_one ? no_power_of_ten : Scale::num > 1 ? power : -power;
+}
 
 /// The amount in steps of `Target`, the remainder cut off. What does not fit does not compile in a constant
 /// expression; at run time it becomes the nearest amount that fits.

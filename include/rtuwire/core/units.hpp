@@ -43,6 +43,8 @@ using centihours = quantity<operating_time, std::uint16_t, std::centi>;
 using newton_metres = quantity<torque, std::int16_t>;
 using watts = quantity<power, std::uint16_t>;
 using hectowatts = quantity<power, std::uint16_t, std::hecto>;
+using kilowatt_hours = quantity<electrical_energy, std::uint16_t>;
+using watt_hours = quantity<electrical_energy, std::uint16_t, std::milli>;
 using celsius = quantity<temperature, std::int16_t>;
 using centi_per_second = quantity<rate, std::uint16_t, std::centi>;
 using count16 = quantity<dimensionless, std::uint16_t>;
@@ -126,6 +128,14 @@ template <char... Digits> consteval auto operator""_Nm() noexcept
     return spelled<torque, std::ratio<1>, Digits...>();
 }
 template <char... Digits> consteval auto operator""_W() noexcept { return spelled<power, std::ratio<1>, Digits...>(); }
+template <char... Digits> consteval auto operator""_kWh() noexcept
+{
+    return spelled<electrical_energy, std::ratio<1>, Digits...>();
+}
+template <char... Digits> consteval auto operator""_Wh() noexcept
+{
+    return spelled<electrical_energy, std::milli, Digits...>();
+}
 template <char... Digits> consteval auto operator""_celsius() noexcept
 {
     return spelled<temperature, std::ratio<1>, Digits...>();

@@ -39,6 +39,7 @@ struct unit_range {
 struct address_range {
     std::uint16_t first;
     std::uint16_t last;
+    register_space space{register_space::holding};
 };
 
 /// The time-out after which a device reacts because no request arrives.
@@ -77,6 +78,19 @@ concept device_type =
 /// one prints the device and the register, not the whole table.
 /// Internal.
 template <typename Device, auto const& R> inline constexpr bool has_register = Device::registers::template contains<R>;
+
+/// Whether a device has the register of a register's scale, where it has one.
+/// Internal.
+template <typename Device, auto const& R> [[nodiscard]] constexpr bool has_scale_of() noexcept
+{
+    if constexpr (has_scale_register<R>) {
+        return has_register<Device, std::remove_cvref_t<decltype(R)>::form::scale_register>;
+    } else {
+        return true;
+    }
+}
+/// Internal.
+template <typename Device, auto const& R> inline constexpr bool has_scale = has_scale_of<Device, R>();
 
 /// Never defined: reached only in a constant expression, so that the compiler prints the name.
 void unit_address_is_outside_the_range_of_this_device();
@@ -138,16 +152,17 @@ template <device_type Device> [[nodiscard]] constexpr bool implements(function_c
     return Device::functions.contains(function);
 }
 
-/// Whether every address from `first` to `last` can be read: each is a described register or lies in
+/// Whether every address of a space from `first` to `last` can be read: each is a described register or lies in
 /// a range that the device's description calls readable.
 /// Internal.
 template <device_type Device>
-[[nodiscard]] constexpr bool is_readable_across(std::uint16_t first, std::uint16_t last) noexcept
+[[nodiscard]] constexpr bool is_readable_across(std::uint16_t first, std::uint16_t last,
+                                                register_space space = register_space::holding) noexcept
 {
     for (std::uint32_t address = first; address <= last; ++address) {
-        bool known = Device::registers::has_address(static_cast<std::uint16_t>(address));
+        bool known = Device::registers::has_address(static_cast<std::uint16_t>(address), space);
         for (address_range const& range : Device::readable) {
-            known = known or (address >= range.first and address <= range.last);
+            known = known or (range.space == space and address >= range.first and address <= range.last);
         }
         if (not known) {
             return false;

@@ -25,6 +25,9 @@ struct index_pair {
 /// Spreads addresses over a power of two of slots.
 [[nodiscard]] constexpr std::uint32_t hash_of(std::uint16_t address) noexcept { return address * 40'503U >> 3U; }
 
+/// The same for addresses with their space.
+[[nodiscard]] constexpr std::uint32_t hash_of(std::uint32_t key) noexcept { return key * 40'503U >> 3U; }
+
 /// Spreads mnemonics over a power of two of slots.
 [[nodiscard]] constexpr std::uint32_t hash_of(literal code) noexcept
 {

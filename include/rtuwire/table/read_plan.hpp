@@ -2,64 +2,129 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Any registers of a device, read with the fewest requests that it allows. The compiler makes the plan: blocks of
-// addresses, of which ask/poller.hpp makes the frames. Knows no frame.
+// addresses, of which ask/poller.hpp makes the frames. Knows no frame. A register of several words is read by one
+// request, and so are registers that are named `together`.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
+#include <rtuwire/table/form/form.hpp>
+#include <rtuwire/table/plan_words.hpp>
 #include <rtuwire/table/request_plan.hpp>
 #include <rtuwire/table/setting.hpp>
 #include <rtuwire/table/table.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// The addresses of some registers, rising.
+/// In a plan, instead of registers one by one: registers whose values have to be of one moment, so that one request
+/// reads them: `read_plan<device, together<power, power_factor>, energy>`.
+template <auto const&... Registers> inline constexpr kept_together<Registers...> together{};
+
+/// Which words a plan reads, by which requests.
 /// Internal.
-template <auto const&... Registers> [[nodiscard]] constexpr auto rising_addresses() noexcept
-{
-    std::array<std::uint16_t, sizeof...(Registers)> addresses{Registers.address...};
-    sort_addresses(addresses);
-    return addresses;
-}
+template <typename Device, typename List, auto const&... Items> struct read_layout;
 
-/// The requests that read `Registers` of `Device`, and the type that stores the values.
-template <device_type Device, auto const&... Registers> class read_plan {
-    static_assert(sizeof...(Registers) > 0, "a plan reads at least one register");
-    static_assert((has_register<Device, Registers> and ...), "a plan reads registers of one device only");
-    static_assert((has_own_steps<Registers> and ...),
-                  "another register sets this register's steps: name them with restepped");
-    static_assert(first_duplicate(std::array{Registers.address...}).second == 0, "a plan reads each register once");
-
+/// Of holding registers of one word each, of which none has to stay with another: as drives have them.
+/// Internal.
+template <typename Device, auto const&... Registers>
+    requires(register_list<Registers...>::is_plain)
+struct read_layout<Device, register_list<Registers...>> {
+    static constexpr bool is_of_one_space = true;
     static constexpr auto addresses = rising_addresses<Registers...>();
-    static constexpr auto plan =
+    static constexpr auto blocks =
         plan_blocks<sizeof...(Registers)>(addresses, Device::limits.read, [](std::uint16_t lower, std::uint16_t upper) {
             return is_readable_across<Device>(lower, upper);
         });
 
+    static constexpr register_space space_of(std::size_t) noexcept { return register_space::holding; }
+    static constexpr register_space space_at(std::size_t) noexcept { return register_space::holding; }
+};
+
+/// Of any registers.
+/// Internal.
+template <typename Device, auto const&... Registers, auto const&... Items>
+    requires(sizeof...(Items) > 0 or not register_list<Registers...>::is_plain)
+struct read_layout<Device, register_list<Registers...>, Items...> {
+    static_assert((range_of<Registers>().is_of_one_space() and ...), "a scale is a register of the same kind");
+    static_assert((range_of(typename registers_named<Items>::type{}).is_of_one_space() and ...),
+                  "no request reads registers of two kinds: these cannot be kept together");
+
+private:
+    static constexpr auto words = rising_words<Registers...>();
+    static constexpr auto plan = plan_spaces<Device, words.count>(
+        words, std::array<key_range, sizeof...(Registers) + sizeof...(Items)>{
+                   range_of<Registers>()..., range_of(typename registers_named<Items>::type{})...});
+    static_assert(plan.blocks.count > 0,
+                  "a register with all its words, or registers kept together, do not fit one request of this device");
+
+public:
+    static constexpr bool is_of_one_space = plan.spaces[0] == plan.spaces[words.count - 1];
+    static constexpr auto addresses = plan.addresses;
+    static constexpr auto blocks = plan.blocks;
+
+    static constexpr register_space space_of(std::size_t request) noexcept { return plan.block_spaces[request]; }
+    static constexpr register_space space_at(std::size_t place) noexcept { return plan.spaces[place]; }
+};
+
+/// The requests that read registers of `Device`, and the type that stores the values. `Items` are registers, of all four
+/// kinds, and groups of them that are read `together`.
+template <device_type Device, auto const&... Items> class read_plan {
+    static constexpr bool is_any_group = (registers_named<Items>::is_group or ...);
+    using registers = typename all_named<is_any_group, Items...>::type;
+    using facts = facts_of<registers>;
+
+    static_assert(sizeof...(Items) > 0, "a plan reads at least one register");
+    static_assert(facts::template are_of<Device>, "a plan reads registers of one device only");
+    static_assert(facts::template have_scales<Device>, "this device lacks the register that holds the scale");
+    static_assert(facts::have_readable_steps, "another register sets this register's steps: name them with restepped");
+    static_assert(facts::are_different, "a plan reads each register once");
+
+    using layout =
+        std::conditional_t<is_any_group, read_layout<Device, registers, Items...>, read_layout<Device, registers>>;
+    static constexpr auto addresses = layout::addresses;
+    static constexpr auto plan = layout::blocks;
+
 public:
     using device = Device;
 
-    static constexpr std::size_t register_count = sizeof...(Registers);
+    static constexpr std::size_t register_count = registers::size;
     static constexpr std::size_t request_count = plan.count;
 
-    /// The requests, in the order of their addresses.
+    /// Whether function 03 reads all of them.
+    /// Internal.
+    static constexpr bool is_plain = layout::is_of_one_space and layout::space_of(0) == register_space::holding;
+
+    /// The requests, by kind of register and in the order of their addresses.
     static constexpr std::span<address_block const> requests() noexcept { return plan.view(); }
 
-    template <auto const& R> static constexpr bool contains = (is_same_register<R, Registers> or ...);
+    /// Which kind of registers a request reads.
+    /// Internal.
+    static constexpr register_space space_of(std::size_t request) noexcept { return layout::space_of(request); }
+
+    template <auto const& R> static constexpr bool contains = facts::template contain<R>;
 
     /// The values of one round of reading, in address order.
     class snapshot {
     public:
-        /// The value of a register of the plan, 0 before the first round.
+        /// The value of a register of the plan, 0 before the first round. Of a register whose words may be no value (a
+        /// floating point number, `known` enumerators, a scaled count) it is a result.
         template <auto const& R> [[nodiscard]] constexpr auto get() const noexcept
         {
             static_assert(contains<R>, "this register is not in the plan of this snapshot");
-            return from_word<value_of<R>>(words_[place_of(R.address)]);
+            constexpr std::size_t place = place_of<R>();
+            if constexpr (R.is_plain) {
+                return from_word<value_of<R>>(words_[place]);
+            } else if constexpr (is_always_a_value<R>) {
+                return *value_in<R>(words_, place, place);
+            } else {
+                return value_in<R>(words_, place, scale_place_of<R>());
+            }
         }
 
         /// A value that fits the register's limits as they are now: those that depend on other registers are
@@ -69,8 +134,14 @@ public:
         {
             static_assert(knows(R.min) and knows(R.max),
                           "the limits of this register hang on a register that is not in the plan");
-            return setting<R>::checked(value, R.min.is_open() ? lowest<R>() : limit(R.min),
-                                       R.max.is_open() ? highest<R>() : limit(R.max));
+            if constexpr (register_value<value_of<R>>) {
+                return setting<R>::checked(value, R.min.is_open() ? lowest<R>() : limit(R.min),
+                                           R.max.is_open() ? highest<R>() : limit(R.max));
+            } else {
+                static_assert((R.min.is_number() or R.min.is_open()) and (R.max.is_number() or R.max.is_open()),
+                              "the limits of a register of several words are numbers");
+                return setting<R>::checked(value);
+            }
         }
 
         /// Stores the registers of the response to one request.
@@ -78,29 +149,18 @@ public:
         {
             address_block const block = plan.blocks[request];
             for (std::size_t i = 0; i < addresses.size(); ++i) {
-                if (block.contains(addresses[i])) {
+                if (block.contains(addresses[i]) and
+                    (layout::is_of_one_space or layout::space_of(request) == layout::space_at(i))) {
                     words_[i] = words[static_cast<std::size_t>(addresses[i] - block.start)];
                 }
             }
         }
 
     private:
-        static constexpr std::array<literal, register_count> codes{Registers.code...};
-
         static constexpr bool knows(bound const& limit) noexcept
         {
             return limit.is_number() or limit.is_open() or
-                   (is_named(limit.code()) and (limit.factor().size() == 0 or is_named(limit.factor())));
-        }
-
-        static constexpr bool is_named(literal code) noexcept
-        {
-            for (literal const each : codes) {
-                if (each == code) {
-                    return true;
-                }
-            }
-            return false;
+                   (facts::has_code(limit.code()) and (limit.factor().size() == 0 or facts::has_code(limit.factor())));
         }
 
         constexpr std::int32_t limit(bound const& of) const noexcept
@@ -108,25 +168,37 @@ public:
             return of.with(raw_of(of.code()), of.factor().size() == 0 ? 1 : raw_of(of.factor()));
         }
 
-        /// The raw count of a register of the plan; 0 for no mnemonic.
+        /// The raw count of a register of the plan; 0 for no mnemonic, and for a register of several words.
         constexpr std::int32_t raw_of(literal code) const noexcept
         {
-            std::int32_t raw = 0;
-            ((raw = Registers.code == code ? raw_count<value_of<Registers>>(words_[place_of(Registers.address)]) : raw),
-             ...);
-            return raw;
+            return facts::raw_of(
+                code, [this]<auto const & R>()->std::int32_t {
+                    if constexpr (register_value<value_of<R>>) {
+                        return raw_count<value_of<R>>(words_[place_of<R>()]);
+                    } else {
+                        return 0;
+                    }
+                });
         }
 
-        static constexpr std::size_t place_of(std::uint16_t address) noexcept
+        template <auto const& R> static constexpr std::size_t place_of() noexcept
         {
             std::size_t place = 0;
-            while (addresses[place] != address) {
+            while (addresses[place] != R.address or layout::space_at(place) != R.space) {
                 ++place;
             }
             return place;
         }
+        template <auto const& R> static constexpr std::size_t scale_place_of() noexcept
+        {
+            if constexpr (has_scale_register<R>) {
+                return place_of<std::remove_cvref_t<decltype(R)>::form::scale_register>();
+            } else {
+                return 0;
+            }
+        }
 
-        std::array<std::uint16_t, register_count> words_{};
+        std::array<std::uint16_t, addresses.size()> words_{};
     };
 };
 

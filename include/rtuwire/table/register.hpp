@@ -40,8 +40,8 @@ public:
     /// No limit but that of 16 bits.
     constexpr bound() noexcept = default;
 
-    /// A number.
-    constexpr bound(std::int32_t raw) noexcept : raw_{raw}, numerator_{0} {}
+    /// A number; more than 32 bits of it only for a register that is as wide.
+    constexpr bound(std::int64_t raw) noexcept : raw_{raw}, numerator_{0} {}
 
     /// The raw count of the register called `code`, times a fraction: "INV" times 1/2.
     constexpr bound(literal code, std::uint16_t numerator = 1, std::uint16_t denominator = 1,
@@ -56,7 +56,7 @@ public:
     [[nodiscard]] constexpr bool is_number() const noexcept { return numerator_ == 0; }
 
     /// The number, where it is one.
-    [[nodiscard]] constexpr std::int32_t raw() const noexcept { return raw_; }
+    [[nodiscard]] constexpr std::int64_t raw() const noexcept { return raw_; }
 
     /// The mnemonic of the register it depends on; empty for a number.
     [[nodiscard]] constexpr literal code() const noexcept { return code_; }
@@ -71,7 +71,7 @@ public:
     [[nodiscard]] constexpr std::int32_t with(std::int32_t other, std::int32_t multiplier = 1) const noexcept
     {
         if (is_number()) {
-            return raw_;
+            return static_cast<std::int32_t>(raw_);
         }
         // A product beyond 47 bits is beyond 32 bits also after the fraction, whose parts have 16.
         constexpr std::int64_t most = std::int64_t{1} << 47U;
@@ -89,7 +89,7 @@ private:
 
     literal code_{};
     literal factor_{};
-    std::int32_t raw_{0};
+    std::int64_t raw_{0};
     std::uint16_t numerator_{1};
     std::uint16_t denominator_{1};
 };
@@ -128,13 +128,75 @@ inline constexpr std::optional<std::int32_t> unknown_count{};
 /// Internal.
 inline constexpr count_range no_gap{};
 
-/// One register whose values are of type `T`: a quantity, an enumeration or a bit field.
-template <typename T> struct reg {
-    using value_type = T;
+/// The four kinds of a unit's data. Each has addresses of its own, and functions that read and write it.
+enum class register_space : std::uint8_t {
+    holding,        ///< function 03 reads, 06 and 16 write
+    input,          ///< function 04 reads
+    coil,           ///< function 01 reads, 05 and 15 write
+    discrete_input, ///< function 02 reads
+};
+
+/// Internal.
+[[nodiscard]] constexpr bool is_space_of_bits(register_space space) noexcept
+{
+    return space == register_space::coil or space == register_space::discrete_input;
+}
+
+/// How one or more words stand for a value, where one word is not simply its count: `float32<volts>`. Such a form has
+/// - `value_type`, and `word_count`, the number of registers it takes;
+/// - `from_words`, which makes a value of an array of so many words, or says why they are none;
+/// - `to_words`, which makes the words of a value;
+/// - `is_total`, true where any words are a value.
+/// A quantity is asked for nothing, so that a table does not make the compiler look into every unit.
+template <typename T>
+concept register_form = not is_quantity_type<T> and std::is_class_v<T> and requires
+{
+    typename T::value_type;
+    T::word_count;
+};
+
+/// What the registers of a type or form hold, and how many there are.
+/// Internal.
+template <typename T> struct held_by {
+    using type = T;
+    static constexpr std::uint16_t words = 1;
+    static constexpr bool is_form = false;
+    static constexpr bool is_bit = false;
+};
+template <> struct held_by<bool> : held_by<void> {
+    using type = bool;
+    static constexpr bool is_bit = true;
+};
+template <register_form T> struct held_by<T> {
+    using type = typename T::value_type;
+    static constexpr std::uint16_t words = T::word_count;
+    static constexpr bool is_form = true;
+    static constexpr bool is_bit = false;
+};
+
+/// Who may write a register where its row does not say it.
+/// Internal.
+template <register_space Space>
+inline constexpr access usual_access =
+    Space == register_space::holding or Space == register_space::coil ? access::read_write : access::read_only;
+
+/// One register whose values are of type `T`: a quantity, an enumeration, a bit field, or a form of several words. A
+/// coil or a discrete input has the type bool.
+template <typename T, register_space Space = register_space::holding> struct reg {
+    using held = held_by<T>;
+    static_assert(held::is_bit == (Space == register_space::coil or Space == register_space::discrete_input),
+                  "a coil and a discrete input hold a bool, and a register something else");
+
+    using value_type = typename held::type;
+    using form = T;
+    static constexpr register_space space = Space;
+    static constexpr std::uint16_t word_count = held::words; ///< how many addresses it takes, from `address` on
+    /// A holding register of one word, which is a value whatever it is: what a drive has.
+    static constexpr bool is_plain = Space == register_space::holding and not held::is_form;
 
     literal code;          ///< the manufacturer's mnemonic, in upper case
     std::uint16_t address; ///< as it stands on the wire
-    access mode{access::read_write};
+    access mode = usual_access<Space>;
     bound min = open_bound;                              ///< in raw counts
     bound max = open_bound;                              ///< in raw counts
     std::optional<std::int32_t> factory = unknown_count; ///< the value as delivered, in raw counts, where known
@@ -144,6 +206,11 @@ template <typename T> struct reg {
     count_range gap = no_gap;        ///< inside the limits, but never to be written
     void const* counted_as{nullptr}; ///< the register that this one counts in other steps
 };
+
+/// A register that only function 04 reads; a bit that function 01 reads and 05 writes; one that only 02 reads.
+template <typename T> using input_reg = reg<T, register_space::input>;
+using coil = reg<bool, register_space::coil>;
+using discrete_input = reg<bool, register_space::discrete_input>;
 
 /// A bit field: one word of named bits.
 template <typename T>
@@ -234,22 +301,47 @@ template <register_value T> [[nodiscard]] constexpr std::span<std::uint16_t cons
 /// The type of a register's values.
 template <auto const& R> using value_of = typename std::remove_cvref_t<decltype(R)>::value_type;
 
+/// The register that holds the decimal scale of a form's values.
+/// Internal.
+template <typename T>
+concept scaled_form = register_form<T> and requires
+{
+    T::scale_register;
+};
+
+/// Whether a register's values are in steps of another size, which a second register of the same request tells.
+/// Internal.
+template <auto const& R>
+inline constexpr bool has_scale_register = scaled_form<typename std::remove_cvref_t<decltype(R)>::form>;
+
+/// Whether a register can be read without a step that the program names.
+/// Internal.
+template <auto const& R> inline constexpr bool has_readable_steps = R.steps_set_by.size() == 0;
+
 /// Whether a register's steps are always the same size.
 /// Internal.
-template <auto const& R> inline constexpr bool has_own_steps = R.steps_set_by.size() == 0;
+template <auto const& R> inline constexpr bool has_own_steps = has_readable_steps<R> and not has_scale_register<R>;
+
+/// The address of a register that is counted in other steps; these have as many words.
+/// Internal.
+template <typename Step, auto const& R> [[nodiscard]] consteval std::uint16_t restepped_address() noexcept
+{
+    static_assert(held_by<Step>::words == R.word_count, "a step is as wide as its register: name one of so many bits");
+    return R.address;
+}
 
 /// A register whose steps another register sets, counted in steps that the caller knows. It can be named
 /// wherever the register can.
 template <typename Step, auto const& R>
-inline constexpr reg<Step> restepped{.code = R.code,
-                                     .address = R.address,
-                                     .mode = R.mode,
-                                     .min = R.min,
-                                     .max = R.max,
-                                     .factory = R.factory,
-                                     .name = R.name,
-                                     .source = R.source,
-                                     .gap = R.gap,
-                                     .counted_as = &R};
+inline constexpr reg<Step, std::remove_cvref_t<decltype(R)>::space> restepped{.code = R.code,
+                                                                              .address = restepped_address<Step, R>(),
+                                                                              .mode = R.mode,
+                                                                              .min = R.min,
+                                                                              .max = R.max,
+                                                                              .factory = R.factory,
+                                                                              .name = R.name,
+                                                                              .source = R.source,
+                                                                              .gap = R.gap,
+                                                                              .counted_as = &R};
 
 } // namespace rtuwire

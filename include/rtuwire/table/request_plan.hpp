@@ -51,35 +51,43 @@ struct plan_cost {
 };
 
 /// Sorts a short list in place.
-constexpr void sort_addresses(std::span<std::uint16_t> addresses) noexcept
+template <typename Addresses> constexpr void sort_addresses(Addresses& addresses) noexcept
 {
     for (std::size_t i = 1; i < addresses.size(); ++i) {
         for (std::size_t k = i; k > 0 and addresses[k] < addresses[k - 1]; --k) {
-            std::uint16_t const moved = addresses[k];
+            auto const moved = addresses[k];
             addresses[k] = addresses[k - 1];
             addresses[k - 1] = moved;
         }
     }
 }
 
+/// Every address may be the first of a block.
+struct none_is_joined {
+    constexpr bool operator()(std::size_t) const noexcept { return false; }
+};
+
 /// The best plan for addresses that rise, none twice. A block has at most `limit` registers (at least
-/// 1), and spans the gap between two neighbours only where `may_cross(lower, upper)`.
-template <std::size_t Most, typename MayCross>
+/// 1), and spans the gap between two neighbours only where `may_cross(lower, upper)`. No block starts at an address
+/// for whose index `is_joined`: it goes with the one before. Where no plan can be, it has no block.
+template <std::size_t Most, typename MayCross, typename IsJoined = none_is_joined>
 [[nodiscard]] constexpr block_list<Most> plan_blocks(std::span<std::uint16_t const> rising, std::uint32_t limit,
-                                                     MayCross may_cross)
+                                                     MayCross may_cross, IsJoined is_joined = {})
 {
+    constexpr std::uint32_t impossible = 0xFFFF'FFFF;
     // best[i]: the cheapest way to cover the first i addresses; from[i]: where its last block starts.
     std::array<plan_cost, Most + 1> best{};
     std::array<std::size_t, Most + 1> from{};
     for (std::size_t end = 1; end <= rising.size(); ++end) {
-        best[end] = {0xFFFF'FFFF, 0};
+        best[end] = {impossible, 0};
         for (std::size_t first = end; first-- > 0;) {
             std::uint32_t const span = std::uint32_t{rising[end - 1]} - rising[first] + 1;
             if (span > limit) {
                 break;
             }
+            bool const may_start = best[first].requests != impossible and not is_joined(first);
             plan_cost const cost{best[first].requests + 1, best[first].registers + span};
-            if (cost.is_below(best[end])) {
+            if (may_start and cost.is_below(best[end])) {
                 best[end] = cost;
                 from[end] = first;
             }
@@ -89,6 +97,9 @@ template <std::size_t Most, typename MayCross>
         }
     }
     block_list<Most> plan;
+    if (best[rising.size()].requests == impossible) {
+        return plan;
+    }
     plan.count = best[rising.size()].requests;
     std::size_t end = rising.size();
     for (std::size_t place = plan.count; place-- > 0;) {

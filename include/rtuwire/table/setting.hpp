@@ -26,11 +26,11 @@ void value_is_not_a_whole_number_of_register_steps();
 void value_has_no_meaning_in_this_register();
 void value_is_never_written_to_this_register();
 
-/// The smallest raw count of a register, as far as it does not depend on another.
+/// The smallest raw count of a register of one word, as far as it does not depend on another.
 template <auto const& R> [[nodiscard]] constexpr std::int32_t lowest() noexcept
 {
     if (R.min.is_number()) {
-        return R.min.raw();
+        return static_cast<std::int32_t>(R.min.raw());
     }
     if constexpr (register_quantity<value_of<R>>) {
         return (std::numeric_limits<typename value_of<R>::rep>::min)();
@@ -39,11 +39,11 @@ template <auto const& R> [[nodiscard]] constexpr std::int32_t lowest() noexcept
     }
 }
 
-/// The largest raw count of a register, as far as it does not depend on another.
+/// The largest raw count of a register of one word, as far as it does not depend on another.
 template <auto const& R> [[nodiscard]] constexpr std::int32_t highest() noexcept
 {
     if (R.max.is_number()) {
-        return R.max.raw();
+        return static_cast<std::int32_t>(R.max.raw());
     }
     if constexpr (register_quantity<value_of<R>>) {
         return (std::numeric_limits<typename value_of<R>::rep>::max)();
@@ -52,7 +52,31 @@ template <auto const& R> [[nodiscard]] constexpr std::int32_t highest() noexcept
     }
 }
 
-/// A value within the limits of register `R`.
+/// How many units of `Value` make one step of `Target`, as a fraction; 1 where either counts none.
+/// Internal.
+template <typename Target, typename Value, bool = measures_the_same<Target, Value>>
+struct step_ratio : std::ratio<1> {};
+template <typename Target, typename Value>
+struct step_ratio<Target, Value, true> : std::ratio_divide<typename Value::scale, typename Target::scale> {};
+
+/// An amount in steps of `Target`; `value_between_steps` where it is no whole number of them, an end of 64 bits where
+/// these do not hold it.
+/// Internal.
+template <typename Target, any_quantity Value>
+[[nodiscard]] constexpr result<std::int64_t> whole_steps(Value value) noexcept
+{
+    using ratio = step_ratio<Target, Value>;
+    std::int64_t const parts = bounded_product(value.count(), ratio::num);
+    if (is_out_of_range(parts)) {
+        return parts;
+    }
+    if (parts % ratio::den != 0) {
+        return errc::value_between_steps;
+    }
+    return parts / ratio::den;
+}
+
+/// A value within the limits of register `R`. table/form/form_setting.hpp has the same for forms of several words.
 template <auto const& R> class setting {
 public:
     using value_type = value_of<R>;
@@ -154,28 +178,24 @@ private:
         if constexpr (std::same_as<Value, value_type>) {
             return raw_count<value_type>(to_word(value));
         } else if constexpr (any_quantity<Value>) {
-            std::int64_t const parts = bounded_product(value.count(), ratio_of<Value>::num);
-            if (parts % denominator<Value> != 0 and not is_out_of_range(parts)) {
-                return errc::value_between_steps;
+            auto const raw = whole_steps<value_type>(value);
+            if (not raw) {
+                return raw.error();
             }
-            std::int64_t const raw = parts / denominator<Value>;
             using limits = std::numeric_limits<std::int32_t>;
-            if (raw > (limits::max)()) {
+            if (*raw > (limits::max)()) {
                 return errc::value_too_high;
             }
-            if (raw < (limits::min)()) {
+            if (*raw < (limits::min)()) {
                 return errc::value_too_low;
             }
-            return static_cast<std::int32_t>(raw);
+            return static_cast<std::int32_t>(*raw);
         } else {
             return errc::value_without_meaning;
         }
     }
 
-    /// How many of a value's units make one step of the register, as a fraction; 1 where either counts none.
-    template <typename Value, bool = measures_the_same<value_type, Value>> struct ratio_of : std::ratio<1> {};
-    template <typename Value>
-    struct ratio_of<Value, true> : std::ratio_divide<typename Value::scale, typename value_type::scale> {};
+    template <typename Value> using ratio_of = step_ratio<value_type, Value>;
     template <typename Value> static constexpr std::int64_t denominator = ratio_of<Value>::den;
 
     /// A value in raw counts, times the denominator.

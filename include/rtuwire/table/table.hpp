@@ -34,30 +34,98 @@ template <std::size_t Index, auto const& First, auto const&... Rest>
     }
 }
 
-/// A device's registers. Each address and each mnemonic occurs once.
+/// An address in its space, as one number.
+/// Internal.
+[[nodiscard]] constexpr std::uint32_t key_of(register_space space, std::uint16_t address) noexcept
+{
+    return std::uint32_t{static_cast<std::uint8_t>(space)} << 16U | address;
+}
+
+/// All addresses of some registers, wide ones with every word, in their order; and whose address each is.
+/// Internal.
+template <auto const&... Registers> class address_list {
+    static constexpr std::size_t count = sizeof...(Registers);
+    static_assert(((std::uint32_t{Registers.address} + Registers.word_count <= 0x1'0000U) and ...),
+                  "a register ends at address 65535 or before");
+
+public:
+    static constexpr std::size_t size = (std::size_t{Registers.word_count} + ... + 0U);
+
+    constexpr address_list() noexcept
+    {
+        constexpr std::array<std::uint32_t, count> first{key_of(Registers.space, Registers.address)...};
+        constexpr std::array<std::uint16_t, count> words{Registers.word_count...};
+        std::size_t at = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            for (std::uint16_t word = 0; word < words[i]; ++word) {
+                keys[at] = first[i] + word;
+                owners[at++] = static_cast<std::uint16_t>(i);
+            }
+        }
+    }
+
+    [[nodiscard]] static constexpr std::uint32_t key(register_space space, std::uint16_t address) noexcept
+    {
+        return key_of(space, address);
+    }
+    [[nodiscard]] constexpr std::size_t owner(std::size_t place) const noexcept { return owners[place]; }
+
+    std::array<std::uint32_t, size> keys{};
+    std::array<std::uint16_t, size> owners{};
+};
+
+/// The same where each is a holding register of one word, as those of drives are: half the work for the compiler.
+/// Internal.
+template <auto const&... Registers>
+    requires(Registers.is_plain and...)
+class address_list<Registers...> {
+    /// Of another kind than all registers.
+    static constexpr std::uint32_t no_key = 0xFFFF'FFFFU;
+
+public:
+    static constexpr std::size_t size = sizeof...(Registers);
+
+    [[nodiscard]] static constexpr std::uint32_t key(register_space space, std::uint16_t address) noexcept
+    {
+        return space == register_space::holding ? address : no_key;
+    }
+    [[nodiscard]] static constexpr std::size_t owner(std::size_t place) noexcept { return place; }
+
+    std::array<std::uint32_t, size> keys{Registers.address...};
+};
+
+/// A device's registers. Each address of a space and each mnemonic occurs once.
 template <auto const&... Registers> class table {
     static constexpr std::array<void const*, sizeof...(Registers)> places{&Registers...};
 
 public:
     static constexpr std::size_t size = sizeof...(Registers);
 
-    /// The addresses, in the table's order.
-    static constexpr std::array<std::uint16_t, size> addresses{Registers.address...};
-
 private:
-    static constexpr key_index<std::uint16_t, size> by_address{addresses};
+    static constexpr address_list<Registers...> all{};
+    static constexpr key_index<std::uint32_t, all.size> by_address{all.keys};
+
+    static constexpr std::size_t owner_of(std::uint16_t address, register_space space) noexcept
+    {
+        return all.owner(by_address.find(all.key(space, address)));
+    }
 
 public:
+    /// The first address of each register, in the table's order.
+    static constexpr std::array<std::uint16_t, size> addresses{Registers.address...};
+
     /// Whether there is a register at an address.
-    [[nodiscard]] static constexpr bool has_address(std::uint16_t address) noexcept
+    [[nodiscard]] static constexpr bool has_address(std::uint16_t address,
+                                                    register_space space = register_space::holding) noexcept
     {
-        return by_address.find(address) < size;
+        return by_address.find(all.key(space, address)) < all.size;
     }
 
     /// Whether a register is one of this device's, or one of them counted in other steps.
     template <auto const& R>
-    static constexpr bool contains = has_address(R.address) and (places[by_address.find(R.address)] == &R or
-                                                                 places[by_address.find(R.address)] == R.counted_as);
+    static constexpr bool contains = has_address(R.address, R.space) and
+                                     (places[owner_of(R.address, R.space)] == &R or
+                                      places[owner_of(R.address, R.space)] == R.counted_as);
 
     /// Calls `visit.template operator()<R>()` for each register.
     template <typename Visit> static constexpr void for_each(Visit&& visit)
@@ -71,8 +139,8 @@ private:
     static constexpr index_pair namesake = first_duplicate(codes);
 
     // In the class itself: GCC prints a line for each function between the table and its message.
-    static_assert(sizeof(these_registers_overlap<register_at<overlap.first, Registers...>(),
-                                                 register_at<overlap.second, Registers...>()>) > 0);
+    static_assert(sizeof(these_registers_overlap<register_at<all.owner(overlap.first), Registers...>(),
+                                                 register_at<all.owner(overlap.second), Registers...>()>) > 0);
     static_assert(sizeof(these_registers_have_one_code<register_at<namesake.first, Registers...>(),
                                                        register_at<namesake.second, Registers...>()>) > 0);
 };

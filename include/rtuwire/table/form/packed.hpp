@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// One word that holds several small values, each at a place of its own: a mode in three bits, a gear in four.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include <rtuwire/core/result.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/table/form/known.hpp>
+#include <rtuwire/table/register.hpp>
+#include <rtuwire/wire/errc.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// What a field of a word can hold: what a word can, `known` enumerators, or a bool.
+/// Internal.
+template <typename T>
+concept field_value = register_value<T> or register_form<T> or std::same_as<T, bool>;
+
+/// A value in `Width` bits of a word, from bit `Place` (0 is the lowest) on. A signed number is in two's complement. A
+/// constant that is passed by reference, as a register is: `inline constexpr field<count16, 0, 4> gear{};`
+template <field_value T, unsigned Place, unsigned Width> struct field {
+    static_assert(Width > 0 and Place < 16 and Width <= 16 - Place, "a field lies within the 16 bits of its word");
+    static_assert(Width == 1 or not std::same_as<T, bool>, "a bool has one bit: name an enumeration or a number");
+
+    using form = T;
+    using value_type = typename held_by<T>::type;
+    static constexpr std::uint16_t ones = static_cast<std::uint16_t>((std::uint32_t{1} << Width) - 1U);
+    static constexpr std::uint16_t mask = static_cast<std::uint16_t>(std::uint32_t{ones} << Place);
+
+    /// Whether its numbers have a sign.
+    static constexpr bool has_sign = [] {
+        if constexpr (register_quantity<value_type>) {
+            return std::is_signed_v<typename value_type::rep>;
+        }
+        return false;
+    }();
+
+    /// The bits of the field, as a word of their own.
+    [[nodiscard]] static constexpr std::uint16_t own_word(std::uint16_t word) noexcept
+    {
+        std::uint32_t const own = (std::uint32_t{word} >> Place) & ones;
+        constexpr std::uint32_t sign = std::uint32_t{1} << (Width - 1U);
+        bool const is_negative = has_sign and (own & sign) != 0;
+        return static_cast<std::uint16_t>(is_negative ? own | ~std::uint32_t{ones} : own);
+    }
+};
+
+/// Whether fields of one word have no bit in common.
+/// Internal.
+template <auto const&... Fields> [[nodiscard]] consteval bool are_apart() noexcept
+{
+    std::uint32_t taken = 0;
+    bool are = true;
+    ((are = are and (taken & Fields.mask) == 0, taken |= Fields.mask), ...);
+    return are;
+}
+
+/// A word of fields. Bits of no field stay as they are.
+template <auto const&... Fields> struct packed {
+    static_assert(are_apart<Fields...>(), "two fields of this word share a bit");
+
+    using is_bit_field = void;
+    std::uint16_t bits{0};
+
+    /// The value of a field. Of `known` enumerators a result: `value_without_meaning` where the bits are in a hole.
+    template <auto const& F> [[nodiscard]] constexpr auto get() const noexcept
+    {
+        static_assert(contains<F>, "this word has no such field");
+        using field = std::remove_cvref_t<decltype(F)>;
+        std::uint16_t const own = field::own_word(bits);
+        if constexpr (std::same_as<typename field::form, bool>) {
+            return own != 0;
+        } else if constexpr (register_form<typename field::form>) {
+            return field::form::from_words({own});
+        } else {
+            return from_word<typename field::value_type>(own);
+        }
+    }
+
+    /// The same word with another value in a field; `value_too_high` or `value_too_low` where its bits do not hold it,
+    /// `value_without_meaning` for an enumerator that is not known.
+    template <auto const& F>
+    [[nodiscard]] constexpr result<packed>
+    with(typename std::remove_cvref_t<decltype(F)>::value_type value) const noexcept
+    {
+        static_assert(contains<F>, "this word has no such field");
+        using field = std::remove_cvref_t<decltype(F)>;
+        std::uint16_t word = 0;
+        if constexpr (std::same_as<typename field::form, bool>) {
+            word = value ? field::mask : std::uint16_t{0};
+        } else {
+            if constexpr (register_form<typename field::form>) {
+                if (auto const known = field::form::from_words({to_word(value)}); not known) {
+                    return known.error();
+                }
+            }
+            word =
+                static_cast<std::uint16_t>((std::uint32_t{to_word(value)} * (field::mask / field::ones)) & field::mask);
+            if (field::own_word(word) != to_word(value)) {
+                return raw_count<typename field::value_type>(to_word(value)) < 0 ? errc::value_too_low
+                                                                                 : errc::value_too_high;
+            }
+        }
+        return packed{static_cast<std::uint16_t>((std::uint32_t{bits} & ~std::uint32_t{field::mask}) | word)};
+    }
+
+    friend constexpr bool operator==(packed, packed) noexcept = default;
+
+private:
+    template <auto const& F> static constexpr bool contains = (is_same_register<F, Fields> or ...);
+};
+
+} // namespace rtuwire
