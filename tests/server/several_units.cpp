@@ -205,7 +205,7 @@ constexpr bool of_one_address()
 {
     word_bank<2> first, second;
     on_a_line it{server::for_units(timing, bank_at{three, first}, bank_at{three, second})};
-    bool const ok = it.says(3, "06 00 01 00 05"_hex, "06 00 01 00 05"_hex) and second.get(1) == 0;
+    bool ok = it.says(3, "06 00 01 00 05"_hex, "06 00 01 00 05"_hex) and second.get(1) == 0;
     return ok and it.says(0, "06 00 01 00 06"_hex, {}) and first.get(1) == 6 and second.get(1) == 6;
 }
 PROOF("of two banks at one address the first answers", of_one_address)

@@ -21,7 +21,8 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 template <auto const& R> inline constexpr std::size_t words_of_register = 1;
 
 /// The value of a register whose first word is the one at `index`.
-template <auto const& R> [[nodiscard]] constexpr value_of<R> value_in(register_view words, std::size_t index) noexcept
+template <auto const& R>
+[[nodiscard]] constexpr value_of<R> hooked_value(register_view words, std::size_t index) noexcept
 {
     return from_word<value_of<R>>(words[index]);
 }
@@ -32,7 +33,7 @@ template <auto const& R> struct typed_place {
     static constexpr std::size_t size = words_of_register<R>;
     [[nodiscard]] static constexpr value_of<R> value(register_view words, std::size_t index) noexcept
     {
-        return value_in<R>(words, index);
+        return hooked_value<R>(words, index);
     }
 };
 
