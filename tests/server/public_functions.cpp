@@ -119,6 +119,15 @@ TEST_CASE("every function is refused where it is not there, is not whole, or fai
     CHECK(is_checked("18 00 64"_hex));
 }
 
+TEST_CASE("each run of a request is written")
+{
+    whole_bank bank = fresh();
+    CHECK(exception_of(bank, "15 14 06 00 01 00 00 00 02 12 34 56 78 06 00 02 00 07 00 01 9A BC"_hex) == 0);
+    CHECK((bank.files[0][0] == 0x1234 and bank.files[0][1] == 0x5678 and bank.files[0][2] == 3));
+    CHECK((bank.files[1][6] == 7 and bank.files[1][7] == 0x9ABC));
+    CHECK(bank.writes == 2);
+}
+
 TEST_CASE("the quantity or value comes before the address")
 {
     // Bits: the quantity comes before the address.

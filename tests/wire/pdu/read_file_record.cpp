@@ -42,6 +42,8 @@ STATIC_CHECK(verdict({1, 0xFFFF, 0xFFFF}) == errc::invalid_address_range);
 STATIC_CHECK(verdict({0, 0, 1}) == errc::invalid_address_range and verdict({1, 0, 0}) == errc::invalid_quantity);
 // A response has 245 bytes at most behind its byte count: two for each run, and two for each record.
 STATIC_CHECK(verdict({1, 0, 121}) == errc::none and verdict({1, 0, 122}) == errc::invalid_quantity);
+STATIC_CHECK(read_file_record{file_run{1, 0, 60}, file_run{1, 0, 60}}.check() == errc::none);
+STATIC_CHECK(read_file_record{file_run{1, 0, 60}, file_run{1, 0, 61}}.check() == errc::invalid_quantity);
 
 /// Any number of runs, all of one record.
 struct many_runs {
@@ -57,7 +59,17 @@ STATIC_CHECK(told("14 04 03 07 12 34"_hex) == errc::malformed);       // another
 STATIC_CHECK(told("14 04 05 06 12 34"_hex) == errc::malformed);       // a run beyond the end
 STATIC_CHECK(told("14 05 04 06 12 34 56"_hex) == errc::malformed);    // half a record
 STATIC_CHECK(told("14 06 03 06 12 34 01 06"_hex) == errc::malformed); // a run without records
+STATIC_CHECK(told("14 06 01 06 03 06 12 34"_hex) == errc::malformed); // a run without records before a whole one
+STATIC_CHECK(told("14 05 05 06 12 34 56"_hex) == errc::malformed);    // a run whose last byte is missing
 STATIC_CHECK(told("14 04 03 06 12"_hex) == errc::wrong_length and told("14"_hex) == errc::wrong_length);
+
+/// What a response is to the request of two runs.
+constexpr errc answer(byte_view pdu) { return read_file_record<>::check_response(asked, pdu); }
+STATIC_CHECK(answer("14 0C 05 06 0D FE 00 20 05 06 33 CD 00 40"_hex) == errc::none);
+STATIC_CHECK(answer("14 0B 05 06 0D FE 00 20 05 06 33 CD 00"_hex) == errc::response_mismatch);
+STATIC_CHECK(answer("14 0A 05 06 0D FE 00 20 05 06 33 CD"_hex) == errc::response_mismatch);
+STATIC_CHECK(answer("14 06 05 06 0D FE 00 20"_hex) == errc::response_mismatch);
+STATIC_CHECK(answer("14"_hex) == errc::response_mismatch);
 
 } // namespace
 

@@ -58,6 +58,16 @@ PROOF("function 21 writes records 0 to 9999 of files from 1", is_refused_outside
 
 } // namespace
 
+TEST_CASE("runs of function 21 have at most 251 bytes")
+{
+    std::array<std::byte, 7 + 2 * 123> bytes{std::byte{6}, {}, std::byte{4}};
+    for (std::uint32_t const count : {121U, 122U, 123U}) {
+        bytes[6] = to_byte(count);
+        file_writes const whole{byte_view{bytes}.first(7U + 2U * count)};
+        CHECK((whole.check() == (count <= 122 ? errc::none : errc::invalid_quantity)));
+    }
+}
+
 TEST_CASE("function 21 writes 1 to 122 records in one run")
 {
     test::sample const some{21};

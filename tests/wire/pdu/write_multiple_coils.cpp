@@ -48,6 +48,18 @@ constexpr bool tells_writes_apart()
 }
 PROOF("requests of function 15 differ by address and by coils, not by what is behind the last coil", tells_writes_apart)
 
+/// Behind a request a writer has room for what it did not take.
+constexpr bool writes_its_size()
+{
+    std::array<std::byte, 32> place{};
+    byte_writer out{place};
+    constexpr bit_block nine{true, false, true, true, false, false, true, true, true};
+    write_multiple_coils const asked{0x13, nine};
+    asked.write(out);
+    return out.size() == asked.size() and asked.size() == 8;
+}
+PROOF("function 15 writes as many bytes as it has", writes_its_size)
+
 } // namespace
 
 TEST_CASE("a response of function 15 is read with a quantity of 1 to 1968 of all 65536")
