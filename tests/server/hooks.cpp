@@ -302,6 +302,59 @@ constexpr bool passes_own_functions_on()
 }
 PROOF("a function of the bank's own is still there behind hooks", passes_own_functions_on)
 
+// Registers of several words: a hook gets the whole value, or none.
+inline constexpr reg<float32<celsius>> limit{.code = "LIM", .address = 20};
+inline constexpr reg<unsigned32<watt_hours, word_order::low_first>> budget{.code = "BUD", .address = 22};
+inline constexpr reg<count16> next_one{.code = "NXT", .address = 24};
+
+struct wide_unit {
+    word_bank<8> plain{20};
+    bank<limit, budget, next_one> typed{};
+    std::uint32_t watt_hours_now{0};
+    int acts{0};
+
+    template <typename Bank> constexpr byte_view answer(Bank& bank, byte_view pdu)
+    {
+        auto served = with_hooks(bank)
+                          .template check<limit>(
+                              [](auto asked) { return asked.count() > 80 ? errc::illegal_data_value : errc::none; })
+                          .template on_write<limit>([this](auto) { ++acts; })
+                          .template on_write<budget>([this](auto now) { watt_hours_now = now.count(); });
+        size = respond(pdu, served, server_profile{}, place).size();
+        return byte_view{place}.first(size);
+    }
+    std::array<std::byte, max_pdu_size> place{};
+    std::size_t size{0};
+};
+
+constexpr bool several_words()
+{
+    wide_unit unit;
+    // 60.5 degrees are 42720000 hexadecimal, 90 are 42B40000.
+    bool ok = same_bytes(unit.answer(unit.typed, "10 00 14 00 02 04 42 72 00 00"_hex), "10 00 14 00 02"_hex);
+    ok =
+        unit.acts == 1 and same_bytes(unit.answer(unit.typed, "10 00 14 00 02 04 42 B4 00 00"_hex), "90 03"_hex) and ok;
+    ok = same_bytes(unit.answer(unit.typed, "10 00 16 00 02 04 56 78 12 34"_hex), "10 00 16 00 02"_hex) and ok;
+    ok = unit.watt_hours_now == 0x1234'5678 and unit.acts == 1 and ok;
+    // Half a register is the bank's exception 02; no number, its 03.
+    ok = same_bytes(unit.answer(unit.typed, "06 00 14 42 B4"_hex), "86 02"_hex) and unit.acts == 1 and ok;
+    return same_bytes(unit.answer(unit.typed, "10 00 14 00 02 04 7F C0 00 00"_hex), "90 03"_hex) and ok;
+}
+PROOF("a hook of a register of several words gets its whole value", several_words)
+
+constexpr bool several_words_of_plain_ones()
+{
+    wide_unit unit;
+    bool ok = same_bytes(unit.answer(unit.plain, "10 00 14 00 02 04 42 B4 00 00"_hex), "90 03"_hex);
+    ok = same_bytes(unit.answer(unit.plain, "10 00 14 00 02 04 7F C0 00 00"_hex), "90 03"_hex) and ok; // no number
+    // Plain words can be written by halves: no whole value, no hook.
+    ok = same_bytes(unit.answer(unit.plain, "06 00 14 42 B4"_hex), "06 00 14 42 B4"_hex) and unit.acts == 0 and ok;
+    return ok and
+           same_bytes(unit.answer(unit.plain, "10 00 14 00 03 06 42 72 00 00 00 01"_hex), "10 00 14 00 03"_hex) and
+           unit.acts == 1;
+}
+PROOF("a bank of plain words may hold such a register, too", several_words_of_plain_ones)
+
 // Callables without state take no room beside the bank's address.
 static_assert(sizeof(with_hooks(std::declval<word_bank<4>&>())) == sizeof(void*));
 static_assert(sizeof(with_hooks(std::declval<bank<pump::how>&>()).on_write<pump::how>([](pump::mode) {})) ==

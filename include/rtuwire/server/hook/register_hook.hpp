@@ -10,30 +10,23 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <rtuwire/core/result.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/table/form/form.hpp>
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/register_view.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// How many words of a request hold a register.
-template <auto const& R> inline constexpr std::size_t words_of_register = 1;
-
-/// The value of a register whose first word is the one at `index`.
-template <auto const& R>
-[[nodiscard]] constexpr value_of<R> hooked_value(register_view words, std::size_t index) noexcept
-{
-    return from_word<value_of<R>>(words[index]);
-}
-
-/// A register of a table.
+/// A register of a table. Its words are whole where a typed bank has checked them; they may be no value of it (a
+/// floating point number that is none) in a bank of plain words.
 template <auto const& R> struct typed_place {
     static constexpr std::uint16_t address = R.address;
-    static constexpr std::size_t size = words_of_register<R>;
-    [[nodiscard]] static constexpr value_of<R> value(register_view words, std::size_t index) noexcept
+    static constexpr std::size_t size = R.word_count;
+    [[nodiscard]] static constexpr result<value_of<R>> value(register_view words, std::size_t index) noexcept
     {
-        return hooked_value<R>(words, index);
+        return value_in<R>(words, index, index);
     }
 };
 
@@ -41,7 +34,7 @@ template <auto const& R> struct typed_place {
 struct word_place {
     static constexpr std::size_t size = 1;
     std::uint16_t address;
-    [[nodiscard]] static constexpr std::uint16_t value(register_view words, std::size_t index) noexcept
+    [[nodiscard]] static constexpr result<std::uint16_t> value(register_view words, std::size_t index) noexcept
     {
         return words[index];
     }
@@ -70,7 +63,11 @@ template <typename Place, typename Callable> struct write_check {
 
     [[nodiscard]] constexpr errc check(std::uint32_t address, register_view words, std::size_t index) const noexcept
     {
-        return holds(place, address, words, index) ? call(place.value(words, index)) : errc::none;
+        if (not holds(place, address, words, index)) {
+            return errc::none;
+        }
+        auto const value = place.value(words, index);
+        return value ? call(*value) : errc::illegal_data_value;
     }
     static constexpr void act(std::uint32_t, register_view, std::size_t) noexcept {}
 };
@@ -84,7 +81,9 @@ template <typename Place, typename Callable> struct write_action {
     constexpr void act(std::uint32_t address, register_view words, std::size_t index) noexcept
     {
         if (holds(place, address, words, index)) {
-            call(place.value(words, index));
+            if (auto const value = place.value(words, index)) {
+                call(*value);
+            }
         }
     }
 };

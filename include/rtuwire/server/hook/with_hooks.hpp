@@ -56,6 +56,9 @@ public:
     template <auto const& R, typename Callable> [[nodiscard]] constexpr auto check(Callable call) && noexcept
     {
         static_assert(may_hold<Bank, R>, "this bank has no such register");
+        static_assert(R.space == register_space::holding,
+                      "a hook is of a holding register: coils and inputs have none");
+        static_assert(not has_scale_register<R>, "another register sets this one's scale: no hook sees its value");
         static_assert(R.mode != access::read_only, "this register is read-only: no client writes it, so no hook would "
                                                    "ever be called");
         static_assert(takes<Callable const&, value_of<R>>,
@@ -84,6 +87,9 @@ public:
     template <auto const& R, typename Callable> [[nodiscard]] constexpr auto on_write(Callable call) && noexcept
     {
         static_assert(may_hold<Bank, R>, "this bank has no such register");
+        static_assert(R.space == register_space::holding,
+                      "a hook is of a holding register: coils and inputs have none");
+        static_assert(not has_scale_register<R>, "another register sets this one's scale: no hook sees its value");
         static_assert(R.mode != access::read_only, "this register is read-only: no client writes it, so no hook would "
                                                    "ever be called");
         static_assert(takes<Callable&, value_of<R>>, "an action is called with the value of its register, "
