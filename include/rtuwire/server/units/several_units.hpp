@@ -87,7 +87,7 @@ public:
 private:
     template <typename Functions, typename Bank, typename Diagnostics>
     static constexpr errc execute_again(bank_at<Bank> const& at, request_head const& asked, pdu_buffer& pdu,
-                                       Diagnostics& line) noexcept
+                                        Diagnostics& line) noexcept
     {
         std::byte const function = pdu.bytes[0], second = pdu.bytes[1];
         pdu_buffer same = pdu;
