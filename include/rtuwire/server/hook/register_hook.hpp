@@ -11,29 +11,27 @@
 #include <type_traits>
 
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/table/form/form.hpp>
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/register_view.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// How many words of a request hold a register.
-template <auto const& R> inline constexpr std::size_t words_of_register = 1;
-
-/// The value of a register whose first word is the one at `index`.
-template <auto const& R>
-[[nodiscard]] constexpr value_of<R> hooked_value(register_view words, std::size_t index) noexcept
-{
-    return from_word<value_of<R>>(words[index]);
-}
-
 /// A register of a table.
 template <auto const& R> struct typed_place {
+    static_assert(R.space == register_space::holding, "a hook stands at a holding register");
     static constexpr std::uint16_t address = R.address;
-    static constexpr std::size_t size = words_of_register<R>;
+    static constexpr std::size_t size = R.word_count;
+
+    /// The value whose first word is the one at `index`; the bank has checked that it is one.
     [[nodiscard]] static constexpr value_of<R> value(register_view words, std::size_t index) noexcept
     {
-        return hooked_value<R>(words, index);
+        if constexpr (R.is_plain) {
+            return from_word<value_of<R>>(words[index]);
+        } else {
+            return value_in<R>(words, index, index).value_or(value_of<R>{});
+        }
     }
 };
 
