@@ -55,7 +55,7 @@ int main()
     inside.set<module::supply>(module::power_source::battery);
     inside.set<module::identity>({0x0305});
     sim::bench bench{bus<2>{line_timing{19'200, character_format::even_8_1}}, drive,
-                     sim::bank_at{far_module.unit(), inside}};
+                     bank_at{far_module.unit(), inside}};
 
     // Functions 01, 02 and 04: one request for each kind.
     using inputs =

@@ -14,6 +14,7 @@
 #include <rtuwire/ask/poller.hpp>
 #include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/core/hex.hpp>
+#include <rtuwire/server/hook/with_hooks.hpp>
 #include <rtuwire/server/typed_bank.hpp>
 #include <rtuwire/table/form/ascii.hpp>
 #include <rtuwire/table/form/floating.hpp>
@@ -133,7 +134,7 @@ TEST_CASE("registers of all kinds are read and written over a line")
 {
     constexpr station<meter::device> unit{unit_id{3}};
     meter::registers bank;
-    sim::bench bench{line_timing{19'200, character_format::even_8_1}, sim::bank_at{unit.unit(), bank}};
+    sim::bench bench{line_timing{19'200, character_format::even_8_1}, bank_at{unit.unit(), bank}};
     bank.set<restepped<decivolts, meter::voltage>>(decivolts{2304});
     bank.set<meter::scale>(signed_count16{-1});
     bank.set<meter::door>(true);
@@ -153,6 +154,23 @@ TEST_CASE("registers of all kinds are read and written over a line")
     CHECK(bench.run(read<meter::lamp>(unit)) == true);
 }
 
+TEST_CASE("hooks at a wide register get the whole value")
+{
+    constexpr station<meter::device> unit{unit_id{3}};
+    meter::registers bank;
+    int told = 0;
+    auto hooked = with_hooks(bank)
+                      .check<meter::limit>([](real<kilowatt_hours> wanted) {
+                          return wanted > 500_kWh ? errc::server_device_failure : errc::none;
+                      })
+                      .on_write<meter::limit>([&](real<kilowatt_hours> now) { told += now == 0.25_kWh ? 1 : 100; });
+    sim::bench bench{line_timing{19'200, character_format::even_8_1}, bank_at{unit.unit(), hooked}};
+    CHECK(bench.run(write<meter::limit>(unit, 501_kWh)).error() == errc::server_device_failure);
+    CHECK(bank.get<meter::limit>() == 100_kWh);
+    CHECK(bench.run(write<meter::limit>(unit, 0.25_kWh)));
+    CHECK(told == 1);
+}
+
 namespace {
 
 /// The n-th of the numbers that a counter shows: both halves are n, so that halves of two moments differ.
@@ -165,7 +183,7 @@ TEST_CASE("a value that changes between requests and during faults is never mixe
 {
     constexpr station<meter::device> unit{unit_id{3}};
     meter::registers bank;
-    sim::bench bench{line_timing{19'200, character_format::even_8_1}, sim::bank_at{unit.unit(), bank}};
+    sim::bench bench{line_timing{19'200, character_format::even_8_1}, bank_at{unit.unit(), bank}};
     bench.wire().set_faults({.bit_errors = 500, .lost = 30'000, .repeated = 30'000});
     using plan = read_plan<meter::device, meter::low, meter::high, meter::budget>;
     poller<plan> panel{unit};
@@ -198,7 +216,7 @@ TEST_CASE("the same counter, read by two requests, is mixed: the check above wou
 {
     constexpr std::uint16_t first = 40;
     word_bank<2> words{first};
-    sim::bench bench{line_timing{19'200, character_format::even_8_1}, sim::bank_at{unit_id{3}, words}};
+    sim::bench bench{line_timing{19'200, character_format::even_8_1}, bank_at{unit_id{3}, words}};
     single_request upper{unit_id{3}, read_holding_registers{.start = first, .count = 1}};
     single_request lower{unit_id{3}, read_holding_registers{.start = first + 1, .count = 1}};
     std::uint16_t n = 0;
