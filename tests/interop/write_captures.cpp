@@ -11,7 +11,7 @@
 
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/rtuwire.hpp>
-#include <rtuwire/server/bit_bank.hpp>
+#include <rtuwire/server/bank/bit_bank.hpp>
 #include <rtuwire/wire/functions.hpp>
 
 using namespace rtuwire;

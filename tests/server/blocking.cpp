@@ -9,7 +9,7 @@
 #include "support/catch.hpp"
 
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/server/bank.hpp>
+#include <rtuwire/server/bank/register_bank.hpp>
 
 using namespace rtuwire;
 

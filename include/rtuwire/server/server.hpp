@@ -10,8 +10,8 @@
 
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/server/engine/server_engine.hpp>
 #include <rtuwire/server/respond.hpp>
+#include <rtuwire/server/server_engine.hpp>
 #include <rtuwire/server/units/bank_at.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 

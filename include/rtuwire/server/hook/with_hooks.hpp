@@ -18,10 +18,10 @@
 #include <utility>
 
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/server/bank.hpp>
+#include <rtuwire/server/bank/register_bank.hpp>
+#include <rtuwire/server/bank/typed_bank.hpp>
 #include <rtuwire/server/hook/bank_parts.hpp>
 #include <rtuwire/server/hook/register_hook.hpp>
-#include <rtuwire/server/typed_bank.hpp>
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/register_view.hpp>

@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/server/typed/typed_space.hpp>
+#include <rtuwire/server/bank/typed_space.hpp>
 #include <rtuwire/table/plan_words.hpp>
 #include <rtuwire/table/setting.hpp>
 #include <rtuwire/table/table.hpp>
