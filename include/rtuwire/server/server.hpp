@@ -24,11 +24,10 @@ struct one_unit {
 
     [[nodiscard]] constexpr bool contains(std::uint8_t unit) const noexcept { return unit == number; }
 
-    /// Executes a request on its bank; returns the exception, or none. Force-inlined, which is smaller.
+    /// Executes a request on its bank; returns the exception, or none.
     template <typename Functions, typename Bank, typename Diagnostics>
-    [[gnu::always_inline]] static constexpr errc execute_on(std::uint8_t, request_head const& asked, pdu_buffer& pdu,
-                                                            Bank& bank, server_profile const& profile,
-                                                            Diagnostics& line) noexcept
+    static constexpr errc execute_on(std::uint8_t, request_head const& asked, pdu_buffer& pdu, Bank& bank,
+                                     server_profile const& profile, Diagnostics& line) noexcept
     {
         return asked.has_effect<Functions>() ? execute<Functions>(asked.function, pdu, bank, profile, line)
                                              : errc::illegal_function;
