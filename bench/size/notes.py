@@ -22,7 +22,7 @@ import sizes
 
 PAGE = sizes.HERE.parent.parent / "docs" / "size-notes.md"
 # The last, a large one, is built for what no other includes.
-IMAGES = ("server_frames", "server", "client_frames", "client", "typed_read", "client_counting_fixed", "two_conversations")
+IMAGES = ("server_frames", "server", "server_all", "client_frames", "client", "typed_read", "client_counting_fixed", "two_conversations")
 # The smaller processor, for which the tricks are made; --m3 takes the other.
 CPU = "cortex-m3" if "--m3" in sys.argv else "cortex-m0plus"
 HEAD = f"| trick | where | {' | '.join(IMAGES)} |\n|{'---|' * (2 + len(IMAGES))}\n"
@@ -50,12 +50,21 @@ def inlining(kind, header, *texts):
 TRICKS = (
     inlining("inline", "core/time.hpp", "constexpr void add("),
     inlining("inline", "wire/response.hpp", "constexpr errc check_fields("),
-    inlining("inline", "wire/frame_length.hpp", "constexpr raw_length identification_length("),
+    inlining("inline", "wire/response.hpp", "constexpr answer_rule answer_of_others("),
+    inlining("inline", "wire/response.hpp", "constexpr answer_rule answer_of("),
+    inlining("inline", "wire/response.hpp", "constexpr std::size_t answer_bytes("),
+    inlining("inline", "wire/response.hpp", "constexpr bool tells_end_by_own("),
+    inlining("inline", "wire/pdu/device_identification.hpp", "static constexpr raw_length length("),
+    inlining("inline", "wire/frame_length.hpp", "constexpr std::uint8_t of_others("),
+    inlining("inline", "wire/frame_length.hpp", "constexpr raw_length own("),
     inlining("inline", "wire/frame_length.hpp", "constexpr raw_length length_by_rule("),
     inlining("inline", "wire/frame_length.hpp", "constexpr std::size_t size_hint("),
     inlining("inline", "rtu/foreign_exchange.hpp", "static constexpr end_hint apply("),
     inlining("inline", "rtu/foreign_exchange.hpp", "constexpr end_hint apply("),
     inlining("inline", "rtu/frame_cutter.hpp", "constexpr bool apply_length_rule("),
+    inlining("inline", "server/server_engine.hpp", "constexpr void serve_by("),
+    inlining("not inline", "server/respond.hpp", "constexpr errc respond_apart("),
+    inlining("inline", "core/bytes.hpp", "constexpr std::byte* take("),
     inlining("inline", "client/desk/turn_desk.hpp", "constexpr void replace_asker("),
     inlining("inline", "client/line/retry_state.hpp", "constexpr bool may_pause("),
     inlining("inline", "client/line/retry_state.hpp", "constexpr void note_sent("),
