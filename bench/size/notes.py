@@ -101,7 +101,7 @@ TRICKS = (
          "    return frame.subspan(1, frame.size() - adu_overhead);"),)),
     Trick("a server's deadline in a form of its own", "rtu/line_silence.hpp", (
         ("        return activity_ == activity::unknown or not waits_for_silence() ? deadline{} : deadline{last_ + "
-         "silence()};", "        earliest next;\n        add_to(next);\n        return next;"),)),
+         "end_silence()};", "        earliest next;\n        add_to(next);\n        return next;"),)),
     Trick("a state's step by one comparison", "rtu/line_silence.hpp", (
         ("        if (waits_for_silence()) {\n"
          "            state_ = state_ == state::synchronising ? state::idle : state::done;\n        }\n",
