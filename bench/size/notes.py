@@ -50,10 +50,7 @@ def inlining(kind, header, *texts):
 TRICKS = (
     inlining("inline", "core/time.hpp", "constexpr void add("),
     inlining("inline", "wire/response.hpp", "constexpr errc check_fields("),
-    inlining("inline", "wire/response.hpp", "constexpr answer_rule answer_of_others("),
     inlining("inline", "wire/response.hpp", "constexpr answer_rule answer_of("),
-    inlining("inline", "wire/response.hpp", "constexpr std::size_t answer_bytes("),
-    inlining("inline", "wire/response.hpp", "constexpr bool tells_end_by_own("),
     inlining("inline", "wire/pdu/device_identification.hpp", "static constexpr raw_length length("),
     inlining("inline", "wire/frame_length.hpp", "constexpr std::uint8_t of_others("),
     inlining("inline", "wire/frame_length.hpp", "constexpr raw_length own("),
@@ -64,7 +61,6 @@ TRICKS = (
     inlining("inline", "rtu/frame_cutter.hpp", "constexpr bool apply_length_rule("),
     inlining("inline", "server/server_engine.hpp", "constexpr void serve_by("),
     inlining("not inline", "server/respond.hpp", "constexpr errc respond_apart("),
-    inlining("inline", "core/bytes.hpp", "constexpr std::byte* take("),
     inlining("inline", "client/desk/turn_desk.hpp", "constexpr void replace_asker("),
     inlining("inline", "client/line/retry_state.hpp", "constexpr bool may_pause("),
     inlining("inline", "client/line/retry_state.hpp", "constexpr void note_sent("),

@@ -129,7 +129,7 @@ public:
     }
 
     /// Appends `count` bytes that the caller writes, at once; null, and not ok, when they do not fit.
-    [[nodiscard, gnu::always_inline]] constexpr std::byte* take(std::size_t count) noexcept
+    [[nodiscard]] constexpr std::byte* take(std::size_t count) noexcept
     {
         if (not room_for(count)) {
             return nullptr;

@@ -34,8 +34,7 @@ inline constexpr auto answer_rules = answers_of(public_functions{});
 /// How a function answers that is not in the table.
 /// Internal.
 template <typename... Functions>
-[[nodiscard, gnu::always_inline]] constexpr answer_rule answer_of_others(function_list<Functions...>,
-                                                                         std::uint8_t code) noexcept
+[[nodiscard]] constexpr answer_rule answer_of_others(function_list<Functions...>, std::uint8_t code) noexcept
 {
     answer_rule rule = answer_rule::unknown;
     ((rule = not length_rules::is_in_table<Functions> and code == to_u8(Functions::code) ? Functions::rules.answers
@@ -60,7 +59,7 @@ template <typename... Functions>
 
 /// The bytes behind the byte count of a response that answers a quantity; 0 for another rule.
 /// Internal.
-[[nodiscard, gnu::always_inline]] constexpr std::size_t answer_bytes(answer_rule rule, std::size_t quantity) noexcept
+[[nodiscard]] constexpr std::size_t answer_bytes(answer_rule rule, std::size_t quantity) noexcept
 {
     return rule == answer_rule::registers ? 2 * quantity : rule == answer_rule::bits ? bytes_of_bits(quantity) : 0;
 }
@@ -118,8 +117,7 @@ template <typename... Functions>
 /// Whether the response to a request tells its own end, of the functions that have a length of their own.
 /// Internal.
 template <typename... Functions>
-[[nodiscard, gnu::always_inline]] constexpr bool tells_end_by_own(function_list<Functions...>,
-                                                                  byte_view request_adu) noexcept
+[[nodiscard]] constexpr bool tells_end_by_own(function_list<Functions...>, byte_view request_adu) noexcept
 {
     bool tells = false;
     auto const ask = [&]<typename Function>(std::type_identity<Function>) {
@@ -137,7 +135,7 @@ template <typename... Functions>
 /// Internal.
 template <typename... Functions>
 [[nodiscard]] constexpr std::size_t longest_by_own(function_list<Functions...>, std::uint8_t code,
-                                                byte_view request_adu) noexcept
+                                                   byte_view request_adu) noexcept
 {
     std::size_t size = max_adu_size;
     auto const ask = [&]<typename Function>(std::type_identity<Function>) {
