@@ -73,6 +73,15 @@ using counted_stop = counted<write_single_register>;
 constexpr read_holding_registers request{3201, 1};
 constexpr write_single_register stop_word{8501, 0};
 
+/// Asks its request at once, and has a time limit of its own.
+struct limited_read : counted_read {
+    instant limit;
+
+    explicit limited_read(instant end) : counted_read{unit_id{1}, request}, limit{end} {}
+    static void advance(instant) {}
+    deadline poll_deadline() const { return settled() ? deadline{} : deadline{limit}; }
+};
+
 /// Asks its request so long after it was looked at first.
 struct late_read : counted_read {
     duration pause;
@@ -168,4 +177,18 @@ TEST_CASE("a conversation that pauses is looked at when its pause ends, and not 
     port.reads_left = 0; // breaks behind the request
     CHECK(line.run(conversation) == errc::device_vanished);
     CHECK(port.reads < 6);
+}
+
+TEST_CASE("a conversation whose unit was held asks as soon as the hold ends, whatever its own time limit is")
+{
+    silent_port port;
+    blocking_client line{port, timing, {.retries = 0}};
+    counted_read missed{unit_id{1}, request};
+    REQUIRE(line.run(missed));
+    REQUIRE(missed.last == errc::timed_out);
+    instant const begin = port.clock;
+    limited_read conversation{begin + milliseconds(20'000)};
+    REQUIRE(line.run(conversation));
+    REQUIRE(port.sent_at.size() == 2);
+    CHECK(port.sent_at.back() - begin < milliseconds(250)); // late_response, and a little
 }

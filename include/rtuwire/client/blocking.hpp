@@ -141,14 +141,16 @@ private:
         }
     }
 
-    /// Waits until a conversation that paused at `now` may have a request again. A deadline that had passed by then
-    /// has had its effect; where no deadline is left, the conversation is looked at again after `longest_pause`.
+    /// Waits until a conversation that paused at `now` may have a request again. A deadline of the client that has been
+    /// reached asks for the next pass at once: it may be the conversation's turn then. One of the conversation has had its
+    /// effect. Where no deadline is left, the conversation is looked at again after `longest_pause`.
     template <typename Conversation> result<void> wait_for(Conversation& conversation, instant now)
     {
-        auto const ahead = [now](deadline const& next) { return next and not reached(now, *next) ? next : deadline{}; };
-        deadline next = ahead(client_.poll_deadline());
+        deadline next = client_.poll_deadline();
         if constexpr (timed_conversation<Conversation>) {
-            next = earlier(next, ahead(conversation.poll_deadline()));
+            if (deadline const own = conversation.poll_deadline(); own and not reached(now, *own)) {
+                next = earlier(next, own);
+            }
         }
         return receive_until(next ? *next : now + longest_pause);
     }
