@@ -192,3 +192,14 @@ TEST_CASE("a conversation whose unit was held asks as soon as the hold ends, wha
     REQUIRE(port.sent_at.size() == 2);
     CHECK(port.sent_at.back() - begin < milliseconds(250)); // late_response, and a little
 }
+
+TEST_CASE("the shortest of time-outs does not make a client look at its port again and again")
+{
+    for (duration const timeout : {duration{}, milliseconds(1)}) {
+        silent_port port;
+        blocking_client line{
+            port, timing, {.response_timeout = timeout, .turnaround = milliseconds(2'000), .retries = 0}};
+        CHECK(line.send_broadcast(stop_word));
+        CHECK(port.reads < 10);
+    }
+}

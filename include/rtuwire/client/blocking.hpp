@@ -118,7 +118,7 @@ private:
             client_.advance(now);
             client_.converse(conversation, now);
             if (client_.is_busy()) {
-                passed = pump(client_, port_, input_, now + write_limit_, write_limit_);
+                passed = pump(client_, port_, input_, now + longest_wait, write_limit_);
             } else if (conversation.settled()) {
                 return errc::none;
             } else {
@@ -168,6 +168,8 @@ private:
 
     /// How long to wait for a conversation that pauses and gives no deadline.
     static constexpr duration longest_pause = milliseconds(10);
+    /// How long to wait for bytes before the next pass, where the client has no earlier deadline.
+    static constexpr duration longest_wait = milliseconds(1'000);
 
     Port& port_;
     host_client client_;

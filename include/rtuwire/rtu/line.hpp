@@ -61,6 +61,7 @@ public:
 
     /// The same with another silence before sending than t3.5, at most 35 minutes: more for units that miss a request
     /// that comes that soon, less behind an adapter that hands bytes over late, so that the line has rested already.
+    /// Keep it below the response time-out: a request waits no longer for silence, and ends as `bus_jam`.
     [[nodiscard]] constexpr line_timing with_silence(duration silence) const noexcept
     {
         line_timing line = *this;
