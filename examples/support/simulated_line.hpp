@@ -217,7 +217,7 @@ private:
                 }
             }
             sender->sent(last_);
-            if (not written and written.error() != rtuwire::errc::timed_out) {
+            if (not written and written.error() != rtuwire::errc::transmit_stalled) {
                 return written;
             }
         }

@@ -90,7 +90,7 @@ public:
     [[nodiscard]] bool is_open() const noexcept { return number_ >= 0; }
     [[nodiscard]] int number() const noexcept { return number_; }
 
-    /// Sends all bytes. Errors: `timed_out` when the deadline passes first, part of them sent;
+    /// Sends all bytes. Errors: `transmit_stalled` when the deadline passes first, part of them sent;
     /// `device_not_open`, `device_vanished`, `device_failed`.
     result<void> write(byte_view bytes, instant until) const noexcept
     {
@@ -114,7 +114,7 @@ public:
                 return ready.error();
             }
             if (not *ready) {
-                return errc::timed_out;
+                return errc::transmit_stalled;
             }
         }
         return {};

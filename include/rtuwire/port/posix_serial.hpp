@@ -85,7 +85,7 @@ public:
     /// The last failure in words, beginning with the device's name; empty before the first.
     [[nodiscard]] std::string const& failure() const noexcept { return failure_; }
 
-    /// Passes all bytes to the driver, which sends them at the line's speed. Errors: `timed_out`,
+    /// Passes all bytes to the driver, which sends them at the line's speed. Errors: `transmit_stalled` (not taken before `until`),
     /// `device_not_open`, `device_vanished`, `device_failed`.
     result<void> write(byte_view bytes, instant until)
     {

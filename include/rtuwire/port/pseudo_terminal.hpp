@@ -66,7 +66,7 @@ public:
     /// The name under which the far end can be opened as a serial device.
     [[nodiscard]] std::string const& path() const noexcept { return path_; }
 
-    /// Sends all bytes. Errors: `timed_out` when no program reads the far end, `device_not_open`,
+    /// Sends all bytes. Errors: `transmit_stalled` when no program reads the far end, `device_not_open`,
     /// `device_failed`.
     result<void> write(byte_view bytes, instant until) const { return near_.write(bytes, until); }
 
