@@ -155,9 +155,9 @@ template <auto const&... Registers> [[nodiscard]] constexpr auto block_of(settin
     } else {
         register_block<(std::size_t{Registers.word_count} + ...)> block;
         std::size_t at = 0;
-        auto const put = [&](auto const& words) {
-            for (std::uint16_t const word : words) {
-                block.set(at++, word);
+        auto const put = [&](auto const& several) {
+            for (std::uint16_t const each : several) {
+                block.set(at++, each);
             }
         };
         (put(setting_words<Registers>(values)), ...);
@@ -251,9 +251,9 @@ template <auto const& First, auto const&... Rest> struct contiguous {
     static constexpr bool are_contiguous() noexcept
     {
         std::uint32_t next = std::uint32_t{First.address} + First.word_count;
-        [[maybe_unused]] auto const follows = [&next](std::uint16_t address, std::uint16_t words) {
-            bool const does = address == next;
-            next += words;
+        [[maybe_unused]] auto const follows = [&next](std::uint16_t its_address, std::uint16_t its_words) {
+            bool const does = its_address == next;
+            next += its_words;
             return does;
         };
         return ((Rest.space == First.space and follows(Rest.address, Rest.word_count)) and ...);

@@ -43,9 +43,9 @@ and not requires { requires Request::rules.answers == answer_rule::own; };
 template <std::size_t FrameSize, std::size_t ResponseSize> class sized_request : public finite_conversation {
 public:
     /// Encodes the request; where that fails, nothing is sent and `outcome()` says why.
-    template <typename To, pdu Request> constexpr sized_request(To to, Request const& request) noexcept
+    template <typename To, pdu Request> constexpr sized_request(To whom, Request const& its_request) noexcept
     {
-        auto const written = encode_into(frame_, to, request);
+        auto const written = encode_into(frame_, whom, its_request);
         if (written) {
             size_ = static_cast<std::uint16_t>(written->size());
         } else {
@@ -118,9 +118,12 @@ class single_request : public sized_request<Request::max_size + adu_overhead, la
 public:
     using base::base;
 
-    template <typename To> constexpr single_request(To to, Request const& request) noexcept : base{to, request}
+    template <typename To>
+    constexpr single_request(To whom, Request const& its_request) noexcept : base{whom, its_request}
     {
-        static_assert(std::same_as<To, unit_id> or broadcastable<Request>,
+        static_assert(std::same_as<To, unit_id> or std::same_as<To, broadcast_t>,
+                      "a request goes to a unit, unit_id{7}, or to all of them, broadcast: not to a plain number");
+        static_assert(not std::same_as<To, broadcast_t> or broadcastable<Request>,
                       "a broadcast has no response, so only a write can be broadcast");
     }
 

@@ -80,7 +80,7 @@ private:
 /// Reads `Count` registers of a kind as words; the untyped base of `value_read`.
 template <register_space Space, std::size_t Count> class words_read : public finite_conversation {
 public:
-    constexpr words_read(unit_id to, std::uint16_t start) noexcept : frame_{read_frame(to, Space, start, Count)} {}
+    constexpr words_read(unit_id whom, std::uint16_t start) noexcept : frame_{read_frame(whom, Space, start, Count)} {}
 
     /// Reads once more; it is then no longer settled.
     constexpr void begin() noexcept { reopen(); }
@@ -126,7 +126,7 @@ template <auto const& R> class value_read : public words_read<R.space, read_coun
     static constexpr auto start = static_cast<std::uint16_t>(range_of<R>().first & 0xFFFFU);
 
 public:
-    explicit constexpr value_read(unit_id to) noexcept : words_read<R.space, read_count<R>>{to, start} {}
+    explicit constexpr value_read(unit_id whom) noexcept : words_read<R.space, read_count<R>>{whom, start} {}
 
     /// The value read, or why there is none; `busy` until it is settled.
     [[nodiscard]] constexpr result<value_of<R>> outcome() const noexcept

@@ -58,8 +58,8 @@ result<void> pump(Engine& engine, Port& port, byte_span place, instant until,
 /// Sends requests and waits for their outcomes. Borrows its port, which must outlive it.
 template <serial_port Port> class blocking_client {
 public:
-    blocking_client(Port& port, line_timing const& line, client_options const& options = {}) noexcept
-        : port_{port}, client_{line, options}, write_limit_{options.response_timeout}
+    blocking_client(Port& its_port, line_timing const& its_line, client_options const& its_options = {}) noexcept
+        : port_{its_port}, client_{its_line, its_options}, write_limit_{its_options.response_timeout}
     {}
 
     /// Sends one request and waits for its outcome. The response is a view of this client's memory, valid until the

@@ -35,9 +35,9 @@ template <std::size_t Slots, typename Statistics = no_statistics> class bus : bu
     using typename places::slot;
 
 public:
-    explicit constexpr bus(line_timing const& line, client_options const& options = {},
+    explicit constexpr bus(line_timing const& its_line, client_options const& its_options = {},
                            bus_options const& share = {}) noexcept
-        : places{line, options, share}
+        : places{its_line, its_options, share}
     {}
 
     /// Sets how one slot's unit is treated. Slots from `Slots` on are ignored.

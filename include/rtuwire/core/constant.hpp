@@ -15,7 +15,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// A setting that is given when the object is constructed.
 template <typename T> class stored {
 public:
-    explicit constexpr stored(T const& value) noexcept : value_{value} {}
+    explicit constexpr stored(T const& its_value) noexcept : value_{its_value} {}
     [[nodiscard]] constexpr T const& get() const noexcept { return value_; }
 
 private:

@@ -19,10 +19,10 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 template <std::size_t Size> struct hex_literal {
     char literal[Size]{};
 
-    consteval hex_literal(char const (&source)[Size]) noexcept
+    consteval hex_literal(char const (&text)[Size]) noexcept
     {
         for (std::size_t i = 0; i < Size; ++i) {
-            literal[i] = source[i];
+            literal[i] = text[i];
         }
     }
 

@@ -129,15 +129,15 @@ public:
     template <typename OtherScale>
         requires(not is_finer<OtherScale, Scale> or
                  not holds_all<std::int64_t, Rep>(std::ratio_divide<OtherScale, Scale>::num))
-    consteval quantity(quantity<Dimension, std::int64_t, OtherScale> other) noexcept
-        : count_{static_cast<Rep>(other.count() * std::ratio_divide<OtherScale, Scale>::num /
+    consteval quantity(quantity<Dimension, std::int64_t, OtherScale> another) noexcept
+        : count_{static_cast<Rep>(another.count() * std::ratio_divide<OtherScale, Scale>::num /
                                   std::ratio_divide<OtherScale, Scale>::den)}
     {
         using factor = std::ratio_divide<OtherScale, Scale>;
-        if (other.count() * factor::num % factor::den != 0) {
+        if (another.count() * factor::num % factor::den != 0) {
             this_amount_is_not_a_whole_number_of_steps();
         }
-        if (not std::in_range<Rep>(other.count() * factor::num / factor::den)) {
+        if (not std::in_range<Rep>(another.count() * factor::num / factor::den)) {
             this_amount_does_not_fit_the_target();
         }
     }

@@ -51,7 +51,7 @@ template <typename T> class [[nodiscard]] result {
 public:
     using value_type = T;
 
-    constexpr result(T const& value) noexcept : value_{value} {}
+    constexpr result(T const& its_value) noexcept : value_{its_value} {}
 
     /// A failure; `error` is not zero.
     constexpr result(errc error) noexcept : nothing_{}, error_{error}

@@ -234,7 +234,7 @@ class frame_receiver : public frame_cutter<frame_receiver<Way, Line, Front>, Way
     friend line_silence<frame_receiver, Way>;
 
 public:
-    explicit constexpr frame_receiver(line_timing const& timing) noexcept : line_{timing} {}
+    explicit constexpr frame_receiver(line_timing const& its_timing) noexcept : line_{its_timing} {}
     constexpr frame_receiver() noexcept requires is_constant<Line> : bytes_{} {}
 
 private:

@@ -95,7 +95,7 @@ public:
     /// In the interrupt: a byte arrived damaged (parity, framing). Call it in place of `receive`.
     constexpr void receive_error(instant at) noexcept
     {
-        put(kind::error, {}, at);
+        put(kind::damage, {}, at);
         publish();
     }
 
@@ -147,7 +147,7 @@ public:
     [[nodiscard]] constexpr std::uint32_t overflows() const noexcept { return overflows_; }
 
 private:
-    enum class kind : std::uint8_t { byte, error, overrun, sent, drop };
+    enum class kind : std::uint8_t { byte, damage, overrun, sent, drop };
 
     /// Two places are always kept free for "sent": the second is for a drop that must come before it.
     static constexpr std::size_t kept_for_sent = 2;
@@ -206,7 +206,7 @@ private:
         detail::store(out_, next(out_));
         switch (what) {
         case kind::byte: break;
-        case kind::error: engine.receive_error(at); break;
+        case kind::damage: engine.receive_error(at); break;
         case kind::overrun: detail::report_overrun(engine, at); break;
         case kind::sent: engine.sent(at); break;
         case kind::drop:

@@ -57,7 +57,7 @@ result<void> serve_pass(Server& node, Port& port, duration time_limit, Serve&& s
 template <typename Diagnostics, typename Functions, typename Port, typename Bank>
 result<void> serve_once(basic_server<Diagnostics, Functions>& node, Port& port, Bank& bank, duration time_limit)
 {
-    return serve_pass(node, port, time_limit, [&](instant now) { node.serve(bank, now); });
+    return serve_pass(node, port, time_limit, [&](instant at) { node.serve(bank, at); });
 }
 
 /// The same for a server of several units, which knows its banks.

@@ -106,11 +106,11 @@ private:
 template <auto const& Objects> [[nodiscard]] consteval auto bytes_of() noexcept
 {
     constexpr std::size_t size = [] {
-        std::size_t sum = 0;
+        std::size_t all = 0;
         for (device_object const& each : Objects) {
-            sum += device_objects::head_size + each.value.size();
+            all += device_objects::head_size + each.value.size();
         }
-        return sum;
+        return all;
     }();
     std::array<std::byte, size> bytes{};
     byte_writer out{bytes};

@@ -80,7 +80,7 @@ template <typename Functions, typename Bank>
     errc wrong = errc::none;
     if (reads) {
         wrong = with_registers<Functions>(
-            function, bank, [&](auto& from) { return from.check_read(asked.read_start, asked.read_count); });
+            function, bank, [&](auto& space) { return space.check_read(asked.read_start, asked.read_count); });
     }
     if constexpr (register_accesses<Functions>::holding > 0) {
         static_assert(register_bank<Bank>, "a server of functions 03, 06, 16 or 23 needs a register_bank");
@@ -93,7 +93,7 @@ template <typename Functions, typename Bank>
     }
     if (wrong == errc::none and reads) {
         wrong = with_registers<Functions>(
-            function, bank, [&](auto& from) { return from.read(asked.read_start, asked.read_count, out); });
+            function, bank, [&](auto& space) { return space.read(asked.read_start, asked.read_count, out); });
     }
     return wrong;
 }

@@ -88,13 +88,13 @@ public:
     }
 
     /// Listens as `unit`; the profile, and the objects in it, must outlive the server.
-    constexpr basic_server(unit_id unit, line_timing const& timing, server_profile const& profile) noexcept
-        : engine{one_unit{unit.byte()}, timing, profile}
+    constexpr basic_server(unit_id its_unit, line_timing const& its_timing, server_profile const& its_profile) noexcept
+        : engine{one_unit{its_unit.byte()}, its_timing, its_profile}
     {}
 
     /// Listens as `unit` with every function and the specification's limits, without identification.
-    constexpr basic_server(unit_id unit, line_timing const& timing) noexcept
-        : basic_server{unit, timing, engine::default_profile}
+    constexpr basic_server(unit_id its_unit, line_timing const& its_timing) noexcept
+        : basic_server{its_unit, its_timing, engine::default_profile}
     {}
 
     basic_server(unit_id, line_timing const&, server_profile&&) = delete;

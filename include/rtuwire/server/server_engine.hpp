@@ -153,8 +153,8 @@ public:
 protected:
     static constexpr server_profile default_profile{};
 
-    constexpr server_engine(Units const& units, line_timing const& timing, server_profile const& profile) noexcept
-        : units_{units}, profile_{&profile}, framer_{timing}
+    constexpr server_engine(Units const& units, line_timing const& its_line, server_profile const& allowed) noexcept
+        : units_{units}, profile_{&allowed}, framer_{its_line}
     {}
 
     constexpr void set_units(Units const& units) noexcept { units_ = units; }

@@ -34,8 +34,9 @@ namespace rtuwire::inline RTUWIRE_BUILD::sim {
 /// Internal.
 template <register_bank Bank> class bank_unit {
 public:
-    constexpr bank_unit(unit_id address, line_timing const& line, Bank& bank, server_profile const& profile) noexcept
-        : node_{address, line, profile}, bank_{&bank}
+    constexpr bank_unit(unit_id its_address, line_timing const& its_line, Bank& bank,
+                        server_profile const& its_profile) noexcept
+        : node_{its_address, its_line, its_profile}, bank_{&bank}
     {}
 
     constexpr void receive(byte_view bytes, instant now) noexcept { node_.receive(bytes, now); }
@@ -92,8 +93,9 @@ template <typename Link, typename Line, line_end... Units> class basic_bench {
 public:
     /// `link` is the client or bus, or the times of its line; the others describe the units.
     template <typename From, typename... Ends>
-    constexpr basic_bench(line_timing const& timing, Line const& wire, From const& link, Ends const&... ends) noexcept
-        : ends_{end_maker{timing}, link, ends...}, wire_{wire}
+    constexpr basic_bench(line_timing const& its_timing, Line const& wire, From const& link,
+                          Ends const&... ends) noexcept
+        : ends_{end_maker{its_timing}, link, ends...}, wire_{wire}
     {}
 
     /// The client or bus.
@@ -284,8 +286,8 @@ public:
 
     /// The same with the times of the line instead of a client of one's own.
     template <typename... Ends>
-    explicit constexpr bench(line_timing const& timing, Ends const&... ends) noexcept
-        : base{timing, line{timing, 1}, timing, ends...}
+    explicit constexpr bench(line_timing const& its_timing, Ends const&... ends) noexcept
+        : base{its_timing, line{its_timing, 1}, its_timing, ends...}
     {}
 };
 

@@ -222,7 +222,7 @@ template <auto const& R> inline constexpr bool is_setting<setting<R>> = true;
 /// Internal.
 template <typename Value> class value_to_check {
 public:
-    explicit constexpr value_to_check(Value value) noexcept : value_{value} {}
+    explicit constexpr value_to_check(Value its_value) noexcept : value_{its_value} {}
 
     template <typename Setting>
         requires(is_setting<Setting>)

@@ -21,8 +21,8 @@ template <drive_type Device> class cycle_preparation {
     using words = cycle_layout<Device>;
 
 public:
-    explicit constexpr cycle_preparation(supervision_options const& options) noexcept
-        : options_{options}, check_{Device::layout, options}
+    explicit constexpr cycle_preparation(supervision_options const& its_options) noexcept
+        : options_{its_options}, check_{Device::layout, its_options}
     {}
 
     /// Discards the result: everything is read again.

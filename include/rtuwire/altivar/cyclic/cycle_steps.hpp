@@ -29,10 +29,10 @@ template <drive_type Device> class cycle_steps {
     using step = cycle_step;
 
 public:
-    constexpr cycle_steps(unit_id unit, cyclic_options const& options) noexcept
-        : agenda_{words::fits_function_23 and options.by_function_23 ? step::exchange : step::read},
-          preparation_{options.supervision}, period_{options.period}, wanted_period_{options.period}, frames_{unit},
-          tolerated_misses_{options.tolerated_misses}
+    constexpr cycle_steps(unit_id its_unit, cyclic_options const& its_options) noexcept
+        : agenda_{words::fits_function_23 and its_options.by_function_23 ? step::exchange : step::read},
+          preparation_{its_options.supervision}, period_{its_options.period},
+          wanted_period_{its_options.period}, frames_{its_unit}, tolerated_misses_{its_options.tolerated_misses}
     {}
 
     /// The user's orders. An order to run is accepted only for a drive that was checked.

@@ -35,9 +35,9 @@ public:
     static constexpr conversation_properties properties{
         .urgency = urgency::stop_of_unit, .repetition = repetition::never, .freshness = freshness::when_free};
 
-    explicit constexpr cyclic(station<Device> const& drive, cyclic_options const& options = {}) noexcept
-        : steps_{drive.unit(), options}, enable_timeout_{options.enable_timeout}, tolerated_misses_{
-                                                                                      options.tolerated_misses}
+    explicit constexpr cyclic(station<Device> const& its_drive, cyclic_options const& its_options = {}) noexcept
+        : steps_{its_drive.unit(), its_options}, enable_timeout_{its_options.enable_timeout},
+          tolerated_misses_{its_options.tolerated_misses}
     {}
 
     /// Orders operation at a speed (a frequency where the drive's cycle writes one), negative in reverse. False, with

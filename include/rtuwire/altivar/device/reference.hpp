@@ -53,8 +53,8 @@ public:
     {}
 
     template <std::integral Rep, typename Scale>
-    consteval reference(quantity<frequency, Rep, Scale> value) noexcept
-        : write_{Device::frequency_reference.address, hertz_setting{value}.word()}
+    consteval reference(quantity<frequency, Rep, Scale> its_value) noexcept
+        : write_{Device::frequency_reference.address, hertz_setting{its_value}.word()}
     {}
 
     /// A setting that was checked at run time.

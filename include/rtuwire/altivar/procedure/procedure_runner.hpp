@@ -27,8 +27,8 @@ public:
     static constexpr conversation_properties properties{.urgency = urgency::stop_of_unit,
                                                         .freshness = freshness::when_free};
 
-    constexpr procedure_runner(unit_id unit, Script const& procedure, duration limit) noexcept
-        : procedure_{procedure}, limit_{limit}, unit_{unit}
+    constexpr procedure_runner(unit_id its_unit, Script const& procedure, duration its_limit) noexcept
+        : procedure_{procedure}, limit_{its_limit}, unit_{its_unit}
     {}
 
     /// Processes the time: starts the clock, ends pauses, and ends the conversation at its limit.

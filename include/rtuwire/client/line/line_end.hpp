@@ -41,8 +41,8 @@ class line_end
     friend detail::line_silence<line_end, direction::response>;
 
 public:
-    explicit constexpr line_end(line_timing const& timing, client_options const& options = {}) noexcept
-        : options_{options}, line_{timing}, bytes_{}
+    explicit constexpr line_end(line_timing const& its_timing, client_options const& its_options = {}) noexcept
+        : options_{its_options}, line_{its_timing}, bytes_{}
     {}
 
     /// For a constant line and constant options. Zero-initialised, so a `constinit` client lives in .bss.

@@ -37,15 +37,16 @@ protected:
         bool has_responded{false};
     };
 
-    constexpr bus_slots(line_timing const& line, client_options const& options, bus_options const& share) noexcept
-        : client_{line, options}, share_{share}
+    constexpr bus_slots(line_timing const& its_line, client_options const& its_options,
+                        bus_options const& share) noexcept
+        : client_{its_line, its_options}, share_{share}
     {
         constexpr std::uint8_t all = 100;
         std::uint8_t const wanted = share.silent_share;
         share_.silent_share = wanted == 0 ? std::uint8_t{1} : wanted < all ? wanted : all;
         for (slot& each : slots_) {
-            each.options.with.response_timeout = options.response_timeout;
-            each.options.with.retries = options.retries;
+            each.options.with.response_timeout = its_options.response_timeout;
+            each.options.with.retries = its_options.retries;
         }
     }
 

@@ -49,7 +49,7 @@ public:
     constexpr word_bank() noexcept = default;
 
     /// Words from address `first`, all zero. Those past address 65535 are never reached.
-    explicit constexpr word_bank(std::uint16_t first) noexcept : first_{first} {}
+    explicit constexpr word_bank(std::uint16_t its_first) noexcept : first_{its_first} {}
 
     /// Whether a register exists.
     [[nodiscard]] constexpr bool contains(std::uint16_t address) const noexcept { return holds(address, 1); }

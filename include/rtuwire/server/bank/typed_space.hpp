@@ -95,10 +95,10 @@ template <auto const&... Registers> [[nodiscard]] consteval auto rules_of() noex
             highest<Registers>(), listed_words<value_of<Registers>>(), Registers.gap}...};
     } else {
         std::uint16_t next = 0;
-        auto const take = [&next](std::uint16_t count) {
-            std::uint16_t const first = next;
-            next = static_cast<std::uint16_t>(next + count);
-            return first;
+        auto const take = [&next](std::uint16_t its_words) {
+            std::uint16_t const its_first = next;
+            next = static_cast<std::uint16_t>(next + its_words);
+            return its_first;
         };
         return std::array<value_rule, sizeof...(Registers)>{
             value_rule{Registers.address, Registers.word_count, take(Registers.word_count),
@@ -213,9 +213,9 @@ private:
     {
         std::array<std::uint16_t, (std::size_t{Registers.word_count} + ... + 0U)> words{};
         [[maybe_unused]] std::size_t at = 0;
-        [[maybe_unused]] auto const put = [&](auto const& from) {
-            for (std::uint16_t const word : from) {
-                words[at++] = word;
+        [[maybe_unused]] auto const put = [&](auto const& several) {
+            for (std::uint16_t const each : several) {
+                words[at++] = each;
             }
         };
         (put(factory_words<Registers>()), ...);

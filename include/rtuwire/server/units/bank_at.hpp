@@ -25,8 +25,8 @@ template <register_bank Bank> struct bank_at {
     Bank& bank;
     server_profile const& profile;
 
-    constexpr bank_at(unit_id unit, Bank& served, server_profile const& allowed = every_function) noexcept
-        : address{unit}, bank{served}, profile{allowed}
+    constexpr bank_at(unit_id its_unit, Bank& served, server_profile const& allowed = every_function) noexcept
+        : address{its_unit}, bank{served}, profile{allowed}
     {}
     bank_at(unit_id, Bank&, server_profile const&&) = delete;
 

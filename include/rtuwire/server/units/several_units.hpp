@@ -27,7 +27,9 @@ public:
 };
 template <typename First, typename... Rest> class unit_list<First, Rest...> {
 public:
-    explicit constexpr unit_list(First const& first, Rest const&... rest) noexcept : first_{first}, rest_{rest...} {}
+    explicit constexpr unit_list(First const& its_first, Rest const&... rest) noexcept
+        : first_{its_first}, rest_{rest...}
+    {}
 
     /// Calls `visit` with each `bank_at`.
     template <typename Visit> constexpr void for_each(Visit&& visit) const noexcept
@@ -119,8 +121,8 @@ class several_units : public server_engine<Diagnostics, unit_set<Entries...>> {
     using engine = server_engine<Diagnostics, unit_set<Entries...>>;
 
 public:
-    explicit constexpr several_units(line_timing const& timing, Entries const&... entries) noexcept
-        : engine{unit_set<Entries...>{entries...}, timing, engine::default_profile}
+    explicit constexpr several_units(line_timing const& its_timing, Entries const&... entries) noexcept
+        : engine{unit_set<Entries...>{entries...}, its_timing, engine::default_profile}
     {}
 
     /// Calls `advance`; then executes the waiting request and prepares the response.

@@ -79,7 +79,7 @@ template <device_type Device> class channels {
     static constexpr register_index<Device> at{};
 
 public:
-    explicit constexpr channels(image<Device> const& registers) noexcept : registers_{registers} {}
+    explicit constexpr channels(image<Device> const& its_registers) noexcept : registers_{its_registers} {}
 
     [[nodiscard]] constexpr channel_choice choose(logic_inputs const& inputs) const noexcept
     {

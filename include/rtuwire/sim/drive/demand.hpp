@@ -26,9 +26,9 @@ template <device_type Device> class demand {
 
 public:
     /// `analog` is the reference at the terminals, in mHz.
-    constexpr demand(image<Device> const& registers, control const& commands, std::int32_t analog,
+    constexpr demand(image<Device> const& its_registers, control const& commands, std::int32_t analog,
                      bool is_link_lost) noexcept
-        : registers_{registers}, commands_{commands}, analog_{analog}, is_link_lost_{is_link_lost}
+        : registers_{its_registers}, commands_{commands}, analog_{analog}, is_link_lost_{is_link_lost}
     {}
 
     /// The reference, in mHz, before the limits and without the direction of the command.

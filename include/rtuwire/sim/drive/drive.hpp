@@ -51,10 +51,10 @@ public:
     using base::state_machine;
 
     /// Powered up at `now`, commissioned: Modbus commands it, and it has a unit address.
-    explicit constexpr drive(instant now, std::uint16_t address = 1) noexcept
+    explicit constexpr drive(instant power_on, std::uint16_t address = 1) noexcept
     {
         memory_.commission(registers_, address);
-        power_up(now);
+        power_up(power_on);
     }
 
     /// Lets time pass: the motor follows its ramp, the link may be lost.

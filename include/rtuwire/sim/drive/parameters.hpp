@@ -51,7 +51,7 @@ template <device_type Device> class parameters {
     static constexpr register_index<Device> at{};
 
 public:
-    explicit constexpr parameters(image<Device> const& registers) noexcept : registers_{registers} {}
+    explicit constexpr parameters(image<Device> const& its_registers) noexcept : registers_{its_registers} {}
 
     [[nodiscard]] constexpr motor_settings motor() const noexcept
     {

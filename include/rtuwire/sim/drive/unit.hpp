@@ -44,13 +44,14 @@ template <device_type Device> class unit {
     static_assert(drive_needs<Device>::met);
 
 public:
-    constexpr unit(unit_id address, line_timing const& line, instant now) noexcept
-        : unit{address, line, now, line_profile<Device>::value}
+    constexpr unit(unit_id its_address, line_timing const& its_line, instant power_on) noexcept
+        : unit{its_address, its_line, power_on, line_profile<Device>::value}
     {}
 
     /// Identifies itself otherwise than its manual prints; the profile must outlive the unit.
-    constexpr unit(unit_id address, line_timing const& line, instant now, server_profile const& profile) noexcept
-        : node_{address, line, profile}, drive_{now, address.byte()}, line_{drive_.line()}
+    constexpr unit(unit_id its_address, line_timing const& its_line, instant power_on,
+                   server_profile const& its_profile) noexcept
+        : node_{its_address, its_line, its_profile}, drive_{power_on, its_address.byte()}, line_{drive_.line()}
     {}
 
     constexpr void receive(byte_view bytes, instant now) noexcept

@@ -72,9 +72,9 @@ public:
     /// The nearest to a quantity: `real<kilowatt_hours> least = 2.5_kWh`.
     template <any_quantity Amount>
         requires(std::same_as<typename Amount::dimension, dimension>)
-    constexpr real(Amount amount) noexcept
+    constexpr real(Amount measured) noexcept
         : count_{static_cast<Float>(
-              scaled_by_ratio<std::ratio_divide<typename Amount::scale, scale>>(static_cast<double>(amount.count())))}
+              scaled_by_ratio<std::ratio_divide<typename Amount::scale, scale>>(static_cast<double>(measured.count())))}
     {}
 
     [[nodiscard]] constexpr Float count() const noexcept { return count_; }

@@ -39,11 +39,11 @@ template <typename Float> class fixed_point {
     static constexpr std::size_t size = behind + layout::words_before_point;
 
 public:
-    explicit constexpr fixed_point(typename layout::bits bits) noexcept
+    explicit constexpr fixed_point(typename layout::bits its_bits) noexcept
     {
         constexpr typename layout::bits one = 1;
-        typename layout::bits const fraction = bits & ((one << layout::fraction_bits) - 1U);
-        auto const exponent = static_cast<unsigned>((bits >> layout::fraction_bits) & layout::largest_exponent);
+        typename layout::bits const fraction = its_bits & ((one << layout::fraction_bits) - 1U);
+        auto const exponent = static_cast<unsigned>((its_bits >> layout::fraction_bits) & layout::largest_exponent);
         // The lowest bit of the smallest number stands one place lower than in an exponent of 1, which 0 stands for.
         unsigned const place = static_cast<unsigned>(32U * behind) - lowest_place + (exponent == 0 ? 0 : exponent - 1U);
         put(fraction | (exponent == 0 ? 0 : one << layout::fraction_bits), place);

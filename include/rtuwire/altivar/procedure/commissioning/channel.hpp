@@ -300,9 +300,10 @@ private:
 class set_channel : public procedure_runner<channel_procedure> {
 public:
     template <device_type Device>
-    constexpr set_channel(station<Device> const& drive, channel_settings<Device> const& wanted,
-                          terminal_options const& options = {}, duration limit = milliseconds(10'000)) noexcept
-        : procedure_runner{drive.unit(), channel_procedure{drive_check<Device>::layout, wanted.words(), options}, limit}
+    constexpr set_channel(station<Device> const& its_drive, channel_settings<Device> const& wanted,
+                          terminal_options const& its_options = {}, duration its_limit = milliseconds(10'000)) noexcept
+        : procedure_runner{its_drive.unit(),
+                           channel_procedure{drive_check<Device>::layout, wanted.words(), its_options}, its_limit}
     {}
 
     /// The register that the outcome is about; 0 for none.

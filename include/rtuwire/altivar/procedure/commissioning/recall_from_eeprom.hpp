@@ -35,9 +35,9 @@ public:
 class recall_from_eeprom : public procedure_runner<recall_procedure> {
 public:
     template <device_type Device>
-    explicit constexpr recall_from_eeprom(station<Device> const& drive, terminal_options const& options = {},
-                                          duration limit = milliseconds(8'000)) noexcept
-        : procedure_runner{drive.unit(), recall_procedure{drive_check<Device>::layout, options}, limit}
+    explicit constexpr recall_from_eeprom(station<Device> const& its_drive, terminal_options const& its_options = {},
+                                          duration its_limit = milliseconds(8'000)) noexcept
+        : procedure_runner{its_drive.unit(), recall_procedure{drive_check<Device>::layout, its_options}, its_limit}
     {
         static_assert((drive_check<Device>::layout.cmi_orders & recall_bit) != 0,
                       "this device cannot recall its saved settings over the line");

@@ -30,7 +30,10 @@ struct identity {
 /// end; `buffer_too_small` for a text over 48 characters.
 template <device_type Device> class identify : public finite_conversation {
 public:
-    explicit constexpr identify(station<Device> const& drive) noexcept : unit_{drive.unit()} { prepare(vendor_name); }
+    explicit constexpr identify(station<Device> const& its_drive) noexcept : unit_{its_drive.unit()}
+    {
+        prepare(vendor_name);
+    }
 
     constexpr std::optional<request_frame> next() const noexcept
     {

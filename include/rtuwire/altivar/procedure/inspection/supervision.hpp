@@ -164,9 +164,9 @@ private:
 class check_supervision : public procedure_runner<supervision_procedure> {
 public:
     template <device_type Device>
-    explicit constexpr check_supervision(station<Device> const& drive, supervision_options const& options = {},
-                                         duration limit = milliseconds(10'000)) noexcept
-        : procedure_runner{drive.unit(), supervision_procedure{drive_check<Device>::layout, options}, limit}
+    explicit constexpr check_supervision(station<Device> const& its_drive, supervision_options const& its_options = {},
+                                         duration its_limit = milliseconds(10'000)) noexcept
+        : procedure_runner{its_drive.unit(), supervision_procedure{drive_check<Device>::layout, its_options}, its_limit}
     {}
 
     /// Whether the drive may be ordered, accepted risks included.

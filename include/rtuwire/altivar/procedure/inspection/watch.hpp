@@ -41,8 +41,8 @@ public:
     static constexpr conversation_properties properties{.repetition = repetition::never,
                                                         .freshness = freshness::when_free};
 
-    explicit constexpr watch(station<Device> const& drive, watch_options const& options = {}) noexcept
-        : options_{options}, unit_{drive.unit()}
+    explicit constexpr watch(station<Device> const& its_drive, watch_options const& its_options = {}) noexcept
+        : options_{its_options}, unit_{its_drive.unit()}
     {}
 
     /// The state that the drive reported; `unknown` before the first complete round.

@@ -129,8 +129,8 @@ private:
 class reset_fault : public procedure_runner<reset_procedure> {
 public:
     template <device_type Device>
-    explicit constexpr reset_fault(station<Device> const& drive, duration limit = milliseconds(2'000)) noexcept
-        : procedure_runner{drive.unit(), reset_procedure{drive_check<Device>::layout}, limit}
+    explicit constexpr reset_fault(station<Device> const& its_drive, duration its_limit = milliseconds(2'000)) noexcept
+        : procedure_runner{its_drive.unit(), reset_procedure{drive_check<Device>::layout}, its_limit}
     {}
 };
 

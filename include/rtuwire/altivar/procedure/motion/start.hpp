@@ -315,13 +315,13 @@ private:
 class start : public procedure_runner<start_procedure> {
 public:
     template <device_type Device>
-    constexpr start(station<Device> const& drive, std::type_identity_t<reference<Device>> const& at,
-                    run_direction direction = run_direction::forward, duration limit = milliseconds(3'000),
-                    supervision_options const& options = {}) noexcept
-        : procedure_runner{drive.unit(),
+    constexpr start(station<Device> const& its_drive, std::type_identity_t<reference<Device>> const& at,
+                    run_direction direction = run_direction::forward, duration its_limit = milliseconds(3'000),
+                    supervision_options const& its_options = {}) noexcept
+        : procedure_runner{its_drive.unit(),
                            start_procedure{drive_check<Device>::layout, at.write(), direction,
-                                           supervision_procedure{drive_check<Device>::layout, options}},
-                           limit}
+                                           supervision_procedure{drive_check<Device>::layout, its_options}},
+                           its_limit}
     {}
     template <device_type Device>
     constexpr start(station<Device> const& drive, std::type_identity_t<reference<Device>> const& at,

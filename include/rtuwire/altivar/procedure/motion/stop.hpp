@@ -323,9 +323,10 @@ private:
 class stop : public procedure_runner<stop_procedure> {
 public:
     template <device_type Device>
-    explicit constexpr stop(station<Device> const& drive, stop_by mode = stop_by::ramp,
-                            duration limit = milliseconds(30'000), word_meaning known = word_meaning::unknown) noexcept
-        : procedure_runner{drive.unit(), stop_procedure{drive_check<Device>::layout, mode, known}, limit}
+    explicit constexpr stop(station<Device> const& its_drive, stop_by its_mode = stop_by::ramp,
+                            duration its_limit = milliseconds(30'000),
+                            word_meaning known = word_meaning::unknown) noexcept
+        : procedure_runner{its_drive.unit(), stop_procedure{drive_check<Device>::layout, its_mode, known}, its_limit}
     {}
 };
 

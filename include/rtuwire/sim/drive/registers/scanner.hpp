@@ -20,7 +20,9 @@ template <device_type Device> class scanner_half {
 
 public:
     /// Takes the address of its first word and that of the register with the target of this word.
-    constexpr scanner_half(std::uint16_t words, std::uint16_t targets) noexcept : words_{words}, targets_{targets} {}
+    constexpr scanner_half(std::uint16_t its_words, std::uint16_t targets) noexcept
+        : words_{its_words}, targets_{targets}
+    {}
 
     /// Whether a register is one of its words.
     [[nodiscard]] constexpr bool has(std::size_t place) const noexcept { return slot_of(place) < slot_count; }
