@@ -48,8 +48,7 @@ int main()
     inside.set<meter::exported>(70_kWh);
     inside.set<meter::scale>(signed_count16{-1});
     inside.set<restepped<meter::own_load, meter::load>>(-12.3_W);
-    sim::bench bench{bus<2>{line_timing{19'200, character_format::even_8_1}}, drive,
-                     bank_at{far_meter.unit(), inside}};
+    sim::bench bench{bus<2>{line_timing{19'200, character_format::even_8_1}}, drive, bank_at{far_meter.unit(), inside}};
 
     // One request of eight registers: what is wide is never cut, and voltage and power are of one moment.
     using readings = read_plan<meter::device, meter::energy, meter::exported, together<meter::voltage, meter::load>>;
