@@ -144,9 +144,6 @@ public:
     /// Whether a request waits for `serve`.
     [[nodiscard]] constexpr bool is_asked() const noexcept { return phase_ == phase::asked; }
 
-    /// The timing of its line.
-    [[nodiscard]] constexpr line_timing const& line() const noexcept { return framer_.line(); }
-
     /// How long after its request, and the silence that may have ended that, the sending of a response may start; and
     /// how long after its last character `sent` may be called. Later its client may have timed out, and take the
     /// response for one to another request; no client waits less for a response. A transmitter that has not started,
