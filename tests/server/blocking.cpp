@@ -72,7 +72,8 @@ struct station_of_one {
 
 } // namespace
 
-TEST_CASE("a request that lies in the port is answered behind a silence, and may take a second to send")
+TEST_CASE(
+    "a request that lies in the port is answered behind a silence, and may take a second more to send than it has to")
 {
     station_of_one it;
     it.settle();
@@ -80,7 +81,28 @@ TEST_CASE("a request that lies in the port is answered behind a silence, and may
     CHECK(it.is_asked());
     CHECK(it.port.clock - before == timing.t3_5());
     CHECK(it.port.sent == std::vector<std::byte>(response.begin(), response.end()));
-    CHECK(it.port.for_writing == milliseconds(1'000));
+    CHECK(it.port.for_writing == milliseconds(1'200) + timing.characters(response.size()));
+}
+
+TEST_CASE("a port that sends at the speed of a slow line has the time that the longest response takes")
+{
+    for (std::uint32_t const rate : {300U, 1'200U, 2'400U}) {
+        INFO(rate << " bit/s");
+        played_port port;
+        server node{unit_id{7}, line_timing{rate, character_format::even_8_1}};
+        word_bank<125> bank;
+        auto const asked = encode(unit_id{7}, read_holding_registers{.start = 0, .count = 125});
+        REQUIRE(asked);
+        static_cast<void>(serve_once(node, port, bank, milliseconds(500)));
+        byte_view const bytes = *asked;
+        port.input.assign(bytes.begin(), bytes.end());
+        for (int passes = 0; passes < 3; ++passes) {
+            REQUIRE(serve_once(node, port, bank, milliseconds(1'000)));
+        }
+        REQUIRE(port.sent.size() == 255);
+        std::uint64_t const bits = 255U * 11U;
+        CHECK(port.for_writing.microseconds > bits * 1'000'000U / rate);
+    }
 }
 
 namespace {

@@ -3,6 +3,7 @@
 // A function of the bank's own: it answers, refuses, or leaves it to the server; and a client asks for it.
 #include <rtuwire/server/server.hpp>
 
+#include <algorithm>
 #include <optional>
 
 #include "support/catch.hpp"
@@ -137,4 +138,35 @@ TEST_CASE("a bank is asked for what the server has not itself, and only where th
     CHECK(same_bytes(told("01 00 00 00 01"_hex, none), "81 01"_hex));
     CHECK(bank.asked == 2);
     CHECK(same_bytes(told("42 12"_hex, none), "42 EE"_hex));
+}
+
+namespace {
+
+/// Says that its response is longer than its memory.
+struct overlong_bank : word_bank<4> {
+    std::size_t size;
+
+    explicit overlong_bank(std::size_t says) : size{says} {}
+    [[nodiscard]] std::optional<errc> respond(function_code, pdu_buffer& pdu) const
+    {
+        pdu.size = size;
+        return errc::none;
+    }
+};
+
+} // namespace
+
+TEST_CASE("a response of a function of the bank's own that is longer than a PDU is exception 04")
+{
+    constexpr auto asked = "41 01"_hex;
+    constexpr auto refusal = "C1 04"_hex;
+    constexpr std::size_t sizes[] = {254, 255, 256, 100'000};
+    std::array<std::byte, max_pdu_size> place{};
+    for (std::size_t const size : sizes) {
+        overlong_bank bank{size};
+        byte_view const told = respond(asked, bank, server_profile{}, place);
+        CHECK(std::equal(told.begin(), told.end(), refusal.begin(), refusal.end()));
+    }
+    overlong_bank longest{max_pdu_size};
+    CHECK(respond(asked, longest, server_profile{}, place).size() == max_pdu_size);
 }

@@ -15,7 +15,8 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Sends the response that is ready, if there is one. Errors: those of the port.
+/// Sends the response that is ready, if there is one; a port that writes at the line's speed has a second more than the
+/// server's own time limit, which counts the characters. Errors: those of the port.
 /// Internal.
 template <typename Server, typename Port> result<void> send_response(Server& node, Port& port)
 {
@@ -24,7 +25,7 @@ template <typename Server, typename Port> result<void> send_response(Server& nod
     if (frame.empty()) {
         return {};
     }
-    auto const written = port.write(frame, port.now() + write_limit);
+    auto const written = port.write(frame, *node.poll_deadline() + write_limit);
     node.sent(port.now());
     return written;
 }

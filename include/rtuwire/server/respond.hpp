@@ -122,7 +122,8 @@ template <typename Functions, typename Bank, typename Diagnostics>
     }
     if constexpr (answers_own_functions<Bank>) {
         if (not Functions::codes.contains(function)) {
-            return bank.respond(function, pdu).value_or(errc::illegal_function);
+            errc const wrong = bank.respond(function, pdu).value_or(errc::illegal_function);
+            return pdu.size > pdu.bytes.size() ? errc::server_device_failure : wrong;
         }
     }
     if constexpr (Functions::template contains<diagnostics<>>) {

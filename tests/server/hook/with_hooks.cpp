@@ -347,13 +347,33 @@ constexpr bool several_words_of_plain_ones()
     wide_unit unit;
     bool ok = same_bytes(unit.answer(unit.plain, "10 00 14 00 02 04 42 B4 00 00"_hex), "90 03"_hex);
     ok = same_bytes(unit.answer(unit.plain, "10 00 14 00 02 04 7F C0 00 00"_hex), "90 03"_hex) and ok; // no number
-    // Plain words can be written by halves: no whole value, no hook.
-    ok = same_bytes(unit.answer(unit.plain, "06 00 14 42 B4"_hex), "06 00 14 42 B4"_hex) and unit.acts == 0 and ok;
-    return ok and
-           same_bytes(unit.answer(unit.plain, "10 00 14 00 03 06 42 72 00 00 00 01"_hex), "10 00 14 00 03"_hex) and
+    // By halves, a value that the check refuses would be written without it: half a register is refused here, too,
+    // whichever half, and by itself or beside other words.
+    ok = same_bytes(unit.answer(unit.plain, "06 00 14 42 B4"_hex), "86 02"_hex) and unit.acts == 0 and ok;
+    ok = same_bytes(unit.answer(unit.plain, "06 00 15 00 00"_hex), "86 02"_hex) and ok;
+    ok = same_bytes(unit.answer(unit.plain, "10 00 13 00 02 04 00 07 42 B4"_hex), "90 02"_hex) and ok;
+    ok = same_bytes(unit.answer(unit.plain, "10 00 15 00 02 04 00 00 12 34"_hex), "90 02"_hex) and ok;
+    ok = same_bytes(unit.answer(unit.plain, "06 00 18 00 07"_hex), "06 00 18 00 07"_hex) and ok;
+    return ok and same_bytes(unit.answer(unit.plain, "10 00 14 00 03 06 42 72 00 00 00 01"_hex), "90 02"_hex) and
+           same_bytes(unit.answer(unit.plain, "10 00 14 00 02 04 42 72 00 00"_hex), "10 00 14 00 02"_hex) and
            unit.acts == 1;
 }
 PROOF("a bank of plain words may hold such a register, too", several_words_of_plain_ones)
+
+constexpr bool acts_on_whole_values_only()
+{
+    word_bank<8> plain{20};
+    int acts = 0;
+    auto served = with_hooks(plain).on_write<limit>([&](real<celsius>) { ++acts; });
+    std::array<std::byte, max_pdu_size> place{};
+    auto const answer = [&](byte_view pdu) { return respond(pdu, served, server_profile{}, place); };
+    bool ok =
+        same_bytes(answer("06 00 14 42 B4"_hex), "86 02"_hex) and same_bytes(answer("06 00 15 00 00"_hex), "86 02"_hex);
+    ok = same_bytes(answer("10 00 14 00 02 04 7F C0 00 00"_hex), "90 03"_hex) and plain.get(20) == 0 and acts == 0 and
+         ok;
+    return same_bytes(answer("10 00 14 00 02 04 42 B4 00 00"_hex), "10 00 14 00 02"_hex) and acts == 1 and ok;
+}
+PROOF("nothing is written that an action could not be told", acts_on_whole_values_only)
 
 // Callables without state take no room beside the bank's address.
 static_assert(sizeof(with_hooks(std::declval<word_bank<4>&>())) == sizeof(void*));

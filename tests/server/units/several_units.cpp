@@ -186,6 +186,18 @@ constexpr bool listens_only()
 }
 PROOF("the listen-only mode is the line's, and any of its units ends it", listens_only)
 
+constexpr bool is_silent_without_function_08()
+{
+    word_bank<4> io, meter;
+    server_profile const reads{.functions = function_set{function_code::read_holding_registers}};
+    on_a_line it{counting_server::for_units(timing, bank_at{three, io}, bank_at{four, meter, reads})};
+    bool ok = it.says(4, "08 00 01 00 00"_hex, "88 01"_hex) and it.says(3, "08 00 04 00 00"_hex, {});
+    ok = it.says(4, "08 00 01 00 00"_hex, {}) and it.says(4, "08 00 0D 00 00"_hex, {}) and ok;
+    ok = it.says(3, "03 00 00 00 01"_hex, {}) and ok;
+    return it.says(3, "08 00 01 00 00"_hex, {}) and it.says(3, "08 00 0D 00 00"_hex, "08 00 0D 00 00"_hex) and ok;
+}
+PROOF("the listen-only mode silences a unit whose profile has no function 08, too", is_silent_without_function_08)
+
 constexpr bool of_arrays()
 {
     word_bank<2> racks[3];

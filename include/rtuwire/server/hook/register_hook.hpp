@@ -19,8 +19,8 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// A register of a table. Its words are whole where a typed bank has checked them; they may be no value of it (a
-/// floating point number that is none) in a bank of plain words.
+/// A register of a table. Its words may be no value of it (a floating point number that is none) in a bank of plain
+/// words.
 template <auto const& R> struct typed_place {
     static constexpr std::uint16_t address = R.address;
     static constexpr std::size_t size = R.word_count;
@@ -48,6 +48,20 @@ template <typename Place>
     return address == place.address and words.size() - index >= Place::size;
 }
 
+/// Whether the word of a request at `index`, which goes to `address`, is of this register, and the request has not all of
+/// its words. Half a register passes no check and calls nothing, so it is not written: exception 02, as in a typed bank.
+template <typename Place>
+[[nodiscard]] constexpr bool splits([[maybe_unused]] Place const& place, [[maybe_unused]] std::uint32_t address,
+                                    [[maybe_unused]] register_view words, [[maybe_unused]] std::size_t index) noexcept
+{
+    if constexpr (Place::size == 1) {
+        return false;
+    } else {
+        std::uint32_t const offset = address - place.address; // far above the size in front of the register
+        return offset < Place::size and (offset > index or words.size() - index < Place::size - offset);
+    }
+}
+
 /// Whether a callable takes a value, and where it does, whether it returns a type.
 template <typename Callable, typename Value> inline constexpr bool takes = std::is_invocable_v<Callable, Value>;
 template <typename Returned, typename Callable, typename Value> inline constexpr bool gives = true;
@@ -63,6 +77,9 @@ template <typename Place, typename Callable> struct write_check {
 
     [[nodiscard]] constexpr errc check(std::uint32_t address, register_view words, std::size_t index) const noexcept
     {
+        if (splits(place, address, words, index)) {
+            return errc::illegal_data_address;
+        }
         if (not holds(place, address, words, index)) {
             return errc::none;
         }
@@ -77,7 +94,15 @@ template <typename Place, typename Callable> struct write_action {
     [[no_unique_address]] Place place;
     [[no_unique_address]] Callable call;
 
-    [[nodiscard]] static constexpr errc check(std::uint32_t, register_view, std::size_t) noexcept { return errc::none; }
+    [[nodiscard]] constexpr errc check(std::uint32_t address, register_view words, std::size_t index) const noexcept
+    {
+        if (splits(place, address, words, index)) {
+            return errc::illegal_data_address;
+        }
+        // What is no value could not be told.
+        return not holds(place, address, words, index) or place.value(words, index) ? errc::none
+                                                                                    : errc::illegal_data_value;
+    }
     constexpr void act(std::uint32_t address, register_view words, std::size_t index) noexcept
     {
         if (holds(place, address, words, index)) {
