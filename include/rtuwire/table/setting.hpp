@@ -15,6 +15,7 @@
 #include <rtuwire/core/units.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
+#include <rtuwire/table/restepped.hpp>
 #include <rtuwire/wire/errc.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
