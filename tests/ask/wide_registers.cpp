@@ -113,10 +113,44 @@ STATIC_CHECK(asks(write_all<meter::budget, meter::in_force, meter::setpoint>(uni
 STATIC_CHECK(asks(exchange<contiguous<meter::energy, meter::budget>, meter::budget>(unit, 70_kWh),
                   "03 17 00 28 00 04 00 2A 00 02 04 00 01 11 70"_hex));
 
+/// A count whose scale another register holds, to be written in steps that the program names.
+constexpr reg<signed_count16> own_scale{.code = "SF", .address = 3};
+constexpr reg<scaled_by<volts, own_scale>> level{.code = "L", .address = 4};
+constexpr reg<scaled_by<quantity<power, std::int16_t>, own_scale>> feed{.code = "F", .address = 5, .max = 100};
+constexpr reg<scaled_by<quantity<power, std::uint32_t>, own_scale, word_order::low_first>> drawn{.code = "M",
+                                                                                                 .address = 6};
+struct source {
+    static constexpr literal name{"source"};
+    static constexpr function_set functions = all_functions;
+    static constexpr device_limits limits{};
+    static constexpr unit_range units{};
+    static constexpr std::array<address_range, 0> readable{};
+    using registers = table<own_scale, level, feed, drawn>;
+};
+constexpr station<source> supply{unit_id{3}};
+
 template <typename Conversation> constexpr bool is_refused(Conversation conversation, errc why)
 {
     return conversation.settled() and not conversation.next() and conversation.outcome() == why;
 }
+
+constexpr bool writes_nothing_that_means_not_implemented()
+{
+    using watts_low_first = unsigned32<quantity<power, std::uint32_t>, word_order::low_first>;
+    std::int64_t const one = 1;
+    bool ok = asks(write_with_step<decivolts, level>(supply, checked(one * 6553.4_V)), "03 06 00 04 FF FE"_hex);
+    ok = ok and is_refused(write_with_step<decivolts, level>(supply, checked(one * 6553.5_V)), errc::value_too_high);
+    using own = quantity<power, std::int16_t>;
+    ok = ok and asks(write_with_step<own, feed>(supply, checked(-one * 32'767_W)), "03 06 00 05 80 01"_hex);
+    ok = ok and is_refused(write_with_step<own, feed>(supply, checked(-one * 32'768_W)), errc::value_too_low);
+    ok = ok and is_refused(write_with_step<own, feed>(supply, checked(one * 101_W)), errc::value_too_high);
+    ok = ok and asks(write_with_step<watts_low_first, drawn>(supply, checked(one * 4'294'967'294_W)),
+                     "03 10 00 06 00 02 04 FF FE FF FF"_hex);
+    return ok and is_refused(write_with_step<watts_low_first, drawn>(supply, checked(one * 4'294'967'295_W)),
+                             errc::value_too_high);
+}
+PROOF("what means \"not implemented\" in a count with a scale is never written",
+      writes_nothing_that_means_not_implemented)
 
 constexpr bool checks_wide_values()
 {

@@ -160,6 +160,14 @@ TEST_CASE("what 64 bits do not hold stays out of range, on its side")
     CHECK((span{0x1'FFFF'FFFF} * 0x3FFF'FFFF).count() == 0x7FFF'FFFD'C000'0001);
     CHECK((one * (std::numeric_limits<std::uint64_t>::max)()).count() == most);
     CHECK((one / (std::numeric_limits<std::uint64_t>::max)()).count() == 0);
+    CHECK((-1 * one * (std::numeric_limits<std::uint64_t>::max)()).count() == least);
+    CHECK((0 * one * (std::numeric_limits<std::uint64_t>::max)()).count() == 0);
+    CHECK((span{least + 1} / (std::numeric_limits<std::uint64_t>::max)()).count() == 0);
+    CHECK((span{least} / (std::numeric_limits<std::uint64_t>::max)()).count() == least);
+    using thousands = quantity<span::dimension, std::int64_t, std::ratio_multiply<span::scale, std::kilo>>;
+    CHECK(truncated_to<thousands>(long_away * 2).count() == most);
+    CHECK(truncated_to<thousands>(long_ago * 2).count() == least);
+    CHECK(truncated_to<thousands>(span{5'999}).count() == 5);
 }
 
 TEST_CASE("a division by 0 is out of range, and no undefined behaviour")

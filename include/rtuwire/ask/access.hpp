@@ -20,6 +20,7 @@
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/form/form_setting.hpp>
 #include <rtuwire/table/key_range.hpp>
+#include <rtuwire/table/restepped.hpp>
 #include <rtuwire/table/setting.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 #include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>

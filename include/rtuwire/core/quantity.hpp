@@ -203,8 +203,10 @@ template <typename Target, std::integral Rep, typename Scale>
     using to = std::numeric_limits<target_rep>;
     using wide = std::numeric_limits<std::int64_t>;
     std::int64_t const count = amount.count();
-    bool const is_above = count > (wide::max)() / factor::num;
-    bool const is_below = count < (wide::min)() / factor::num;
+    // The ends of 64 bits are out of range, and stay so.
+    constexpr bool has_ends = sizeof(Rep) == sizeof(std::int64_t);
+    bool const is_above = count > (wide::max)() / factor::num or (has_ends and count == (wide::max)());
+    bool const is_below = count < (wide::min)() / factor::num or (has_ends and count == (wide::min)());
     std::int64_t const steps = is_above ? (wide::max)() : is_below ? (wide::min)() : count * factor::num / factor::den;
     if (is_above or std::cmp_greater(steps, (to::max)())) {
         this_amount_does_not_fit_the_target();

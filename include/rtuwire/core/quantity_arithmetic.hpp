@@ -304,7 +304,9 @@ template <any_quantity Amount, plain_integer Integer>
     if constexpr (is_narrow) {
         return multiple{static_cast<rep>(rep{amount.count()} * rep{times})};
     } else {
-        return multiple{product_of_counts(amount.count(), as_factor(times))};
+        // Of -1 times an end for a number above 64 bits, the product would fit.
+        bool const is_beyond = not std::in_range<std::int64_t>(times) and amount.count() < 0;
+        return multiple{product_of_counts(is_beyond ? below_all : amount.count(), as_factor(times))};
     }
 }
 template <any_quantity Amount, plain_integer Integer>
@@ -340,7 +342,8 @@ template <any_quantity Amount, plain_integer Integer>
             return part{std::int64_t{std::int32_t{amount.count()} / by}};
         }
     }
-    return part{quotient_of_counts(amount.count(), as_factor(divisor))};
+    bool const is_none = not std::in_range<std::int64_t>(divisor) and not is_out_of_range(amount.count());
+    return part{is_none ? 0 : quotient_of_counts(amount.count(), as_factor(divisor))};
 }
 
 } // namespace rtuwire

@@ -205,6 +205,7 @@ template <typename T, register_space Space = register_space::holding> struct reg
     literal steps_set_by = no_text;  ///< the register that sets the size of a step, where one does
     count_range gap = no_gap;        ///< inside the limits, but never to be written
     void const* counted_as{nullptr}; ///< the register that this one counts in other steps
+    bool is_restepped{false};        ///< whether `counted_as` names one: GCC with -fsanitize=undefined does not ask it
 };
 
 /// A register that only function 04 reads; a bit that function 01 reads and 05 writes; one that only 02 reads.
@@ -321,27 +322,5 @@ template <auto const& R> inline constexpr bool has_readable_steps = R.steps_set_
 /// Whether a register's steps are always the same size.
 /// Internal.
 template <auto const& R> inline constexpr bool has_own_steps = has_readable_steps<R> and not has_scale_register<R>;
-
-/// The address of a register that is counted in other steps; these have as many words.
-/// Internal.
-template <typename Step, auto const& R> [[nodiscard]] consteval std::uint16_t restepped_address() noexcept
-{
-    static_assert(held_by<Step>::words == R.word_count, "a step is as wide as its register: name one of so many bits");
-    return R.address;
-}
-
-/// A register whose steps another register sets, counted in steps that the caller knows. It can be named
-/// wherever the register can.
-template <typename Step, auto const& R>
-inline constexpr reg<Step, std::remove_cvref_t<decltype(R)>::space> restepped{.code = R.code,
-                                                                              .address = restepped_address<Step, R>(),
-                                                                              .mode = R.mode,
-                                                                              .min = R.min,
-                                                                              .max = R.max,
-                                                                              .factory = R.factory,
-                                                                              .name = R.name,
-                                                                              .source = R.source,
-                                                                              .gap = R.gap,
-                                                                              .counted_as = &R};
 
 } // namespace rtuwire

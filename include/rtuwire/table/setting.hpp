@@ -15,6 +15,7 @@
 #include <rtuwire/core/units.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/register.hpp>
+#include <rtuwire/table/restepped.hpp>
 #include <rtuwire/wire/errc.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -76,6 +77,14 @@ template <typename Target, any_quantity Value>
     return parts / ratio::den;
 }
 
+/// Whether a value is a floating point amount for a register that counts whole steps of the same.
+/// Internal.
+template <typename Target, typename Value> inline constexpr bool is_unrounded = any_quantity<Target>and requires
+{
+    requires std::floating_point<typename Value::rep>;
+    requires std::same_as<typename Value::dimension, typename Target::dimension>;
+};
+
 /// A value within the limits of register `R`. table/form/form_setting.hpp has the same for forms of several words.
 template <auto const& R> class setting {
 public:
@@ -120,8 +129,9 @@ public:
     {
         static_assert(not std::is_arithmetic_v<Value>,
                       "a plain number is no setting: give it a unit (n * 0.1_s), or name an enumerator or bits");
+        static_assert(not is_unrounded<value_type, Value>, "this register counts whole steps: rounded_to first");
         static_assert(std::is_arithmetic_v<Value> or std::same_as<Value, value_type> or
-                          measures_the_same<value_type, Value>,
+                          is_unrounded<value_type, Value> or measures_the_same<value_type, Value>,
                       "this value measures something else than the register");
         auto const raw = raw_of(value);
         errc const why = not raw ? raw.error() : refusal(*raw, min_now, max_now);

@@ -97,6 +97,7 @@ public:
 /// A device's registers. Each address of a space and each mnemonic occurs once.
 template <auto const&... Registers> class table {
     static constexpr std::array<void const*, sizeof...(Registers)> places{&Registers...};
+    static constexpr std::array<bool, sizeof...(Registers)> are_restepped{Registers.is_restepped...};
 
 public:
     static constexpr std::size_t size = sizeof...(Registers);
@@ -123,9 +124,11 @@ public:
 
     /// Whether a register is one of this device's, or one of them counted in other steps.
     template <auto const& R>
-    static constexpr bool contains = has_address(R.address, R.space) and
-                                     (places[owner_of(R.address, R.space)] == &R or
-                                      places[owner_of(R.address, R.space)] == R.counted_as);
+    static constexpr bool contains =
+        has_address(R.address, R.space) and places[owner_of(R.address, R.space)] ==
+                                                (R.is_restepped and not are_restepped[owner_of(R.address, R.space)]
+                                                     ? R.counted_as
+                                                     : &R);
 
     /// Calls `visit.template operator()<R>()` for each register.
     template <typename Visit> static constexpr void for_each(Visit&& visit)

@@ -42,6 +42,9 @@ STATIC_CHECK(*ascii<8>::from_words({0x2050, 0x2041, 0x4242, 0x4343}) == " P ABBC
 STATIC_CHECK(*ascii<8>::from_words({0, 0, 0, 0}) == "" and *ascii<8>::from_words({0x2020, 0x2020, 0, 0}) == "");
 STATIC_CHECK(setting<name>::checked(literal{"12345678"}).has_value());
 STATIC_CHECK(setting<name>::checked(literal{"123456789"}).error() == errc::value_too_high);
+// A text ends before its first zero, also one that is given with a size.
+STATIC_CHECK(ascii<4>::to_words(*ascii<4>::convert(std::string_view{"A\0BCDE", 6})) == ascii<4>::words{0x4100, 0x0000});
+STATIC_CHECK(ascii<4>::convert(std::string_view{"ABCDE"}) == errc::value_too_high);
 STATIC_CHECK(text_of(*ascii<8>::from_words({0x5055, 0x4D50, 0, 0})) == "PUMP");
 
 // An enumeration with holes.

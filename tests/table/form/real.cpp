@@ -43,6 +43,12 @@ STATIC_CHECK(from_literal.count() == 2.5F and from_coarse.count() == 2.5F);
 STATIC_CHECK(energy{3.0F} - energy{0.5F} == 2.5_kWh and energy{3.0F} + 1_kWh == 4_kWh and -energy{3.0F} == -3_kWh);
 STATIC_CHECK(energy{3.0F} * 2.0F == 6_kWh and 2.0F * energy{3.0F} == 6_kWh and energy{3.0F} / 2.0F == 1.5_kWh);
 
+// Out of range stays so: no number that only looks right.
+constexpr quantity<electrical_energy, std::int64_t> too_much{(std::numeric_limits<std::int64_t>::max)()};
+constexpr quantity<electrical_energy, std::int64_t> too_little{(std::numeric_limits<std::int64_t>::min)()};
+STATIC_CHECK(energy{too_much}.count() == std::numeric_limits<float>::infinity());
+STATIC_CHECK((exact{too_little} / 1e18).count() == -std::numeric_limits<double>::infinity());
+
 // The nearest, halves away from zero.
 using amount = quantity<electrical_energy, std::int16_t>;
 using byte_amount = quantity<electrical_energy, std::uint8_t>;

@@ -127,17 +127,21 @@ template <std::size_t Size, word_order Order = word_order::high_first> struct as
             } -> std::convertible_to<char>;
     };
 
-    /// The same characters; `value_too_high` where there are too many of them.
+    /// The same characters up to the first zero; `value_too_high` where there are too many of them.
     template <typename Value> [[nodiscard]] static constexpr result<value_type> convert(Value const& value) noexcept
     {
         if constexpr (requires { literal{value}; } and not std::same_as<Value, literal>) {
             return convert(literal{value});
         } else {
             value_type text;
-            for (std::size_t i = 0; i < value.size() and i < Size; ++i) {
-                text.append(value[i]);
+            std::size_t at = 0;
+            for (; at < value.size() and value[at] != '\0'; ++at) {
+                if (at == Size) {
+                    return errc::value_too_high;
+                }
+                text.append(value[at]);
             }
-            return value.size() > Size ? result<value_type>{errc::value_too_high} : result<value_type>{text};
+            return text;
         }
     }
 

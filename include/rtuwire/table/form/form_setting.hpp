@@ -83,7 +83,9 @@ public:
     {
         static_assert(not is_plain_number<R, Value>,
                       "a plain number is no setting: give it a unit (n * 0.1_s), or name an enumerator or bits");
-        static_assert(is_plain_number<R, Value> or form::template takes<Value>,
+        static_assert(form::template takes<Value> or not is_unrounded<value_type, Value>,
+                      "this register counts whole steps: rounded_to first");
+        static_assert(is_plain_number<R, Value> or is_unrounded<value_type, Value> or form::template takes<Value>,
                       "this value measures something else than the register");
         if (errc const why = why_not(value); why != errc::none) {
             return why;

@@ -48,6 +48,19 @@ template <typename Ratio> [[nodiscard]] constexpr double scaled_by_ratio(double 
     return Ratio::den == 1 ? product : product / static_cast<double>(Ratio::den);
 }
 
+/// A count of a quantity; infinite where it stands for an amount that is out of range.
+/// Internal.
+template <std::integral Rep> [[nodiscard]] constexpr double count_or_infinity(Rep count) noexcept
+{
+    if constexpr (sizeof(Rep) == sizeof(std::int64_t)) {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        if (is_out_of_range(count)) {
+            return count < 0 ? -infinity : infinity;
+        }
+    }
+    return static_cast<double>(count);
+}
+
 /// A number from the bits of IEEE 754 that is neither infinite nor "not a number". Compares nothing, so that a program
 /// that only passes numbers on has no code for them.
 /// Internal.
@@ -69,12 +82,12 @@ public:
     /// `count` steps of the unit.
     explicit constexpr real(Float count) noexcept : count_{count} {}
 
-    /// The nearest to a quantity: `real<kilowatt_hours> least = 2.5_kWh`.
+    /// The nearest to a quantity: `real<kilowatt_hours> least = 2.5_kWh`. One that is out of range is infinite.
     template <any_quantity Amount>
         requires(std::same_as<typename Amount::dimension, dimension>)
     constexpr real(Amount measured) noexcept
         : count_{static_cast<Float>(
-              scaled_by_ratio<std::ratio_divide<typename Amount::scale, scale>>(static_cast<double>(measured.count())))}
+              scaled_by_ratio<std::ratio_divide<typename Amount::scale, scale>>(count_or_infinity(measured.count())))}
     {}
 
     [[nodiscard]] constexpr Float count() const noexcept { return count_; }

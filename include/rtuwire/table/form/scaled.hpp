@@ -142,9 +142,14 @@ template <any_quantity Unit, auto const& Scale, word_order Order = word_order::h
     static_assert(sizeof(count_type) == 2 or sizeof(count_type) == 4, "a scaled count has 16 or 32 bits");
     static_assert(std::same_as<value_of<Scale>, signed_count16>, "the scale is a register of signed_count16");
     static constexpr auto const& scale_register = Scale;
+    static constexpr count_type most_of = (std::numeric_limits<count_type>::max)();
 
     using value_type = scaled<Unit>;
     static constexpr std::uint16_t word_count = sizeof(count_type) / 2;
+    static constexpr word_order order = Order;
+    /// The ends of the counts that mean something; the one beyond means "not implemented".
+    static constexpr std::int64_t lowest = std::is_signed_v<count_type> ? -std::int64_t{most_of} : 0;
+    static constexpr std::int64_t highest = std::int64_t{most_of} - (std::is_signed_v<count_type> ? 0 : 1);
     using words = std::array<std::uint16_t, word_count>;
 
     /// No value is written without a step.

@@ -30,6 +30,7 @@ template <std::integral Wire, any_quantity Unit, word_order Order> struct whole_
     using count_type = std::conditional_t<is_wide, std::int64_t, Wire>;
     using value_type = quantity<typename Unit::dimension, count_type, typename Unit::scale>;
     static constexpr std::uint16_t word_count = sizeof(Wire) / 2;
+    static constexpr word_order order = Order;
     static constexpr bool is_total = not is_wide;
     using words = std::array<std::uint16_t, word_count>;
 
