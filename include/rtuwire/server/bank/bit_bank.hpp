@@ -60,7 +60,7 @@ public:
         return check_read(start, values.size());
     }
 
-    /// Puts bits that `check_read` allows into `out`, which has room for them and is 0.
+    /// Puts bits that `check_read` allows, and no others, into `out`, which has room for them and is 0.
     constexpr errc read(std::uint16_t start, std::size_t count, byte_span out) noexcept
     {
         copy_bits(out, 0, bytes_, offset(start), count);
