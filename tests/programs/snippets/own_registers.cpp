@@ -3,7 +3,6 @@
 // PAGE: docs/registers.md
 // BEGINS: namespace meter {
 // REST FROM: auto ask = read<meter::energy>
-// FOR: struct device { => struct device : facts {
 #include <array>
 #include <iostream>
 
@@ -12,20 +11,9 @@
 
 using namespace rtuwire;
 
-namespace meter {
-struct facts {
-    static constexpr literal name{"energy meter"};
-    static constexpr function_set functions = all_functions;
-    static constexpr device_limits limits{};
-    static constexpr unit_range units{};
-    static constexpr std::array<address_range, 0> readable{};
-};
-} // namespace meter
-
 // BLOCK
 
 void snippet(int n)
 {
-    constexpr station<meter::device> unit{unit_id{7}};
     // REST
 }
