@@ -9,6 +9,9 @@
 
 #include "support/catch.hpp"
 
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/procedure/motion/stop.hpp>
+#include <rtuwire/sim/bench.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 #include <rtuwire/wire/pdu/write_single_register.hpp>
 
@@ -202,4 +205,16 @@ TEST_CASE("the shortest of time-outs does not make a client look at its port aga
         CHECK(line.send_broadcast(stop_word));
         CHECK(port.reads < 10);
     }
+}
+
+TEST_CASE("a stop that has ended is not sent again, and is no success of its second run")
+{
+    constexpr station<altivar::atv320::device> drive{unit_id{1}};
+    altivar::stop order{drive};
+    sim::bench bench{timing, drive};
+    REQUIRE(bench.run(order).kind == altivar::outcome_kind::succeeded);
+    silent_port port;
+    blocking_client line{port, timing};
+    CHECK(line.run(order) == altivar::reason{.kind = altivar::outcome_kind::pending, .error = errc::finished});
+    CHECK(port.sent_at.empty());
 }

@@ -79,6 +79,17 @@ TEST_CASE("what has ended begins anew where it can")
     CHECK(bench.run(wrong).error() == errc::invalid_quantity); // it never leaves
 }
 
+TEST_CASE("an order that has ended cannot be run again, and tells no earlier success")
+{
+    sim::bench bench{timing, drive};
+    stop order{drive};
+    REQUIRE(bench.run(order).kind == outcome_kind::succeeded);
+    instant const before = bench.now();
+    CHECK(bench.run(order) == reason{.kind = outcome_kind::pending, .error = errc::finished});
+    CHECK(bench.now() == before);
+    CHECK(order.reason().kind == outcome_kind::succeeded);
+}
+
 TEST_CASE("conversations side by side take turns, on a client and on a bus")
 {
     sim::bench few{host_client{timing}, drive, old};

@@ -44,15 +44,30 @@ template <typename Conversation> [[nodiscard]] constexpr auto outcome_of(Convers
 }
 
 /// The same of a conversation that could not be run to its end: with the error that ended it in the place of its own.
+/// Of one that had ended before (`finished`) no earlier success is shown: its reason has not ended.
 template <typename Conversation> [[nodiscard]] constexpr auto outcome_of(Conversation&& conversation, errc why) noexcept
 {
     using outcome = decltype(outcome_of(std::forward<Conversation>(conversation)));
     if constexpr (has_reason<Conversation> and not has_outcome<Conversation>) {
-        outcome reason = conversation.reason();
+        outcome reason = why == errc::finished ? outcome{} : conversation.reason();
         reason.error = why;
         return reason;
     } else {
         return outcome{why};
+    }
+}
+
+/// Whether a conversation can be run: one that has ended already begins anew where it can.
+template <typename Conversation> [[nodiscard]] constexpr bool can_run(Conversation& conversation) noexcept
+{
+    if (not conversation.settled()) {
+        return true;
+    }
+    if constexpr (requires { conversation.begin(); }) {
+        conversation.begin();
+        return true;
+    } else {
+        return false;
     }
 }
 

@@ -105,12 +105,8 @@ private:
     {
         static_assert(not endless_conversation<Conversation>,
                       "this conversation never ends: give it to a client in each pass");
-        if (conversation.settled()) {
-            if constexpr (requires { conversation.begin(); }) {
-                conversation.begin();
-            } else {
-                return errc::finished;
-            }
+        if (not can_run(conversation)) {
+            return errc::finished;
         }
         auto passed = drop_stale_input();
         while (passed) {

@@ -156,17 +156,15 @@ public:
     /// Runs a conversation to its end, at most for `limit`, and returns its `outcome()`, or where it has none its
     /// `reason()`, or where it has neither a `result<void>`; what the limit cut says that it has not ended. Of a
     /// conversation without a name, whose response would end with the statement, only the error. A conversation that is
-    /// already settled begins anew where it can.
+    /// already settled begins anew where it can; where it cannot, the error is `finished`.
     template <typename Conversation>
         requires conversation<std::remove_cvref_t<Conversation>>
     constexpr auto run(Conversation&& conversation, duration limit = longest_run)
     {
         static_assert(not endless_conversation<std::remove_cvref_t<Conversation>>,
                       "this conversation never ends: give it to run_for or run_until");
-        if constexpr (requires { conversation.begin(); }) {
-            if (conversation.settled()) {
-                conversation.begin();
-            }
+        if (not can_run(conversation)) {
+            return outcome_of(std::forward<Conversation>(conversation), errc::finished);
         }
         static_cast<void>(run_until([&] { return conversation.settled(); }, limit, conversation));
         return outcome_of(std::forward<Conversation>(conversation));

@@ -163,6 +163,29 @@ TEST_CASE("rule 38: a request to the stopped unit is given up unless its respons
     }
 }
 
+TEST_CASE("rule 24: a stop that waits for silence while a response is awaited gets a pass when the line is silent")
+{
+    command_desk<1> it;
+    series other = reader(3);
+    it.link.converse(other, it.now());
+    REQUIRE(it.leaves());
+    it.time += 5'000;
+    it.link.receive(response_to(framed({5, 3, 0, 1, 0, 1})), it.now()); // whole, of another unit
+    stop_of_3 stop;
+    it.pass(100);
+    it.link.converse(stop, it.now());
+    REQUIRE_FALSE(it.leaves());
+    // A loop that sleeps until there is something to do.
+    deadline const next = it.link.poll_deadline();
+    REQUIRE(next);
+    duration const wait = *next - it.now();
+    CHECK(wait <= office_line.t3_5());
+    it.pass(wait.microseconds);
+    it.link.converse(stop, it.now());
+    CHECK(it.leaves());
+    CHECK(is_word(it.left));
+}
+
 TEST_CASE("rule 38: a response that is there reaches its asker before the stop says its word")
 {
     command_desk<1> it;

@@ -114,7 +114,8 @@ public:
     /// When the next pass has something to do.
     constexpr void add_to(earliest& next) const noexcept
     {
-        framer().add_to(next, phase_ == phase::awaiting);
+        // A stop for which the line is reserved may cut the request as soon as the line is silent.
+        framer().add_to(next, phase_ == phase::awaiting and not client_state::turns_.is_reserved());
         quarantine_.add_to(next);
         if (is_woken_ or is_under_way(phase_)) {
             // After `wake`, a time that has come already.
