@@ -150,8 +150,8 @@ public:
     }
 
 private:
-    // t3.5 is 2 ms at 19 200 bit/s; an emulated UART delivers in lumps, when the machine that emulates has time.
-    static constexpr unsigned idle_ticks = 30;
+    // t3.5 is 2 ms at 19 200 bit/s; an emulated UART delivers in lumps.
+    static constexpr unsigned idle_ticks = 5;
 
     template <typename Line> static void go_on(Line& line)
     {

@@ -10,12 +10,15 @@
 With "lossy" every second request is lost on its way, and the run has to fail.
 """
 import contextlib
+import os
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
 import threading
+import time
+import tty
 
 HERE = pathlib.Path(__file__).resolve().parent
 FIRMWARE = HERE.parents[1] / "examples" / "firmware"
@@ -61,6 +64,18 @@ class Emulator:
             if found := re.search(pattern, line):
                 return found
         raise RuntimeError(f"the emulator ended without {pattern!r}")
+
+
+@contextlib.contextmanager
+def held_open(device):
+    """The line stays up between two programs that open it. Where the last one closes it, the emulator looks only once
+    a second whether somebody is there again, and a new terminal echoes until it is told not to."""
+    line = os.open(device, os.O_RDWR | os.O_NOCTTY)
+    try:
+        tty.setraw(line)
+        yield
+    finally:
+        os.close(line)
 
 
 def run_controller(place, board, simulate, drive):
@@ -129,6 +144,8 @@ def ask_server(device, check):
 
 def run_drive(device, check):
     from pymodbus.client import ModbusSerialClient
+    # A unit that has just started takes no request before its line was silent: 50 ms with a host's timing.
+    time.sleep(0.2)
     with ModbusSerialClient(device, baudrate=19200, timeout=2, retries=0) as client:
         drive = Unit(client)
 
@@ -149,6 +166,7 @@ def run_unit(place, board, program, *how):
     elf = build(place, board, program)
     with Emulator(board, elf, "pty") as firmware, contextlib.ExitStack() as between:
         device = firmware.wait_for("redirected to (\\S+)")[1]
+        between.enter_context(held_open(device))
         firmware.wait_for("^ready")
         if how == ("lossy",):
             device = between.enter_context(LossyLine(device))

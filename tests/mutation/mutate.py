@@ -54,7 +54,7 @@ def switched_tests(folder, common, pool, changes, may_switch):
     while True:
         switches.write(folder / "include", HEADERS, changes, sorted(may_switch))
         wrong = board.complaints_of_headers() or board.compile()
-        if not board.todo:
+        if not board.waiting:
             break
         refused = {number for number in may_switch for header, line in wrong
                    if changes[number].header == header and line in changes[number].lines}

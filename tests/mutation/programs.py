@@ -83,7 +83,7 @@ class Switchboard:
         self.parts = {name: ([*paths, LISTENER], flags)
                       for name, (paths, flags) in self.parts.items()}
         self.too_long = []
-        self.todo = [(name, path) for name, (paths, _) in self.parts.items() for path in paths]
+        self.waiting = [(name, path) for name, (paths, _) in self.parts.items() for path in paths]
 
     def place_of(self, name, path):
         return self.folder / f"{name}-{'-'.join(path.relative_to(TESTS).parts)}.o"
@@ -100,12 +100,12 @@ class Switchboard:
             common = [] if path == LISTENER else self.common
             return complaints([*COMPILE, *common, *self.parts[name][1], "-DRTUWIRE_NO_STATIC_TESTS",
                                f"-I{self.folder / 'include'}", "-c", "-o", self.place_of(name, path), path])
-        said = list(self.pool.map(one, self.todo))
+        said = list(self.pool.map(one, self.waiting))
         wrong = {place for each in said for place in places(each)}
-        failed = [part for part, each in zip(self.todo, said) if each]
+        failed = [part for part, each in zip(self.waiting, said) if each]
         if failed and not wrong:
             raise SystemExit(f"mutate.py: {failed[0][1]} does not compile:\n" + next(each for each in said if each))
-        self.todo = failed
+        self.waiting = failed
         return wrong
 
     def link(self):

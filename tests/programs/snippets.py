@@ -98,12 +98,12 @@ def main(project, *compilers):
     root = pathlib.Path(project)
     pages = {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8")
              for path in [root / "README.md", *sorted((root / "docs").glob("*.md"))]}
-    todo = list(programs(pages, read_frames(FRAMES)))
+    blocks = list(programs(pages, read_frames(FRAMES)))
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        jobs = [pool.submit(complaint, compiler, root, *each) for compiler in compilers for each in todo]
+        jobs = [pool.submit(complaint, compiler, root, *each) for compiler in compilers for each in blocks]
         found = [job.result() for job in jobs if job.result()]
-    print("\n".join(found) or f"{len(todo)} blocks of C++ on {len(pages)} pages compile, by {' and '.join(compilers)}")
-    return 1 if found or not todo or not compilers else 0
+    print("\n".join(found) or f"{len(blocks)} blocks of C++ on {len(pages)} pages compile, by {' and '.join(compilers)}")
+    return 1 if found or not blocks or not compilers else 0
 
 
 if __name__ == "__main__":

@@ -128,8 +128,8 @@ public:
         }
     }
 
-    /// Appends `count` bytes that the caller writes, at once; null, and not ok, when they do not fit. Force-inlined, which
-    /// saves 26 instructions of a request's encoding at -Os.
+    /// Appends `count` bytes that the caller writes, at once; null, and not ok, when they do not fit. Force-inlined,
+    /// which saves 26 instructions of a request's encoding on a Cortex-M3 at -Os.
     [[nodiscard, gnu::always_inline]] constexpr std::byte* take(std::size_t count) noexcept
     {
         if (not room_for(count)) {
