@@ -21,7 +21,7 @@ using namespace rtuwire::altivar;
 
 namespace {
 
-constexpr client_options once{.response_timeout = milliseconds(50), .retries = 0};
+constexpr client_options one_try{.response_timeout = milliseconds(50), .retries = 0};
 constexpr auto refusal = "01 83 02 C0 F1"_hex;
 constexpr auto damaged_of_1 = "01 03 02 12 34 B5 32"_hex;
 constexpr auto damaged_of_2 = "02 03 02 12 34 F1 32"_hex;
@@ -36,7 +36,7 @@ template <typename Conversation> struct one_slot {
     instant now{0};
 
     one_slot(Conversation const& asked, bus_options const& options)
-        : link{test::line, once, options}, conversation{asked}
+        : link{test::line, one_try, options}, conversation{asked}
     {
         link.advance(now);
         now = now + milliseconds(10);
@@ -88,7 +88,7 @@ template <typename Conversation> bool is_taken(test::manual_unit& unit, Conversa
 
 TEST_CASE("a prompt request is made when the line is silent and its unit owes no response")
 {
-    test::manual_unit unit{once};
+    test::manual_unit unit{one_try};
     prompt conversation;
     unit.link.receive("00"_hex, unit.now);
     CHECK_FALSE(is_taken(unit, conversation));
@@ -104,7 +104,7 @@ TEST_CASE("a prompt request is made when the line is silent and its unit owes no
 
 TEST_CASE("any other request is taken at once, and waits itself")
 {
-    test::manual_unit unit{once};
+    test::manual_unit unit{one_try};
     endless conversation;
     unit.link.receive("00"_hex, unit.now);
     CHECK(is_taken(unit, conversation));

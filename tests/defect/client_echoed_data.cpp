@@ -20,11 +20,11 @@ struct row {
     unsigned asked;
     bool is_echoed;
 };
-constexpr std::array<row, 14> table{row{0x00, 0xA537, true},  row{0x01, 0x0000, true},  row{0x01, 0xFF00, true},
-                                    row{0x02, 0x0000, false}, row{0x03, 0x0D00, true},  row{0x0A, 0x0000, true},
-                                    row{0x0B, 0x0000, false}, row{0x0C, 0x0000, false}, row{0x0D, 0x0000, false},
-                                    row{0x0E, 0x0000, false}, row{0x0F, 0x0000, false}, row{0x10, 0x0000, false},
-                                    row{0x12, 0x0000, false}, row{0x14, 0x0000, true}};
+constexpr std::array<row, 14> rows{row{0x00, 0xA537, true},  row{0x01, 0x0000, true},  row{0x01, 0xFF00, true},
+                                   row{0x02, 0x0000, false}, row{0x03, 0x0D00, true},  row{0x0A, 0x0000, true},
+                                   row{0x0B, 0x0000, false}, row{0x0C, 0x0000, false}, row{0x0D, 0x0000, false},
+                                   row{0x0E, 0x0000, false}, row{0x0F, 0x0000, false}, row{0x10, 0x0000, false},
+                                   row{0x12, 0x0000, false}, row{0x14, 0x0000, true}};
 
 frame_bytes diagnosis(unsigned subfunction, unsigned data)
 {
@@ -47,7 +47,7 @@ errc outcome_of(frame_bytes const& asked, frame_bytes const& said)
 
 TEST_CASE("defect: (j) data that a response of function 08 repeats are held against the request")
 {
-    for (row const& each : table) {
+    for (row const& each : rows) {
         INFO("sub-function " << each.subfunction << ", data " << each.asked);
         frame_bytes const asked = diagnosis(each.subfunction, each.asked);
         CHECK(outcome_of(asked, asked) == errc::none);

@@ -22,12 +22,12 @@ using namespace rtuwire::altivar;
 
 namespace {
 
-constexpr client_options once{.response_timeout = milliseconds(100), .retries = 0};
+constexpr client_options one_try{.response_timeout = milliseconds(100), .retries = 0};
 constexpr std::uint64_t silence = 2'005; ///< 3.5 characters
 
 using wire = scripted_line<client>;
 
-wire line_of(client_options const& with = once) { return wire{client{office_line, with}, office_line}; }
+wire line_of(client_options const& with = one_try) { return wire{client{office_line, with}, office_line}; }
 
 series reader(unsigned unit, unsigned address)
 {
@@ -256,7 +256,7 @@ TEST_CASE("defect: D3 a poller that is begun again while its request is out file
 
 TEST_CASE("defect: (b) an outcome that is read one pass later on a bus is still the own one")
 {
-    scripted_line<bus<2>> line{bus<2>{office_line, once}, office_line};
+    scripted_line<bus<2>> line{bus<2>{office_line, one_try}, office_line};
     line.heard = [&](frame_bytes const& frame) { line.say(5'000, response_to(frame)); };
     single_request first{unit_id{1}, read_holding_registers{3201, 2}};
     single_request second{unit_id{2}, read_holding_registers{8601, 2}};

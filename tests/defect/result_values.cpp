@@ -13,7 +13,7 @@ static_assert(RTUWIRE_CHECKED == 1, "reading a value that is not there is caught
 void rtuwire::on_missing_value(rtuwire::errc why) noexcept
 {
     auto const byte = static_cast<unsigned char>(why);
-    if (write(test::last_words, &byte, 1) != 1) {
+    if (::write(test::last_words, &byte, 1) != 1) {
         _exit(1);
     }
 }

@@ -54,7 +54,7 @@ frame with_crc(std::vector<std::uint32_t> const& bytes)
 }
 
 /// What a client asks, and what the unit asked would respond.
-struct exchange {
+struct asked_and_told {
     frame request;
     frame response;
 };
@@ -66,14 +66,14 @@ public:
     numbers& random_source() { return random_; }
 
     /// A write to us: the only function the server under test is asked to execute.
-    exchange ours(std::uint32_t address, std::uint32_t value)
+    asked_and_told ours(std::uint32_t address, std::uint32_t value)
     {
         std::vector<std::uint32_t> const bytes{us, 6, address >> 8U, address & 0xFFU, value >> 8U, value & 0xFFU};
         return {with_crc(bytes), with_crc(bytes)};
     }
 
     /// Any exchange with another unit.
-    exchange foreign()
+    asked_and_told foreign()
     {
         std::uint32_t const unit = 2 + random_.below(last_unit - 1);
         constexpr std::uint32_t functions[] = {1, 2, 3, 3, 3, 4, 5, 6, 6, 7, 11, 15, 16, 22, 23, 43};
@@ -196,9 +196,9 @@ struct diary {
 enum class chunks { bytes, frames, pieces };
 
 /// The server on its line, and what it did.
-class bus {
+class line_played {
 public:
-    bus(line_timing const& timing, chunks how) : timing_{timing}, how_{how}, node_{unit_id{us}, timing}
+    line_played(line_timing const& timing, chunks how) : timing_{timing}, how_{how}, node_{unit_id{us}, timing}
     {
         pass(milliseconds(1));
         pass(milliseconds(200));
@@ -268,7 +268,7 @@ std::string failures_of(line_timing const& timing, chunks how, std::uint32_t see
 {
     constexpr duration gap = milliseconds(5);
     traffic line{seed};
-    bus it{timing, how};
+    line_played it{timing, how};
     unsigned lost = 0;
     unsigned unanswered = 0;
     unsigned asked = 0;
@@ -277,7 +277,7 @@ std::string failures_of(line_timing const& timing, chunks how, std::uint32_t see
     for (unsigned i = 0; i < total; ++i) {
         it.pass(gap);
         if (not line.random_source().happens(30)) {
-            exchange const other = line.foreign();
+            asked_and_told const other = line.foreign();
             it.hear(other.request, line.random_source());
             if (not line.random_source().happens(25)) {
                 it.pass(gap);
@@ -289,7 +289,7 @@ std::string failures_of(line_timing const& timing, chunks how, std::uint32_t see
         }
         ++asked;
         std::uint32_t const address = line.random_source().below(1000);
-        exchange const mine = line.ours(address, i & 0xFFFFU);
+        asked_and_told const mine = line.ours(address, i & 0xFFFFU);
         static_cast<void>(it.take_said());
         it.hear(mine.request, line.random_source());
         it.pass(gap);
@@ -332,7 +332,7 @@ TEST_CASE("defect: D11 a unit that misses one response costs no request to us")
     auto const host = line_timing::host(19'200, character_format::even_8_1);
     constexpr duration gap = milliseconds(5);
     traffic line{1};
-    bus it{host, chunks::frames};
+    line_played it{host, chunks::frames};
     frame const missed = with_crc({2, 3, 0x0C, 0x81, 0, 6});
     it.hear(missed, line.random_source());
     unsigned done = 0;

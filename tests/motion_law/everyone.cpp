@@ -21,7 +21,7 @@ using state = cia402::state;
 namespace {
 
 constexpr station<atv320::device> press{unit_id{1}};
-constexpr station<atv320::device> pump{unit_id{2}};
+constexpr station<atv320::device> mixer{unit_id{2}};
 constexpr station<atv28::device> fan{unit_id{3}};
 constexpr station<atv320::device> absent{unit_id{9}};
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
@@ -32,7 +32,7 @@ struct hall : test::colliding_line<bus<6>, atv320::device, atv320::device, atv28
     using base = test::colliding_line<bus<6>, atv320::device, atv320::device, atv28::device>;
 
     explicit hall(client_options const& options = patient)
-        : base{bus<6>{test::colliding_timing, options}, press, pump, fan}
+        : base{bus<6>{test::colliding_timing, options}, press, mixer, fan}
     {
         run_for(milliseconds(20));
     }
@@ -63,7 +63,7 @@ TEST_CASE("motion law: S13 everyone is stopped while a start climbs and a cycle 
     for (std::uint32_t after_ms = 0; after_ms < 600; after_ms += 2) {
         INFO("stopped " << after_ms << " ms after the orders");
         hall it;
-        cyclic<atv320::device> loop{pump, {.period = milliseconds(50)}};
+        cyclic<atv320::device> loop{mixer, {.period = milliseconds(50)}};
         auto const cycle = [&](instant at) { it.link().converse(0, loop, at); };
         it.run_for(milliseconds(600), cycle);
         REQUIRE(loop.run(1'200_rpm));
@@ -75,7 +75,7 @@ TEST_CASE("motion law: S13 everyone is stopped while a start climbs and a cycle 
             it.link().converse(2, old, at);
         };
         it.run_for(milliseconds(after_ms), work);
-        broadcast_stop all{press, pump, fan};
+        broadcast_stop all{press, mixer, fan};
         it.run_for(milliseconds(20'000), [&](instant at) {
             it.link().run_urgent(all, at);
             work(at);
@@ -107,7 +107,7 @@ TEST_CASE("motion law: S14 the broadcast that stops leaves at once behind a ques
         auto const ask = [&](instant at) { it.link().converse(0, request, at); };
         it.run_for(milliseconds(after_ms), ask);
         REQUIRE_FALSE(request.settled());
-        broadcast_stop all{press, pump, fan};
+        broadcast_stop all{press, mixer, fan};
         instant const asked = it.now();
         std::size_t const before = it.wire().spoken();
         it.run_until([&] { return it.wire().spoken() != before; }, milliseconds(500),
@@ -138,7 +138,7 @@ TEST_CASE("motion law: S14 an answer that is arriving is let in, and one that an
         request.begin();
         it.run_for(milliseconds(100), ask);
         REQUIRE_FALSE(request.settled());
-        broadcast_stop all{broadcast_stop_options{.cuts_short = cuts}, press, pump, fan};
+        broadcast_stop all{broadcast_stop_options{.cuts_short = cuts}, press, mixer, fan};
         instant const asked = it.now();
         std::size_t const before = it.wire().spoken();
         it.run_until([&] { return it.wire().spoken() != before; }, milliseconds(900),
@@ -161,9 +161,9 @@ TEST_CASE("motion law: S14 the broadcast never speaks into an answer that has be
     for (std::uint32_t after = 0; after < 40; ++after) {
         INFO(after << " half milliseconds after the request");
         hall it{slow};
-        single_request request{pump.unit(), read_holding_registers{3'201, 1}};
+        single_request request{mixer.unit(), read_holding_registers{3'201, 1}};
         it.run_for(microseconds(500 * after + 1), [&](instant at) { it.link().converse(0, request, at); });
-        broadcast_stop all{press, pump};
+        broadcast_stop all{press, mixer};
         it.run_for(milliseconds(60), [&](instant at) {
             it.link().run_urgent(all, at);
             it.link().converse(0, request, at);
@@ -179,7 +179,7 @@ TEST_CASE("motion law: S14 the broadcast never speaks into an answer that has be
 TEST_CASE("motion law: S13 a drive that is not among those to stop loses its order, too, and gets none before the end")
 {
     hall it;
-    cyclic<atv320::device> loop{pump, {.period = milliseconds(50)}};
+    cyclic<atv320::device> loop{mixer, {.period = milliseconds(50)}};
     auto const cycle = [&](instant at) { it.link().converse(0, loop, at); };
     it.run_for(milliseconds(600), cycle);
     REQUIRE(loop.run(1'200_rpm));

@@ -31,7 +31,7 @@ using device = atv320::device;
 constexpr station<device> drive{unit_id{1}};
 constexpr station<device> other_drive{unit_id{2}};
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
-constexpr std::uint16_t factory_bit = 0x0001;
+constexpr std::uint16_t factory_settings = 0x0001;
 
 /// A poll of one register, as a program's panel does it: begun again once it has its value.
 struct panel {
@@ -147,7 +147,7 @@ TEST_CASE("motion law: S2 a poll's answer is not a save's: nothing is written to
         // Ready to switch on, its status is 0231h: bit 0 is the order for factory settings.
         single_request get_ready{drive.unit(), write_single_register{device::layout.cmd, 0x0006}};
         REQUIRE(it.run(get_ready));
-        REQUIRE((it.drive().word("ETA") & factory_bit) != 0);
+        REQUIRE((it.drive().word("ETA") & factory_settings) != 0);
         panel status{drive.unit(), device::layout.eta};
         for (std::uint32_t i = 0; i < after; ++i) {
             it.pass([&](instant now) { it.link().converse(*status.ask, now); });
@@ -160,7 +160,7 @@ TEST_CASE("motion law: S2 a poll's answer is not a save's: nothing is written to
                        byte_view const sent = it.request();
                        bool const is_write =
                            sent.size() == 8 and to_u8(sent[1]) == 6 and u16_at(sent, 2) == device::layout.cmi;
-                       wrote_factory = wrote_factory or (is_write and (u16_at(sent, 4) & factory_bit) != 0);
+                       wrote_factory = wrote_factory or (is_write and (u16_at(sent, 4) & factory_settings) != 0);
                        return save.settled();
                    },
                    milliseconds(60'000));

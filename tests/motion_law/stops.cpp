@@ -21,7 +21,7 @@ namespace {
 
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
 constexpr duration half_a_minute = milliseconds(30'000);
-constexpr auto known = word_meaning::cia402;
+constexpr auto full_meaning = word_meaning::cia402;
 
 /// A client and a drive that runs at 50 Hz.
 template <typename Device> struct running : test::simulated_bus<drive_client<4>, Device> {
@@ -144,7 +144,7 @@ TEST_CASE("motion law: S18 after each stop the drive is where no stray word can 
     test::all_drives::for_each([]<typename Device>() {
         for (stop_by const mode : {stop_by::ramp, stop_by::freewheel, stop_by::quick_stop}) {
             running<Device> it;
-            stop rest{it.drive, mode, half_a_minute, known};
+            stop rest{it.drive, mode, half_a_minute, full_meaning};
             REQUIRE(it.run(rest));
             REQUIRE(rest.succeeded());
             CHECK_FALSE(rest.reason().is_other_stop);
@@ -223,7 +223,7 @@ TEST_CASE("motion law: S10 a halt rests in operation, and becomes the ramp where
                 frame.clear();
             }
         });
-        stop rest{it.drive, stop_by::halt, half_a_minute, known};
+        stop rest{it.drive, stop_by::halt, half_a_minute, full_meaning};
         REQUIRE(it.run(rest));
         bool const can_halt = Device::layout.halt != 0;
         CHECK(rest.reason().kind == (can_halt ? outcome_kind::succeeded : outcome_kind::unsupported));

@@ -17,7 +17,7 @@ namespace {
 
 constexpr line_timing timing{19'200, character_format::even_8_1};
 constexpr auto request = "07 03 00 64 00 01 C5 B3"_hex;
-constexpr auto response = "07 03 02 12 34 3D 33"_hex;
+constexpr auto the_response = "07 03 02 12 34 3D 33"_hex;
 
 /// Has a request ready, or nothing, and a clock that jumps to what is waited for.
 struct played_port {
@@ -80,8 +80,8 @@ TEST_CASE(
     instant const before = it.port.clock;
     CHECK(it.is_asked());
     CHECK(it.port.clock - before == timing.t3_5());
-    CHECK(it.port.sent == std::vector<std::byte>(response.begin(), response.end()));
-    CHECK(it.port.for_writing == milliseconds(1'200) + timing.characters(response.size()));
+    CHECK(it.port.sent == std::vector<std::byte>(the_response.begin(), the_response.end()));
+    CHECK(it.port.for_writing == milliseconds(1'200) + timing.characters(the_response.size()));
 }
 
 TEST_CASE("a port that sends at the speed of a slow line has the time that the longest response takes")
@@ -148,7 +148,7 @@ TEST_CASE("a program that is slow between passes has its response sent before it
     it.port.clock = it.port.clock + milliseconds(20);
     it.port.read_error = errc::device_failed; // nothing is read before
     CHECK(it.pass(milliseconds(1'000)) == errc::device_failed);
-    CHECK(it.port.sent == std::vector<std::byte>(response.begin(), response.end()));
+    CHECK(it.port.sent == std::vector<std::byte>(the_response.begin(), the_response.end()));
 }
 
 TEST_CASE("a pass in which nobody asks ends with its patience, and sends nothing")
@@ -183,7 +183,7 @@ TEST_CASE("a server of several units knows its banks, and answers from the one t
     for (int pass = 0; pass < 2; ++pass) {
         CHECK(serve_once(node, port, milliseconds(50)));
     }
-    CHECK(port.sent == std::vector<std::byte>(response.begin(), response.end()));
+    CHECK(port.sent == std::vector<std::byte>(the_response.begin(), the_response.end()));
     port.read_error = errc::device_vanished;
     CHECK(serve_once(node, port, milliseconds(50)) == errc::device_vanished);
 }

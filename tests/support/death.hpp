@@ -41,7 +41,7 @@ template <typename Act> end end_of(Act act)
     close(ends[1]);
     end found;
     unsigned char byte = 0;
-    if (read(ends[0], &byte, 1) == 1) {
+    if (::read(ends[0], &byte, 1) == 1) {
         found.left = byte;
     }
     close(ends[0]);

@@ -75,24 +75,24 @@ struct row {
     step overruled;
 };
 
-constexpr step look = step::look, code = step::look_for_fault, prepare = step::prepare, exchange = step::exchange,
+constexpr step look = step::look, code = step::look_for_fault, prepare = step::prepare, transfer = step::exchange,
                half = step::read, write = step::write, stop = step::say_stop, observe = step::observe,
-               check = step::check_control, control = step::compare_control, reference = step::compare_reference;
+               check = step::check_control, control = step::compare_control, set_point = step::compare_reference;
 
 // clang-format off
 constexpr std::array<row, all_steps.size()> rows{{
     // step     answered  halves   unprepared into fault unordered missed missed running lost  cancelled  overruled
     {look,      code,     code,    code,      code,      code,     look,  look,          look, look,      look},
-    {code,      exchange, half,    prepare,   exchange,  exchange, look,  code,          look, code,      look},
-    {prepare,   exchange, half,    exchange,  exchange,  exchange, look,  prepare,       look, prepare,   look},
-    {exchange,  exchange, exchange, exchange, code,      exchange, look,  exchange,      look, exchange,  look},
+    {code,      transfer, half,    prepare,   transfer,  transfer, look,  code,          look, code,      look},
+    {prepare,   transfer, half,    transfer,  transfer,  transfer, look,  prepare,       look, prepare,   look},
+    {transfer,  transfer, transfer, transfer, code,      transfer, look,  transfer,      look, transfer,  look},
     {half,      write,    write,   write,     code,      write,    look,  half,          look, half,      look},
-    {write,     exchange, half,    exchange,  exchange,  exchange, look,  write,         look, write,     look},
+    {write,     transfer, half,    transfer,  transfer,  transfer, look,  write,         look, write,     look},
     {stop,      observe,  observe, look,      observe,   observe,  stop,  stop,          stop, stop,      look},
-    {observe,   exchange, half,    exchange,  code,      stop,     look,  observe,       look, observe,   look},
-    {check,     exchange, write,   exchange,  exchange,  exchange, look,  check,         look, check,     look},
-    {control,   exchange, half,    exchange,  exchange,  exchange, look,  control,       look, control,   look},
-    {reference, exchange, half,    exchange,  exchange,  exchange, look,  reference,     look, reference, look},
+    {observe,   transfer, half,    transfer,  code,      stop,     look,  observe,       look, observe,   look},
+    {check,     transfer, write,   transfer,  transfer,  transfer, look,  check,         look, check,     look},
+    {control,   transfer, half,    transfer,  transfer,  transfer, look,  control,       look, control,   look},
+    {set_point, transfer, half,    transfer,  transfer,  transfer, look,  set_point,     look, set_point, look},
 }};
 // clang-format on
 
@@ -104,12 +104,12 @@ TEST_CASE("what a response makes of a cycle is what its table holds")
         row const& each = rows[i];
         INFO("step " << i);
         REQUIRE(each.now == all_steps[i]);
-        cycle_agenda const ordered = at(each.now, exchange, running, true);
+        cycle_agenda const ordered = at(each.now, transfer, running, true);
         CHECK(answered(ordered, running) == each.answered);
         CHECK(answered(ordered, running, false) == each.unprepared);
         CHECK(answered(ordered, in_fault) == each.into_fault);
-        CHECK(answered(at(each.now, exchange, running, false), running) == each.unordered);
-        if (each.now != exchange) {
+        CHECK(answered(at(each.now, transfer, running, false), running) == each.unordered);
+        if (each.now != transfer) {
             CHECK(answered(at(each.now, half, running, true), running) == each.in_two_halves);
         }
     }
@@ -119,8 +119,8 @@ TEST_CASE("what a failure makes of a cycle is what its table holds")
 {
     for (row const& each : rows) {
         INFO("step " << static_cast<unsigned>(each.now));
-        cycle_agenda const climbing = at(each.now, exchange, ready, true);
-        cycle_agenda const ordered = at(each.now, exchange, running, true);
+        cycle_agenda const climbing = at(each.now, transfer, ready, true);
+        cycle_agenda const ordered = at(each.now, transfer, running, true);
         CHECK(failed(climbing, errc::timed_out) == each.missed);
         CHECK(failed(ordered, errc::timed_out) == each.missed_running);
         CHECK(failed(ordered, errc::timed_out, 2) == each.lost);
@@ -133,13 +133,13 @@ TEST_CASE("what a failure makes of a cycle is what its table holds")
 
 TEST_CASE("a cycle whose preparation fails begins anew, and stops a motor that it ordered to run")
 {
-    cycle_agenda agenda = at(prepare, exchange, running, true);
+    cycle_agenda agenda = at(prepare, transfer, running, true);
     agenda.fail_preparation(outcome_kind::misconfigured);
     CHECK(agenda.now() == look);
     CHECK(agenda.is_lost());
     CHECK_FALSE(agenda.control().is_ordered());
     CHECK(agenda.due(false, false, 0) == step::say_stop);
-    cycle_agenda again = at(exchange, exchange, running, true);
+    cycle_agenda again = at(transfer, transfer, running, true);
     again.look_again();
     CHECK(again.now() == look);
     CHECK_FALSE(again.is_lost());

@@ -67,9 +67,9 @@ struct row {
     std::array<step, all_steps.size()> due; ///< in the order above
 };
 
-constexpr step look = step::look, code = step::look_for_fault, prepare = step::prepare, exchange = step::exchange,
+constexpr step look = step::look, code = step::look_for_fault, prepare = step::prepare, transfer = step::exchange,
                read = step::read, write = step::write, stop = step::say_stop, observe = step::observe,
-               check = step::check_control, control = step::compare_control, reference = step::compare_reference;
+               check = step::check_control, control = step::compare_control, set_point = step::compare_reference;
 
 // clang-format off
 constexpr std::array<row, 11> rows{{
@@ -80,30 +80,30 @@ constexpr std::array<row, 11> rows{{
     {{.name = "a halt was ordered", .control = halting(), .duty = to_stop(true)},
      {observe, observe, observe, observe, observe, observe, observe, observe, observe, observe, observe}},
     {{.name = "not prepared", .control = found(ready, false), .is_prepared = false},
-     {look, code, prepare, look, look, look, stop, observe, check, control, reference}},
+     {look, code, prepare, look, look, look, stop, observe, check, control, set_point}},
     {{.name = "rearranged", .control = found(ready, true), .was_rearranged = true},
-     {look, code, prepare, look, look, look, look, observe, check, control, reference}},
+     {look, code, prepare, look, look, look, look, observe, check, control, set_point}},
     {{.name = "power without an order", .control = found(running, false)},
-     {look, code, prepare, stop, stop, stop, stop, observe, check, control, reference}},
+     {look, code, prepare, stop, stop, stop, stop, observe, check, control, set_point}},
     {{.name = "a halt under way", .control = halting()},
-     {look, code, prepare, observe, observe, observe, stop, observe, check, control, reference}},
+     {look, code, prepare, observe, observe, observe, stop, observe, check, control, set_point}},
     {{.name = "the same word again", .control = found(ready, true), .was_taken = true, .last_command = 7},
-     {look, code, prepare, observe, observe, observe, look, observe, check, control, reference}},
+     {look, code, prepare, observe, observe, observe, look, observe, check, control, set_point}},
     {{.name = "the same word, not accepted", .control = found(ready, true), .last_command = 7},
-     {look, code, prepare, exchange, read, write, look, observe, check, control, reference}},
+     {look, code, prepare, transfer, read, write, look, observe, check, control, set_point}},
     {{.name = "before the command to run", .control = about_to_enable()},
-     {look, code, prepare, check, read, check, look, observe, check, control, reference}},
+     {look, code, prepare, check, read, check, look, observe, check, control, set_point}},
     {{.name = "ten exchanges of a running drive", .control = found(running, true), .exchanges = 10},
-     {look, code, prepare, control, control, write, look, observe, check, control, reference}},
+     {look, code, prepare, control, control, write, look, observe, check, control, set_point}},
     {{.name = "any other", .control = found(running, true), .exchanges = 9},
-     {look, code, prepare, exchange, read, write, look, observe, check, control, reference}},
+     {look, code, prepare, transfer, read, write, look, observe, check, control, set_point}},
 }};
 // clang-format on
 
 /// The position at a step in a situation.
 constexpr cycle_position at(situation const& where, step now)
 {
-    cycle_position position{exchange};
+    cycle_position position{transfer};
     for (unsigned i = 0; i < where.exchanges; ++i) {
         position.note_taken();
     }
@@ -138,16 +138,16 @@ TEST_CASE("the reference is compared after the control word, and the control wor
     };
     cycle_position position = at(running_drive, control);
     position.note_comparison();
-    CHECK(due(position, running_drive.control) == exchange);
+    CHECK(due(position, running_drive.control) == transfer);
     for (unsigned i = 0; i < 10; ++i) {
         position.note_taken();
     }
-    CHECK(due(position, running_drive.control) == reference);
+    CHECK(due(position, running_drive.control) == set_point);
 
     cycle_position checked = at(situation{.name = ""}, check);
     checked.note_comparison();
-    CHECK(checked.now() == exchange);
-    CHECK(due(checked, about_to_enable()) == exchange);
+    CHECK(checked.now() == transfer);
+    CHECK(due(checked, about_to_enable()) == transfer);
     checked.keep_comparison_if(false);
     CHECK(due(checked, about_to_enable()) == check);
 }

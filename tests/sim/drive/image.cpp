@@ -37,7 +37,7 @@ struct machine {
 using image = sim::image<machine>;
 
 /// Whether a register takes exactly the raw counts from `least` to `most`, among those beside both.
-bool takes(image const& held, literal code, std::int32_t least, std::int32_t most)
+bool is_range_of(image const& held, literal code, std::int32_t least, std::int32_t most)
 {
     bool ok = true;
     for (std::int32_t const raw : {least - 1, least, least + 1, most - 1, most, most + 1}) {
@@ -60,7 +60,7 @@ TEST_CASE("a register without limits takes every word")
 TEST_CASE("limits that are numbers, of both signs and on one side alone")
 {
     image const held;
-    CHECK(takes(held, "OFS", -100, 100));
+    CHECK(is_range_of(held, "OFS", -100, 100));
     CHECK(held.check(image::at("LEAST"), 6) == errc::illegal_data_value);
     CHECK(held.check(image::at("LEAST"), 7) == errc::none);
     CHECK(held.check(image::at("LEAST"), 0xFFFF) == errc::none);
@@ -69,11 +69,11 @@ TEST_CASE("limits that are numbers, of both signs and on one side alone")
 TEST_CASE("limits that hang on other registers follow them")
 {
     image held;
-    CHECK(takes(held, "SHARE", 250, 500));
-    CHECK(takes(held, "PROD", 0, 1'500));
+    CHECK(is_range_of(held, "SHARE", 250, 500));
+    CHECK(is_range_of(held, "PROD", 0, 1'500));
     held.put(image::at("BASE"), 100);
-    CHECK(takes(held, "SHARE", 50, 100));
-    CHECK(takes(held, "PROD", 0, 300));
+    CHECK(is_range_of(held, "SHARE", 50, 100));
+    CHECK(is_range_of(held, "PROD", 0, 300));
     held.put(image::at("TIMES"), 25);
-    CHECK(takes(held, "PROD", 0, 250));
+    CHECK(is_range_of(held, "PROD", 0, 250));
 }

@@ -28,11 +28,11 @@ template <> inline constexpr auto rtuwire::enumerators<valve> = rtuwire::name_li
 namespace {
 
 // Texts.
-constexpr reg<ascii<8>> name{.code = "NAM", .address = 10};
+constexpr reg<ascii<8>> device_name{.code = "NAM", .address = 10};
 constexpr reg<ascii<8, word_order::high_first_bytes_swapped>> swapped{.code = "SWP", .address = 20};
 using words4 = std::array<std::uint16_t, 4>;
-constexpr setting<name> pump = "PUMP 3";
-STATIC_CHECK(pump.words() == words4{0x5055, 0x4D50, 0x2033, 0x0000});
+constexpr setting<device_name> entered_name = "PUMP 3";
+STATIC_CHECK(entered_name.words() == words4{0x5055, 0x4D50, 0x2033, 0x0000});
 constexpr setting<swapped> pump_swapped = "PUMP 3";
 STATIC_CHECK(pump_swapped.words() == words4{0x5550, 0x504D, 0x3320, 0x0000});
 STATIC_CHECK(ascii<8>::from_words({0x5055, 0x4D50, 0x2033, 0x0000})->size() == 6);
@@ -40,8 +40,8 @@ STATIC_CHECK(*ascii<8>::from_words({0x5055, 0x4D50, 0x2020, 0x2020}) == "PUMP");
 STATIC_CHECK(*ascii<8>::from_words({0x5000, 0x4D50, 0x2020, 0x2020}) == "P");
 STATIC_CHECK(*ascii<8>::from_words({0x2050, 0x2041, 0x4242, 0x4343}) == " P ABBCC");
 STATIC_CHECK(*ascii<8>::from_words({0, 0, 0, 0}) == "" and *ascii<8>::from_words({0x2020, 0x2020, 0, 0}) == "");
-STATIC_CHECK(setting<name>::checked(literal{"12345678"}).has_value());
-STATIC_CHECK(setting<name>::checked(literal{"123456789"}).error() == errc::value_too_high);
+STATIC_CHECK(setting<device_name>::checked(literal{"12345678"}).has_value());
+STATIC_CHECK(setting<device_name>::checked(literal{"123456789"}).error() == errc::value_too_high);
 // A text ends before its first zero, also one that is given with a size.
 STATIC_CHECK(ascii<4>::to_words(*ascii<4>::convert(std::string_view{"A\0BCDE", 6})) == ascii<4>::words{0x4100, 0x0000});
 STATIC_CHECK(ascii<4>::convert(std::string_view{"ABCDE"}) == errc::value_too_high);
@@ -123,9 +123,9 @@ STATIC_CHECK(text_of(large{-5, -3}) == "-0.005 W" and text_of(scaled<watt_hours>
 TEST_CASE("a text of the program's memory is taken as a setting")
 {
     std::string const entered{"PUMP 3"};
-    CHECK(setting<name>::checked(std::string_view{entered})->words() == pump.words());
-    CHECK(setting<name>::checked(entered)->words() == pump.words());
-    CHECK(setting<name>::checked(entered + "456").error() == errc::value_too_high);
+    CHECK(setting<device_name>::checked(std::string_view{entered})->words() == entered_name.words());
+    CHECK(setting<device_name>::checked(entered)->words() == entered_name.words());
+    CHECK(setting<device_name>::checked(entered + "456").error() == errc::value_too_high);
     auto const text = *ascii<8>::from_words({0x5055, 0x4D50, 0, 0});
     CHECK(std::string_view{text} == "PUMP");
     CHECK(std::string{*ascii<8>::from_words({0x5055, 0x4D50, 0, 0})} == "PUMP");

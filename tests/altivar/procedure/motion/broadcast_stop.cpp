@@ -17,7 +17,7 @@ using test::frames;
 
 namespace {
 
-constexpr station<atv320::device> press{unit_id{1}}, pump{unit_id{2}};
+constexpr station<atv320::device> press{unit_id{1}}, mixer{unit_id{2}};
 constexpr station<atv28::device> fan{unit_id{3}}, blower{unit_id{5}};
 constexpr station<atv12::device> hoist{unit_id{4}};
 constexpr std::uint16_t switched_on = 0x0233, enabled = 0x0237;
@@ -26,14 +26,14 @@ constexpr std::uint16_t switched_on = 0x0233, enabled = 0x0237;
 std::string const coast_new = "00 06 21 35 00 00", coast_old = "00 06 01 90 00 00";
 std::string const stop_new = "00 06 21 35 00 02", stop_old = "00 06 01 90 00 02";
 
-constexpr broadcast_stop_options known{.known = word_meaning::cia402};
+constexpr broadcast_stop_options full_meaning{.known = word_meaning::cia402};
 
 } // namespace
 
 TEST_CASE("everyone is told twice at once and once more a second later, each family of drives by "
           "one frame")
 {
-    test::everyone_by_hand<5> it{press, pump, fan, hoist, blower};
+    test::everyone_by_hand<5> it{press, mixer, fan, hoist, blower};
     CHECK_FALSE(it.all.poll_deadline());
     CHECK(it.all.intent() == effect::none);
     CHECK(it.all.is_urgent());
@@ -119,7 +119,7 @@ TEST_CASE("a response that an ATV28 among the drives owes is waited for, unless 
     broadcast_stop hasty{broadcast_stop_options{.cuts_short = true}, fan, press, hoist};
     CHECK(hasty.may_cut(3));
     // Behind the broadcasts the word of one drive cuts short what that drive owes, and nothing else.
-    test::everyone_by_hand<3> it{known, fan, hoist, press};
+    test::everyone_by_hand<3> it{full_meaning, fan, hoist, press};
     it.tell_everyone();
     CHECK(it.asks() == "04 06 21 35 00 02");
     it.confirm();
@@ -131,7 +131,7 @@ TEST_CASE("a response that an ATV28 among the drives owes is waited for, unless 
 
 TEST_CASE("each drive is told by its own address, in turn; a word that stops goes before any look")
 {
-    test::everyone_by_hand<3> it{known, fan, hoist, press};
+    test::everyone_by_hand<3> it{full_meaning, fan, hoist, press};
     CHECK(it.broadcasts() == frames{stop_old, stop_new, stop_old, stop_new});
     it.wait(1'000);
     CHECK(it.broadcasts() == frames{stop_old, stop_new});
