@@ -34,6 +34,7 @@ public:
         std::size_t const size = size_hint(Way, so_far);
         return {size, size == so_far.size()};
     }
+    static constexpr bool is_expected(byte_view) noexcept { return false; }
     static constexpr void begin_frame() noexcept {}
     static constexpr void end_frame(bool) noexcept {}
     static constexpr bool takes(std::byte) noexcept { return false; }

@@ -47,14 +47,7 @@ public:
         if (is_open_end()) {
             return takes_behind_open_end(bytes[0]) ? 1 : 0;
         }
-        std::size_t taken = 0;
-        do {
-            if (push(bytes[taken++]) or taken == bytes.size()) {
-                break;
-            }
-            taken += take_run(bytes.data() + taken, bytes.size() - taken);
-        } while (taken < bytes.size());
-        return taken;
+        return take_many(bytes.data(), bytes.size());
     }
 
     /// The same of one byte. Returns whether it was taken.
@@ -70,20 +63,29 @@ public:
         return true;
     }
 
-    /// Takes bytes of a chunk behind one that `push` took: those before the next one that `push` has to look at. Returns
-    /// how many. Not inlined: a receiver that is given single bytes never calls it.
-    [[gnu::noinline]] constexpr std::size_t take_run(std::byte const* at, std::size_t count) noexcept
+    /// The second part of `receive`, after `begin_chunk`: takes bytes up to the end of one frame. Returns how many. Not
+    /// inlined: a receiver that is given single bytes never calls it.
+    [[gnu::noinline]] constexpr std::size_t take_many(std::byte const* at, std::size_t count) noexcept
     {
-        if (state_ != state::receiving) {
-            return 0;
+        if (state_ == state::synchronising) {
+            return count;
         }
-        // Where the rule has nothing to say, its position is 0 and the distance large.
-        std::size_t const looked_at = std::size_t{rule_at_} - end_ - 1U;
-        std::size_t const room = place_.memory - end_;
-        count = count < looked_at ? count : looked_at;
-        count = count < room ? count : room;
-        sum_.copy(at, count, storage().data() + end_);
-        end_ = static_cast<std::uint16_t>(end_ + count);
+        if (state_ != state::receiving) {
+            begin();
+            look_ahead({at, count});
+        }
+        for (std::size_t left = count; left != 0;) {
+            std::size_t const taken = copy_to_look(at, left);
+            if (taken == 0) {
+                error_ = error_ == errc::none ? errc::frame_too_long : error_;
+                break;
+            }
+            at += taken;
+            left -= taken;
+            if (end_ == rule_at_ and apply_length_rule()) {
+                return count - left;
+            }
+        }
         return count;
     }
 
@@ -197,6 +199,26 @@ private:
         rule_at_ = static_cast<std::uint16_t>(place_.begin() + 2);
         sum_.begin();
         error_ = errc::none;
+    }
+
+    /// Where the first bytes of a frame tell more than where to look first, looks there only.
+    constexpr void look_ahead(byte_view bytes) noexcept
+    {
+        if (bytes.size() > 2 and not others_.is_expected(bytes)) {
+            std::size_t const next = size_hint(Way, bytes);
+            rule_at_ = next == 0 ? std::uint16_t{0} : static_cast<std::uint16_t>(place_.begin() + next);
+        }
+    }
+
+    /// Copies bytes up to where the length rule is to be applied next. Returns how many; 0 where there is no room.
+    constexpr std::size_t copy_to_look(std::byte const* at, std::size_t count) noexcept
+    {
+        std::size_t const stop = rule_at_ > end_ ? rule_at_ : place_.memory;
+        std::size_t const room = (stop < place_.memory ? stop : place_.memory) - end_;
+        count = count < room ? count : room;
+        sum_.copy(at, count, storage().data() + end_);
+        end_ = static_cast<std::uint16_t>(end_ + count);
+        return count;
     }
 
     /// Applies the length rule at the byte where it is due. Returns whether the frame ends here. Force-inlined,

@@ -54,14 +54,17 @@ public:
         }
         bool const is_start = framer().is_quiet();
         begin_chunk(bytes.size(), now);
-        std::byte const* const end = bytes.data() + bytes.size();
-        std::byte const* at = bytes.data();
-        while (take(*at, now)) {
-            if (++at == end or (at = take_run(at, end)) == end) {
-                return;
+        std::size_t taken = 0;
+        while (taken < bytes.size()) {
+            if (takes_all()) {
+                taken += framer().take_many(bytes.data() + taken, bytes.size() - taken);
+                take_frame(now);
+            } else if (take(bytes[taken], now)) {
+                ++taken;
+            } else {
+                return drop(bytes.subspan(taken), is_start and taken == 0, now);
             }
         }
-        drop({at, end}, is_start and at == bytes.data(), now);
     }
 
     /// The same of one byte, for a receiver that hands over each as it arrives: a program that calls only this has no code
@@ -162,11 +165,10 @@ private:
         on_line_activity(now);
     }
 
-    /// Takes those of the bytes behind one that `take` took that `take` need not look at. Returns the first one left.
-    [[gnu::noinline]] constexpr std::byte const* take_run(std::byte const* at, std::byte const* end) noexcept
+    /// Whether the next bytes are those of a response, whatever they are.
+    constexpr bool takes_all() const noexcept
     {
-        bool const may_run = phase_ == phase::awaiting and not may_be_echo();
-        return may_run ? at + framer().take_run(at, static_cast<std::size_t>(end - at)) : at;
+        return phase_ == phase::awaiting and not may_be_echo() and not this->may_skip();
     }
 
     /// Whether the next byte may be one of our own.
