@@ -13,6 +13,7 @@
 #include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/ask/finite_conversation.hpp>
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/crc16.hpp>
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/form/form.hpp>
@@ -46,7 +47,10 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     out.u8(static_cast<std::uint8_t>(function_that_reads(space)));
     out.u16(start);
     out.u16(count);
-    static_cast<void>(append_crc(frame, out.size() - 1));
+    // Not by append_crc, whose size is not known where it is compiled: 250 bytes of flash.
+    std::uint16_t const crc = crc16(out.written());
+    out.u8(crc);
+    out.u8(std::uint32_t{crc} >> 8U);
     return frame;
 }
 

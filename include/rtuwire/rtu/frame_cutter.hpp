@@ -14,6 +14,7 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/foreign_exchange.hpp>
+#include <rtuwire/rtu/frame_bytes.hpp>
 #include <rtuwire/rtu/frame_place.hpp>
 #include <rtuwire/rtu/frame_sum.hpp>
 #include <rtuwire/rtu/line.hpp>
@@ -26,14 +27,21 @@ namespace rtuwire::inline RTUWIRE_BUILD::detail {
 
 /// Internal: a framer without its memory. `Holder` derives from it and holds the line's times, `line_`, and the
 /// memory, `bytes_`, behind all other members: small processors reach near members with short instructions.
-template <typename Holder, direction Way, std::size_t Front> class frame_cutter : public line_silence<Holder, Way> {
-    using silence_rule = line_silence<Holder, Way>;
-    using silence_rule::is_open_end;
-    using silence_rule::state_;
-    using typename silence_rule::state;
+template <typename Holder, direction Way, std::size_t Front>
+class frame_cutter : public frame_bytes<Holder, Way, Front> {
+    using store = frame_bytes<Holder, Way, Front>;
+    using store::bytes;
+    using store::end_;
+    using store::is_open_end;
+    using store::place_;
+    using store::rule_at_;
+    using store::size;
+    using store::state_;
+    using typename store::state;
 
 public:
-    using silence_rule::begin_chunk;
+    using store::begin_chunk;
+    using store::storage;
 
     constexpr frame_cutter() noexcept = default;
 
@@ -139,19 +147,8 @@ public:
                                             : errc::none;
     }
 
-    /// Whether the last frame has the size that its own bytes tell, where they tell one. Silence may have ended
-    /// it at another size, where by chance its CRC is right, too.
-    [[nodiscard]] constexpr bool matches_size_hint() const noexcept { return rule_at_ == 0 or rule_at_ == end_; }
-
     /// The last frame, where the verdict is none.
     [[nodiscard]] constexpr adu frame() const noexcept { return adu{bytes()}; }
-
-    /// Whether the last frame had the smallest size, and began with this request's unit and function.
-    [[nodiscard]] constexpr bool looks_addressed_to(byte_view request) const noexcept
-    {
-        std::byte const* const start = storage().data() + place_.begin();
-        return size() >= min_adu_size and start[0] == request[0] and (start[1] & std::byte{0x7F}) == request[1];
-    }
 
     /// Records a request to another unit: the response of this unit and function may follow. Frames with
     /// these first two bytes (the function with or without 80) then end at the size by the request's rule or
@@ -170,20 +167,6 @@ public:
         return others_.is_response();
     }
 
-    /// The memory of the frame, for a response written in its place.
-    [[nodiscard]] constexpr byte_span storage() noexcept { return static_cast<Holder&>(*this).bytes_; }
-    [[nodiscard]] constexpr byte_view storage() const noexcept { return static_cast<Holder const&>(*this).bytes_; }
-
-    /// Keeps the first `size` bytes of the memory, at most 256, free: later frames are received behind them.
-    constexpr void receive_behind(std::size_t size) noexcept requires(Front > 0)
-    {
-        place_.leave_room_for(size);
-        end_ = place_.begin();
-    }
-
-    /// The largest frame that there is room for.
-    [[nodiscard]] constexpr std::size_t room() const noexcept { return place_.memory - place_.begin(); }
-
 private:
     constexpr bool takes_behind_open_end(std::byte next) noexcept
     {
@@ -195,26 +178,29 @@ private:
     {
         state_ = state::receiving;
         others_.begin_frame();
-        end_ = place_.begin();
-        rule_at_ = static_cast<std::uint16_t>(place_.begin() + 2);
+        this->begin_bytes();
         sum_.begin();
         error_ = errc::none;
     }
 
-    /// Where the first bytes of a frame tell more than where to look first, looks there only.
-    constexpr void look_ahead(byte_view bytes) noexcept
+    /// Spares looks at the first bytes of a frame that tell less than the next ones.
+    constexpr void look_ahead(byte_view first) noexcept
     {
-        if (bytes.size() > 2 and not others_.is_expected(bytes)) {
-            std::size_t const next = size_hint(Way, bytes);
-            rule_at_ = next == 0 ? std::uint16_t{0} : static_cast<std::uint16_t>(place_.begin() + next);
+        if (first.size() < 3) {
+            return;
         }
+        if constexpr (is_of_host(default_crc_form)) {
+            if (not others_.is_expected(first)) {
+                return this->look_at(size_hint(Way, first));
+            }
+        }
+        this->look_at(3); // no frame is so short, and most responses tell their size here
     }
 
     /// Copies bytes up to where the length rule is to be applied next. Returns how many; 0 where there is no room.
     constexpr std::size_t copy_to_look(std::byte const* at, std::size_t count) noexcept
     {
-        std::size_t const stop = rule_at_ > end_ ? rule_at_ : place_.memory;
-        std::size_t const room = (stop < place_.memory ? stop : place_.memory) - end_;
+        std::size_t const room = this->bytes_to_look();
         count = count < room ? count : room;
         sum_.copy(at, count, storage().data() + end_);
         end_ = static_cast<std::uint16_t>(end_ + count);
@@ -226,9 +212,8 @@ private:
     [[gnu::always_inline]] constexpr bool apply_length_rule() noexcept
     {
         end_hint const told = others_.apply(bytes());
-        // Zero, which is no byte's position here, where only silence tells the end. Past an end whose CRC is
-        // wrong only silence tells where the next frame starts.
-        rule_at_ = told.next == 0 ? std::uint16_t{0} : static_cast<std::uint16_t>(place_.begin() + told.next);
+        // Past an end whose CRC is wrong only silence tells where the next frame starts.
+        this->look_at(told.next);
         if (not told.is_here or verdict() != errc::none) {
             return false;
         }
@@ -238,15 +223,9 @@ private:
         return true;
     }
 
-    constexpr std::size_t size() const noexcept { return std::size_t{end_} - place_.begin(); }
-    constexpr byte_view bytes() const noexcept { return {storage().data() + place_.begin(), size()}; }
-
     [[no_unique_address]] frame_sum<> sum_{};
     errc error_{errc::none};
-    std::uint16_t end_{0};     ///< behind the last byte
-    std::uint16_t rule_at_{0}; ///< where the length rule is to be applied; 0 where it has nothing to say
     [[no_unique_address]] foreign_exchange<Way> others_{};
-    [[no_unique_address]] frame_place<Front> place_{};
 };
 
 /// Internal: a frame cutter with its memory.
@@ -254,6 +233,7 @@ template <direction Way, typename Line = stored<line_timing>, std::size_t Front 
 class frame_receiver : public frame_cutter<frame_receiver<Way, Line, Front>, Way, Front> {
     friend frame_cutter<frame_receiver, Way, Front>;
     friend line_silence<frame_receiver, Way>;
+    friend frame_bytes<frame_receiver, Way, Front>;
 
 public:
     explicit constexpr frame_receiver(line_timing const& its_timing) noexcept : line_{its_timing} {}

@@ -23,6 +23,12 @@ namespace rtuwire::inline RTUWIRE_BUILD {
            form != crc_form::byte_algebra;
 }
 
+/// Whether a form is a host's, where speed counts more than size.
+[[nodiscard]] constexpr bool is_of_host(crc_form form) noexcept
+{
+    return form == crc_form::host or form == crc_form::carryless;
+}
+
 /// Byte by byte.
 template <crc_form Form = default_crc_form> class frame_sum {
 public:
@@ -60,7 +66,7 @@ public:
     /// A host has a faster way than byte by byte; elsewhere it would cost flash.
     static constexpr void copy(std::byte const* from, std::size_t count, std::byte* to) noexcept
     {
-        if constexpr (Form != crc_form::word_algebra) {
+        if constexpr (is_of_host(Form)) {
             if (not std::is_constant_evaluated()) {
                 __builtin_memmove(to, from, count);
                 return;

@@ -39,6 +39,7 @@ class line_end
     using cutter = detail::frame_cutter<line_end, direction::response, Front>;
     friend cutter;
     friend detail::line_silence<line_end, direction::response>;
+    friend detail::frame_bytes<line_end, direction::response, Front>;
 
 public:
     explicit constexpr line_end(line_timing const& its_timing, client_options const& its_options = {}) noexcept
