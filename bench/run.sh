@@ -1,22 +1,26 @@
 #!/bin/sh
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-# Installs what is missing, builds the benchmarks and runs them, interleaved and repeated: a table of
-# medians and ratios, build/bench/speed.svg and build/bench/speed.json.
+# Installs what is missing, builds the benchmarks with GCC and with Clang (-O3, as CMake has it for a release) and runs
+# them, interleaved and repeated: for each compiler a table of medians and ratios, and speed.svg and speed.json in its
+# build folder.
 #
 #   sh bench/run.sh [repetitions, at least 2]
 set -eu
 cd "$(dirname "$0")/.."
 repetitions=${1:-9}
 
-sh tests/packages.sh build tests bench
-cmake --preset bench
-cmake --build --preset bench
-for program in build/bench/bench/bench_*; do
-    [ -x "$program" ] || continue
-    "$program" --benchmark_repetitions="$repetitions" --benchmark_min_time=0.02 \
-        --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true \
-        --benchmark_out_format=json --benchmark_out="build/bench/${program##*/}.json" >/dev/null
+sh tests/packages.sh build tests clang bench
+for preset in bench bench-clang; do
+    made=build/$preset
+    cmake --preset "$preset"
+    cmake --build --preset "$preset"
+    for program in "$made"/bench/bench_*; do
+        [ -x "$program" ] || continue
+        "$program" --benchmark_repetitions="$repetitions" --benchmark_min_time=0.02 \
+            --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true \
+            --benchmark_out_format=json --benchmark_out="$made/${program##*/}.json" >/dev/null
+    done
+    python3 bench/speed/report.py "$made"
+    "$made/bench/pseudo_terminal"
 done
-python3 bench/speed/report.py build/bench
-build/bench/bench/pseudo_terminal

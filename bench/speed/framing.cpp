@@ -39,7 +39,7 @@ void encode_read(benchmark::State& state)
         benchmark::ClobberMemory();
     }
 }
-BENCHMARK(encode_read)->Name("frames/encode FC03");
+BENCHMARK(encode_read)->Name("codec alone/encode FC03");
 
 void decode_response(benchmark::State& state)
 {
@@ -55,7 +55,7 @@ void decode_response(benchmark::State& state)
         benchmark::DoNotOptimize(sum);
     }
 }
-BENCHMARK(decode_response)->Name("frames/decode FC03")->Arg(1)->Arg(4)->Arg(63);
+BENCHMARK(decode_response)->Name("codec alone/decode FC03")->Arg(1)->Arg(4)->Arg(63);
 
 template <std::size_t Size> void serve(benchmark::State& state, std::array<std::byte, Size> request)
 {
@@ -69,10 +69,10 @@ template <std::size_t Size> void serve(benchmark::State& state, std::array<std::
         benchmark::ClobberMemory();
     }
 }
-BENCHMARK_CAPTURE(serve, read, "01 03 00 01 00 04 15 C9"_hex)->Name("frames/serve FC03 x4");
-BENCHMARK_CAPTURE(serve, write, "01 10 00 01 00 04 08 00 01 00 02 00 03 00 04 D3 7A"_hex)->Name("frames/serve FC16 x4");
+BENCHMARK_CAPTURE(serve, read, "01 03 00 01 00 04 15 C9"_hex)->Name("codec alone/serve FC03 x4");
+BENCHMARK_CAPTURE(serve, write, "01 10 00 01 00 04 08 00 01 00 02 00 03 00 04 D3 7A"_hex)->Name("codec alone/serve FC16 x4");
 BENCHMARK_CAPTURE(serve, exchange, "01 17 00 01 00 04 00 01 00 04 08 00 01 00 02 00 03 00 04 2B 29"_hex)
-    ->Name("frames/serve FC23 4+4");
+    ->Name("codec alone/serve FC23 4+4");
 
 /// Full-length answers, one behind the other, in chunks.
 void cut_stream(benchmark::State& state)
@@ -95,6 +95,6 @@ void cut_stream(benchmark::State& state)
     }
     state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(frame.size()));
 }
-BENCHMARK(cut_stream)->Name("frames/framer by chunk")->Arg(1)->Arg(16)->Arg(256);
+BENCHMARK(cut_stream)->Name("codec alone/framer by chunk")->Arg(1)->Arg(16)->Arg(256);
 
 } // namespace

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Whole transactions of four registers in one process: ours from client to server and back, with framers
-// and times; libmodbus the same over a pair of sockets.
+// Whole transactions of four registers in one process, client to server and back: both of libmodbus's stacks and both of
+// ours over a pair of sockets, with the system calls that each makes; and ours in memory, with framers and times, which
+// nothing of libmodbus can be compared with.
 #include <array>
 
 #include <benchmark/benchmark.h>
@@ -11,6 +12,8 @@
 
 #include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/client/client.hpp>
+#include <rtuwire/port/descriptor.hpp>
+#include <rtuwire/rtu/receive_from.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 
@@ -73,6 +76,76 @@ void ours(benchmark::State& state)
     }
 }
 BENCHMARK(ours)->Name("transactions/rtuwire in memory");
+
+/// One end of a pair of sockets as a port.
+struct socket_end {
+    descriptor line;
+
+    result<void> write(byte_view bytes) { return line.write(bytes, now() + milliseconds(1'000)); }
+    result<byte_span> read(byte_span place, instant until) { return line.read(place, until); }
+    static instant now() { return steady_now(); }
+};
+
+/// Client and server on a pair of sockets, in real time: each waits by `ppoll`, then reads, as a host's port does.
+struct both_sockets {
+    std::array<int, 2> pair{};
+    socket_end near{};
+    socket_end far{};
+    host_client link{line_timing::without_wire()};
+    server node{one, line_timing::without_wire()};
+    word_bank<16> bank{};
+    single_request<read_holding_registers> request{one, {1, 4}};
+    std::array<std::byte, max_adu_size> place{};
+
+    both_sockets()
+    {
+        ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, pair.data());
+        near.line = descriptor{pair[0]};
+        far.line = descriptor{pair[1]};
+        link.advance(near.now());
+        node.advance(far.now());
+        ::usleep(100'000); // either end listens when its line was silent once
+        static_cast<void>(bank.set(4, 7));
+    }
+    std::uint32_t ask()
+    {
+        request.begin();
+        instant const start = near.now();
+        link.advance(start);
+        link.converse(request, start);
+        if (not near.write(link.poll_transmit())) {
+            return 0;
+        }
+        link.sent(near.now());
+        node.advance(far.now());
+        static_cast<void>(receive_from(far, node, place, far.now() + milliseconds(100)));
+        node.advance(far.now());
+        node.serve(bank, far.now());
+        node.advance(far.now());
+        if (not far.write(node.poll_transmit())) {
+            return 0;
+        }
+        node.sent(far.now());
+        static_cast<void>(receive_from(near, link, place, near.now() + milliseconds(100)));
+        link.advance(near.now());
+        link.converse(request, near.now());
+        auto const read = request.outcome()->to<read_holding_registers>();
+        return read ? read->registers[3] : 0U;
+    }
+};
+
+void ours_over_sockets(benchmark::State& state)
+{
+    both_sockets line;
+    std::uint32_t sum = 0;
+    for (auto _ : state) {
+        sum += line.ask();
+    }
+    if (sum != 7 * static_cast<std::uint32_t>(state.iterations())) {
+        state.SkipWithError("a transaction failed");
+    }
+}
+BENCHMARK(ours_over_sockets)->Name("transactions/rtuwire over sockets");
 
 /// Two of libmodbus's contexts on a pair of sockets.
 struct two_contexts {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Either end of a line over a pseudo-terminal, for so many transactions: `line serve COUNT` names its device on standard
-// output and answers, `line serve COUNT MS` so many milliseconds late; `line ask COUNT DEVICE` asks.
+// output and answers, `line serve COUNT MS` so many milliseconds late; `line ask COUNT DEVICE` asks, and
+// `line ask COUNT DEVICE wait` lets `read` wait for the response.
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -53,10 +54,10 @@ int serve(unsigned long count, unsigned milliseconds_late)
     return served ? 0 : 1;
 }
 
-int ask(unsigned long count, char const* device)
+int ask(unsigned long count, char const* device, bool waits_in_read)
 {
     posix_serial port;
-    if (not port.open(device, {.bits_per_second = bits_per_second})) {
+    if (not port.open(device, {.bits_per_second = bits_per_second, .waits_in_read = waits_in_read})) {
         std::fputs(port.failure().c_str(), stderr);
         return 1;
     }
@@ -80,5 +81,5 @@ int main(int words, char** word)
         unsigned long const late = words > 3 ? std::strtoul(word[3], nullptr, 10) : 0;
         return serve(std::strtoul(word[2], nullptr, 10), static_cast<unsigned>(late));
     }
-    return end == "ask" and words > 3 ? ask(std::strtoul(word[2], nullptr, 10), word[3]) : 2;
+    return end == "ask" and words > 3 ? ask(std::strtoul(word[2], nullptr, 10), word[3], words > 4) : 2;
 }

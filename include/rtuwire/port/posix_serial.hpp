@@ -23,6 +23,7 @@
 #include <rtuwire/port/exclusive_device.hpp>
 #include <rtuwire/port/serial_settings.hpp>
 #include <rtuwire/port/standard_places.hpp>
+#include <rtuwire/port/timed_reader.hpp>
 #include <rtuwire/wire/errc_name.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -49,6 +50,11 @@ public:
         if (::isatty(opened.number()) == 0) {
             return failed(errc::device_not_serial);
         }
+        timed_reader reader;
+        if (auto const wanted = settings.waits_in_read ? reader.open(device, opened.number()) : result<void>{};
+            not wanted) {
+            return failed(wanted.error());
+        }
         if (auto const locked = opened.lock(); not locked) {
             return failed(locked.error(), errno);
         }
@@ -58,19 +64,22 @@ public:
         if (auto const set = apply_rs485(opened.number(), settings.rs485); not set) {
             return failed(set.error(), errno);
         }
-        request_low_latency(opened.number());
+        has_low_latency_ = request_low_latency(opened.number());
         ::tcflush(opened.number(), TCIOFLUSH);
         opened.keep_settings();
         opened_ = std::move(opened);
+        reader_ = std::move(reader);
         return {};
     }
 
     void close() noexcept
     {
+        reader_.close();
         opened_.close();
         marks_.restart();
         first_ = last_ = 0;
         has_receive_error_ = false;
+        has_low_latency_ = false;
     }
 
     [[nodiscard]] bool is_open() const noexcept { return opened_.is_open(); }
@@ -78,6 +87,11 @@ public:
     /// The system's number of the open device, in non-blocking mode, for a signal handler that must not call `write`;
     /// -1 where none is open.
     [[nodiscard]] int descriptor_number() const noexcept { return opened_.number(); }
+
+    /// Whether the driver passes bytes on at once: `open` always asks for that (Linux: ASYNC_LOW_LATENCY), and the driver
+    /// said that it will. False where it refused, as a pseudo-terminal's does, where nothing is open and on other systems:
+    /// a USB adapter may then hand bytes over up to 16 ms late.
+    [[nodiscard]] bool has_low_latency() const noexcept { return has_low_latency_; }
 
     /// The device's name as it was given to `open`.
     [[nodiscard]] std::string const& device() const noexcept { return device_; }
@@ -110,7 +124,7 @@ public:
             if (part.size > 0 or part.has_error) {
                 return place.first(part.size);
             }
-            auto const bytes = opened_.line().read(input_, until);
+            auto const bytes = arrived(until);
             if (not bytes) {
                 return failed(bytes.error()).error();
             }
@@ -140,6 +154,15 @@ private:
         return error;
     }
 
+    /// What the device delivers before a deadline; by the terminal's timer first, where that is wanted.
+    result<byte_span> arrived(instant until) noexcept
+    {
+        if (auto const bytes = reader_.read(input_, until); not bytes or not bytes->empty()) {
+            return bytes;
+        }
+        return opened_.line().read(input_, until);
+    }
+
     /// The next bytes of those that the device delivered.
     error_marks::part unmark(byte_span place) noexcept
     {
@@ -150,11 +173,13 @@ private:
     }
 
     exclusive_device opened_;
+    timed_reader reader_;
     std::array<std::byte, 512> input_{}; ///< from `first_` to `last_` not passed on yet
     std::size_t first_{0};
     std::size_t last_{0};
     error_marks marks_{};
     bool has_receive_error_{false};
+    bool has_low_latency_{false};
     std::string device_;
     std::string failure_;
 };

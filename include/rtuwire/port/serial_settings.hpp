@@ -17,6 +17,7 @@
 #endif
 
 #include <rtuwire/core/result.hpp>
+#include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/errc.hpp>
@@ -35,7 +36,18 @@ struct serial_settings {
     std::uint32_t bits_per_second{19'200};
     character_format format{character_format::even_8_1};
     rs485_mode rs485{rs485_mode::leave};
+    /// Lets `read` itself wait by the terminal's timer (VTIME): 3 system calls for a transaction instead of 4, where the
+    /// response begins within 100 ms. That timer only knows steps of 100 ms. So a wait of which less than 120 ms are left
+    /// is made by `ppoll` as without this option, and what has not come after 100 ms is waited for that way as well, with
+    /// 5 calls in all: deadlines stay exact, and a wait is no longer than without. Two things are different. The device
+    /// is opened twice. A signal whose handler restarts system calls (SA_RESTART) begins the 100 ms anew, so that such a
+    /// signal every few milliseconds, a profiler's, holds a deadline up for as long as it goes on.
+    bool waits_in_read{false};
 };
+
+/// How long `read` waits by the terminal's timer: its least step.
+/// Internal.
+inline constexpr duration terminal_timer = milliseconds(100);
 
 /// The platform's code of a bit rate, if it has one.
 [[nodiscard]] inline std::optional<speed_t> speed_code(std::uint32_t bits_per_second) noexcept
@@ -157,7 +169,7 @@ inline constexpr tcflag_t marks_errors = INPCK | PARMRK;
     line.c_lflag = 0;
     line.c_cflag = control_flags(settings.format);
     line.c_cc[VMIN] = 0;
-    line.c_cc[VTIME] = 0;
+    line.c_cc[VTIME] = settings.waits_in_read ? terminal_timer.microseconds / 100'000U : 0;
     ::cfsetispeed(&line, *speed);
     ::cfsetospeed(&line, *speed);
     // The return value says little: the call succeeds when anything at all could be set, and fails where a
@@ -177,17 +189,30 @@ inline constexpr tcflag_t marks_errors = INPCK | PARMRK;
     return {};
 }
 
-/// Asks the driver to pass bytes on at once. Where it is not offered, only time is lost.
+/// Asks a driver to pass bytes on at once, by a call that gets or sets its flags. Whether it does, as it says itself:
+/// some accept the request and ignore it.
 /// Internal.
-inline void request_low_latency([[maybe_unused]] int device) noexcept
+template <typename Driver> bool set_low_latency([[maybe_unused]] Driver&& call) noexcept
 {
 #if defined(TIOCGSERIAL) && defined(ASYNC_LOW_LATENCY)
+    constexpr auto wanted = static_cast<int>(ASYNC_LOW_LATENCY);
     serial_struct driver{};
-    if (::ioctl(device, TIOCGSERIAL, &driver) == 0) {
-        driver.flags |= static_cast<int>(ASYNC_LOW_LATENCY);
-        static_cast<void>(::ioctl(device, TIOCSSERIAL, &driver));
+    if (not call(TIOCGSERIAL, driver)) {
+        return false;
     }
+    driver.flags |= wanted;
+    return call(TIOCSSERIAL, driver) and call(TIOCGSERIAL, driver) and (driver.flags & wanted) != 0;
+#else
+    return false;
 #endif
+}
+
+/// The same of an open device.
+/// Internal.
+[[nodiscard]] inline bool request_low_latency(int device) noexcept
+{
+    return set_low_latency(
+        [device](unsigned long request, auto& flags) { return ::ioctl(device, request, &flags) == 0; });
 }
 
 /// Asks the driver for RS-485 direction control. Error: `device_setting_refused` where it is required
