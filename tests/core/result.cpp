@@ -17,6 +17,32 @@ namespace {
 STATIC_CHECK(std::is_trivially_copyable_v<result<int>>);
 STATIC_CHECK(std::is_trivially_copyable_v<result<void>>);
 STATIC_CHECK(sizeof(result<std::uint16_t>) == 4);
+
+// What a result takes as bytes, against the standard's trait: parts with a copy, a move, an assignment or an end of their own,
+// and a part that cannot be assigned.
+struct copied {
+    copied() = default;
+    copied(copied const&) {}
+};
+struct assigned {
+    assigned& operator=(assigned const&) { return *this; }
+};
+struct ended {
+    ~ended() {}
+};
+struct constant {
+    int const value;
+};
+struct whole {
+    int value;
+    std::uint8_t bytes[3];
+};
+template <typename... Values>
+constexpr bool
+    are_judged_as_by_the_standard = ((copied_as_bytes<Values> == std::is_trivially_copyable_v<Values>)and...);
+STATIC_CHECK(
+    are_judged_as_by_the_standard<copied, assigned, ended, constant, whole, int, int*, result<int>, result<whole>>);
+STATIC_CHECK(copied_as_bytes<whole>and copied_as_bytes<constant> and not copied_as_bytes<assigned>);
 STATIC_CHECK(sizeof(result<void>) == 1);
 
 constexpr result<int> half(int number)

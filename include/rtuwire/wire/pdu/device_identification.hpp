@@ -5,6 +5,7 @@
 // fixed size: references of 11 and of 12 characters both occur.
 #pragma once
 
+#include <concepts>
 #include <optional>
 
 #include <rtuwire/core/version.hpp>
@@ -86,25 +87,30 @@ struct device_identification {
     }
 
     /// The first object of the page, if there is one.
-    [[nodiscard]] constexpr std::optional<object> first() const noexcept { return object_in(list); }
+    template <std::same_as<object> Object = object> [[nodiscard]] constexpr std::optional<Object> first() const noexcept
+    {
+        return object_in<Object>(list);
+    }
 
     /// The object that follows one of this page, if there is one.
-    [[nodiscard]] constexpr std::optional<object> after(object const& previous) const noexcept
+    template <std::same_as<object> Object = object>
+    [[nodiscard]] constexpr std::optional<Object> after(object const& previous) const noexcept
     {
         std::size_t taken = 0;
-        for (auto at = first(); at; at = object_in(list.subspan(taken))) {
+        for (auto at = first<Object>(); at; at = object_in<Object>(list.subspan(taken))) {
             taken += 2 + at->value.size();
             if (at->id == previous.id) {
-                return object_in(list.subspan(taken));
+                return object_in<Object>(list.subspan(taken));
             }
         }
         return std::nullopt;
     }
 
     /// The text of an object, if this page holds it.
-    [[nodiscard]] constexpr std::optional<byte_view> find(std::uint8_t id) const noexcept
+    template <std::same_as<byte_view> Text = byte_view, std::same_as<object> Object = object>
+    [[nodiscard]] constexpr std::optional<Text> find(std::uint8_t id) const noexcept
     {
-        for (auto at = first(); at; at = after(*at)) {
+        for (auto at = first<Object>(); at; at = after<Object>(*at)) {
             if (at->id == id) {
                 return at->value;
             }
@@ -144,12 +150,12 @@ struct device_identification {
     }
 
 private:
-    static constexpr std::optional<object> object_in(byte_view bytes) noexcept
+    template <typename Object> static constexpr std::optional<Object> object_in(byte_view bytes) noexcept
     {
         if (bytes.size() < 2 or bytes.size() - 2 < to_u8(bytes[1])) {
             return std::nullopt;
         }
-        return object{to_u8(bytes[0]), bytes.subspan(2, to_u8(bytes[1]))};
+        return Object{to_u8(bytes[0]), bytes.subspan(2, to_u8(bytes[1]))};
     }
 
     static constexpr bool is_count(std::size_t found, std::uint8_t told) noexcept

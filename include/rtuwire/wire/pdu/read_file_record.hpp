@@ -24,13 +24,14 @@ struct read_file_record_response {
     byte_view data; ///< of each run its size, the reference and its records; a view of the received bytes
 
     /// The records of the run with this index in the request, if there is one.
-    [[nodiscard]] constexpr std::optional<register_view> run(std::size_t index) const noexcept
+    template <std::same_as<register_view> Records = register_view>
+    [[nodiscard]] constexpr std::optional<Records> run(std::size_t index) const noexcept
     {
         byte_view rest = data;
         while (has_run(rest)) {
             std::size_t const size = to_u8(rest[0]);
             if (index == 0) {
-                return register_view{rest.subspan(2, size - 1)};
+                return Records{rest.subspan(2, size - 1)};
             }
             --index;
             rest = rest.subspan(1 + size);

@@ -5,6 +5,7 @@
 // received one may have several.
 #pragma once
 
+#include <concepts>
 #include <optional>
 
 #include <rtuwire/core/version.hpp>
@@ -29,12 +30,13 @@ struct file_writes {
     byte_view data; ///< of each run its head and its records; a view of the received bytes
 
     /// The run at an index, if there is one.
-    [[nodiscard]] constexpr std::optional<write_of_run> run(std::size_t index) const noexcept
+    template <std::same_as<write_of_run> Run = write_of_run>
+    [[nodiscard]] constexpr std::optional<Run> run(std::size_t index) const noexcept
     {
         file_run each{};
         for (byte_view rest = data; take_run(rest, each, true) == errc::none; --index) {
             if (index == 0) {
-                return write_of_run{each, records_of(each, rest.data())};
+                return Run{each, records_of(each, rest.data())};
             }
         }
         return std::nullopt;
