@@ -30,12 +30,12 @@ protected:
     bool is_woken_{false};      ///< the next pass has something to do at once
     std::uint8_t unit_{0};      ///< that was asked last; 0 for everyone
     bool is_held_back_{false};  ///< a conversation waits for a unit that gets no request now
-    retry_state retries_{};
+    retry_state retries_;
     std::uint16_t size_{0}; ///< of the request
-    line_echo echo_{};
+    line_echo echo_;
     length_hint longest_{}; ///< of its responses
     instant deadline_{0};
-    turns turns_{};
+    turns turns_;
 };
 
 } // namespace rtuwire
