@@ -27,7 +27,6 @@ protected:
         slot_options options{};
         instant not_before{0}; ///< the end of the rest
         instant last_asked{0};
-        deadline wake{};
         duration order_gap{}; ///< from one request to the next while its unit is ordered; 0: none
         std::uint8_t unit{0}; ///< of the last request; `failures` and `has_responded` are its
         std::uint8_t failures{0};
@@ -61,11 +60,12 @@ protected:
     }
 
     /// Notes a time at which `converse` is to be called again for a conversation; a time that has come needs no note,
-    /// because this is that call.
-    static constexpr void wake_at(deadline& wake, deadline const& next, instant now) noexcept
+    /// because this is that call. One place is enough: `advance` ends all of these times, and those who visit then name
+    /// theirs again.
+    constexpr void wake_at(deadline const& next, instant now) noexcept
     {
-        if (next and not reached(now, *next) and not(wake and reached(*next, *wake))) {
-            wake = *next;
+        if (next and not reached(now, *next) and not(wake_ and reached(*next, *wake_))) {
+            wake_ = *next;
         }
     }
 
@@ -111,7 +111,7 @@ protected:
         return with;
     }
 
-    /// Whether a slot must wait; its `wake`, or a time that `poll_deadline` knows, then says until when.
+    /// Whether a slot must wait; `wake_`, or a time that `poll_deadline` knows, then says until when.
     constexpr bool is_held_back(std::size_t index, instant now) noexcept
     {
         slot& own = slots_[index];
@@ -128,7 +128,7 @@ protected:
             return false;
         }
         // The other slot's conversation may settle later in this pass, or be gone in the next.
-        wake_at(own.wake, now + own.options.with.response_timeout, now);
+        wake_at(now + own.options.with.response_timeout, now);
         return true;
     }
 
@@ -179,6 +179,7 @@ protected:
     instant asked_at_{0};
     instant probe_at_{0};
     std::size_t last_probed_{Slots - 1};
+    deadline wake_{}; ///< the first of the conversations' times
     bool is_probe_limited_{false};
 };
 
