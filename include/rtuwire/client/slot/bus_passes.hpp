@@ -23,11 +23,18 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 template <std::size_t Slots, typename Statistics> class bus_passes : protected bus_slots<Slots, Statistics> {
 protected:
     using places = bus_slots<Slots, Statistics>;
+    using bus_state::has_silent_;
+    using bus_state::is_idle_;
+    using bus_state::is_new_pass_;
+    using bus_state::is_probe_limited_;
+    using bus_state::probe_at_;
+    using bus_state::rest_end_;
+    using stage = visit_stage;
+    using bus_state::stage_;
+    using bus_state::stays_awake_;
+    using bus_state::wake_;
     using places::client_;
-    using places::is_probe_limited_;
-    using places::probe_at_;
     using places::slots_;
-    using places::wake_;
     using typename places::slot;
 
 public:
@@ -156,23 +163,6 @@ private:
         }
         return end;
     }
-
-    /// How far the visits are since the request left.
-    enum class stage : std::uint8_t {
-        changing, ///< no request is under way, or it has not left
-        settling, ///< all slots visit once in a pass that began with the request under way
-        settled,  ///< they did, and `has_silent_` and `rest_end_` are theirs
-    };
-
-    deadline rest_end_{};     ///< in an idle pass: of the slots that rest
-    bool is_new_pass_{false}; ///< a slot's conversation visited since the last `advance` of a pass that is not idle
-    bool has_silent_{false};
-    stage stage_{stage::changing};
-
-protected:
-    bool is_idle_{false}; ///< nobody has a turn in this pass
-    bool stays_awake_{
-        false}; ///< one that no pass leaves out visited since the last `advance` of a pass that is not idle
 };
 
 } // namespace rtuwire

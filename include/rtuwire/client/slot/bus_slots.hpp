@@ -20,8 +20,31 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+/// How far the visits are since the request left.
+enum class visit_stage : std::uint8_t {
+    changing, ///< no request is under way, or it has not left
+    settling, ///< all slots visit once in a pass that began with the request under way
+    settled,  ///< they did, and what is known of silent slots and rests is theirs
+};
+
+/// What a bus knows of all slots together. A base of its own, so that it lies in front of the client: small processors
+/// reach near members with short instructions.
+class bus_state {
+protected:
+    bool is_idle_{false};          ///< nobody has a turn in this pass
+    bool is_new_pass_{false};      ///< a slot's conversation visited since the latest pass that is not idle began
+    bool stays_awake_{false};      ///< one that no pass leaves out visited since then
+    bool has_silent_{false};       ///< in an idle pass: a slot is silent
+    bool is_probe_limited_{false}; ///< silent slots wait until `probe_at_`
+    visit_stage stage_{visit_stage::changing};
+    instant asked_at_{0};
+    instant probe_at_{0};
+    deadline wake_{};     ///< the first of the conversations' times
+    deadline rest_end_{}; ///< in an idle pass: of the slots that rest
+};
+
 /// The slots of a bus and the client that they share; the base of `bus`.
-template <std::size_t Slots, typename Statistics> class bus_slots {
+template <std::size_t Slots, typename Statistics> class bus_slots : protected bus_state {
 protected:
     struct slot {
         slot_options options{};
@@ -175,12 +198,8 @@ protected:
                  orders<Slots>>
         client_;
     bus_options share_;
-    std::array<slot, Slots> slots_{filled<Slots>(slot{})};
-    instant asked_at_{0};
-    instant probe_at_{0};
     std::size_t last_probed_{Slots - 1};
-    deadline wake_{}; ///< the first of the conversations' times
-    bool is_probe_limited_{false};
+    std::array<slot, Slots> slots_{filled<Slots>(slot{})};
 };
 
 } // namespace rtuwire
