@@ -24,9 +24,9 @@
 #include <cstdint>
 #include <span>
 
+#include <rtuwire/client/line/used_places.hpp>
 #include <rtuwire/core/filled.hpp>
 #include <rtuwire/core/time.hpp>
-#include <rtuwire/client/line/used_places.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {

@@ -10,9 +10,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <rtuwire/client/line/used_places.hpp>
 #include <rtuwire/core/filled.hpp>
 #include <rtuwire/core/time.hpp>
-#include <rtuwire/client/line/used_places.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
