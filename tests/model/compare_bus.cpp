@@ -191,6 +191,7 @@ struct world : compare::schedule {
             line_event const what = next->second;
             line.to_come.erase(next);
             happen(engine, second.inner, what, at);
+            second.happened();
             check();
         }
     }
@@ -270,11 +271,13 @@ struct world : compare::schedule {
             step("cancel");
             engine.cancel(clock.at(now));
             second.inner.cancel(now);
+            second.happened();
             break;
         case 1:
             number_step("cancel of", static_cast<long long>(index));
             engine.cancel(one.engine, clock.at(now));
             second.inner.cancel(one.second.whose, now);
+            second.happened();
             break;
         case 2: {
             auto const unit = static_cast<std::uint8_t>(1 + roll.below(compare::manual_unit::units));

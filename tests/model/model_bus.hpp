@@ -38,6 +38,14 @@ public:
 
     void advance(time now)
     {
+        inner.advance(now);
+        is_urgent_ = false;
+        is_put_off_ = is_put_off_ and now < put_off_until_;
+        is_idle_ = is_idle(now);
+        if (is_idle_) {
+            return;
+        }
+        had_awake_ = false;
         for (slot& each : slots_) {
             each.is_resting = each.is_resting and now < each.not_before;
             if (is_pass_) {
@@ -47,17 +55,22 @@ public:
             each.wake = std::nullopt;
         }
         is_pass_ = false;
-        is_put_off_ = is_put_off_ and now < put_off_until_;
-        is_urgent_ = false;
         urgent_wake_ = std::nullopt;
-        inner.advance(now);
+    }
+
+    /// 42: after a call that may have changed what goes on on the line.
+    void happened()
+    {
+        is_idle_ = false;
+        has_left_ = has_left_ and inner.is_visit_vain();
     }
 
     void converse(std::size_t index, bus_conversation& who, time now)
     {
-        if (index >= slots_.size()) {
+        if (index >= slots_.size() or (is_idle_ and not who.is_timed)) {
             return;
         }
+        had_awake_ = had_awake_ or who.is_timed;
         is_pass_ = true;
         slot& own = slots_[index];
         own.is_here = true;
@@ -75,10 +88,15 @@ public:
         if (not is_urgent_ and not is_held_back(index, now)) {
             ask(index, who, now);
         }
+        happened();
     }
 
     void run_urgent(bus_conversation& who, time now)
     {
+        if (who.is_timed or not who.settled()) {
+            is_idle_ = false;
+            had_awake_ = true;
+        }
         inner.deliver(who, now);
         if (who.is_timed) {
             who.advance(now);
@@ -90,6 +108,7 @@ public:
         if (is_urgent_ and inner.ask(who, now, slots_[0].options.with) == client::turn::taken) {
             asked_at_ = now;
         }
+        happened();
     }
 
     bool is_silent(std::size_t index) const { return is_silent(slots_[index]); }
@@ -139,6 +158,22 @@ private:
         bool is_present{false};
         std::optional<time> wake{};
     };
+
+    /// 42.
+    bool is_idle(time now)
+    {
+        bool const had_left = has_left_;
+        has_left_ = inner.is_visit_vain();
+        if (not has_left_ or not had_left or not is_pass_ or had_awake_ or urgent_wake_) {
+            return false;
+        }
+        for (slot const& each : slots_) {
+            if (each.wake or (each.is_resting and now >= each.not_before) or (is_silent(each) and not is_put_off_)) {
+                return false;
+            }
+        }
+        return true;
+    }
 
     bool is_silent(slot const& of) const
     {
@@ -252,6 +287,9 @@ private:
     bool is_urgent_{false};
     std::optional<time> urgent_wake_{};
     bool is_pass_{false};
+    bool is_idle_{false};
+    bool has_left_{false};  ///< at the latest `advance`, and nothing changed since
+    bool had_awake_{false}; ///< somebody with a time of its own, or before all slots, visited since then
 };
 
 } // namespace model

@@ -242,6 +242,14 @@ public:
     /// Whether the next pass has something to do at once (24).
     bool is_woken() const { return is_woken_ and (phase_ == phase::waiting or not is_under_way()); }
 
+    /// 42: whether the request has left, and others wait, none of them for a held unit.
+    bool is_visit_vain() const
+    {
+        bool const has_left = phase_ == phase::transmitting or phase_ == phase::awaiting or phase_ == phase::pausing or
+                              phase_ == phase::turnaround;
+        return has_left and turns_.others_wait and not is_held_back_;
+    }
+
     /// When the request that is no more under way ended, or somebody was sent away since.
     time ended_at() const { return is_under_way() ? 0 : ended_at_; }
 

@@ -11,6 +11,7 @@
 
 #include <rtuwire/ask/commander.hpp>
 #include <rtuwire/client/desk/conversation_desk.hpp>
+#include <rtuwire/client/line/phase.hpp>
 #include <rtuwire/client/line/quarantine.hpp>
 #include <rtuwire/client/line/transaction.hpp>
 #include <rtuwire/client/order/orders.hpp>
@@ -75,6 +76,15 @@ public:
         return duty::is_held(unit) or orders_.is_silent(unit, effect::none);
     }
     [[nodiscard]] constexpr bool is_held(unit_id unit) const noexcept { return is_held(unit.byte()); }
+
+    /// Whether the request has left and others wait already: visits change nothing but the marks of those.
+    /// Internal.
+    [[nodiscard]] constexpr bool needs_no_visit() const noexcept
+    {
+        client_phase const at = duty::phase_now();
+        bool const has_left = is_under_way(at) and at > client_phase::handed_out;
+        return has_left and turns_.others_wait() and not turns_.is_reserved() and not is_held_back_;
+    }
 
     /// Which motors this client ordered to run.
     [[nodiscard]] constexpr Orders& motor_orders() noexcept { return orders_; }

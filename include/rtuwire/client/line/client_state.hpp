@@ -20,7 +20,8 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// The base of a client that follows its `frame_cutter`; all zero at the start.
+/// The base of a client that follows its `frame_cutter`; all zero at the start. Members of classes have no `{}`, for which
+/// GCC would first make zeros by a call of memset (docs/size-notes.md).
 class client_state {
 protected:
     client_phase phase_{client_phase::idle};
@@ -30,12 +31,12 @@ protected:
     bool is_woken_{false};      ///< the next pass has something to do at once
     std::uint8_t unit_{0};      ///< that was asked last; 0 for everyone
     bool is_held_back_{false};  ///< a conversation waits for a unit that gets no request now
-    retry_state retries_{};
+    [[no_unique_address]] retry_state retries_;
     std::uint16_t size_{0}; ///< of the request
-    line_echo echo_{};
+    line_echo echo_;
     length_hint longest_{}; ///< of its responses
     instant deadline_{0};
-    turns turns_{};
+    turns turns_;
 };
 
 } // namespace rtuwire

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/client/line/client_state.hpp>
@@ -43,8 +44,13 @@ class line_end
 
 public:
     explicit constexpr line_end(line_timing const& its_timing, client_options const& its_options = {}) noexcept
-        : options_{its_options}, line_{its_timing}, bytes_{}
-    {}
+        : options_{its_options}, line_{its_timing}
+    {
+        // Written before it is read. A constant has no part without a value; at run time it would be a call of memset.
+        if (std::is_constant_evaluated()) {
+            bytes_.fill(std::byte{0});
+        }
+    }
 
     /// For a constant line and constant options. Zero-initialised, so a `constinit` client lives in .bss.
     constexpr line_end() noexcept requires is_constant<Line> : bytes_{} {}

@@ -22,7 +22,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
+#include <rtuwire/client/line/used_places.hpp>
 #include <rtuwire/core/filled.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
@@ -53,10 +55,15 @@ public:
     constexpr bool advance(instant now) noexcept
     {
         bool is_over = false;
-        for (quarantine_entry& each : entries_) {
+        for (quarantine_entry& each : used()) {
             if (each.unit != nobody and reached(now, each.end)) {
                 each.unit = nobody;
                 is_over = true;
+            }
+        }
+        if constexpr (Units > 1) {
+            while (used_.count() > 0 and entries_[used_.count() - 1].unit == nobody) {
+                used_.set(used_.count() - 1);
             }
         }
         return is_over;
@@ -65,7 +72,7 @@ public:
     /// Whether no unit is held.
     [[nodiscard]] constexpr bool is_empty() const noexcept
     {
-        for (quarantine_entry const& each : entries_) {
+        for (quarantine_entry const& each : used()) {
             if (each.unit != nobody) {
                 return false;
             }
@@ -86,7 +93,7 @@ public:
     /// Adds the times that are not over yet.
     constexpr void add_to(earliest& next) const noexcept
     {
-        for (quarantine_entry const& each : entries_) {
+        for (quarantine_entry const& each : used()) {
             if (each.unit != nobody) {
                 next.add(each.end);
             }
@@ -107,7 +114,7 @@ private:
     /// conversation.
     constexpr bool is_among(std::uint8_t unit) const noexcept
     {
-        for (quarantine_entry const& each : entries_) {
+        for (quarantine_entry const& each : used()) {
             if (unit != nobody and stands_for(each, unit)) {
                 return true;
             }
@@ -121,17 +128,27 @@ private:
         if constexpr (Units == 1) {
             return entries_[0];
         }
-        std::size_t found = Units - 1;
-        for (std::size_t i = Units; i-- > 0;) {
+        std::size_t const used = used_.count();
+        std::size_t found = used < Units ? used : Units - 1;
+        for (std::size_t i = used; i-- > 0;) {
             if (entries_[i].unit == unit) {
                 return entries_[i];
             }
             found = entries_[i].unit == nobody ? i : found;
         }
+        used_.set(found < used ? used : found + 1);
         return entries_[found];
     }
 
+    /// The entries up to the last one in use.
+    constexpr std::span<quarantine_entry> used() noexcept { return std::span{entries_}.first(used_.count()); }
+    constexpr std::span<quarantine_entry const> used() const noexcept
+    {
+        return std::span{entries_}.first(used_.count());
+    }
+
     std::array<quarantine_entry, Units> entries_{filled<Units>(quarantine_entry{instant{0}, nobody})};
+    [[no_unique_address]] used_places<Units> used_{};
 };
 
 } // namespace rtuwire

@@ -108,11 +108,11 @@ private:
     std::uint8_t busy_retries_{0};
     std::uint8_t failures_{0};
     std::uint8_t pauses_{0};
-    std::uint16_t unanswered_{0};
     duration response_timeout_{};
     duration busy_pause_{}; ///< the next one
     instant first_sent_{0};
     instant owed_until_{0};
+    std::uint16_t unanswered_{0}; ///< at the end, so that no bytes are left before its holder's next member
 };
 
 } // namespace rtuwire

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <rtuwire/client/line/used_places.hpp>
 #include <rtuwire/core/filled.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
@@ -91,6 +92,7 @@ public:
         if (at == Units) {
             return nullptr;
         }
+        used_.set(Units - at > used_.count() ? Units - at : used_.count());
         forget(places_[at]);
         places_[at] = others_;
         places_[at].unit = unit;
@@ -98,15 +100,19 @@ public:
         return &places_[at];
     }
 
-    [[nodiscard]] constexpr auto begin() noexcept { return places_.begin(); }
+    /// Those that were ever in use.
+    [[nodiscard]] constexpr auto begin() noexcept { return places_.begin() + first_used(); }
     [[nodiscard]] constexpr auto end() noexcept { return places_.end(); }
-    [[nodiscard]] constexpr auto begin() const noexcept { return places_.begin(); }
+    [[nodiscard]] constexpr auto begin() const noexcept { return places_.begin() + first_used(); }
     [[nodiscard]] constexpr auto end() const noexcept { return places_.end(); }
 
 private:
+    /// They are taken into use from the last one on.
+    constexpr std::ptrdiff_t first_used() const noexcept { return static_cast<std::ptrdiff_t>(Units - used_.count()); }
+
     constexpr std::size_t index_of(std::uint8_t unit) const noexcept
     {
-        std::size_t at = 0;
+        std::size_t at = Units - used_.count();
         while (at < Units and (places_[at].unit != unit or unit == 0)) {
             ++at;
         }
@@ -116,6 +122,10 @@ private:
     /// A place that is free, or whose unit is neither ordered, held nor lost; `Units` where there is none.
     constexpr std::size_t free_place() const noexcept
     {
+        std::size_t const first = Units - used_.count();
+        if (first != 0) {
+            return first - 1;
+        }
         std::size_t found = Units;
         for (std::size_t i = Units; i-- > 0;) {
             unit_order const& each = places_[i];
@@ -141,6 +151,7 @@ private:
 
     std::array<unit_order, Units> places_{filled<Units>(nothing_known)};
     unit_order others_{nothing_known};
+    [[no_unique_address]] used_places<Units> used_{};
 };
 
 } // namespace rtuwire

@@ -20,14 +20,36 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+/// How far the visits are since the request left.
+enum class visit_stage : std::uint8_t {
+    changing, ///< no request is under way, or it has not left
+    settling, ///< all slots visit once in a pass that began with the request under way
+    settled,  ///< they did, and what is known of silent slots and rests is theirs
+};
+
+/// What a bus knows of all slots together. A base of its own, so that it lies in front of the client: small processors
+/// reach near members with short instructions.
+class bus_state {
+protected:
+    bool is_idle_{false};          ///< nobody has a turn in this pass
+    bool is_new_pass_{false};      ///< a slot's conversation visited since the latest pass that is not idle began
+    bool stays_awake_{false};      ///< one that no pass leaves out visited since then
+    bool has_silent_{false};       ///< in an idle pass: a slot is silent
+    bool is_probe_limited_{false}; ///< silent slots wait until `probe_at_`
+    visit_stage stage_{visit_stage::changing};
+    instant asked_at_{0};
+    instant probe_at_{0};
+    deadline wake_{};     ///< the first of the conversations' times
+    deadline rest_end_{}; ///< in an idle pass: of the slots that rest
+};
+
 /// The slots of a bus and the client that they share; the base of `bus`.
-template <std::size_t Slots, typename Statistics> class bus_slots {
+template <std::size_t Slots, typename Statistics> class bus_slots : protected bus_state {
 protected:
     struct slot {
         slot_options options{};
         instant not_before{0}; ///< the end of the rest
         instant last_asked{0};
-        deadline wake{};
         duration order_gap{}; ///< from one request to the next while its unit is ordered; 0: none
         std::uint8_t unit{0}; ///< of the last request; `failures` and `has_responded` are its
         std::uint8_t failures{0};
@@ -61,11 +83,12 @@ protected:
     }
 
     /// Notes a time at which `converse` is to be called again for a conversation; a time that has come needs no note,
-    /// because this is that call.
-    static constexpr void wake_at(deadline& wake, deadline const& next, instant now) noexcept
+    /// because this is that call. One place is enough: `advance` ends all of these times, and those who visit then name
+    /// theirs again.
+    constexpr void wake_at(deadline const& next, instant now) noexcept
     {
-        if (next and not reached(now, *next) and not(wake and reached(*next, *wake))) {
-            wake = *next;
+        if (next and not reached(now, *next) and not(wake_ and reached(*next, *wake_))) {
+            wake_ = *next;
         }
     }
 
@@ -111,7 +134,7 @@ protected:
         return with;
     }
 
-    /// Whether a slot must wait; its `wake`, or a time that `poll_deadline` knows, then says until when.
+    /// Whether a slot must wait; `wake_`, or a time that `poll_deadline` knows, then says until when.
     constexpr bool is_held_back(std::size_t index, instant now) noexcept
     {
         slot& own = slots_[index];
@@ -128,7 +151,7 @@ protected:
             return false;
         }
         // The other slot's conversation may settle later in this pass, or be gone in the next.
-        wake_at(own.wake, now + own.options.with.response_timeout, now);
+        wake_at(now + own.options.with.response_timeout, now);
         return true;
     }
 
@@ -175,11 +198,8 @@ protected:
                  orders<Slots>>
         client_;
     bus_options share_;
-    std::array<slot, Slots> slots_{filled<Slots>(slot{})};
-    instant asked_at_{0};
-    instant probe_at_{0};
     std::size_t last_probed_{Slots - 1};
-    bool is_probe_limited_{false};
+    std::array<slot, Slots> slots_{filled<Slots>(slot{})};
 };
 
 } // namespace rtuwire
