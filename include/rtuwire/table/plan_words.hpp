@@ -16,7 +16,6 @@
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/key_index.hpp>
 #include <rtuwire/table/key_range.hpp>
-#include <rtuwire/table/pack.hpp>
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/table/request_plan.hpp>
 #include <rtuwire/table/table.hpp>

@@ -16,7 +16,6 @@
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/form/form.hpp>
 #include <rtuwire/table/key_index.hpp>
-#include <rtuwire/table/pack.hpp>
 #include <rtuwire/table/plan_words.hpp>
 #include <rtuwire/table/request_plan.hpp>
 #include <rtuwire/table/setting.hpp>
@@ -93,7 +92,7 @@ template <device_type Device, auto const&... Items> class read_plan {
     static constexpr auto plan = layout::blocks;
 
     /// Finds the place of a word by its address and its kind.
-    static constexpr key_index<std::uint32_t, addresses.size()> words{[] {
+    static constexpr key_index<std::uint32_t, addresses.size()> word_places{[] {
         std::array<std::uint32_t, addresses.size()> keys{};
         for (std::size_t i = 0; i < keys.size(); ++i) {
             keys[i] = key_of(layout::space_at(i), addresses[i]);
@@ -180,8 +179,8 @@ public:
         struct raw_limit {
             raw_place share;
             raw_place factor;
-            std::size_t share_at{words.find(share.key)};
-            std::size_t factor_at{words.find(factor.key)};
+            std::size_t share_at{word_places.find(share.key)};
+            std::size_t factor_at{word_places.find(factor.key)};
         };
         static constexpr raw_limit limit_of(bound const& limit) noexcept
         {
@@ -204,7 +203,7 @@ public:
 
         template <auto const& R> static constexpr std::size_t place_of() noexcept
         {
-            return words.find(key_of(R.space, R.address));
+            return word_places.find(key_of(R.space, R.address));
         }
         template <auto const& R> static constexpr std::size_t scale_place_of() noexcept
         {

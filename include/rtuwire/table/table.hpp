@@ -12,7 +12,6 @@
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/key_index.hpp>
-#include <rtuwire/table/pack.hpp>
 #include <rtuwire/table/register.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
