@@ -50,9 +50,16 @@ struct plan_cost {
     }
 };
 
-/// Sorts a list in place, a thousand in a few thousand steps.
+/// Sorts a list in place, a thousand in a few thousand steps, and in one pass where it rises already, as most tables do.
 template <typename Addresses> constexpr void sort_addresses(Addresses& addresses) noexcept
 {
+    std::size_t rising = 1;
+    while (rising < addresses.size() and not(addresses[rising] < addresses[rising - 1])) {
+        ++rising;
+    }
+    if (rising >= addresses.size()) {
+        return;
+    }
     for (std::size_t step = (addresses.size() + 1) / 2; step > 0; step = step > 2 ? step * 5 / 11 : step - 1) {
         for (std::size_t i = step; i < addresses.size(); ++i) {
             for (std::size_t k = i; k >= step and addresses[k] < addresses[k - step]; k -= step) {
