@@ -41,16 +41,16 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 [[nodiscard]] constexpr std::array<std::byte, 8> read_frame(unit_id unit, register_space space, std::uint16_t start,
                                                             std::uint16_t count) noexcept
 {
-    std::array<std::byte, 8> frame{};
-    byte_writer out{frame};
-    out.u8(unit.byte());
-    out.u8(static_cast<std::uint8_t>(function_that_reads(space)));
-    out.u16(start);
-    out.u16(count);
-    // Not by append_crc, whose size is not known where it is compiled: 250 bytes of flash.
-    std::uint16_t const crc = crc16(out.written());
-    out.u8(crc);
-    out.u8(std::uint32_t{crc} >> 8U);
+    std::array<std::byte, 8> frame{
+        to_byte(unit.byte()), to_byte(to_u8(function_that_reads(space))), to_byte(start >> 8U), to_byte(start),
+        to_byte(count >> 8U), to_byte(count)};
+    // Byte by byte, as the receiver does: a program needs no other form for it.
+    running_crc16<> crc{};
+    for (std::size_t i = 0; i < 6; ++i) {
+        crc.add(frame[i]);
+    }
+    frame[6] = to_byte(crc.value());
+    frame[7] = to_byte(std::uint32_t{crc.value()} >> 8U);
     return frame;
 }
 

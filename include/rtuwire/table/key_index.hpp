@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Finds the index of a key in a list, in a few steps whatever the list's length: the compiler searches a
-// table of a hundred registers some thousand times.
+// table of a hundred registers some thousand times. And questions about a whole list of template arguments, which are no
+// fold expressions: these nest, and Clang takes at most 256 of them.
 // Internal: may change with any version.
 #pragma once
 
@@ -10,6 +11,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
@@ -85,6 +87,26 @@ template <typename Key, std::size_t Size>
 [[nodiscard]] constexpr index_pair first_duplicate(std::array<Key, Size> const& list) noexcept
 {
     return key_index{list}.duplicate();
+}
+
+/// Facts, as a type.
+template <bool... Facts> struct fact_list;
+
+/// Whether all of them hold; true of none. A list whose facts are all true is the same, moved by one.
+template <bool... Facts>
+inline constexpr bool are_all = std::is_same_v<fact_list<true, Facts...>, fact_list<Facts..., true>>;
+
+/// Whether one of them holds.
+template <bool... Facts> inline constexpr bool is_any = not are_all<not Facts...>;
+
+/// Their sum; 0 of none.
+template <std::size_t... Numbers> [[nodiscard]] consteval std::size_t sum_of() noexcept
+{
+    std::size_t sum = 0;
+    for (std::size_t const each : std::array<std::size_t, sizeof...(Numbers)>{Numbers...}) {
+        sum += each;
+    }
+    return sum;
 }
 
 } // namespace rtuwire

@@ -15,6 +15,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/form/form.hpp>
+#include <rtuwire/table/key_index.hpp>
 #include <rtuwire/table/plan_words.hpp>
 #include <rtuwire/table/request_plan.hpp>
 #include <rtuwire/table/setting.hpp>
@@ -26,33 +27,31 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// reads them: `read_plan<device, together<power, power_factor>, energy>`.
 template <auto const&... Registers> inline constexpr kept_together<Registers...> together{};
 
-/// Which words a plan reads, by which requests.
+/// Which words a plan reads, by which requests: of holding registers of one word each, of which none has to stay with
+/// another, as drives have them.
 /// Internal.
-template <typename Device, typename List, auto const&... Items> struct read_layout;
-
-/// Of holding registers of one word each, of which none has to stay with another: as drives have them.
-/// Internal.
-template <typename Device, auto const&... Registers>
-    requires(register_list<Registers...>::is_plain)
-struct read_layout<Device, register_list<Registers...>> {
+template <typename Device, auto const&... Registers> struct plain_layout {
     static constexpr bool is_of_one_space = true;
     static constexpr auto addresses = rising_addresses<Registers...>();
     static constexpr auto blocks =
         plan_blocks<sizeof...(Registers)>(addresses, Device::limits.read, [](std::uint16_t lower, std::uint16_t upper) {
-            return is_readable_across<Device>(lower, upper);
+            return is_crossed<Device>(lower, upper, register_space::holding);
         });
 
     static constexpr register_space space_of(std::size_t) noexcept { return register_space::holding; }
     static constexpr register_space space_at(std::size_t) noexcept { return register_space::holding; }
 };
 
-/// Of any registers.
+/// Of any registers, among which the items may keep some together.
 /// Internal.
-template <typename Device, auto const&... Registers, auto const&... Items>
-    requires(sizeof...(Items) > 0 or not register_list<Registers...>::is_plain)
-struct read_layout<Device, register_list<Registers...>, Items...> {
-    static_assert((range_of<Registers>().is_of_one_space() and ...), "a scale is a register of the same kind");
-    static_assert((range_of(typename registers_named<Items>::type{}).is_of_one_space() and ...),
+template <typename Device, auto const&... Items> struct any_layout {
+    template <auto const&... Registers> struct of;
+};
+template <typename Device, auto const&... Items>
+template <auto const&... Registers>
+struct any_layout<Device, Items...>::of {
+    static_assert(are_all<range_of<Registers>().is_of_one_space()...>, "a scale is a register of the same kind");
+    static_assert(are_all<range_of(typename registers_named<Items>::type{}).is_of_one_space()...>,
                   "no request reads registers of two kinds: these cannot be kept together");
 
 private:
@@ -75,9 +74,9 @@ public:
 /// The requests that read registers of `Device`, and the type that stores the values. `Items` are registers, of all four
 /// kinds, and groups of them that are read `together`.
 template <device_type Device, auto const&... Items> class read_plan {
-    static constexpr bool is_any_group = (registers_named<Items>::is_group or ...);
+    static constexpr bool is_any_group = is_any<registers_named<Items>::is_group...>;
     using registers = typename all_named<is_any_group, Items...>::type;
-    using facts = facts_of<registers>;
+    using facts = typename registers::template apply<facts_of>;
 
     static_assert(sizeof...(Items) > 0, "a plan reads at least one register");
     static_assert(facts::template are_of<Device>, "a plan reads registers of one device only");
@@ -86,9 +85,20 @@ template <device_type Device, auto const&... Items> class read_plan {
     static_assert(facts::are_different, "a plan reads each register once");
 
     using layout =
-        std::conditional_t<is_any_group, read_layout<Device, registers, Items...>, read_layout<Device, registers>>;
+        std::conditional_t<is_any_group, typename registers::template apply<any_layout<Device, Items...>::template of>,
+                           std::conditional_t<registers::is_plain, plain_layout<Device, Items...>,
+                                              typename any_layout<Device>::template of<Items...>>>;
     static constexpr auto addresses = layout::addresses;
     static constexpr auto plan = layout::blocks;
+
+    /// Finds the place of a word by its address and its kind.
+    static constexpr key_index<std::uint32_t, addresses.size()> word_places{[] {
+        std::array<std::uint32_t, addresses.size()> keys{};
+        for (std::size_t i = 0; i < keys.size(); ++i) {
+            keys[i] = key_of(layout::space_at(i), addresses[i]);
+        }
+        return keys;
+    }()};
 
 public:
     using device = Device;
@@ -135,8 +145,10 @@ public:
             static_assert(knows(R.min) and knows(R.max),
                           "the limits of this register hang on a register that is not in the plan");
             if constexpr (register_value<value_of<R>>) {
-                return setting<R>::checked(value, R.min.is_open() ? lowest<R>() : limit(R.min),
-                                           R.max.is_open() ? highest<R>() : limit(R.max));
+                constexpr raw_limit low = limit_of(R.min);
+                constexpr raw_limit high = limit_of(R.max);
+                return setting<R>::checked(value, R.min.is_open() ? lowest<R>() : limit(R.min, low),
+                                           R.max.is_open() ? highest<R>() : limit(R.max, high));
             } else {
                 static_assert((R.min.is_number() or R.min.is_open()) and (R.max.is_number() or R.max.is_open()),
                               "the limits of a register of several words are numbers");
@@ -163,31 +175,35 @@ public:
                    (facts::has_code(limit.code()) and (limit.factor().size() == 0 or facts::has_code(limit.factor())));
         }
 
-        constexpr std::int32_t limit(bound const& of) const noexcept
+        /// The registers that a limit hangs on, and the places of their words.
+        struct raw_limit {
+            raw_place share;
+            raw_place factor;
+            std::size_t share_at{word_places.find(share.key)};
+            std::size_t factor_at{word_places.find(factor.key)};
+        };
+        static constexpr raw_limit limit_of(bound const& limit) noexcept
         {
-            return of.with(raw_of(of.code()), of.factor().size() == 0 ? 1 : raw_of(of.factor()));
+            return {facts::raw_called(limit.code()), facts::raw_called(limit.factor())};
         }
 
-        /// The raw count of a register of the plan; 0 for no mnemonic, and for a register of several words.
-        constexpr std::int32_t raw_of(literal code) const noexcept
+        constexpr std::int32_t limit(bound const& of, raw_limit const& by) const noexcept
         {
-            return facts::raw_of(
-                code, [this]<auto const & R>()->std::int32_t {
-                    if constexpr (register_value<value_of<R>>) {
-                        return raw_count<value_of<R>>(words_[place_of<R>()]);
-                    } else {
-                        return 0;
-                    }
-                });
+            return of.with(raw(by.share, by.share_at), of.factor().size() == 0 ? 1 : raw(by.factor, by.factor_at));
+        }
+
+        /// The raw count of a register of the plan; 0 for none, and for a register of several words.
+        constexpr std::int32_t raw(raw_place const& of, std::size_t at) const noexcept
+        {
+            if (not of.is_known) {
+                return 0;
+            }
+            return of.is_signed ? std::int32_t{static_cast<std::int16_t>(words_[at])} : std::int32_t{words_[at]};
         }
 
         template <auto const& R> static constexpr std::size_t place_of() noexcept
         {
-            std::size_t place = 0;
-            while (addresses[place] != R.address or layout::space_at(place) != R.space) {
-                ++place;
-            }
-            return place;
+            return word_places.find(key_of(R.space, R.address));
         }
         template <auto const& R> static constexpr std::size_t scale_place_of() noexcept
         {

@@ -50,14 +50,23 @@ struct plan_cost {
     }
 };
 
-/// Sorts a short list in place.
+/// Sorts a list in place, a thousand in a few thousand steps, and in one pass where it rises already, as most tables do.
 template <typename Addresses> constexpr void sort_addresses(Addresses& addresses) noexcept
 {
-    for (std::size_t i = 1; i < addresses.size(); ++i) {
-        for (std::size_t k = i; k > 0 and addresses[k] < addresses[k - 1]; --k) {
-            auto const moved = addresses[k];
-            addresses[k] = addresses[k - 1];
-            addresses[k - 1] = moved;
+    std::size_t rising = 1;
+    while (rising < addresses.size() and not(addresses[rising] < addresses[rising - 1])) {
+        ++rising;
+    }
+    if (rising >= addresses.size()) {
+        return;
+    }
+    for (std::size_t step = (addresses.size() + 1) / 2; step > 0; step = step > 2 ? step * 5 / 11 : step - 1) {
+        for (std::size_t i = step; i < addresses.size(); ++i) {
+            for (std::size_t k = i; k >= step and addresses[k] < addresses[k - step]; k -= step) {
+                auto const moved = addresses[k];
+                addresses[k] = addresses[k - step];
+                addresses[k - step] = moved;
+            }
         }
     }
 }
@@ -67,43 +76,81 @@ struct none_is_joined {
     constexpr bool operator()(std::size_t) const noexcept { return false; }
 };
 
+/// Where a block may start so that it ends at the address looked at, the cheapest first. While the ends go up, so does
+/// the lowest start that one request still reaches, and a start never comes back that a later one has beaten: each is
+/// added and removed once.
+template <std::size_t Most> class block_starts {
+public:
+    /// What covers all addresses in front of the start at `index`, and this start in the sum: less of it is better for
+    /// any end.
+    struct start {
+        std::size_t index;
+        plan_cost before;
+    };
+
+    /// Of two equal ones the later is kept.
+    constexpr void add(start one) noexcept
+    {
+        while (end_ > first_ and not starts_[end_ - 1].before.is_below(one.before)) {
+            --end_;
+        }
+        starts_[end_++] = one;
+    }
+
+    /// Drops those in front of an index.
+    constexpr void reach_to(std::size_t index) noexcept
+    {
+        while (first_ < end_ and starts_[first_].index < index) {
+            ++first_;
+        }
+    }
+
+    [[nodiscard]] constexpr bool empty() const noexcept { return first_ == end_; }
+    [[nodiscard]] constexpr start cheapest() const noexcept { return starts_[first_]; }
+
+private:
+    std::array<start, Most> starts_{};
+    std::size_t first_{0};
+    std::size_t end_{0};
+};
+
 /// The best plan for addresses that rise, none twice. A block has at most `limit` registers (at least
-/// 1), and spans the gap between two neighbours only where `may_cross(lower, upper)`. No block starts at an address
-/// for whose index `is_joined`: it goes with the one before. Where no plan can be, it has no block.
+/// 1), and spans the gap between two neighbours only where `may_cross(lower, upper)`, which is asked once a gap, and of
+/// no gap that is too long anyway. No block starts at an address for whose index `is_joined`: it goes with the one
+/// before. Where no plan can be, it has no block. Of plans that cost the same, the one whose last block starts latest, then
+/// the one before it.
 template <std::size_t Most, typename MayCross, typename IsJoined = none_is_joined>
 [[nodiscard]] constexpr block_list<Most> plan_blocks(std::span<std::uint16_t const> rising, std::uint32_t limit,
                                                      MayCross may_cross, IsJoined is_joined = {})
 {
-    constexpr std::uint32_t impossible = 0xFFFF'FFFF;
-    // best[i]: the cheapest way to cover the first i addresses; from[i]: where its last block starts.
-    std::array<plan_cost, Most + 1> best{};
-    std::array<std::size_t, Most + 1> from{};
-    for (std::size_t end = 1; end <= rising.size(); ++end) {
-        best[end] = {impossible, 0};
-        for (std::size_t first = end; first-- > 0;) {
-            std::uint32_t const span = std::uint32_t{rising[end - 1]} - rising[first] + 1;
-            if (span > limit) {
-                break;
-            }
-            bool const may_start = best[first].requests != impossible and not is_joined(first);
-            plan_cost const cost{best[first].requests + 1, best[first].registers + span};
-            if (may_start and cost.is_below(best[end])) {
-                best[end] = cost;
-                from[end] = first;
-            }
-            if (first > 0 and not may_cross(rising[first - 1], rising[first])) {
-                break;
-            }
-        }
-    }
     block_list<Most> plan;
-    if (best[rising.size()].requests == impossible) {
-        return plan;
+    // The cheapest way to cover the addresses so far, and for each of them where the last block starts.
+    plan_cost best{};
+    std::array<std::size_t, Most> from{};
+    block_starts<Most> starts;
+    for (std::size_t last = 0, lowest = 0; last < rising.size(); ++last) {
+        std::uint32_t const behind = rising[last] + 1U;
+        if (last > 0 and (behind - rising[last - 1] > limit or not may_cross(rising[last - 1], rising[last]))) {
+            lowest = last;
+        }
+        while (behind - rising[lowest] > limit) {
+            ++lowest;
+        }
+        if (not is_joined(last)) {
+            starts.add({last, {best.requests, best.registers + 0x1'0000U - rising[last]}});
+        }
+        starts.reach_to(lowest);
+        if (starts.empty()) {
+            return plan;
+        }
+        auto const chosen = starts.cheapest();
+        best = {chosen.before.requests + 1, chosen.before.registers + behind - 0x1'0000U};
+        from[last] = chosen.index;
     }
-    plan.count = best[rising.size()].requests;
+    plan.count = best.requests;
     std::size_t end = rising.size();
     for (std::size_t place = plan.count; place-- > 0;) {
-        std::size_t const first = from[end];
+        std::size_t const first = from[end - 1];
         plan.blocks[place] = {rising[first], static_cast<std::uint16_t>(rising[end - 1] - rising[first] + 1)};
         end = first;
     }

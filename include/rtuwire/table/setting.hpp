@@ -27,30 +27,44 @@ void value_is_not_a_whole_number_of_register_steps();
 void value_has_no_meaning_in_this_register();
 void value_is_never_written_to_this_register();
 
-/// The smallest raw count of a register of one word, as far as it does not depend on another.
-template <auto const& R> [[nodiscard]] constexpr std::int32_t lowest() noexcept
+/// The smallest raw count of a register of one word, as far as its limit is a number.
+/// Internal.
+template <register_value T> [[nodiscard]] constexpr std::int32_t lowest_count(bound const& min) noexcept
 {
-    if (R.min.is_number()) {
-        return static_cast<std::int32_t>(R.min.raw());
+    if (min.is_number()) {
+        return static_cast<std::int32_t>(min.raw());
     }
-    if constexpr (register_quantity<value_of<R>>) {
-        return (std::numeric_limits<typename value_of<R>::rep>::min)();
+    if constexpr (register_quantity<T>) {
+        return (std::numeric_limits<typename T::rep>::min)();
     } else {
         return 0;
     }
 }
 
-/// The largest raw count of a register of one word, as far as it does not depend on another.
-template <auto const& R> [[nodiscard]] constexpr std::int32_t highest() noexcept
+/// The largest raw count of a register of one word, as far as its limit is a number.
+/// Internal.
+template <register_value T> [[nodiscard]] constexpr std::int32_t highest_count(bound const& max) noexcept
 {
-    if (R.max.is_number()) {
-        return static_cast<std::int32_t>(R.max.raw());
+    if (max.is_number()) {
+        return static_cast<std::int32_t>(max.raw());
     }
-    if constexpr (register_quantity<value_of<R>>) {
-        return (std::numeric_limits<typename value_of<R>::rep>::max)();
+    if constexpr (register_quantity<T>) {
+        return (std::numeric_limits<typename T::rep>::max)();
     } else {
         return 0xFFFF;
     }
+}
+
+/// The smallest raw count of a register of one word, as far as it does not depend on another.
+template <auto const& R> [[nodiscard]] constexpr std::int32_t lowest() noexcept
+{
+    return lowest_count<value_of<R>>(R.min);
+}
+
+/// The largest raw count of a register of one word, as far as it does not depend on another.
+template <auto const& R> [[nodiscard]] constexpr std::int32_t highest() noexcept
+{
+    return highest_count<value_of<R>>(R.max);
 }
 
 /// How many units of `Value` make one step of `Target`, as a fraction; 1 where either counts none.

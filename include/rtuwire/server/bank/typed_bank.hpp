@@ -9,31 +9,19 @@
 
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/bank/typed_space.hpp>
-#include <rtuwire/table/plan_words.hpp>
+#include <rtuwire/table/key_index.hpp>
+#include <rtuwire/table/register.hpp>
 #include <rtuwire/table/setting.hpp>
 #include <rtuwire/table/table.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Those registers of a list that are of one kind.
-/// Internal.
-template <register_space Space, auto const&... Registers>
-using registers_of_kind = typename joined_lists<
-    register_list<>, std::conditional_t<Registers.space == Space, register_list<Registers>, register_list<>>...>::type;
-
-/// Internal.
-template <typename List> struct typed_parts;
-template <auto const&... Registers> struct typed_parts<register_list<Registers...>> {
-    using words = typed_words<Registers...>;
-    using bits = typed_bits<Registers...>;
-};
-
 /// The registers of a bank that has other kinds than holding registers, too.
 /// Internal.
 template <auto const&... Registers>
-class bank_of_kinds : public typed_parts<registers_of_kind<register_space::holding, Registers...>>::words {
-    template <register_space Space> using list = registers_of_kind<Space, Registers...>;
-    using holding = typename typed_parts<list<register_space::holding>>::words;
+class bank_of_kinds : public typed_words<bank_space<register_space::holding, Registers...>> {
+    template <register_space Space> using list = bank_space<Space, Registers...>;
+    using holding = typed_words<list<register_space::holding>>;
 
 public:
     /// What a server of function 04 asks for.
@@ -70,20 +58,20 @@ private:
         }
     }
 
-    typename typed_parts<list<register_space::input>>::words inputs_{};
-    typename typed_parts<list<register_space::coil>>::bits coils_{};
-    typename typed_parts<list<register_space::discrete_input>>::bits discrete_inputs_{};
+    typed_words<list<register_space::input>> inputs_{};
+    typed_bits<list<register_space::coil>> coils_{};
+    typed_bits<list<register_space::discrete_input>> discrete_inputs_{};
 };
 
 /// Holding registers only.
 /// Internal.
-template <auto const&... Registers> class bank_of_holding : public typed_words<Registers...> {
+template <auto const&... Registers>
+class bank_of_holding : public typed_words<bank_space<register_space::holding, Registers...>> {
+    using words = typed_words<bank_space<register_space::holding, Registers...>>;
+
 protected:
-    template <register_space> [[nodiscard]] constexpr typed_words<Registers...>& part() noexcept { return *this; }
-    template <register_space> [[nodiscard]] constexpr typed_words<Registers...> const& part() const noexcept
-    {
-        return *this;
-    }
+    template <register_space> [[nodiscard]] constexpr words& part() noexcept { return *this; }
+    template <register_space> [[nodiscard]] constexpr words const& part() const noexcept { return *this; }
 };
 
 /// The values of some registers of any kinds, initially their factory values (0 where none is known). Exception 02:
@@ -93,10 +81,10 @@ protected:
 /// its enumeration do not list (`enumerators`; any value is allowed where they are not given). A signed register's words
 /// are compared as signed. Nothing is written in part.
 template <auto const&... Registers>
-class bank : public std::conditional_t<((Registers.space == register_space::holding) and ...),
+class bank : public std::conditional_t<are_all<(Registers.space == register_space::holding)...>,
                                        bank_of_holding<Registers...>, bank_of_kinds<Registers...>> {
     using registers = table<Registers...>;
-    static_assert((has_own_steps<Registers> and ...),
+    static_assert(are_all<has_own_steps<Registers>...>,
                   "another register sets this register's steps: name them with restepped");
 
 public:

@@ -1,144 +1,147 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The typed registers of one kind in a bank: words with their rules, and bits.
+// The typed registers of one kind in a bank, in the order of their addresses: words with their rules, and bits.
 // Internal: may change with any version.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <type_traits>
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/table/form/form_setting.hpp>
-#include <rtuwire/table/setting.hpp>
+#include <rtuwire/server/bank/register_rules.hpp>
+#include <rtuwire/table/form/form.hpp>
+#include <rtuwire/table/key_index.hpp>
+#include <rtuwire/table/request_plan.hpp>
 #include <rtuwire/wire/bit_view.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/register_view.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// The words of a register as delivered; 0 where its factory value is not known.
-template <auto const& R> [[nodiscard]] constexpr auto factory_words() noexcept
-{
-    using form = register_form_of<R>;
-    if constexpr (register_value<value_of<R>>) {
-        return std::array{static_cast<std::uint16_t>(R.factory.value_or(0))};
-    } else if constexpr (requires { typename form::count_type; }) {
-        return form::to_words(value_of<R>{static_cast<typename form::count_type>(R.factory.value_or(0))});
-    } else if constexpr (std::same_as<value_of<R>, bool>) {
-        return form::to_words(R.factory.value_or(0) != 0);
-    } else {
-        return form::to_words(value_of<R>{});
-    }
-}
+/// The registers of one kind among those of a bank: their rules, rising by address, and their words as delivered.
+template <register_space Space, auto const&... Registers> struct bank_space {
+private:
+    static constexpr std::size_t all = sizeof...(Registers);
+    static constexpr std::array<bool, all> are_of_it{(Registers.space == Space)...};
+    static constexpr bool is_plain =
+        Space == register_space::holding and are_all<(Registers.is_plain or Registers.space != Space)...>;
+    using rule =
+        std::conditional_t<is_space_of_bits(Space), bit_rule, std::conditional_t<is_plain, word_rule, value_rule>>;
 
-/// What holds for a holding register of one word.
-struct word_rule {
-    std::uint16_t address;
-    bool is_writable;
-    bool is_signed;
-    std::int32_t lowest;
-    std::int32_t highest;
-    std::span<std::uint16_t const> listed;
-    count_range gap;
+public:
+    static constexpr std::size_t size = sum_of<(Registers.space == Space ? 1U : 0U)...>();
+    static constexpr std::size_t word_count = sum_of<(Registers.space == Space ? Registers.word_count : 0U)...>();
 
-    static constexpr std::size_t word_count = 1;
-    [[nodiscard]] static constexpr std::size_t first_word(std::size_t place) noexcept { return place; }
-    [[nodiscard]] constexpr bool takes(register_view values, std::size_t at) const noexcept
-    {
-        std::uint16_t const word = values[at];
-        std::int32_t const raw = is_signed ? std::int32_t{static_cast<std::int16_t>(word)} : std::int32_t{word};
-        return raw >= lowest and raw <= highest and not gap.contains(raw) and has_meaning(listed, word);
-    }
-};
+private:
+    /// The places of its registers in the bank's list, rising by address.
+    static constexpr auto order = [] {
+        constexpr std::array<std::uint16_t, all> addresses{Registers.address...};
+        std::array<std::uint32_t, size> keys{};
+        for (std::uint32_t i = 0, at = 0; i < all; ++i) {
+            if (are_of_it[i]) {
+                keys[at++] = std::uint32_t{addresses[i]} << 16U | i;
+            }
+        }
+        sort_addresses(keys);
+        std::array<std::uint16_t, size> places{};
+        for (std::size_t i = 0; i < size; ++i) {
+            places[i] = static_cast<std::uint16_t>(keys[i] & 0xFFFFU);
+        }
+        return places;
+    }();
 
-/// Whether a register takes the words of a request, from the one at `at` on.
-template <auto const& R> [[nodiscard]] constexpr bool takes_words(register_view values, std::size_t at) noexcept
-{
-    using form = register_form_of<R>;
-    std::array<std::uint16_t, R.word_count> words{};
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        words[i] = values[at + i];
-    }
-    auto const value = form::from_words(words);
-    if (not value) {
-        return false;
-    }
-    if constexpr (register_value<value_of<R>>) {
-        return setting<R>::checked(*value).has_value();
-    } else {
-        return form::refusal(*value, R.min, R.max, R.gap) == errc::none;
-    }
-}
+public:
+    static constexpr auto rules = [] {
+        std::array<rule, all> const listed{rule::of(Registers)...};
+        std::array<rule, size> rising{};
+        std::size_t word = 0;
+        for (std::size_t i = 0; i < size; ++i) {
+            rising[i] = listed[order[i]];
+            rising[i].put_at(word);
+            word += rising[i].word_count;
+        }
+        return rising;
+    }();
 
-/// What holds for any register of words.
-struct value_rule {
-    std::uint16_t address;
-    std::uint16_t word_count;
-    std::uint16_t first; ///< where its first word is stored
-    bool is_writable;
-    bool (*takes)(register_view, std::size_t);
-
-    [[nodiscard]] constexpr std::size_t first_word(std::size_t) const noexcept { return first; }
-};
-
-/// The rules of some registers, in their order.
-template <auto const&... Registers> [[nodiscard]] consteval auto rules_of() noexcept
-{
-    if constexpr ((Registers.is_plain and ...)) {
-        return std::array<word_rule, sizeof...(Registers)>{word_rule{
-            Registers.address, Registers.mode != access::read_only, lowest<Registers>() < 0, lowest<Registers>(),
-            highest<Registers>(), listed_words<value_of<Registers>>(), Registers.gap}...};
-    } else {
-        std::uint16_t next = 0;
-        auto const take = [&next](std::uint16_t its_words) {
-            std::uint16_t const its_first = next;
-            next = static_cast<std::uint16_t>(next + its_words);
-            return its_first;
+    static constexpr auto delivered = [] {
+        std::array<std::uint16_t, all> first{};
+        for (std::size_t i = 0; i < size; ++i) {
+            first[order[i]] = static_cast<std::uint16_t>(rules[i].first_word(i));
+        }
+        std::array<std::uint16_t, word_count> words{};
+        std::size_t at = 0;
+        auto const put = [&](auto const& of) {
+            if (are_of_it[at]) {
+                std::size_t word = first[at];
+                for (std::uint16_t const each : factory_words(of)) {
+                    words[word++] = each;
+                }
+            }
+            return ++at;
         };
-        return std::array<value_rule, sizeof...(Registers)>{
-            value_rule{Registers.address, Registers.word_count, take(Registers.word_count),
-                       Registers.mode != access::read_only, takes_words<Registers>}...};
+        [[maybe_unused]] std::array<std::size_t, all> const done{put(Registers)...};
+        return words;
+    }();
+
+    /// The place of the first register at an address or above it: `size` where there is none. A short list is gone
+    /// through, which is smaller.
+    [[nodiscard]] static constexpr std::size_t place_from(std::uint32_t address) noexcept
+    {
+        std::size_t low = 0;
+        if constexpr (size <= 8) {
+            while (low < size and rules[low].address < address) {
+                ++low;
+            }
+            return low;
+        }
+        for (std::size_t end = size; low < end;) {
+            std::size_t const middle = (low + end) / 2;
+            if (rules[middle].address < address) {
+                low = middle + 1;
+            } else {
+                end = middle;
+            }
+        }
+        return low;
     }
-}
+
+    /// Whether registers fill these addresses, none of them cut, and all writable where that is asked.
+    [[nodiscard]] static constexpr bool fills(std::uint16_t start, std::size_t count, bool is_to_write) noexcept
+    {
+        std::size_t place = place_from(start);
+        for (std::size_t i = 0; i < count; ++place) {
+            if (place == size or rules[place].address != start + i or rules[place].word_count > count - i or
+                (is_to_write and not rules[place].is_writable)) {
+                return false;
+            }
+            i += rules[place].word_count;
+        }
+        return true;
+    }
+};
 
 /// Holding registers or input registers. A register of several words is read and written whole or not at all: half of it
 /// is exception 02.
-template <auto const&... Registers> class typed_words {
-    static constexpr std::size_t none = sizeof...(Registers);
-    static constexpr auto rules = rules_of<Registers...>();
+template <typename Space> class typed_words {
+    static constexpr auto& rules = Space::rules;
 
 public:
     [[nodiscard]] constexpr errc check_read(std::uint16_t start, std::size_t count) const noexcept
     {
-        for (std::size_t i = 0; i < count;) {
-            std::size_t const place = place_after(start, i);
-            if (place == none or rules[place].word_count > count - i) {
-                return errc::illegal_data_address;
-            }
-            i += rules[place].word_count;
-        }
-        return errc::none;
+        return Space::fills(start, count, false) ? errc::none : errc::illegal_data_address;
     }
 
     [[nodiscard]] constexpr errc check_write(std::uint16_t start, register_view values) const noexcept
     {
-        if (errc const wrong = check_read(start, values.size()); wrong != errc::none) {
-            return wrong;
+        if (not Space::fills(start, values.size(), true)) {
+            return errc::illegal_data_address;
         }
-        for (std::size_t i = 0; i < values.size();) {
-            std::size_t const place = place_after(start, i);
-            if (not rules[place].is_writable) {
-                return errc::illegal_data_address;
-            }
-            i += rules[place].word_count;
-        }
-        for (std::size_t i = 0; i < values.size();) {
-            std::size_t const place = place_after(start, i);
+        std::size_t place = Space::place_from(start);
+        for (std::size_t i = 0; i < values.size(); ++place) {
             if (not rules[place].takes(values, i)) {
                 return errc::illegal_data_value;
             }
@@ -149,10 +152,11 @@ public:
 
     constexpr errc read(std::uint16_t start, std::size_t count, byte_writer& out) noexcept
     {
-        for (std::size_t i = 0; i < count;) {
-            std::size_t const place = place_after(start, i);
-            for (std::size_t word = 0; word < rules[place].word_count; ++word, ++i) {
-                out.u16(words_[rules[place].first_word(place) + word]);
+        if (std::byte* const to = out.take(2 * count); to != nullptr and count > 0) {
+            std::size_t const place = Space::place_from(start);
+            std::size_t const first = rules[place].first_word(place);
+            for (std::size_t i = 0; i < count; ++i) {
+                put_u16(to + 2 * i, words_[first + i]);
             }
         }
         return errc::none;
@@ -160,8 +164,8 @@ public:
 
     constexpr errc write(std::uint16_t start, register_view values) noexcept
     {
-        for (std::size_t i = 0; i < values.size();) {
-            std::size_t const place = place_after(start, i);
+        std::size_t place = Space::place_from(start);
+        for (std::size_t i = 0; i < values.size(); ++place) {
             is_written_[place] = true;
             for (std::size_t word = 0; word < rules[place].word_count; ++word, ++i) {
                 words_[rules[place].first_word(place) + word] = values[i];
@@ -173,126 +177,96 @@ public:
     /// The value of a register, or a result where its words may be none.
     template <auto const& R> [[nodiscard]] constexpr auto value() const noexcept
     {
-        constexpr std::size_t place = place_of(R.address);
+        constexpr std::size_t first = first_word<R>();
         if constexpr (R.is_plain) {
-            return from_word<value_of<R>>(words_[rules[place].first_word(place)]);
+            return from_word<value_of<R>>(words_[first]);
         } else if constexpr (is_always_a_value<R>) {
-            return *value_in<R>(words_, rules[place].first_word(place), 0);
+            return *value_in<R>(words_, first, 0);
         } else {
-            return value_in<R>(words_, rules[place].first_word(place), 0);
+            return value_in<R>(words_, first, 0);
         }
     }
 
     template <auto const& R> constexpr void set_value(value_of<R> value) noexcept
     {
-        constexpr std::size_t place = place_of(R.address);
+        constexpr std::size_t first = first_word<R>();
         auto const words = register_form_of<R>::to_words(value);
         for (std::size_t i = 0; i < words.size(); ++i) {
-            words_[rules[place].first_word(place) + i] = words[i];
+            words_[first + i] = words[i];
         }
     }
 
-    template <auto const& R> constexpr bool& written() noexcept { return is_written_[place_of(R.address)]; }
+    template <auto const& R> constexpr bool& written() noexcept
+    {
+        constexpr std::size_t place = Space::place_from(R.address);
+        return is_written_[place];
+    }
 
 private:
-    static constexpr std::size_t place_of(std::uint32_t address) noexcept
+    template <auto const& R> static constexpr std::size_t first_word() noexcept
     {
-        std::size_t place = 0;
-        while (place < none and rules[place].address != address) {
-            ++place;
-        }
-        return place;
+        std::size_t const place = Space::place_from(R.address);
+        return rules[place].first_word(place);
     }
 
-    static constexpr std::size_t place_after(std::uint16_t start, std::size_t offset) noexcept
-    {
-        return place_of(std::uint32_t{start} + static_cast<std::uint32_t>(offset));
-    }
-
-    static constexpr auto delivered() noexcept
-    {
-        std::array<std::uint16_t, (std::size_t{Registers.word_count} + ... + 0U)> words{};
-        [[maybe_unused]] std::size_t at = 0;
-        [[maybe_unused]] auto const put = [&](auto const& several) {
-            for (std::uint16_t const each : several) {
-                words[at++] = each;
-            }
-        };
-        (put(factory_words<Registers>()), ...);
-        return words;
-    }
-
-    std::array<std::uint16_t, (std::size_t{Registers.word_count} + ... + 0U)> words_{delivered()};
-    std::array<bool, none> is_written_{};
+    std::array<std::uint16_t, Space::word_count> words_{Space::delivered};
+    std::array<bool, Space::size> is_written_{};
 };
 
 /// Coils or discrete inputs.
-template <auto const&... Registers> class typed_bits {
-    static constexpr std::size_t none = sizeof...(Registers);
-    static constexpr std::array<std::uint16_t, none> addresses{Registers.address...};
-    static constexpr std::array<bool, none> are_writable{(Registers.mode != access::read_only)...};
-
+template <typename Space> class typed_bits {
 public:
     [[nodiscard]] constexpr errc check_read(std::uint16_t start, std::size_t count) const noexcept
     {
-        for (std::size_t i = 0; i < count; ++i) {
-            if (place_after(start, i) == none) {
-                return errc::illegal_data_address;
-            }
-        }
-        return errc::none;
+        return Space::fills(start, count, false) ? errc::none : errc::illegal_data_address;
     }
 
     [[nodiscard]] constexpr errc check_write(std::uint16_t start, bit_view values) const noexcept
     {
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            std::size_t const place = place_after(start, i);
-            if (place == none or not are_writable[place]) {
-                return errc::illegal_data_address;
-            }
-        }
-        return errc::none;
+        return Space::fills(start, values.size(), true) ? errc::none : errc::illegal_data_address;
     }
 
     constexpr errc read(std::uint16_t start, std::size_t count, byte_span out) noexcept
     {
+        std::size_t const place = Space::place_from(start);
         for (std::size_t i = 0; i < count; ++i) {
-            put_bit(out, i, bits_[place_after(start, i)]);
+            put_bit(out, i, bits_[place + i]);
         }
         return errc::none;
     }
 
     constexpr errc write(std::uint16_t start, bit_view values) noexcept
     {
+        std::size_t const place = Space::place_from(start);
         for (std::size_t i = 0; i < values.size(); ++i) {
-            std::size_t const place = place_after(start, i);
-            bits_[place] = values[i];
-            is_written_[place] = true;
+            bits_[place + i] = values[i];
+            is_written_[place + i] = true;
         }
         return errc::none;
     }
 
-    template <auto const& R> [[nodiscard]] constexpr bool value() const noexcept { return bits_[place_of(R.address)]; }
-    template <auto const& R> constexpr void set_value(bool value) noexcept { bits_[place_of(R.address)] = value; }
-    template <auto const& R> constexpr bool& written() noexcept { return is_written_[place_of(R.address)]; }
+    template <auto const& R> [[nodiscard]] constexpr bool value() const noexcept { return bits_[place_of<R>()]; }
+    template <auto const& R> constexpr void set_value(bool value) noexcept { bits_[place_of<R>()] = value; }
+    template <auto const& R> constexpr bool& written() noexcept { return is_written_[place_of<R>()]; }
 
 private:
-    static constexpr std::size_t place_of(std::uint32_t address) noexcept
+    template <auto const& R> static constexpr std::size_t place_of() noexcept
     {
-        std::size_t place = 0;
-        while (place < none and addresses[place] != address) {
-            ++place;
-        }
+        constexpr std::size_t place = Space::place_from(R.address);
         return place;
     }
 
-    static constexpr std::size_t place_after(std::uint16_t start, std::size_t offset) noexcept
+    static constexpr auto delivered() noexcept
     {
-        return place_of(std::uint32_t{start} + static_cast<std::uint32_t>(offset));
+        std::array<bool, Space::size> bits{};
+        for (std::size_t i = 0; i < bits.size(); ++i) {
+            bits[i] = Space::delivered[i] != 0;
+        }
+        return bits;
     }
 
-    std::array<bool, none> bits_{Registers.factory.value_or(0) != 0 ...};
-    std::array<bool, none> is_written_{};
+    std::array<bool, Space::size> bits_{delivered()};
+    std::array<bool, Space::size> is_written_{};
 };
 
 } // namespace rtuwire

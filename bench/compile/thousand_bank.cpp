@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A server with a bank of a thousand registers.
+#include <rtuwire/server/bank/typed_bank.hpp>
+#include <rtuwire/server/response_frame.hpp>
+
+#include <utility>
+
+using namespace rtuwire;
+
+template <unsigned Address>
+inline constexpr reg<decihertz> one{.code = "R", .address = Address, .min = 0, .max = 5'000};
+template <std::size_t... I> bank<one<100 + I>...> bank_of(std::index_sequence<I...>);
+
+decltype(bank_of(std::make_index_sequence<1'000>{})) all;
+
+byte_view answer(byte_span place, std::size_t size)
+{
+    static constexpr server_profile profile{};
+    no_diagnostics none;
+    return response_frame(place, size, unit_id{1}, all, profile, none);
+}
