@@ -41,9 +41,9 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 [[nodiscard]] constexpr std::array<std::byte, 8> read_frame(unit_id unit, register_space space, std::uint16_t start,
                                                             std::uint16_t count) noexcept
 {
-    std::array<std::byte, 8> frame{
-        to_byte(unit.byte()), to_byte(to_u8(function_that_reads(space))), to_byte(start >> 8U), to_byte(start),
-        to_byte(count >> 8U), to_byte(count)};
+    std::array<std::byte, 8> frame{to_byte(unit.byte()), to_byte(to_u8(function_that_reads(space))),
+                                   to_byte(start >> 8U), to_byte(start),
+                                   to_byte(count >> 8U), to_byte(count)};
     // Byte by byte, as the receiver does: a program needs no other form for it.
     running_crc16<> crc{};
     for (std::size_t i = 0; i < 6; ++i) {
