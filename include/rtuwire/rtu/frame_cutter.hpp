@@ -30,7 +30,6 @@ namespace rtuwire::inline RTUWIRE_BUILD::detail {
 template <typename Holder, direction Way, std::size_t Front>
 class frame_cutter : public frame_bytes<Holder, Way, Front> {
     using store = frame_bytes<Holder, Way, Front>;
-    using store::bytes;
     using store::end_;
     using store::is_open_end;
     using store::place_;
@@ -143,12 +142,12 @@ public:
     {
         return error_ != errc::none         ? error_
                : size() < min_adu_size      ? errc::frame_too_short
-               : not sum_.is_right(bytes()) ? errc::crc_mismatch
+               : not sum_.is_right(this->bytes()) ? errc::crc_mismatch
                                             : errc::none;
     }
 
     /// The last frame, where the verdict is none.
-    [[nodiscard]] constexpr adu frame() const noexcept { return adu{bytes()}; }
+    [[nodiscard]] constexpr adu frame() const noexcept { return adu{this->bytes()}; }
 
     /// Records a request to another unit: the response of this unit and function may follow. Frames with
     /// these first two bytes (the function with or without 80) then end at the size by the request's rule or
@@ -211,7 +210,7 @@ private:
     /// which is smaller (docs/size-notes.md).
     [[gnu::always_inline]] constexpr bool apply_length_rule() noexcept
     {
-        end_hint const told = others_.apply(bytes());
+        end_hint const told = others_.apply(this->bytes());
         // Past an end whose CRC is wrong only silence tells where the next frame starts.
         this->look_at(told.next);
         if (not told.is_here or verdict() != errc::none) {
