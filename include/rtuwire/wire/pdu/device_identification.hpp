@@ -86,6 +86,8 @@ struct device_identification {
         out.bytes(list);
     }
 
+    // Templates, so that a file which does not call them has no optional to compile.
+
     /// The first object of the page, if there is one.
     template <std::same_as<object> Object = object> [[nodiscard]] constexpr std::optional<Object> first() const noexcept
     {

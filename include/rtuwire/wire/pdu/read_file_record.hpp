@@ -23,7 +23,8 @@ struct read_file_record_response {
 
     byte_view data; ///< of each run its size, the reference and its records; a view of the received bytes
 
-    /// The records of the run with this index in the request, if there is one.
+    /// The records of the run with this index in the request, if there is one. A template: a file that does not
+    /// call it has no optional to compile.
     template <std::same_as<register_view> Records = register_view>
     [[nodiscard]] constexpr std::optional<Records> run(std::size_t index) const noexcept
     {

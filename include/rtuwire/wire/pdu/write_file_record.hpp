@@ -29,7 +29,8 @@ struct file_writes {
 
     byte_view data; ///< of each run its head and its records; a view of the received bytes
 
-    /// The run at an index, if there is one.
+    /// The run at an index, if there is one. A template: a file that does not
+    /// call it has no optional to compile.
     template <std::same_as<write_of_run> Run = write_of_run>
     [[nodiscard]] constexpr std::optional<Run> run(std::size_t index) const noexcept
     {
