@@ -20,12 +20,16 @@ using namespace rtuwire;
 
 inline constexpr unit_id address{1};
 inline constexpr auto read_4 = "01 03 00 01 00 04 15 C9"_hex;
+inline constexpr auto read_63 = *encode(address, read_holding_registers{1, 63});
+inline constexpr auto read_125 = *encode(address, read_holding_registers{1, 125});
+inline constexpr auto write_4 = "01 10 00 01 00 04 08 00 01 00 02 00 03 00 04 D3 7A"_hex;
 inline constexpr auto exchange_4 = "01 17 00 01 00 04 00 01 00 04 08 00 01 00 02 00 03 00 04 2B 29"_hex;
 
 struct memory {
     std::array<std::byte, 13> response_4{};
     std::array<std::byte, 131> response_63{};
-    word_bank<16> bank{};
+    std::array<std::byte, 255> response_125{};
+    word_bank<128> bank{};
     std::size_t sum{0};
 };
 inline memory all;
@@ -46,6 +50,7 @@ template <std::size_t Size> void fill(std::array<std::byte, Size>& response)
 struct engines {
     client asks_4{line_timing{19'200, character_format::even_8_1}};
     client asks_63{line_timing{19'200, character_format::even_8_1}};
+    client asks_125{line_timing{19'200, character_format::even_8_1}};
     server node{address, line_timing{19'200, character_format::even_8_1}};
     instant now{0};
     std::size_t values{0};
@@ -67,6 +72,7 @@ private:
 };
 constinit inline read_again<4> read_of_4;
 constinit inline read_again<63> read_of_63;
+constinit inline read_again<125> read_of_125;
 
 inline void let_pass(duration length) { line->now = line->now + length; }
 
@@ -103,6 +109,7 @@ inline void client_read_4() { transact(line->asks_4, read_of_4, all.response_4, 
 inline void client_read_63() { transact(line->asks_63, read_of_63, all.response_63, fed::by_byte); }
 inline void client_read_4_whole() { transact(line->asks_4, read_of_4, all.response_4, fed::whole); }
 inline void client_read_63_whole() { transact(line->asks_63, read_of_63, all.response_63, fed::whole); }
+inline void client_read_125_whole() { transact(line->asks_125, read_of_125, all.response_125, fed::whole); }
 
 /// One transaction of the server.
 [[gnu::noinline]] inline void answer(byte_view request, fed how)
@@ -120,19 +127,49 @@ inline void client_read_63_whole() { transact(line->asks_63, read_of_63, all.res
 
 inline void server_read_4() { answer(read_4, fed::by_byte); }
 inline void server_read_4_whole() { answer(read_4, fed::whole); }
+inline void server_read_63_whole() { answer(read_63, fed::whole); }
+inline void server_read_125_whole() { answer(read_125, fed::whole); }
 inline void server_exchange_4_whole() { answer(exchange_4, fed::whole); }
+
+/// A request byte by byte up to its last byte but one, and then dropped: what `answer_last` does besides.
+[[gnu::noinline]] inline void hear(byte_view request)
+{
+    line->node.advance(line->now);
+    feed(line->node, request.first(request.size() - 1), fed::by_byte);
+    let_pass(milliseconds(200));
+    line->node.advance(line->now);
+}
+
+/// The same with the last byte: from there to the response that may leave as soon as the line is silent.
+[[gnu::noinline]] inline void answer_last(byte_view request)
+{
+    line->node.advance(line->now);
+    feed(line->node, request, fed::by_byte);
+    line->node.serve(all.bank, line->now);
+    let_pass(milliseconds(200));
+    line->node.advance(line->now);
+}
+inline void hear_read_4() { hear(read_4); }
+inline void hear_write_4() { hear(write_4); }
+inline void hear_exchange_4() { hear(exchange_4); }
+inline void last_byte_read_4() { answer_last(read_4); }
+inline void last_byte_write_4() { answer_last(write_4); }
+inline void last_byte_exchange_4() { answer_last(exchange_4); }
 
 /// Whether the engines do what their names say.
 inline bool are_right()
 {
     fill(all.response_4);
     fill(all.response_63);
+    fill(all.response_125);
     static engines made;
     line = &made;
     line->asks_4.advance(line->now);
     line->asks_4.converse(read_of_4, line->now);
     line->asks_63.advance(line->now);
     line->asks_63.converse(read_of_63, line->now);
+    line->asks_125.advance(line->now);
+    line->asks_125.converse(read_of_125, line->now);
     line->node.advance(line->now);
     client_read_4();
     client_read_63();
@@ -144,7 +181,14 @@ inline bool are_right()
     bool const is_served = all.sum == 3 * 13;
     client_read_4_whole();
     client_read_63_whole();
-    return line->values == 8 + 126 + 8 + 8 + 126 and is_served;
+    client_read_125_whole();
+    all.sum = 0;
+    server_read_63_whole();
+    server_read_125_whole();
+    bool const is_served_long = all.sum == 131 + 255;
+    last_byte_write_4();
+    bool const is_written = all.bank.get(4) == 4;
+    return line->values == 8 + 126 + 8 + 8 + 126 + 250 and is_served and is_served_long and is_written;
 }
 
 struct operation {
@@ -161,6 +205,12 @@ inline constexpr operation list[] = {
     {"client_read_63_whole", client_read_63_whole, nothing},
     {"server_read_4_whole", server_read_4_whole, nothing},
     {"server_exchange_4_whole", server_exchange_4_whole, nothing},
+    {"client_read_125_whole", client_read_125_whole, nothing},
+    {"server_read_63_whole", server_read_63_whole, nothing},
+    {"server_read_125_whole", server_read_125_whole, nothing},
+    {"last_byte_read_4", last_byte_read_4, hear_read_4},
+    {"last_byte_write_4", last_byte_write_4, hear_write_4},
+    {"last_byte_exchange_4", last_byte_exchange_4, hear_exchange_4},
 };
 
 } // namespace operations

@@ -54,7 +54,7 @@ struct whole_unit {
 
 constexpr register_block<2> words{0x1234, 0x5678};
 constexpr bit_block three_on{true, false, true};
-constexpr auto is_any = [](auto const&) { return true; };
+constexpr auto is_anything = [](auto const&) { return true; };
 
 } // namespace
 
@@ -86,17 +86,17 @@ TEST_CASE("what a unit holds is read")
 TEST_CASE("what is written is what a unit holds")
 {
     whole_unit unit;
-    unit.ask(write_single_coil{40, true}, is_any);
+    unit.ask(write_single_coil{40, true}, is_anything);
     CHECK(unit.bank.switched.get(40));
-    unit.ask(write_multiple_coils{50, three_on}, is_any);
+    unit.ask(write_multiple_coils{50, three_on}, is_anything);
     CHECK((unit.bank.switched.get(50) and not unit.bank.switched.get(51) and unit.bank.switched.get(52)));
-    unit.ask(write_single_register{0, 7}, is_any);
+    unit.ask(write_single_register{0, 7}, is_anything);
     CHECK(unit.bank.words.get(0) == 7);
-    unit.ask(write_multiple_registers{1, words}, is_any);
+    unit.ask(write_multiple_registers{1, words}, is_anything);
     CHECK(unit.bank.words.get(2) == 0x5678);
-    unit.ask(mask_write_register{2, 0xFF00, 0x0099}, is_any);
+    unit.ask(mask_write_register{2, 0xFF00, 0x0099}, is_anything);
     CHECK(unit.bank.words.get(2) == 0x5699);
-    unit.ask(write_file_record{1, 6, words}, is_any);
+    unit.ask(write_file_record{1, 6, words}, is_anything);
     CHECK(unit.bank.files[0][7] == 0x5678);
     unit.ask(read_write_multiple_registers{2, 3, 4, words}, [](auto const& told) {
         return told.registers[0] == 0x5699 and told.registers[1] == 1'500 and told.registers[2] == 0x1234;
