@@ -32,6 +32,13 @@ inline constexpr std::size_t shared_memory = 8;
 /// The same on a host: requests and responses of every size.
 inline constexpr std::size_t separate_memory = max_adu_size;
 
+// A client that is copied copies the bytes of its frame that were never written, too, as std::byte may be. GCC warns of it.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#if not defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+
 /// The base of a client's transaction.
 template <typename Statistics, typename Line, typename Options, typename Debts, std::size_t Front>
 class line_end
@@ -151,5 +158,7 @@ private:
     [[no_unique_address]] Line line_{};
     std::array<std::byte, frame_place<Front>::memory> bytes_; ///< the request, and behind it its response
 };
+
+#pragma GCC diagnostic pop
 
 } // namespace rtuwire
