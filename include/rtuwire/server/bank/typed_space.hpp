@@ -26,7 +26,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 template <register_space Space, auto const&... Registers> struct bank_space {
 private:
     static constexpr std::size_t all = sizeof...(Registers);
-    static constexpr std::array<bool, all> are_of_it{(Registers.space == Space)...};
+    static constexpr std::array<bool, all> are_of_kind{(Registers.space == Space)...};
     static constexpr bool is_plain =
         Space == register_space::holding and are_all<(Registers.is_plain or Registers.space != Space)...>;
     using rule =
@@ -36,41 +36,43 @@ public:
     static constexpr std::size_t size = sum_of<(Registers.space == Space ? 1U : 0U)...>();
     static constexpr std::size_t word_count = sum_of<(Registers.space == Space ? Registers.word_count : 0U)...>();
 
+    // What a loop reads often is captured, as a copy: see `key_index`. And without a capture GCC makes a conversion to a
+    // pointer, for which it calls the lambda once more.
+
 private:
     /// The places of its registers in the bank's list, rising by address.
-    static constexpr auto order = [] {
-        constexpr std::array<std::uint16_t, all> addresses{Registers.address...};
+    static constexpr auto order = [addresses = std::array<std::uint16_t, all>{Registers.address...},
+                                   are_of_it = are_of_kind] {
         std::array<std::uint32_t, size> keys{};
-        for (std::uint32_t i = 0, at = 0; i < all; ++i) {
+        for (std::uint32_t i = 0, at = 0; i < are_of_it.size(); ++i) {
             if (are_of_it[i]) {
                 keys[at++] = std::uint32_t{addresses[i]} << 16U | i;
             }
         }
         sort_addresses(keys);
         std::array<std::uint16_t, size> places{};
-        for (std::size_t i = 0; i < size; ++i) {
+        for (std::size_t i = 0; i < places.size(); ++i) {
             places[i] = static_cast<std::uint16_t>(keys[i] & 0xFFFFU);
         }
         return places;
     }();
 
 public:
-    static constexpr auto rules = [] {
-        std::array<rule, all> const listed{rule::of(Registers)...};
+    static constexpr auto rules = [listed = std::array<rule, all>{rule::of(Registers)...}, places = order] {
         std::array<rule, size> rising{};
         std::size_t word = 0;
-        for (std::size_t i = 0; i < size; ++i) {
-            rising[i] = listed[order[i]];
+        for (std::size_t i = 0; i < rising.size(); ++i) {
+            rising[i] = listed[places[i]];
             rising[i].put_at(word);
             word += rising[i].word_count;
         }
         return rising;
     }();
 
-    static constexpr auto delivered = [] {
+    static constexpr auto delivered = [places = order, rising = rules, are_of_it = are_of_kind] {
         std::array<std::uint16_t, all> first{};
-        for (std::size_t i = 0; i < size; ++i) {
-            first[order[i]] = static_cast<std::uint16_t>(rules[i].first_word(i));
+        for (std::size_t i = 0; i < rising.size(); ++i) {
+            first[places[i]] = static_cast<std::uint16_t>(rising[i].first_word(i));
         }
         std::array<std::uint16_t, word_count> words{};
         std::size_t at = 0;
