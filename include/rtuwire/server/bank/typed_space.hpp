@@ -111,10 +111,11 @@ public:
         return low;
     }
 
-    /// Whether registers fill these addresses, none of them cut, and all writable where that is asked.
-    [[nodiscard]] static constexpr bool fills(std::uint16_t start, std::size_t count, bool is_to_write) noexcept
+    /// Whether registers, from this place on, fill these addresses, none of them cut, and all writable where that is
+    /// asked.
+    [[nodiscard]] static constexpr bool fills(std::size_t place, std::uint16_t start, std::size_t count,
+                                              bool is_to_write) noexcept
     {
-        std::size_t place = place_from(start);
         for (std::size_t i = 0; i < count; ++place) {
             if (place == size or rules[place].address != start + i or rules[place].word_count > count - i or
                 (is_to_write and not rules[place].is_writable)) {
@@ -134,15 +135,15 @@ template <typename Space> class typed_words {
 public:
     [[nodiscard]] constexpr errc check_read(std::uint16_t start, std::size_t count) const noexcept
     {
-        return Space::fills(start, count, false) ? errc::none : errc::illegal_data_address;
+        return Space::fills(Space::place_from(start), start, count, false) ? errc::none : errc::illegal_data_address;
     }
 
     [[nodiscard]] constexpr errc check_write(std::uint16_t start, register_view values) const noexcept
     {
-        if (not Space::fills(start, values.size(), true)) {
+        std::size_t place = Space::place_from(start);
+        if (not Space::fills(place, start, values.size(), true)) {
             return errc::illegal_data_address;
         }
-        std::size_t place = Space::place_from(start);
         for (std::size_t i = 0; i < values.size(); ++place) {
             if (not rules[place].takes(values, i)) {
                 return errc::illegal_data_value;
@@ -220,12 +221,13 @@ template <typename Space> class typed_bits {
 public:
     [[nodiscard]] constexpr errc check_read(std::uint16_t start, std::size_t count) const noexcept
     {
-        return Space::fills(start, count, false) ? errc::none : errc::illegal_data_address;
+        return Space::fills(Space::place_from(start), start, count, false) ? errc::none : errc::illegal_data_address;
     }
 
     [[nodiscard]] constexpr errc check_write(std::uint16_t start, bit_view values) const noexcept
     {
-        return Space::fills(start, values.size(), true) ? errc::none : errc::illegal_data_address;
+        return Space::fills(Space::place_from(start), start, values.size(), true) ? errc::none
+                                                                                  : errc::illegal_data_address;
     }
 
     constexpr errc read(std::uint16_t start, std::size_t count, byte_span out) noexcept
