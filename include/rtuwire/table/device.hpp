@@ -160,11 +160,11 @@ template <device_type Device>
                                                 register_space space = register_space::holding) noexcept
 {
     for (std::uint32_t address = first; address <= last; ++address) {
-        bool known = Device::registers::has_address(static_cast<std::uint16_t>(address), space);
+        bool known = false;
         for (address_range const& range : Device::readable) {
             known = known or (range.space == space and address >= range.first and address <= range.last);
         }
-        if (not known) {
+        if (not known and not Device::registers::has_address(static_cast<std::uint16_t>(address), space)) {
             return false;
         }
     }

@@ -40,13 +40,15 @@ struct index_pair {
     return hash;
 }
 
-/// The places of the keys of a list, for `find`; and the first key that occurs twice.
+/// The places of the keys of a list, for `find`; and the first key that occurs twice. Whoever searches it for many keys
+/// searches a copy of its own: for each read of a constant of a class that lists a thousand registers, GCC looks through
+/// the list.
 template <typename Key, std::size_t Size> class key_index {
 public:
     explicit constexpr key_index(std::array<Key, Size> const& keys) noexcept : keys_{keys}
     {
         for (std::size_t i = 0; i < Size; ++i) {
-            std::size_t const slot = slot_of(keys[i]);
+            std::size_t const slot = slot_of(keys_[i]);
             if (places_[slot] != 0 and duplicate_.second == 0) {
                 duplicate_ = {places_[slot] - 1U, i};
             }

@@ -106,17 +106,8 @@ private:
 
 public:
     template <typename Device>
-    static constexpr bool are_of = [] {
-        constexpr std::array<void const*, count> counted_as{Registers.counted_as...};
-        constexpr std::array<bool, count> are_restepped{Registers.is_restepped...};
-        bool are = true;
-        for (std::size_t i = 0; i < count; ++i) {
-            are = are and Device::registers::holds(static_cast<std::uint16_t>(keys[i] & 0xFFFFU),
-                                                   static_cast<register_space>(keys[i] >> 16U), places[i],
-                                                   counted_as[i], are_restepped[i]);
-        }
-        return are;
-    }();
+    static constexpr bool are_of = Device::registers::holds_all(std::array<asked_register, count>{asked_register{
+        Registers.address, Registers.space, &Registers, Registers.counted_as, Registers.is_restepped}...});
     template <typename Device> static constexpr bool have_scales = are_all<has_scale<Device, Registers>...>;
     static constexpr bool have_readable_steps = are_all<has_readable_steps<Registers>...>;
     static constexpr bool are_different = by_key.duplicate().second == 0;

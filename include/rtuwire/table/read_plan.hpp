@@ -33,10 +33,12 @@ template <auto const&... Registers> inline constexpr kept_together<Registers...>
 template <typename Device, auto const&... Registers> struct plain_layout {
     static constexpr bool is_of_one_space = true;
     static constexpr auto addresses = rising_addresses<Registers...>();
-    static constexpr auto blocks =
-        plan_blocks<sizeof...(Registers)>(addresses, Device::limits.read, [](std::uint16_t lower, std::uint16_t upper) {
-            return is_crossed<Device>(lower, upper, register_space::holding);
-        });
+    static constexpr auto blocks = [rising = addresses] {
+        return plan_blocks<sizeof...(Registers)>(rising, Device::limits.read,
+                                                 [](std::uint16_t lower, std::uint16_t upper) {
+                                                     return is_crossed<Device>(lower, upper, register_space::holding);
+                                                 });
+    }();
 
     static constexpr register_space space_of(std::size_t) noexcept { return register_space::holding; }
     static constexpr register_space space_at(std::size_t) noexcept { return register_space::holding; }

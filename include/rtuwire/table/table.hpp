@@ -101,17 +101,42 @@ public:
     std::array<std::uint32_t, size> keys{Registers.address...};
 };
 
+/// A register that a table is asked for: where it is, and which object it is.
+/// Internal.
+struct asked_register {
+    std::uint16_t address;
+    register_space space;
+    void const* itself;
+    void const* counted_as;
+    bool is_restepped;
+};
+
 /// A device's registers. Each address of a space and each mnemonic occurs once.
 template <auto const&... Registers> class table {
-    static constexpr std::array<void const*, sizeof...(Registers)> places{&Registers...};
-    static constexpr std::array<bool, sizeof...(Registers)> are_restepped{Registers.is_restepped...};
-
 public:
     static constexpr std::size_t size = sizeof...(Registers);
 
 private:
-    static constexpr address_list<Registers...> all{};
-    static constexpr key_index<std::uint32_t, all.size> by_address{all.keys};
+    using address_list_type = address_list<Registers...>;
+
+    /// All that a search reads, in one object.
+    struct register_index {
+        address_list_type all{};
+        key_index<std::uint32_t, address_list_type::size> by_address{all.keys};
+        std::array<void const*, size> places{&Registers...};
+        std::array<bool, size> are_restepped{Registers.is_restepped...};
+
+        [[nodiscard]] constexpr bool holds(asked_register const& asked) const noexcept
+        {
+            std::size_t const place = by_address.find(address_list_type::key(asked.space, asked.address));
+            if (place == address_list_type::size) {
+                return false;
+            }
+            std::size_t const owner = all.owner(place);
+            return places[owner] == (asked.is_restepped and not are_restepped[owner] ? asked.counted_as : asked.itself);
+        }
+    };
+    static constexpr register_index index{};
 
 public:
     /// The first address of each register, in the table's order.
@@ -121,26 +146,26 @@ public:
     [[nodiscard]] static constexpr bool has_address(std::uint16_t address,
                                                     register_space space = register_space::holding) noexcept
     {
-        return by_address.find(all.key(space, address)) < all.size;
+        return index.by_address.find(address_list_type::key(space, address)) < address_list_type::size;
     }
 
-    /// Whether a register at an address is one of this device's. Not a template: in a class of a thousand registers GCC
-    /// takes 9 ms for each register that it makes one for.
+    /// Whether all of some registers are this device's. Not one by one: see `key_index`.
     /// Internal.
-    [[nodiscard]] static constexpr bool holds(std::uint16_t address, register_space space, void const* itself,
-                                              void const* counted_as, bool is_restepped) noexcept
+    template <std::size_t Count>
+    [[nodiscard]] static constexpr bool holds_all(std::array<asked_register, Count> const& all_asked) noexcept
     {
-        std::size_t const place = by_address.find(all.key(space, address));
-        if (place == all.size) {
-            return false;
+        auto const copy = index;
+        for (asked_register const& asked : all_asked) {
+            if (not copy.holds(asked)) {
+                return false;
+            }
         }
-        std::size_t const owner = all.owner(place);
-        return places[owner] == (is_restepped and not are_restepped[owner] ? counted_as : itself);
+        return true;
     }
 
     /// Whether a register is one of this device's, or one of them counted in other steps.
     template <auto const& R>
-    static constexpr bool contains = holds(R.address, R.space, &R, R.counted_as, R.is_restepped);
+    static constexpr bool contains = index.holds({R.address, R.space, &R, R.counted_as, R.is_restepped});
 
     /// Calls `visit.template operator()<R>()` for each register.
     template <typename Visit> static constexpr void for_each(Visit&& visit)
@@ -150,12 +175,12 @@ public:
 
 private:
     static constexpr std::array<literal, size> codes{Registers.code...};
-    static constexpr index_pair overlap = by_address.duplicate();
+    static constexpr index_pair overlap = index.by_address.duplicate();
     static constexpr index_pair namesake = first_duplicate(codes);
 
     // In the class itself: GCC prints a line for each function between the table and its message.
-    static_assert(sizeof(these_registers_overlap<register_at<all.owner(overlap.first), Registers...>(),
-                                                 register_at<all.owner(overlap.second), Registers...>()>) > 0);
+    static_assert(sizeof(these_registers_overlap<register_at<index.all.owner(overlap.first), Registers...>(),
+                                                 register_at<index.all.owner(overlap.second), Registers...>()>) > 0);
     static_assert(sizeof(these_registers_have_one_code<register_at<namesake.first, Registers...>(),
                                                        register_at<namesake.second, Registers...>()>) > 0);
 };

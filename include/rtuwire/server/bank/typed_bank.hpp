@@ -88,6 +88,10 @@ class bank : public std::conditional_t<are_all<(Registers.space == register_spac
                   "another register sets this register's steps: name them with restepped");
 
 public:
+    /// Itself, to be known by: nobody has to find out which registers the bank has.
+    /// Internal.
+    using typed_bank = bank;
+
     /// Whether a register is one of this bank's.
     template <auto const& R> static constexpr bool contains = registers::template contains<R>;
 

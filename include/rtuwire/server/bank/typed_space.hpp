@@ -26,7 +26,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 template <register_space Space, auto const&... Registers> struct bank_space {
 private:
     static constexpr std::size_t all = sizeof...(Registers);
-    static constexpr std::array<bool, all> are_of_it{(Registers.space == Space)...};
+    static constexpr std::array<bool, all> are_of_kind{(Registers.space == Space)...};
     static constexpr bool is_plain =
         Space == register_space::holding and are_all<(Registers.is_plain or Registers.space != Space)...>;
     using rule =
@@ -36,41 +36,43 @@ public:
     static constexpr std::size_t size = sum_of<(Registers.space == Space ? 1U : 0U)...>();
     static constexpr std::size_t word_count = sum_of<(Registers.space == Space ? Registers.word_count : 0U)...>();
 
+    // What a loop reads often is captured, as a copy: see `key_index`. And without a capture GCC makes a conversion to a
+    // pointer, for which it calls the lambda once more.
+
 private:
     /// The places of its registers in the bank's list, rising by address.
-    static constexpr auto order = [] {
-        constexpr std::array<std::uint16_t, all> addresses{Registers.address...};
+    static constexpr auto order = [addresses = std::array<std::uint16_t, all>{Registers.address...},
+                                   are_of_it = are_of_kind] {
         std::array<std::uint32_t, size> keys{};
-        for (std::uint32_t i = 0, at = 0; i < all; ++i) {
+        for (std::uint32_t i = 0, at = 0; i < are_of_it.size(); ++i) {
             if (are_of_it[i]) {
                 keys[at++] = std::uint32_t{addresses[i]} << 16U | i;
             }
         }
         sort_addresses(keys);
         std::array<std::uint16_t, size> places{};
-        for (std::size_t i = 0; i < size; ++i) {
+        for (std::size_t i = 0; i < places.size(); ++i) {
             places[i] = static_cast<std::uint16_t>(keys[i] & 0xFFFFU);
         }
         return places;
     }();
 
 public:
-    static constexpr auto rules = [] {
-        std::array<rule, all> const listed{rule::of(Registers)...};
+    static constexpr auto rules = [listed = std::array<rule, all>{rule::of(Registers)...}, places = order] {
         std::array<rule, size> rising{};
         std::size_t word = 0;
-        for (std::size_t i = 0; i < size; ++i) {
-            rising[i] = listed[order[i]];
+        for (std::size_t i = 0; i < rising.size(); ++i) {
+            rising[i] = listed[places[i]];
             rising[i].put_at(word);
             word += rising[i].word_count;
         }
         return rising;
     }();
 
-    static constexpr auto delivered = [] {
+    static constexpr auto delivered = [places = order, rising = rules, are_of_it = are_of_kind] {
         std::array<std::uint16_t, all> first{};
-        for (std::size_t i = 0; i < size; ++i) {
-            first[order[i]] = static_cast<std::uint16_t>(rules[i].first_word(i));
+        for (std::size_t i = 0; i < rising.size(); ++i) {
+            first[places[i]] = static_cast<std::uint16_t>(rising[i].first_word(i));
         }
         std::array<std::uint16_t, word_count> words{};
         std::size_t at = 0;
@@ -109,10 +111,11 @@ public:
         return low;
     }
 
-    /// Whether registers fill these addresses, none of them cut, and all writable where that is asked.
-    [[nodiscard]] static constexpr bool fills(std::uint16_t start, std::size_t count, bool is_to_write) noexcept
+    /// Whether registers, from this place on, fill these addresses, none of them cut, and all writable where that is
+    /// asked.
+    [[nodiscard]] static constexpr bool fills(std::size_t place, std::uint16_t start, std::size_t count,
+                                              bool is_to_write) noexcept
     {
-        std::size_t place = place_from(start);
         for (std::size_t i = 0; i < count; ++place) {
             if (place == size or rules[place].address != start + i or rules[place].word_count > count - i or
                 (is_to_write and not rules[place].is_writable)) {
@@ -132,15 +135,15 @@ template <typename Space> class typed_words {
 public:
     [[nodiscard]] constexpr errc check_read(std::uint16_t start, std::size_t count) const noexcept
     {
-        return Space::fills(start, count, false) ? errc::none : errc::illegal_data_address;
+        return Space::fills(Space::place_from(start), start, count, false) ? errc::none : errc::illegal_data_address;
     }
 
     [[nodiscard]] constexpr errc check_write(std::uint16_t start, register_view values) const noexcept
     {
-        if (not Space::fills(start, values.size(), true)) {
+        std::size_t place = Space::place_from(start);
+        if (not Space::fills(place, start, values.size(), true)) {
             return errc::illegal_data_address;
         }
-        std::size_t place = Space::place_from(start);
         for (std::size_t i = 0; i < values.size(); ++place) {
             if (not rules[place].takes(values, i)) {
                 return errc::illegal_data_value;
@@ -218,12 +221,13 @@ template <typename Space> class typed_bits {
 public:
     [[nodiscard]] constexpr errc check_read(std::uint16_t start, std::size_t count) const noexcept
     {
-        return Space::fills(start, count, false) ? errc::none : errc::illegal_data_address;
+        return Space::fills(Space::place_from(start), start, count, false) ? errc::none : errc::illegal_data_address;
     }
 
     [[nodiscard]] constexpr errc check_write(std::uint16_t start, bit_view values) const noexcept
     {
-        return Space::fills(start, values.size(), true) ? errc::none : errc::illegal_data_address;
+        return Space::fills(Space::place_from(start), start, values.size(), true) ? errc::none
+                                                                                  : errc::illegal_data_address;
     }
 
     constexpr errc read(std::uint16_t start, std::size_t count, byte_span out) noexcept

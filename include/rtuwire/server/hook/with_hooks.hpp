@@ -12,6 +12,7 @@
 //     node.serve(served, now);
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -19,7 +20,6 @@
 
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/bank/register_bank.hpp>
-#include <rtuwire/server/bank/typed_bank.hpp>
 #include <rtuwire/server/hook/bank_parts.hpp>
 #include <rtuwire/server/hook/register_hook.hpp>
 #include <rtuwire/table/register.hpp>
@@ -38,7 +38,9 @@ inline constexpr bool may_hold<Bank, R> = Bank::template contains<R>;
 /// Whether a bank has typed registers and nothing else.
 /// Internal.
 template <typename Bank> inline constexpr bool is_typed_bank = false;
-template <auto const&... Registers> inline constexpr bool is_typed_bank<bank<Registers...>> = true;
+template <typename Bank>
+    requires std::same_as<typename Bank::typed_bank, Bank>
+inline constexpr bool is_typed_bank<Bank> = true;
 
 /// A bank with hooks, made by `with_hooks`; serve this one. The order of a write: the bank's own checks of all
 /// registers (addresses, limits), then the checks named here, then the write of all values, then the actions; checks
