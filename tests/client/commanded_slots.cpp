@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Conversations that command motors in the slots of a bus: docs/engine-rules.md, rules 28 to 31.
+// Conversations that command motors in the slots of a bus: docs/engine-rules.md, rules 28 to 32.
 #include "client/command_desk.hpp"
 
 #include "support/catch.hpp"
@@ -127,4 +127,45 @@ TEST_CASE("rule 31: a silent unit is asked only where that ends before two third
         it.asks(0, one);
         CHECK(it.asks(1, absent) == not is_late);
     }
+}
+
+TEST_CASE("rule 32: a stop in a slot takes the line from no urgent stop, and leaves when that is over")
+{
+    auto const meet = [](auto& urgent, frame_bytes const& words) {
+        bus_desk it;
+        hand_commander stop{3};
+        stop.note_stop();
+        stop.wanted = effect::stopping;
+        stop.has_request = true;
+        urgent.has_request = true;
+        it.link.run_urgent(urgent, it.now);
+        CHECK(it.asks(0, stop)); // in this pass: at its end the frame leaves
+        CHECK(it.left == words);
+        CHECK_FALSE(urgent.told);
+        CHECK_FALSE(stop.told);
+        for (int pass = 0; pass < 100 and not stop.told; ++pass) {
+            if (it.left == words and words[0] != std::byte{0}) {
+                it.be_answered();
+            } else {
+                it.pass(milliseconds(5));
+            }
+            it.link.run_urgent(urgent, it.now);
+            if (urgent.told == errc::none) {
+                urgent.note_stop_over();
+            }
+            if (it.asks(0, stop)) {
+                CHECK(it.left == write_of(3, 8'501, 0));
+                it.be_answered();
+            }
+        }
+        CHECK(urgent.told == errc::none);
+        CHECK(stop.told == errc::none);
+    };
+    hand_for_all everyone{9};
+    everyone.note_stop();
+    meet(everyone, write_of(0, 8'501, 0));
+    hand_commander other{4};
+    other.note_stop();
+    other.wanted = effect::stopping;
+    meet(other, write_of(4, 8'501, 0));
 }

@@ -144,7 +144,7 @@ private:
             places::note_health(own, *came, now);
         }
         advance_conversation(conversation, now);
-        client_.command(conversation, now);
+        client_.command(conversation, now, not is_urgent_);
         own.order_gap = order_gap_of(conversation);
         wake_at(places::wake_of(conversation), now);
         if (not is_urgent_ and not is_held_back(conversation, index, now)) {

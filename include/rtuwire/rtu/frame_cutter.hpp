@@ -46,15 +46,15 @@ public:
 
     /// Takes bytes that had arrived by `now`, in chunks of any size, up to the end of one frame; returns how
     /// many were taken. The bytes after that frame belong to the next call.
-    constexpr std::size_t receive(byte_view bytes, instant now) noexcept
+    constexpr std::size_t receive(byte_view arrived, instant now) noexcept
     {
-        if (bytes.empty() or begin_chunk(bytes.size(), now)) {
+        if (arrived.empty() or begin_chunk(arrived.size(), now)) {
             return 0;
         }
         if (is_open_end()) {
-            return takes_behind_open_end(bytes[0]) ? 1 : 0;
+            return takes_behind_open_end(arrived[0]) ? 1 : 0;
         }
-        return take_many(bytes.data(), bytes.size());
+        return take_many(arrived.data(), arrived.size());
     }
 
     /// The same of one byte. Returns whether it was taken.

@@ -28,8 +28,9 @@ public:
     using desk::desk;
 
     /// The second part of `converse`, after its `advance`: notes what a commander's user wants. A stop request gets
-    /// the line first.
-    template <conversation Conversation> constexpr void command(Conversation& conversation, instant now) noexcept
+    /// the line first, unless it `may_ask` nothing in this pass: then it takes the line from nobody.
+    template <conversation Conversation>
+    constexpr void command(Conversation& conversation, instant now, bool may_ask = true) noexcept
     {
         if constexpr (commanding_conversation<Conversation> or stops_by_broadcast<Conversation>) {
             static_assert(Orders::is_kept, "this client does not keep whose motor it ordered to run: take "
@@ -46,7 +47,7 @@ public:
             } else if (orders_.visit(conversation, conversation.unit().byte(), now)) {
                 conversation.note_loss();
             }
-            if (conversation.intent() == effect::stopping and not desk::is_asked_by(conversation)) {
+            if (may_ask and conversation.intent() == effect::stopping and not desk::is_asked_by(conversation)) {
                 make_way_for(conversation, now);
             }
         }
