@@ -40,8 +40,8 @@ struct serial_settings {
     /// response begins within 100 ms. That timer only knows steps of 100 ms. So a wait of which less than 120 ms are left
     /// is made by `ppoll` as without this option, and what has not come after 100 ms is waited for that way as well, with
     /// 5 calls in all: deadlines stay exact, and a wait is no longer than without. Two things are different. The device
-    /// is opened twice. A signal whose handler restarts system calls (SA_RESTART) begins the 100 ms anew, so that such a
-    /// signal every few milliseconds, a profiler's, holds a deadline up for as long as it goes on.
+    /// is opened twice. A signal whose handler restarts system calls (SA_RESTART) begins the 100 ms anew, so that such
+    /// signals less than 100 ms apart, a timer's or a profiler's, hold a deadline up for as long as they go on.
     bool waits_in_read{false};
 };
 

@@ -86,6 +86,7 @@ class bank : public std::conditional_t<are_all<(Registers.space == register_spac
     using registers = table<Registers...>;
     static_assert(are_all<has_own_steps<Registers>...>,
                   "another register sets this register's steps: name them with restepped");
+    static_assert(registers::size == sizeof...(Registers)); // a table refuses registers that overlap
 
 public:
     /// Itself, to be known by: nobody has to find out which registers the bank has.
