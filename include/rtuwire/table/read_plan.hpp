@@ -58,9 +58,11 @@ struct any_layout<Device, Items...>::of {
 
 private:
     static constexpr auto words = rising_words<Registers...>();
-    static constexpr auto plan = plan_spaces<Device, words.count>(
-        words, std::array<key_range, sizeof...(Registers) + sizeof...(Items)>{
-                   range_of<Registers>()..., range_of(typename registers_named<Items>::type{})...});
+    static constexpr std::array<key_range, sizeof...(Registers) + sizeof...(Items)> ranges{
+        range_of<Registers>()..., range_of(typename registers_named<Items>::type{})...};
+    static constexpr auto plan = [read = words, uncut = ranges] {
+        return plan_spaces<Device, words.count>(read, uncut);
+    }();
     static_assert(plan.blocks.count > 0,
                   "a register with all its words, or registers kept together, do not fit one request of this device");
 
