@@ -21,18 +21,18 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The base of a client that follows its `frame_cutter`; all zero at the start. Members of classes have no `{}`, for which
 /// GCC would first make zeros by a call of memset (docs/size-notes.md). No byte is left between the members, nor behind the
-/// last one, where `line_end` goes on.
+/// last one, where `line_end` goes on; all of one byte but one lie in the first 32.
 class client_state {
 protected:
     client_phase phase_{client_phase::idle};
     errc error_{errc::none};
     bool is_woken_{false}; ///< the next pass has something to do at once
     std::uint8_t unit_{0}; ///< that was asked last; 0 for everyone
+    [[no_unique_address]] turns turns_;
+    bool must_send_now_{false}; ///< the request must leave at once or not at all
     [[no_unique_address]] retry_state retries_;
     std::uint16_t size_{0}; ///< of the request
     instant deadline_{0};
-    [[no_unique_address]] turns turns_;
-    bool must_send_now_{false}; ///< the request must leave at once or not at all
 };
 
 /// How many bytes of noise may still be skipped before a response; constant options that allow none take no memory.
