@@ -37,6 +37,7 @@ class basic_client : public conversation_desk<transaction<Statistics, Line, Opti
     using desk = conversation_desk<duty, Orders>;
     using desk::is_held_back_;
     using desk::orders_;
+    using desk::reservation_;
     using desk::turns_;
 
 public:
@@ -65,7 +66,7 @@ public:
     /// The same, for a caller that collects several.
     constexpr void add_to(earliest& next) const noexcept
     {
-        duty::add_to(next);
+        duty::add_to(next, reservation_.is_held());
         orders_.add_to(next);
     }
 
@@ -83,7 +84,7 @@ public:
     {
         client_phase const at = duty::phase_now();
         bool const has_left = is_under_way(at) and at > client_phase::handed_out;
-        return has_left and turns_.others_wait() and not turns_.is_reserved() and not is_held_back_;
+        return has_left and turns_.others_wait() and not reservation_.is_held() and not is_held_back_;
     }
 
     /// Which motors this client ordered to run.

@@ -42,7 +42,6 @@ public:
         mark_ = 0;
         others_wait_ = false;
         is_missed_ = false;
-        reserved_ = reservation::none;
         return *this;
     }
 
@@ -116,31 +115,13 @@ public:
         return is_second;
     }
 
-    /// A conversation that comes before all others visits, and may not ask yet: no other asks before it.
-    constexpr void reserve(asker& who) noexcept
+    /// A conversation that comes before all others visits, and may not ask yet: all other marks are void.
+    constexpr void put_first(asker& who) noexcept
     {
-        reserved_ = reservation::held;
         void_marks();
         if (not is_last(who)) {
             give(who, mark()); // its own number stays valid
         }
-    }
-    constexpr void end_reservation() noexcept { reserved_ = reservation::none; }
-    [[nodiscard]] constexpr bool is_reserved() const noexcept { return reserved_ != reservation::none; }
-
-    /// Another conversation visits while the line is reserved. Returns whether it does for the second time since the
-    /// last visit of the reserving one: that one is gone, and the reservation with it.
-    constexpr bool misses_reserver(asker& who) noexcept
-    {
-        standing const at = visit(who);
-        if (at == standing::is_next or (at == standing::is_last and reserved_ == reservation::missed)) {
-            reserved_ = reservation::none;
-            return true;
-        }
-        if (at == standing::is_last) {
-            reserved_ = reservation::missed;
-        }
-        return false;
     }
 
     /// Whether a conversation of this standing may ask now, where the line is free and others wait. The visit of the
@@ -164,15 +145,49 @@ private:
 
     static constexpr std::uint8_t marks_step = 4;
 
-    /// The line is reserved for a conversation that comes before all others; `missed`: another one visited since that
-    /// one did.
-    enum class reservation : std::uint8_t { none, held, missed };
-
     std::uint32_t number_{0}; ///< of a request, in steps; a number behind it marks a visit since
     std::uint8_t mark_{0};
     bool others_wait_{false};
     bool is_missed_{false};
-    reservation reserved_{reservation::none};
+};
+
+/// The line reserved for a conversation that comes before all others: no other asks before it.
+class reservation {
+public:
+    constexpr void begin(turns& line, asker& who) noexcept
+    {
+        state_ = state::held;
+        line.put_first(who);
+    }
+    constexpr void end() noexcept { state_ = state::none; }
+    [[nodiscard]] constexpr bool is_held() const noexcept { return state_ != state::none; }
+
+    /// Another conversation visits while the line is reserved. Returns whether it does for the second time since the
+    /// last visit of the reserving one: that one is gone, and the reservation with it.
+    constexpr bool misses_holder(turns& line, asker& who) noexcept
+    {
+        standing const at = line.visit(who);
+        if (at == standing::is_next or (at == standing::is_last and state_ == state::missed)) {
+            end();
+            return true;
+        }
+        if (at == standing::is_last) {
+            state_ = state::missed;
+        }
+        return false;
+    }
+
+private:
+    /// `missed`: another conversation visited since the reserving one did.
+    enum class state : std::uint8_t { none, held, missed };
+
+    state state_{state::none};
+};
+
+/// The line of a client without commanders, for which nobody reserves it.
+struct no_reservation {
+    static constexpr void end() noexcept {}
+    [[nodiscard]] static constexpr bool is_held() noexcept { return false; }
 };
 
 } // namespace rtuwire

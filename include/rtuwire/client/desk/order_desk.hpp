@@ -55,6 +55,7 @@ public:
 
 protected:
     using desk::orders_;
+    using desk::reservation_;
     using desk::turns_;
 
     /// What the next request of a conversation does to a motor.
@@ -126,8 +127,8 @@ private:
             return; // it leaves in this pass
         }
         // Of several such requests the first one to visit is next, also to drop one whose asker no longer visits.
-        if (not(turns_.is_reserved() and duty::awaits_asker())) {
-            turns_.reserve(conversation);
+        if (not(reservation_.is_held() and duty::awaits_asker())) {
+            reservation_.begin(turns_, conversation);
         }
         bool may_cut = false;
         if constexpr (stops_by_broadcast<Conversation>) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/client/line/phase.hpp>
@@ -76,7 +77,7 @@ protected:
         }
         bool const is_quiet = duty::is_quiet();
         if constexpr (Orders::is_kept) {
-            if (turns_.is_reserved() and not turns_.misses_reserver(who)) {
+            if (reservation_.is_held() and not reservation_.misses_holder(turns_, who)) {
                 if (is_quiet) {
                     duty::wake(now);
                 }
@@ -99,7 +100,7 @@ protected:
     {
         bool const may = duty::phase_now() == client_phase::idle and duty::is_quiet();
         if (may) {
-            turns_.end_reservation();
+            reservation_.end();
         }
         return may;
     }
@@ -114,6 +115,7 @@ protected:
     }
 
     [[no_unique_address]] Orders orders_{};
+    [[no_unique_address]] std::conditional_t<Orders::is_kept, reservation, no_reservation> reservation_{};
 
 private:
     /// Only the asker is missing, and another conversation visits: whether that one takes its place. Inlined: smaller.

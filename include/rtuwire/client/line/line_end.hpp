@@ -13,6 +13,7 @@
 
 #include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/client/line/client_state.hpp>
+#include <rtuwire/client/line/line_echo.hpp>
 #include <rtuwire/client/options.hpp>
 #include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/constant.hpp>
@@ -101,8 +102,7 @@ protected:
             return errc::frame_too_long;
         }
         framer().receive_behind(frame.size());
-        longest_ = longest_response(frame);
-        if (longest_.size() > framer().room()) {
+        if (response_size(frame) > framer().room()) {
             return errc::buffer_too_small;
         }
         byte_span const place = framer().storage();
@@ -124,20 +124,17 @@ protected:
     /// How long the longest response takes on the line; with the silence that ends it, where only silence does.
     constexpr duration time_to_respond() const noexcept
     {
-        duration const silence = longest_.is_final() ? duration{} : framer().line().frame_end();
-        return framer().line().with_characters(silence, longest_.size());
+        length_hint const longest = longest_response(request());
+        duration const silence = longest.is_final() ? duration{} : framer().line().frame_end();
+        return framer().line().with_characters(silence, longest.size());
     }
 
     /// Whether a byte before the response may be skipped. Constant options that allow none leave no code of this.
-    constexpr bool may_skip() const noexcept
-    {
-        bool const is_wanted = not is_constant<Options> or options().max_leading_noise != 0;
-        return is_wanted and skip_left_ > 0 and framer().is_at_start();
-    }
+    constexpr bool may_skip() const noexcept { return noise_.is_left() and framer().is_at_start(); }
 
     constexpr void drop_leading_noise() noexcept
     {
-        --skip_left_;
+        noise_.take();
         statistics_.note(line_event::noise, asked_unit());
     }
 
@@ -150,7 +147,10 @@ protected:
         statistics_.note_stray(bytes.size(), is_start, is_late ? first : std::uint8_t{0});
     }
 
-    Debts quarantine_{};
+    [[no_unique_address]] Debts quarantine_{};
+    bool is_held_back_{false}; ///< a conversation waits for a unit that gets no request now
+    line_echo echo_;
+    [[no_unique_address]] noise_allowance<Options> noise_{};
     [[no_unique_address]] Options options_{};
     [[no_unique_address]] Statistics statistics_{};
 

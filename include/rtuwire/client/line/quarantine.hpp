@@ -37,6 +37,20 @@ struct quarantine_entry {
     std::uint8_t unit;
 };
 
+/// The places of several units. The only place of one leaves its padding to its holder.
+template <std::size_t Units> struct quarantine_places {
+    constexpr quarantine_entry* data() noexcept { return entries.data(); }
+    constexpr quarantine_entry const* data() const noexcept { return entries.data(); }
+
+    std::array<quarantine_entry, Units> entries{filled<Units>(quarantine_entry{instant{0}, 0})};
+};
+template <> struct quarantine_places<1> {
+    constexpr quarantine_entry* data() noexcept { return &entry; }
+    constexpr quarantine_entry const* data() const noexcept { return &entry; }
+
+    [[no_unique_address]] quarantine_entry entry{instant{0}, 0};
+};
+
 /// The times of up to `Units` units at once; where more have an outstanding response, the last place stands for every
 /// unit.
 template <std::size_t Units> class quarantine {
@@ -62,7 +76,7 @@ public:
             }
         }
         if constexpr (Units > 1) {
-            while (used_.count() > 0 and entries_[used_.count() - 1].unit == nobody) {
+            while (used_.count() > 0 and entries_.data()[used_.count() - 1].unit == nobody) {
                 used_.set(used_.count() - 1);
             }
         }
@@ -84,7 +98,7 @@ public:
     [[nodiscard, gnu::always_inline]] constexpr bool covers(std::uint8_t unit) const noexcept
     {
         if constexpr (Units == 1) {
-            return unit != nobody and stands_for(entries_[0], unit);
+            return unit != nobody and stands_for(*entries_.data(), unit);
         } else {
             return is_among(unit);
         }
@@ -126,28 +140,28 @@ private:
     constexpr quarantine_entry& place_of(std::uint8_t unit) noexcept
     {
         if constexpr (Units == 1) {
-            return entries_[0];
+            return *entries_.data();
         }
         std::size_t const used = used_.count();
         std::size_t found = used < Units ? used : Units - 1;
         for (std::size_t i = used; i-- > 0;) {
-            if (entries_[i].unit == unit) {
-                return entries_[i];
+            if (entries_.data()[i].unit == unit) {
+                return entries_.data()[i];
             }
-            found = entries_[i].unit == nobody ? i : found;
+            found = entries_.data()[i].unit == nobody ? i : found;
         }
         used_.set(found < used ? used : found + 1);
-        return entries_[found];
+        return entries_.data()[found];
     }
 
     /// The entries up to the last one in use.
-    constexpr std::span<quarantine_entry> used() noexcept { return std::span{entries_}.first(used_.count()); }
+    constexpr std::span<quarantine_entry> used() noexcept { return std::span{entries_.data(), used_.count()}; }
     constexpr std::span<quarantine_entry const> used() const noexcept
     {
-        return std::span{entries_}.first(used_.count());
+        return std::span{entries_.data(), used_.count()};
     }
 
-    std::array<quarantine_entry, Units> entries_{filled<Units>(quarantine_entry{instant{0}, nobody})};
+    [[no_unique_address]] quarantine_places<Units> entries_{};
     [[no_unique_address]] used_places<Units> used_{};
 };
 

@@ -29,10 +29,10 @@ public:
 protected:
     using phase = client_phase;
     using client_state::deadline_;
-    using client_state::echo_;
     using client_state::error_;
     using client_state::phase_;
     using client_state::retries_;
+    using end_of_line::echo_;
     using end_of_line::framer;
     using end_of_line::options;
     using end_of_line::quarantine_;
@@ -86,9 +86,6 @@ protected:
     constexpr void settle(errc error, instant now) noexcept
     {
         error_ = error;
-        if (is_leaving(phase_)) {
-            static_cast<void>(note_sent(now));
-        }
         if (retries_.unanswered() != 0) {
             bool const has_response = error_ == errc::none or is_exception(error_);
             duration const late = late_response();
@@ -115,11 +112,13 @@ protected:
             if (phase_ != phase::turnaround) {
                 error_ = phase_ == phase::waiting ? errc::bus_jam : errc::transmit_stalled;
             }
-            if (is_leaving(phase_) and unit() == 0) {
-                turn_around(now); // it may have left just now
-            } else {
-                settle(error_, now);
+            if (is_leaving(phase_)) { // it may have left just now
+                if (unit() == 0) {
+                    return turn_around(now);
+                }
+                static_cast<void>(note_sent(now));
             }
+            settle(error_, now);
         }
     }
 

@@ -58,7 +58,7 @@ public:
         }
         framer().restart(at);
         statistics_.note_asked(at);
-        this->skip_left_ = options().max_leading_noise;
+        this->noise_.begin(options().max_leading_noise);
         if (unit() == 0) {
             return turn_around(at);
         }
@@ -112,10 +112,10 @@ public:
     }
 
     /// When the next pass has something to do.
-    constexpr void add_to(earliest& next) const noexcept
+    constexpr void add_to(earliest& next, bool is_reserved) const noexcept
     {
         // A stop for which the line is reserved may cut the request as soon as the line is silent.
-        framer().add_to(next, phase_ == phase::awaiting and not client_state::turns_.is_reserved());
+        framer().add_to(next, phase_ == phase::awaiting and not is_reserved);
         quarantine_.add_to(next);
         if (is_woken_ or is_under_way(phase_)) {
             // After `wake`, a time that has come already.
