@@ -60,33 +60,33 @@ private:
 public:
     static constexpr auto rules = [listed = std::array<rule, all>{rule::of(Registers)...}, places = order] {
         std::array<rule, size> rising{};
-        std::size_t word = 0;
+        std::size_t word_place = 0;
         for (std::size_t i = 0; i < rising.size(); ++i) {
             rising[i] = listed[places[i]];
-            rising[i].put_at(word);
-            word += rising[i].word_count;
+            rising[i].put_at(word_place);
+            word_place += rising[i].word_count;
         }
         return rising;
     }();
 
     static constexpr auto delivered = [places = order, rising = rules, are_of_it = are_of_kind] {
-        std::array<std::uint16_t, all> first{};
+        std::array<std::uint16_t, all> starts{};
         for (std::size_t i = 0; i < rising.size(); ++i) {
-            first[places[i]] = static_cast<std::uint16_t>(rising[i].first_word(i));
+            starts[places[i]] = static_cast<std::uint16_t>(rising[i].first_word(i));
         }
-        std::array<std::uint16_t, word_count> words{};
+        std::array<std::uint16_t, word_count> all_words{};
         std::size_t at = 0;
         auto const put = [&](auto const& of) {
             if (are_of_it[at]) {
-                std::size_t word = first[at];
+                std::size_t word_place = starts[at];
                 for (std::uint16_t const each : factory_words(of)) {
-                    words[word++] = each;
+                    all_words[word_place++] = each;
                 }
             }
             return ++at;
         };
         [[maybe_unused]] std::array<std::size_t, all> const done{put(Registers)...};
-        return words;
+        return all_words;
     }();
 
     /// The place of the first register at an address or above it: `size` where there is none. A short list is gone
