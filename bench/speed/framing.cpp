@@ -70,7 +70,8 @@ template <std::size_t Size> void serve(benchmark::State& state, std::array<std::
     }
 }
 BENCHMARK_CAPTURE(serve, read, "01 03 00 01 00 04 15 C9"_hex)->Name("codec alone/serve FC03 x4");
-BENCHMARK_CAPTURE(serve, write, "01 10 00 01 00 04 08 00 01 00 02 00 03 00 04 D3 7A"_hex)->Name("codec alone/serve FC16 x4");
+BENCHMARK_CAPTURE(serve, write, "01 10 00 01 00 04 08 00 01 00 02 00 03 00 04 D3 7A"_hex)
+    ->Name("codec alone/serve FC16 x4");
 BENCHMARK_CAPTURE(serve, exchange, "01 17 00 01 00 04 00 01 00 04 08 00 01 00 02 00 03 00 04 2B 29"_hex)
     ->Name("codec alone/serve FC23 4+4");
 

@@ -140,10 +140,10 @@ public:
     /// Why the last frame is refused; none where it is good.
     [[nodiscard]] constexpr errc verdict() const noexcept
     {
-        return error_ != errc::none         ? error_
-               : size() < min_adu_size      ? errc::frame_too_short
+        return error_ != errc::none               ? error_
+               : size() < min_adu_size            ? errc::frame_too_short
                : not sum_.is_right(this->bytes()) ? errc::crc_mismatch
-                                            : errc::none;
+                                                  : errc::none;
     }
 
     /// The last frame, where the verdict is none.

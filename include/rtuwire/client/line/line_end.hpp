@@ -102,7 +102,8 @@ protected:
             return errc::frame_too_long;
         }
         framer().receive_behind(frame.size());
-        if (response_size(frame) > framer().room()) {
+        longest_ = longest_response(frame);
+        if (longest_.size() > framer().room()) {
             return errc::buffer_too_small;
         }
         byte_span const place = framer().storage();
@@ -124,9 +125,8 @@ protected:
     /// How long the longest response takes on the line; with the silence that ends it, where only silence does.
     constexpr duration time_to_respond() const noexcept
     {
-        length_hint const longest = longest_response(request());
-        duration const silence = longest.is_final() ? duration{} : framer().line().frame_end();
-        return framer().line().with_characters(silence, longest.size());
+        duration const silence = longest_.is_final() ? duration{} : framer().line().frame_end();
+        return framer().line().with_characters(silence, longest_.size());
     }
 
     /// Whether a byte before the response may be skipped. Constant options that allow none leave no code of this.
