@@ -33,7 +33,8 @@ inline constexpr std::size_t shared_memory = 8;
 /// The same on a host: requests and responses of every size.
 inline constexpr std::size_t separate_memory = max_adu_size;
 
-// A client that is copied copies the bytes of its frame that were never written, too, as std::byte may be. GCC warns of it.
+// On a microcontroller, a client that is copied copies the bytes of its frame that were never written, too, as std::byte
+// may be. GCC warns of it.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wuninitialized"
 #if not defined(__clang__)
@@ -54,8 +55,8 @@ public:
     explicit constexpr line_end(line_timing const& its_timing, client_options const& its_options = {}) noexcept
         : options_{its_options}, line_{its_timing}
     {
-        // Written before it is read. A constant has no part without a value; at run time it would be a call of memset.
-        if (std::is_constant_evaluated()) {
+        // Written before it is read. A constant has no part without a value; a microcontroller would call memset for it.
+        if (std::is_constant_evaluated() or is_of_host(default_crc_form)) {
             bytes_.fill(std::byte{0});
         }
     }
