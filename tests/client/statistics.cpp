@@ -211,8 +211,10 @@ constexpr bool times_answers_and_refusals_only()
 }
 PROOF("a response and a refusal have a latency, and no other frame", times_answers_and_refusals_only)
 
-/// How many late responses are counted of a unit that says so after its time, in two parts.
-constexpr std::uint32_t late_of(std::uint8_t number, byte_view begin, byte_view rest)
+/// How many late responses are counted of a unit that says so after its time, in two parts. By value: Clang 14 cannot
+/// print a view in a call of a function that it does not compute.
+template <std::size_t Size>
+constexpr std::uint32_t late_of(std::uint8_t number, std::array<std::byte, 3> begin, std::array<std::byte, Size> rest)
 {
     counting_end unit{impatient};
     std::array<std::byte, 8> place{};
