@@ -189,8 +189,9 @@ private:
             return;
         }
         if constexpr (is_of_host(default_crc_form)) {
-            if (not others_.is_expected(first)) {
-                return this->look_at(size_hint(Way, first));
+            // 0 and 1 say that only silence ends it, and are no bytes to look at.
+            if (std::size_t const told = size_hint(Way, first); told > 3 and not others_.is_expected(first)) {
+                return this->look_at(told);
             }
         }
         this->look_at(3); // no frame is so short, and most responses tell their size here
