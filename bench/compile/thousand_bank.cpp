@@ -6,11 +6,10 @@
 
 #include <utility>
 
+#include "codes.hpp"
+
 using namespace rtuwire;
 
-constexpr char letters[] = "0123456789ABCDEF";
-template <unsigned A>
-inline constexpr char code[5]{letters[A / 4096 % 16], letters[A / 256 % 16], letters[A / 16 % 16], letters[A % 16], 0};
 template <unsigned Address>
 inline constexpr reg<decihertz> one{.code = code<Address>, .address = Address, .min = 0, .max = 5'000};
 template <std::size_t... I> bank<one<100 + I>...> bank_of(std::index_sequence<I...>);

@@ -5,11 +5,10 @@
 
 #include <utility>
 
+#include "codes.hpp"
+
 using namespace rtuwire;
 
-constexpr char letters[] = "0123456789ABCDEF";
-template <unsigned A>
-inline constexpr char code[5]{letters[A / 4096 % 16], letters[A / 256 % 16], letters[A / 16 % 16], letters[A % 16], 0};
 template <unsigned A> inline constexpr reg<decihertz> one{.code = code<A>, .address = A, .min = 0, .max = 5'000};
 template <std::size_t... I> table<one<100 + I + I / 7>...> table_of(std::index_sequence<I...>);
 

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "../compile/codes.hpp"
+
 #include <rtuwire/core/crc16.hpp>
 #include <rtuwire/server/bank/typed_bank.hpp>
 #include <rtuwire/server/response_frame.hpp>
@@ -16,9 +18,6 @@ namespace operations {
 
 using namespace rtuwire;
 
-inline constexpr char letters[] = "0123456789ABCDEF";
-template <unsigned A>
-inline constexpr char code[5]{letters[A / 4096 % 16], letters[A / 256 % 16], letters[A / 16 % 16], letters[A % 16], 0};
 template <unsigned Address>
 inline constexpr reg<decihertz> one{.code = code<Address>, .address = Address, .min = 0, .max = 5'000};
 template <std::size_t... I> bank<one<100 + I>...> bank_of(std::index_sequence<I...>);

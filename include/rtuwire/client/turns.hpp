@@ -154,6 +154,16 @@ private:
 /// The line reserved for a conversation that comes before all others: no other asks before it.
 class reservation {
 public:
+    constexpr reservation() noexcept = default;
+    constexpr reservation(reservation const&) noexcept = default;
+
+    /// A client that is set up anew in its place is reserved for nobody: see `turns`.
+    constexpr reservation& operator=(reservation const&) noexcept
+    {
+        end();
+        return *this;
+    }
+
     constexpr void begin(turns& line, asker& who) noexcept
     {
         state_ = state::held;
