@@ -10,3 +10,4 @@
 #include <rtuwire/frames.hpp>
 #include <rtuwire/server.hpp>
 #include <rtuwire/sim.hpp>
+#include <rtuwire/trace.hpp>
