@@ -38,8 +38,12 @@ struct traced_frame {
 /// What takes frames as they pass: `sink.take(frame)`. It is called inside `receive`, `advance` and `sent`; it must be
 /// short, and must not call the client or the server that traces.
 template <typename Sink>
-concept frame_sink = requires(Sink& sink, traced_frame const& frame) {
-    { sink.take(frame) } noexcept;
+concept frame_sink = requires(Sink& sink, traced_frame const& frame)
+{
+    {
+        sink.take(frame)
+    }
+    noexcept;
 };
 
 } // namespace rtuwire
