@@ -9,8 +9,11 @@
 #include <rtuwire/port/descriptor.hpp>
 #include <rtuwire/port/error_marks.hpp>
 #include <rtuwire/port/exclusive_device.hpp>
+#include <rtuwire/port/host_lookup.hpp>
 #include <rtuwire/port/posix_serial.hpp>
 #include <rtuwire/port/pseudo_terminal.hpp>
 #include <rtuwire/port/serial_settings.hpp>
 #include <rtuwire/port/standard_places.hpp>
+#include <rtuwire/port/tcp_connection.hpp>
+#include <rtuwire/port/tcp_stream.hpp>
 #include <rtuwire/wire/unit_id.hpp>

@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Our client against others' servers: unit 1 on the device named on the command line holds registers
-// 100..199 with their own address. With "identify" it reads the identification too.
+// Our client against others' servers: unit 1 on the device named on the command line, or behind a TCP port of this
+// machine ("tcp:4001"), holds registers 100..199 with their own address. With "identify" it reads the identification too.
+#include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 
 #include <rtuwire/client/blocking.hpp>
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/port/posix_serial.hpp>
+#include <rtuwire/port/tcp_stream.hpp>
 #include <rtuwire/wire/errc_name.hpp>
 #include <rtuwire/wire/pdu/device_identification.hpp>
 #include <rtuwire/wire/pdu/raw.hpp>
@@ -29,7 +32,7 @@ void expect(bool is_right, char const* what, errc error)
     failures += is_right ? 0 : 1;
 }
 
-void check_registers(blocking_client<posix_serial>& line)
+template <typename Line> void check_registers(Line& line)
 {
     auto const four = line.ask(unit_id{1}, read_holding_registers{100, 4});
     expect(four and four->registers[0] == 100 and four->registers[3] == 103, "03 reads", four.error());
@@ -45,7 +48,7 @@ void check_registers(blocking_client<posix_serial>& line)
     expect(both and both->registers == register_block{7, 0x1234, 113}, "23 writes, then reads", both.error());
 }
 
-void check_exceptions(blocking_client<posix_serial>& line)
+template <typename Line> void check_exceptions(Line& line)
 {
     auto const address = line.ask(unit_id{1}, read_holding_registers{60'000, 1});
     expect(address == errc::illegal_data_address, "exception 02", address.error());
@@ -56,13 +59,13 @@ void check_exceptions(blocking_client<posix_serial>& line)
     expect(silence == errc::timed_out, "silence of another unit", silence.error());
 }
 
-void check_unknown_function(blocking_client<posix_serial>& line)
+template <typename Line> void check_unknown_function(Line& line)
 {
     auto const unknown = line.ask(unit_id{1}, raw_pdu{static_cast<function_code>(0x41), {}});
     expect(unknown == errc::illegal_function, "exception 01", unknown.error());
 }
 
-void check_identification(blocking_client<posix_serial>& line)
+template <typename Line> void check_identification(Line& line)
 {
     std::string ids;
     std::size_t bytes = 0;
@@ -91,25 +94,42 @@ void check_identification(blocking_client<posix_serial>& line)
     expect(ids == "0 1 2 3 4 " and bytes == 357 and pages == 2, "43/14 gives all in two pages", errc::none);
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+template <typename Port> int check_all(Port& port, line_timing const& timing, bool identifies)
 {
-    posix_serial port;
-    if (argc < 2 or not port.open(argv[1])) {
-        std::fprintf(stderr, "%s\n", argc < 2 ? "usage: our_client DEVICE [identify]" : port.failure().c_str());
-        return 2;
-    }
-    blocking_client line{port,
-                         line_timing::host(19'200, character_format::even_8_1),
-                         {.response_timeout = milliseconds(700), .retries = 0}};
+    blocking_client line{port, timing, {.response_timeout = milliseconds(700), .retries = 0}};
     check_registers(line);
     check_exceptions(line);
     // pymodbus is silent on functions it does not know, libmodbus has no identification.
-    if (argc > 2 and std::strcmp(argv[2], "identify") == 0) {
+    if (identifies) {
         check_identification(line);
     } else {
         check_unknown_function(line);
     }
     return failures == 0 ? 0 : 1;
+}
+
+template <typename Port> int without_port(Port const& port)
+{
+    std::fprintf(stderr, "%s\n", port.failure().c_str());
+    return 2;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    if (argc < 2) {
+        std::fprintf(stderr, "usage: our_client DEVICE|tcp:PORT [identify]\n");
+        return 2;
+    }
+    bool const identifies = argc > 2 and std::strcmp(argv[2], "identify") == 0;
+    if (std::strncmp(argv[1], "tcp:", 4) == 0) {
+        tcp_stream port;
+        auto const number = static_cast<std::uint16_t>(std::strtoul(argv[1] + 4, nullptr, 10));
+        return port.open("localhost", number) ? check_all(port, line_timing::without_wire(), identifies)
+                                              : without_port(port);
+    }
+    posix_serial port;
+    return port.open(argv[1]) ? check_all(port, line_timing::host(19'200, character_format::even_8_1), identifies)
+                              : without_port(port);
 }

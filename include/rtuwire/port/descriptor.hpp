@@ -39,7 +39,11 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     case EIO:
     case ENXIO:
     case ENODEV:
-    case EPIPE: return errc::device_vanished;
+    case EPIPE:
+    case ECONNRESET:
+    case ETIMEDOUT:
+    case EHOSTUNREACH:
+    case ENETUNREACH: return errc::device_vanished;
     default: return errc::device_failed;
     }
 }
@@ -94,11 +98,18 @@ public:
     /// `device_not_open`, `device_vanished`, `device_failed`.
     result<void> write(byte_view bytes, instant until) const noexcept
     {
+        return write_by([](int number, byte_view part) { return ::write(number, part.data(), part.size()); }, bytes,
+                        until);
+    }
+
+    /// The same by another call: `send(number, bytes)` returns what `::write` does, and sets errno as it does.
+    template <typename Send> result<void> write_by(Send send, byte_view bytes, instant until) const noexcept
+    {
         if (not is_open()) {
             return errc::device_not_open;
         }
         while (not bytes.empty()) {
-            ssize_t const count = ::write(number_, bytes.data(), bytes.size());
+            ssize_t const count = send(number_, bytes);
             if (count > 0) {
                 bytes = bytes.subspan(static_cast<std::size_t>(count));
                 continue;
@@ -109,7 +120,7 @@ public:
             if (count < 0 and errno != EAGAIN) {
                 return device_error(errno);
             }
-            auto const ready = wait(POLLOUT, until);
+            auto const ready = wait_to_write(until);
             if (not ready) {
                 return ready.error();
             }
@@ -119,6 +130,9 @@ public:
         }
         return {};
     }
+
+    /// Whether it took bytes before the deadline; a connection that is being made: whether it was made, or failed.
+    result<bool> wait_to_write(instant until) const noexcept { return wait(POLLOUT, until); }
 
     /// Waits until there is at least one byte or the deadline has passed, and reads what is there: an
     /// empty part of `place` when there was nothing. Errors: `device_not_open`, `device_vanished`,
