@@ -6,6 +6,7 @@
 #include <chrono>
 #include <string>
 
+#include "support/command_line.hpp"
 #include "support/demonstration.hpp"
 #include "support/simulated_process.hpp"
 #include "support/standard_descriptors.hpp"

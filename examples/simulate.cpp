@@ -10,14 +10,17 @@
 #include <rtuwire/frames.hpp>
 #include <rtuwire/port.hpp>
 
+#include "../tools/rtuwire/simulated_line.hpp"
+#include "support/command_line.hpp"
 #include "support/line_reader.hpp"
 #include "support/say.hpp"
 #include "support/signals.hpp"
-#include "support/simulated_line.hpp"
 #include "support/standard_descriptors.hpp"
 
 using namespace rtuwire;
 using namespace examples;
+using tool::drive_events;
+using tool::simulated_line;
 
 namespace {
 

@@ -14,8 +14,8 @@
 
 #include <rtuwire/port.hpp>
 
+#include "../../tools/rtuwire/simulated_line.hpp"
 #include "line_reader.hpp"
-#include "simulated_line.hpp"
 
 namespace examples {
 
@@ -80,7 +80,7 @@ private:
     [[noreturn]] static void serve(rtuwire::pseudo_terminal& port, std::string const& name, std::uint32_t unit,
                                    rtuwire::line_timing const& timing, int from) noexcept
     {
-        simulated_line line{port, timing};
+        tool::simulated_line line{port, timing};
         line_reader input{from};
         line.add(name, unit);
         bool is_good = true;

@@ -12,10 +12,10 @@
 #include <rtuwire/client.hpp>
 #include <rtuwire/sim.hpp>
 
-#include "command_line.hpp"
 #include "drive_events.hpp"
+#include "named_drives.hpp"
 
-namespace examples {
+namespace tool {
 
 /// A drive on a line, whichever it is.
 class simulated_drive {
@@ -233,4 +233,4 @@ private:
     std::array<std::byte, rtuwire::max_adu_size> input_{};
 };
 
-} // namespace examples
+} // namespace tool

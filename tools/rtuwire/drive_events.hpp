@@ -11,9 +11,9 @@
 
 #include <rtuwire/frames.hpp>
 
-#include "command_line.hpp"
+#include "usage_error.hpp"
 
-namespace examples {
+namespace tool {
 
 inline constexpr char drive_events[] = "fault|clear|local|remote|stop|hold|let-go|close N|open N|"
                                        "cycle|write ADDRESS WORD|cut|deaf|mute|join";
@@ -82,4 +82,4 @@ template <typename Drive> bool happens(Drive& drive, std::vector<std::string> co
     return true;
 }
 
-} // namespace examples
+} // namespace tool

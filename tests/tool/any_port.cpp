@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A port of whichever kind under a client: simulated drives, drives behind a TCP port, and what is said where nothing opens.
+#include "../../tools/rtuwire/any_port.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "support/catch.hpp"
+
+#include <rtuwire/client.hpp>
+#include <rtuwire/frames.hpp>
+
+using namespace rtuwire;
+using namespace tool;
+
+namespace {
+
+using clock_type = std::chrono::steady_clock;
+
+port_description described(std::string const& word)
+{
+    auto const found = read_port_word(word);
+    REQUIRE_FALSE(found.refused);
+    return found.port;
+}
+
+/// ETA, the status word, of every drive here but the ATV28.
+errc read_status(any_port& port, std::uint32_t unit, duration time_limit = milliseconds(300))
+{
+    blocking_client client{port, port.timing(), {.response_timeout = time_limit, .retries = 0}};
+    auto const response = client.ask(*unit_id::checked(unit), read_holding_registers{3201, 1});
+    return response ? errc::none : response.error();
+}
+
+bool is_there(std::string const& path)
+{
+    struct stat info {};
+    return ::stat(path.c_str(), &info) == 0;
+}
+
+/// A TCP port of this machine on which nobody listens.
+std::uint16_t free_port()
+{
+    sockaddr_in own{};
+    own.sin_family = AF_INET;
+    own.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    int const found = ::socket(AF_INET, SOCK_STREAM, 0);
+    socklen_t size = sizeof own;
+    REQUIRE(::bind(found, reinterpret_cast<sockaddr*>(&own), size) == 0);
+    REQUIRE(::getsockname(found, reinterpret_cast<sockaddr*>(&own), &size) == 0);
+    ::close(found);
+    return ntohs(own.sin_port);
+}
+
+/// A serial device server: socat, between a TCP port and a serial device.
+class device_server {
+public:
+    device_server(std::uint16_t port, std::string const& device)
+    {
+        std::string const listen = "tcp-listen:" + std::to_string(port) + ",bind=127.0.0.1,reuseaddr,nodelay";
+        std::string const line = device + ",raw,echo=0";
+        process_ = ::fork();
+        if (process_ == 0) {
+            ::execlp("socat", "socat", listen.c_str(), line.c_str(), nullptr);
+            ::_exit(127);
+        }
+    }
+    device_server(device_server const&) = delete;
+    ~device_server() { kill(); }
+
+    void kill()
+    {
+        if (process_ > 0) {
+            ::kill(process_, SIGKILL);
+            ::waitpid(std::exchange(process_, -1), nullptr, 0);
+        }
+    }
+
+private:
+    pid_t process_{-1};
+};
+
+/// It listens a moment after it was started.
+result<void> open_soon(any_port& port, port_description const& word)
+{
+    auto opened = port.open(word);
+    for (int i = 0; i < 100 and not opened; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds{20});
+        opened = port.open(word);
+    }
+    return opened;
+}
+
+} // namespace
+
+TEST_CASE("simulated drives answer, each at its address")
+{
+    any_port port;
+    REQUIRE(port.open(described("sim:atv320:7,atv12:3,atv310_2026:9")));
+    CHECK(port.is_open());
+    CHECK(port.is_simulated());
+    for (std::uint32_t const unit : {7U, 3U, 9U}) {
+        CHECK(read_status(port, unit) == errc::none);
+    }
+    CHECK(read_status(port, 8, milliseconds(50)) == errc::timed_out);
+}
+
+TEST_CASE("the first response of a simulated drive is soon there")
+{
+    // The best of some: other programs run as well.
+    auto shortest = clock_type::duration::max();
+    for (int i = 0; i < 5; ++i) {
+        auto const start = clock_type::now();
+        any_port port;
+        REQUIRE(port.open(described("sim:atv320")));
+        REQUIRE(read_status(port, 1) == errc::none);
+        shortest = (std::min)(shortest, clock_type::now() - start);
+    }
+    CHECK(shortest < std::chrono::milliseconds{30});
+}
+
+TEST_CASE("simulated drives fall silent when their port is closed, opened anew or moved over")
+{
+    any_port port;
+    REQUIRE(port.open(described("sim:atv320:7")));
+    std::string const first = port.device();
+    CHECK(is_there(first));
+    REQUIRE(port.open(described("sim:atv12:3")));
+    CHECK(read_status(port, 3) == errc::none);
+    CHECK(read_status(port, 7, milliseconds(50)) == errc::timed_out);
+    any_port other{std::move(port)};
+    CHECK(read_status(other, 3) == errc::none);
+    std::string const second = other.device();
+    other.close();
+    CHECK_FALSE(is_there(second));
+    CHECK_FALSE(other.is_open());
+    CHECK_FALSE(other.is_simulated());
+    CHECK(read_status(other, 3) == errc::device_not_open);
+}
+
+TEST_CASE("simulated drives end with their program, be it killed")
+{
+    int ends[2];
+    REQUIRE(::pipe(ends) == 0);
+    pid_t const program = ::fork();
+    if (program == 0) {
+        any_port port;
+        static_cast<void>(port.open(described("sim:atv320")));
+        static_cast<void>(::write(ends[1], port.device().data(), port.device().size()));
+        ::pause();
+    }
+    char device[64]{};
+    ssize_t const size = ::read(ends[0], device, sizeof device);
+    CHECK(size > 0);
+    CHECK(is_there(device));
+    ::kill(program, SIGKILL);
+    ::waitpid(program, nullptr, 0);
+    CHECK_FALSE(is_there(device));
+    ::close(ends[0]);
+    ::close(ends[1]);
+}
+
+TEST_CASE("signals reach the program, not the thread of the drives")
+{
+    static std::atomic<std::thread::id> caught{};
+    caught = std::thread::id{};
+    auto* const before = std::signal(SIGUSR1, [](int) { caught = std::this_thread::get_id(); });
+    any_port port;
+    REQUIRE(port.open(described("sim:atv320")));
+    ::kill(::getpid(), SIGUSR1);
+    CHECK(caught.load() == std::this_thread::get_id());
+    std::signal(SIGUSR1, before);
+}
+
+TEST_CASE("drives behind a serial device server answer until it is killed")
+{
+    simulated_drives drives;
+    REQUIRE(drives.start({{{"atv320", 7}}}));
+    std::uint16_t const number = free_port();
+    device_server server{number, drives.device()};
+    any_port port;
+    REQUIRE(open_soon(port, described("tcp://127.0.0.1:" + std::to_string(number))));
+    CHECK_FALSE(port.is_simulated());
+    for (int i = 0; i < 20; ++i) {
+        CHECK(read_status(port, 7) == errc::none);
+    }
+    CHECK(read_status(port, 8, milliseconds(50)) == errc::timed_out);
+    // Not asked anything when it goes.
+    server.kill();
+    auto const start = clock_type::now();
+    CHECK(read_status(port, 7) == errc::device_vanished);
+    CHECK(clock_type::now() - start < std::chrono::milliseconds{200});
+    CHECK(port.failure().find("127.0.0.1:" + std::to_string(number) + ": the connection is gone") == 0);
+}
+
+TEST_CASE("what does not open says so with its name")
+{
+    any_port port;
+    CHECK(port.failure().empty());
+    CHECK(port.open(described("/dev/rtuwire-does-not-exist")) == errc::device_not_found);
+    CHECK(port.failure().find("/dev/rtuwire-does-not-exist: ") == 0);
+    std::string const nobody = "127.0.0.1:" + std::to_string(free_port());
+    CHECK(port.open(described("tcp://" + nobody)) == errc::device_not_found);
+    CHECK(port.failure().find(nobody + ": ") == 0);
+    CHECK(port.open(capture_file{"line.pcapng"}) == errc::device_not_serial);
+    CHECK(port.failure().find("line.pcapng: a capture file") == 0);
+    CHECK(port.open(simulated_drives_choice{{{"atv320", 0}}}) == errc::device_failed);
+    CHECK(port.failure().find("sim: unit 0 is out of range") == 0);
+    CHECK_FALSE(port.is_open());
+    CHECK(port.descriptor_number() == -1);
+}
+
+TEST_CASE("a serial device has the times of its wire, what is no wire has none")
+{
+    any_port port;
+    REQUIRE(port.open(described("sim:atv320")));
+    CHECK(port.timing().silence() == duration{});
+    CHECK(port.timing().characters(8) == duration{});
+    pseudo_terminal far;
+    REQUIRE(far.open());
+    REQUIRE(port.open(described(far.path()), {.bits_per_second = 9'600}));
+    CHECK_FALSE(port.is_simulated());
+    CHECK(port.timing().characters(1) == line_timing{9'600, character_format::even_8_1}.characters(1));
+    CHECK(far.write(std::array<std::byte, 1>{}, steady_now() + milliseconds(100)));
+    std::array<std::byte, 4> place{};
+    auto const bytes = port.read(place, steady_now() + milliseconds(500));
+    REQUIRE(bytes);
+    CHECK(bytes->size() == 1);
+}
