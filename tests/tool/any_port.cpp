@@ -147,6 +147,13 @@ TEST_CASE("simulated drives fall silent when their port is closed, opened anew o
     any_port other{std::move(port)};
     CHECK(read_status(other, 3) == errc::none);
     std::string const second = other.device();
+    any_port third;
+    REQUIRE(third.open(described("sim:atv28:5")));
+    std::string const replaced = third.device();
+    third = std::move(other);
+    CHECK_FALSE(is_there(replaced));
+    CHECK(read_status(third, 3) == errc::none);
+    other = std::move(third);
     other.close();
     CHECK_FALSE(is_there(second));
     CHECK_FALSE(other.is_open());
@@ -215,6 +222,14 @@ TEST_CASE("what does not open says so with its name")
     CHECK(port.failure().empty());
     CHECK(port.open(described("/dev/rtuwire-does-not-exist")) == errc::device_not_found);
     CHECK(port.failure().find("/dev/rtuwire-does-not-exist: ") == 0);
+    pseudo_terminal other;
+    REQUIRE(other.open());
+    std::string const link = "./ttyTool" + std::to_string(::getpid());
+    REQUIRE(::symlink(other.path().c_str(), link.c_str()) == 0);
+    CHECK(port.open(serial_device{link + "x"}) == errc::device_not_found);
+    CHECK(port.failure().find(link + "x: no such device") == 0);
+    CHECK(port.failure().find("; did you mean " + link + "?") != std::string::npos);
+    ::unlink(link.c_str());
     std::string const nobody = "127.0.0.1:" + std::to_string(free_port());
     CHECK(port.open(described("tcp://" + nobody)) == errc::device_not_found);
     CHECK(port.failure().find(nobody + ": ") == 0);

@@ -3,6 +3,8 @@
 // What a person types for a port, and what is said to what is none.
 #include "../../tools/rtuwire/port_word.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -133,6 +135,27 @@ TEST_CASE("a wrong simulated drive says which there are, and the nearest")
     CHECK(has(refused("sim:").sentence, "a drive is missing, one of atv12|"));
     CHECK(has(refused("sim:atv320,").sentence, "a drive is missing"));
     CHECK(refused("sin:atv320:7").nearest == "sim:atv320:7");
+}
+
+TEST_CASE("whatever is mistyped, what is proposed is right")
+{
+    unsigned refusals = 0;
+    for (std::string const right : {"tcp://host:4001", "tcp://[::1]:4001", "sim:atv320:7,atv12:3", "sim:atv28"}) {
+        for (std::size_t at = 0; at <= right.size(); ++at) {
+            for (std::string const other : {"", "[", "]", ":", "/", ",", "x", "0", " ", "-"}) {
+                for (std::size_t const left_out : {0U, 1U, 2U}) {
+                    std::string const word =
+                        right.substr(0, at) + other + right.substr((std::min)(at + left_out, right.size()));
+                    if (read_port_word(word).refused) {
+                        static_cast<void>(refused(word));
+                        ++refusals;
+                    }
+                }
+            }
+        }
+    }
+    CHECK(refusals > 500);
+    CHECK(refused("tcp://[::1:4001").nearest.empty());
 }
 
 TEST_CASE("the name of something that is not there")

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "nearest_device.hpp"
+
 namespace tool {
 
 using rtuwire::errc;
@@ -23,13 +25,20 @@ result<void> any_port::open(port_description const& described, serial_settings c
 result<void> any_port::open_one(serial_device const& chosen, serial_settings const& settings)
 {
     timing_ = line_timing::host(settings.bits_per_second, settings.format);
-    return port_.emplace<posix_serial>().open(chosen.path, settings);
+    auto& port = port_.emplace<posix_serial>();
+    auto const opened = port.open(chosen.path, settings);
+    if (std::string const nearest = opened == errc::device_not_found ? nearest_device(chosen.path) : "";
+        not nearest.empty()) {
+        own_failure_ = port.failure() + "; did you mean " + nearest + "?";
+    }
+    return opened;
 }
 
-result<void> any_port::open_one(tcp_address const& chosen, serial_settings const&)
+result<void> any_port::open_one(tcp_address const& chosen, serial_settings const& settings)
 {
-    // A little silence: not every serial device server keeps the one between frames.
-    timing_ = line_timing::without_wire().with_silence(rtuwire::milliseconds(5));
+    // Not every serial device server keeps the silence between frames, and what the network varies by eats some of it.
+    line_timing const wire{settings.bits_per_second, settings.format};
+    timing_ = line_timing::without_wire().with_silence(wire.t3_5() + rtuwire::milliseconds(3));
     return port_.emplace<tcp_stream>().open(chosen.host, chosen.port);
 }
 

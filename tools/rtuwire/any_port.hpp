@@ -18,8 +18,8 @@ namespace tool {
 /// A port. Can be moved; its destructor closes it, and ends the drives that were simulated for it.
 class any_port {
 public:
-    /// Opens what was described; what was open before is closed. The settings are of a serial device; a serial device
-    /// server has its own, and simulated drives have none. On an error nothing is open and `failure()` says why:
+    /// Opens what was described; what was open before is closed. The settings are of a serial device. A serial device
+    /// server has its own; they tell how long the silence on its wire has to be. Simulated drives have none. On an error nothing is open and `failure()` says why:
     /// those of `posix_serial::open` and of `tcp_stream::open`; `device_not_serial` for a capture file.
     rtuwire::result<void> open(port_description const& described, rtuwire::serial_settings const& settings = {});
 
