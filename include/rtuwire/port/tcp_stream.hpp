@@ -33,11 +33,12 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// `.with_silence(milliseconds(5))` or more.
 class tcp_stream {
 public:
-    /// Connects to a host by its name or its IPv4 or IPv6 number, whichever of its addresses answers first, within a time limit that
-    /// the look-up of the name counts into; what was open before is closed. On an error nothing is open and `failure()`
+    /// Connects to a host by its name or its IPv4 or IPv6 number, to the first of its addresses that answers, within a
+    /// time limit for that and the look-up of the name; what was open before is closed. On an error nothing is open and `failure()`
     /// says why: `device_not_found` (no such host, no way to it, nobody listens on that port), `timed_out`,
     /// `device_access_denied`, `device_vanished`, `device_failed`. The connection never becomes standard input, output or
-    /// error output, even where these are closed.
+    /// error output, even where these are closed. A name is looked up in a thread: link with -pthread where the C library
+    /// is older than glibc 2.34.
     result<void> open(std::string const& host, std::uint16_t port, duration time_limit = milliseconds(3'000))
     {
         close();
@@ -61,8 +62,8 @@ public:
     /// Whether a connection was made and not closed by this end. The other end may have gone: the next `read` tells.
     [[nodiscard]] bool is_open() const noexcept { return line_.is_open(); }
 
-    /// The system's number of the open socket, in non-blocking mode, for `poll`, or for a signal handler that must not
-    /// call `write`; -1 where none is open. Write to it by `send` with MSG_NOSIGNAL.
+    /// The system's number of the open socket, in non-blocking mode, for `poll`, or for a signal handler, which writes by `send`
+    /// with MSG_NOSIGNAL; -1 where none is open.
     [[nodiscard]] int descriptor_number() const noexcept { return line_.number(); }
 
     /// Host and port as they were given to `open`: "host:4001".
