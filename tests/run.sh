@@ -5,7 +5,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-sh tests/packages.sh build tests interop arm emulator
+sh tests/packages.sh build tests interop tool arm emulator
 cmake --preset gcc
 cmake --build --preset gcc
 ctest --preset gcc

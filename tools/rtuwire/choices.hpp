@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What the command line and the configuration file say; words are not looked at here.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "output/output.hpp"
+
+namespace tool {
+
+/// The line, and who is on it.
+struct line_choices {
+    std::string port{};
+    unsigned baud{19'200};
+    std::string format{"8E1"};
+    std::string unit{"1"};                    ///< a number, or one of `names`
+    std::string drive{};                      ///< empty: recognised by asking
+    std::vector<std::string> names{};         ///< "fan=7:atv320"
+    std::optional<double> response_timeout{}; ///< seconds; nothing: as the command thinks best
+    unsigned retries{1};
+    double listen{1.0};          ///< seconds before the first frame
+    bool must_not_listen{false}; ///< speaks at once, on a line in use, too
+};
+
+/// What changes something needs to be allowed.
+struct permissions {
+    bool may_write{false};
+    bool may_run{false};
+    bool is_confirmed{false}; ///< asks nobody back
+};
+
+struct scan_choices {
+    std::string units{"1-247"};
+    std::vector<unsigned> bauds{};
+    std::vector<std::string> formats{};
+    std::string resume_file{};
+};
+
+struct motion_choices {
+    std::string speed{};     ///< "1200rpm"
+    std::string frequency{}; ///< "40Hz"
+    bool is_reverse{false};
+    std::string stop_by{"ramp"};
+    double seconds{0}; ///< how long to run; 0 until somebody ends the program
+};
+
+struct choices {
+    std::string command{};
+    output_form form{output_form::table};
+    line_choices line{};
+    permissions allowed{};
+    scan_choices scan{};
+    motion_choices motion{};
+
+    std::vector<std::string> words{}; ///< registers, bytes, drives
+    std::string search{};
+    std::string file{};
+    std::string capture_form{"udp"};
+    std::optional<double> every{}; ///< seconds; nothing: as the command thinks best
+    std::optional<double> last{};  ///< seconds; nothing: until somebody ends the program
+    std::string vendor{};
+};
+
+} // namespace tool

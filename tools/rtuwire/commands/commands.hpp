@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What the tool can do: a function a command, each in a file of its own. They throw `ended` where they end early.
+#pragma once
+
+#include "choices.hpp"
+#include "exit_status.hpp"
+
+namespace tool {
+
+exit_status run_scan(choices const& chosen);
+exit_status run_identify(choices const& chosen);
+exit_status run_read(choices const& chosen);
+exit_status run_watch(choices const& chosen);
+exit_status run_list(choices const& chosen);
+exit_status run_write(choices const& chosen);
+
+} // namespace tool

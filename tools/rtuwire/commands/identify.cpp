@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Says who a unit is.
+#include "commands/commands.hpp"
+#include "line/line_words.hpp"
+#include "line/who_is_it.hpp"
+
+namespace tool {
+
+exit_status run_identify(choices const& chosen)
+{
+    open_line line{chosen.line};
+    named_unit const asked = unit_in(chosen.line);
+    identity_words const who = who_is_it(line, asked.unit);
+    output results{chosen.form, false};
+    results.put({{"unit", std::int64_t{asked.unit.byte()}},
+                 {"vendor", who.vendor},
+                 {"product", who.product},
+                 {"revision", who.revision},
+                 {"drive", who.drive},
+                 {"note", who.note}});
+    results.finish();
+    bool const is_known = not who.product.empty() or not who.drive.empty();
+    return is_known ? exit_status::done : who.outcome;
+}
+
+} // namespace tool

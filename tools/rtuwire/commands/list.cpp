@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The drives that this program knows, or the registers of one: no line is needed.
+#include <string>
+
+#include "commands/commands.hpp"
+#include "line/asked_registers.hpp"
+#include "line/who_is_it.hpp"
+#include "value_text.hpp"
+
+namespace tool {
+
+namespace {
+
+record of_drive(drive_catalog const& drive)
+{
+    return {{"drive", std::string{drive.name}},
+            {"reference", std::string{drive.reference}},
+            {"registers", static_cast<std::int64_t>(drive.registers.size())},
+            {"most in a read", std::int64_t{drive.limits.read}},
+            {"most in a write", std::int64_t{drive.limits.write}}};
+}
+
+record of_register(register_entry const& entry, drive_catalog const& drive)
+{
+    auto const step = step_of(entry, drive);
+    return {{"register", std::string{entry.code}},
+            {"address", std::int64_t{entry.address}},
+            {"access", std::string{text_of(entry.mode)}},
+            {"kind", std::string{text_of(entry.kind)}},
+            {"step", step and not entry.unit.empty() ? amount_text(1, *step, entry.unit) : std::string{}},
+            {"lowest", text_of_bound(entry.min)},
+            {"highest", text_of_bound(entry.max)},
+            {"source", std::string{text_of(entry.source)}},
+            {"name", std::string{entry.name}}};
+}
+
+} // namespace
+
+exit_status run_list(choices const& chosen)
+{
+    output results{chosen.form, false};
+    if (chosen.line.drive.empty()) {
+        if (not chosen.words.empty() or not chosen.search.empty()) {
+            refuse_word("the registers of which drive? say --drive");
+        }
+        for (drive_catalog const* const each : all_catalogs()) {
+            results.put(of_drive(*each));
+        }
+        results.finish();
+        return exit_status::done;
+    }
+    drive_catalog const& drive = catalog_chosen(chosen.line.drive);
+    std::vector<register_entry const*> shown;
+    if (not chosen.search.empty()) {
+        shown = search_registers(drive, chosen.search);
+    } else if (chosen.words.empty()) {
+        shown = search_registers(drive, "");
+    } else {
+        for (chosen_register const& each : registers_in(chosen.words, &drive)) {
+            shown.push_back(each.entry);
+        }
+    }
+    for (register_entry const* const each : shown) {
+        if (each != nullptr) {
+            results.put(of_register(*each, drive));
+        }
+    }
+    results.finish();
+    return shown.empty() ? exit_status::differs : exit_status::done;
+}
+
+} // namespace tool

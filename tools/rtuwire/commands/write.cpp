@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Writes registers, and reads them back. All words are checked before the first frame leaves; what commands a motor is
+// refused: `start` and `stop` do that.
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+#include "commands/commands.hpp"
+#include "line/asked_registers.hpp"
+#include "line/reading.hpp"
+#include "line/who_is_it.hpp"
+#include "line/write_log.hpp"
+#include "value_text.hpp"
+#include "value_words.hpp"
+
+namespace tool {
+
+namespace {
+
+using rtuwire::errc;
+
+constexpr std::uint16_t first_scanner_output = 12'761; ///< NC1: what the scanner writes to the command
+constexpr std::uint16_t save_to_eeprom = 2;            ///< the order in CMI
+
+bool commands_a_motor(std::uint16_t address, drive_catalog const& drive)
+{
+    bool const is_scanner_output =
+        drive.at(address) != nullptr and drive.at(address)->code.starts_with("NC") and address >= first_scanner_output;
+    return address == drive.layout.cmd or address == drive.speed_reference or address == drive.frequency_reference or
+           is_scanner_output;
+}
+
+class writing {
+public:
+    explicit writing(choices const& chosen) : chosen_{chosen}, unit_{unit_in(chosen.line)}, results_{chosen.form, true}
+    {
+        if (not chosen.allowed.may_write) {
+            refuse_for_safety("this program only reads; to write, say --write");
+        }
+    }
+
+    exit_status run()
+    {
+        open_line line{chosen_.line};
+        drive_ = &catalog_of(line, unit_.unit, unit_.drive);
+        std::vector<value_to_write> const values = checked(line);
+        std::vector<std::string> const before = read(line, values);
+        if (not is_confirmed(values, before)) {
+            return exit_status::refused;
+        }
+        exit_status status = exit_status::done;
+        for (std::size_t i = 0; i < values.size() and status == exit_status::done; ++i) {
+            status = write(line, values[i], before[i]);
+        }
+        return status;
+    }
+
+private:
+    /// All values, with the registers that limit them read first.
+    std::vector<value_to_write> checked(open_line& line)
+    {
+        std::vector<chosen_register> needed;
+        for (std::string const& word : chosen_.words) {
+            value_to_write const value = check_value(word, drive_);
+            refuse_if_wrong(value);
+            for (register_entry const* const each : value.needed) {
+                needed.push_back({each->address, each});
+            }
+        }
+        register_reader limits{needed, drive_};
+        limits.read(line, unit_.unit);
+        std::vector<value_to_write> values;
+        for (std::string const& word : chosen_.words) {
+            value_to_write value = check_value(word, drive_, limits.known());
+            refuse_if_wrong(value);
+            if (not value.is_ready()) {
+                throw ended{status_of(limits.first_error()),
+                            "'" + word + "' is limited by " + std::string{value.needed.front()->code} +
+                                ", which could not be read: " + words_of(limits.first_error())};
+            }
+            values.push_back(value);
+        }
+        return values;
+    }
+
+    void refuse_if_wrong(value_to_write const& value) const
+    {
+        if (value.refused) {
+            refuse(*value.refused);
+        }
+        std::string const label = label_of({value.address, value.entry});
+        if (commands_a_motor(value.address, *drive_)) {
+            refuse_for_safety(label + " commands the motor: use `rtuwire start` and `rtuwire stop`");
+        }
+        if (value.entry == nullptr and not chosen_.allowed.may_run) {
+            refuse_for_safety("register " + label + " is not in the table of an " + std::string{drive_->name} +
+                              ": nobody knows what it does; to write it, say --allow-run besides");
+        }
+        if (value.address == drive_->layout.cmi and value.word != save_to_eeprom) {
+            refuse_for_safety("CMI has orders that take a drive's settings away; this program writes only 2, which "
+                              "saves to EEPROM");
+        }
+    }
+
+    std::vector<std::string> read(open_line& line, std::vector<value_to_write> const& values)
+    {
+        std::vector<chosen_register> all;
+        for (value_to_write const& each : values) {
+            all.push_back({each.address, each.entry});
+        }
+        register_reader reader{all, drive_};
+        reader.read(line, unit_.unit);
+        std::vector<std::string> before;
+        for (chosen_register const& each : all) {
+            before.push_back(reading_of(each, reader, drive_).text);
+        }
+        return before;
+    }
+
+    bool is_confirmed(std::vector<value_to_write> const& values, std::vector<std::string> const& before) const
+    {
+        if (chosen_.allowed.is_confirmed or ::isatty(STDIN_FILENO) == 0) {
+            return true;
+        }
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            std::fprintf(stderr, "unit %u: %s: %s -> %s\n", unsigned{unit_.unit.byte()},
+                         label_of({values[i].address, values[i].entry}).c_str(), before[i].c_str(),
+                         values[i].text.c_str());
+        }
+        std::fputs("write? (y/n) ", stderr);
+        int const answer = std::getchar();
+        return answer == 'y' or answer == 'Y';
+    }
+
+    exit_status write(open_line& line, value_to_write const& value, std::string const& before)
+    {
+        auto const outcome = line.ask(unit_.unit, rtuwire::write_single_register{value.address, value.word});
+        bool const is_order = value.address == drive_->layout.cmi;
+        auto const back =
+            is_order or not outcome ? rtuwire::result<std::uint16_t>{value.word} : read_back(line, value.address);
+        std::string const label = label_of({value.address, value.entry});
+        errc const why = outcome ? back.error() : outcome.error();
+        std::string note = why == errc::none ? std::string{} : words_of(why);
+        if (why == errc::none and *back != value.word) {
+            note = "the unit holds another value: " + hex_word(*back);
+        }
+        if (outcome) {
+            note += logged(label, value, before, is_order);
+        }
+        results_.put({{"unit", std::int64_t{unit_.unit.byte()}},
+                      {"register", label},
+                      {"before", before},
+                      {"after", value.text},
+                      {"note", note}});
+        return why != errc::none ? status_of(why) : *back == value.word ? exit_status::done : exit_status::differs;
+    }
+
+    rtuwire::result<std::uint16_t> read_back(open_line& line, std::uint16_t address)
+    {
+        auto const read = line.ask(unit_.unit, rtuwire::read_holding_registers{.start = address, .count = 1});
+        return read ? rtuwire::result<std::uint16_t>{read->registers[0]} : read.error();
+    }
+
+    std::string logged(std::string const& label, value_to_write const& value, std::string const& before, bool is_order)
+    {
+        unsigned const unit = unit_.unit.byte();
+        bool const is_logged = log_write({chosen_.line.port, unit, label, before, value.text});
+        std::string note = is_logged ? std::string{} : "not noted: " + write_log_file() + " cannot be written";
+        if (is_order) {
+            note += "saved to EEPROM " + std::to_string(count_saves(chosen_.line.port, unit)) +
+                    " times by this user; an EEPROM bears a limited number of writes";
+        }
+        return note;
+    }
+
+    choices const& chosen_;
+    named_unit unit_;
+    drive_catalog const* drive_{nullptr};
+    output results_;
+};
+
+} // namespace
+
+exit_status run_write(choices const& chosen) { return writing{chosen}.run(); }
+
+} // namespace tool

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "line/line_words.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include <rtuwire/port.hpp>
+
+#include "exit_status.hpp"
+#include "suggestion.hpp"
+
+namespace tool {
+
+namespace {
+
+std::optional<unsigned> number_in(std::string_view word)
+{
+    unsigned number = 0;
+    auto const [end, wrong] = std::from_chars(word.data(), word.data() + word.size(), number);
+    bool const is_whole = wrong == std::errc{} and end == word.data() + word.size();
+    return is_whole ? std::optional{number} : std::nullopt;
+}
+
+rtuwire::unit_id address_in(std::string_view word, std::string const& of)
+{
+    auto const number = number_in(word);
+    auto const unit = number ? rtuwire::unit_id::checked(*number) : rtuwire::errc::malformed;
+    if (not unit) {
+        refuse_word("'" + std::string{word} + "' in '" + of + "' is no address of a unit: 1 to 247");
+    }
+    return *unit;
+}
+
+std::vector<std::string_view> parts_of(std::string_view text, char between)
+{
+    std::vector<std::string_view> parts;
+    for (std::size_t end = 0; end != std::string_view::npos;) {
+        end = text.find(between);
+        parts.push_back(text.substr(0, end));
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    }
+    return parts;
+}
+
+/// "fan=7:atv320", "fan=7".
+named_unit named_in(std::string const& word)
+{
+    std::size_t const sign = word.find('=');
+    if (sign == 0 or sign == std::string::npos) {
+        refuse_word("'" + word + "' names no unit: it looks like fan=7:atv320");
+    }
+    auto const parts = parts_of(std::string_view{word}.substr(sign + 1), ':');
+    return {address_in(parts[0], word), word.substr(0, sign), parts.size() > 1 ? std::string{parts[1]} : std::string{}};
+}
+
+} // namespace
+
+rtuwire::character_format format_in(std::string const& word)
+{
+    using rtuwire::character_format;
+    constexpr std::pair<std::string_view, character_format> known[] = {{"8E1", character_format::even_8_1},
+                                                                       {"8O1", character_format::odd_8_1},
+                                                                       {"8N1", character_format::none_8_1},
+                                                                       {"8N2", character_format::none_8_2}};
+    for (auto const& [name, format] : known) {
+        if (word == name) {
+            return format;
+        }
+    }
+    refuse_word("'" + word + "' is no format: there are 8E1, 8N1, 8O1 and 8N2");
+}
+
+std::uint32_t baud_in(unsigned number)
+{
+    if (not rtuwire::speed_code(number)) {
+        refuse_word(std::to_string(number) + " bits a second: this system has no such bit rate");
+    }
+    return number;
+}
+
+std::vector<std::uint8_t> units_in(std::string const& word)
+{
+    std::set<std::uint8_t> units;
+    for (std::string_view const part : parts_of(word, ',')) {
+        auto const ends = parts_of(part, '-');
+        unsigned const first = address_in(ends[0], word).byte();
+        unsigned const last = address_in(ends.back(), word).byte();
+        if (ends.size() > 2 or last < first) {
+            refuse_word("'" + std::string{part} + "' in '" + word + "' is no range of addresses: it looks like 1-247");
+        }
+        for (unsigned each = first; each <= last; ++each) {
+            units.insert(static_cast<std::uint8_t>(each));
+        }
+    }
+    return {units.begin(), units.end()};
+}
+
+std::vector<named_unit> names_in(line_choices const& line)
+{
+    std::vector<named_unit> named;
+    for (std::string const& each : line.names) {
+        named.push_back(named_in(each));
+    }
+    return named;
+}
+
+named_unit unit_in(line_choices const& line)
+{
+    std::vector<named_unit> const named = names_in(line);
+    std::vector<std::string_view> known;
+    std::optional<named_unit> found;
+    auto const number = number_in(line.unit);
+    for (named_unit const& each : named) {
+        known.push_back(each.name);
+        if (each.name == line.unit or (number and each.unit.byte() == *number)) {
+            found = each;
+        }
+    }
+    if (not found and not number) {
+        refuse_word("'" + line.unit + "' is neither an address nor a name given by --name" +
+                    suggestion(line.unit, known));
+    }
+    named_unit chosen = found ? *found : named_unit{address_in(line.unit, "--unit")};
+    chosen.drive = line.drive.empty() ? chosen.drive : line.drive;
+    return chosen;
+}
+
+rtuwire::duration seconds_in(double seconds)
+{
+    return rtuwire::microseconds(static_cast<std::uint32_t>(seconds * 1'000'000.0));
+}
+
+} // namespace tool

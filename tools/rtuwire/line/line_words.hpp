@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Words of the command line that say how the line is set and who is asked.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <rtuwire/client.hpp>
+
+#include "choices.hpp"
+
+namespace tool {
+
+/// "8E1"; refuses others.
+rtuwire::character_format format_in(std::string const& word);
+
+/// A bit rate that this system has; refuses others.
+std::uint32_t baud_in(unsigned number);
+
+/// "1-247", "1,3,7-9": each once, in rising order. Refuses what is no address of a unit.
+std::vector<std::uint8_t> units_in(std::string const& word);
+
+/// A unit, and what is known of it by --name and --drive.
+struct named_unit {
+    rtuwire::unit_id unit;
+    std::string name{};  ///< empty where it has none
+    std::string drive{}; ///< empty where nobody said
+};
+
+/// The unit that --unit means: an address, or one of the names. Refuses others, with the nearest name.
+named_unit unit_in(line_choices const& line);
+
+/// All that --name names.
+std::vector<named_unit> names_in(line_choices const& line);
+
+/// Seconds as the library counts them.
+rtuwire::duration seconds_in(double seconds);
+
+} // namespace tool

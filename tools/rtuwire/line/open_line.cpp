@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "line/open_line.hpp"
+
+#include <cstdio>
+
+#include <unistd.h>
+
+#include "line/line_words.hpp"
+#include "line/traffic.hpp"
+#include "port_word.hpp"
+
+namespace tool {
+
+namespace {
+
+/// Said to a person, once.
+void tell_of_supervision()
+{
+    static bool is_told = false;
+    if (not is_told and ::isatty(STDERR_FILENO) == 1) {
+        std::fputs(
+            "note: any request restarts a drive's supervision of its line, and begins it where the drive is idle\n",
+            stderr);
+    }
+    is_told = true;
+}
+
+rtuwire::client_options options_in(line_choices const& chosen)
+{
+    rtuwire::client_options options;
+    options.response_timeout = seconds_in(chosen.response_timeout.value_or(1.0));
+    options.retries = static_cast<std::uint8_t>(chosen.retries);
+    return options;
+}
+
+} // namespace
+
+any_port open_port(line_choices const& chosen, line_setting const& how)
+{
+    if (chosen.port.empty()) {
+        refuse_word("which line? say --port /dev/ttyUSB0, tcp://host:4001 or sim:atv320:1");
+    }
+    port_choice const which = read_port_word(chosen.port);
+    if (which.refused) {
+        refuse_word(which.refused->sentence);
+    }
+    any_port port;
+    if (not port.open(which.port, {.bits_per_second = how.baud, .format = how.format})) {
+        throw ended{exit_status::port, port.failure()};
+    }
+    return port;
+}
+
+line_setting setting_in(line_choices const& line) { return {baud_in(line.baud), format_in(line.format)}; }
+
+open_line::open_line(line_choices const& chosen, line_setting const& how)
+    : port_{open_port(chosen, how)}, options_{options_in(chosen)}, client_{port_, port_.timing(), options_}
+{
+    if (not chosen.must_not_listen and not port_.is_simulated()) {
+        refuse_traffic(port_, seconds_in(chosen.listen));
+    }
+    if (not port_.is_simulated()) {
+        tell_of_supervision();
+    }
+}
+
+exit_status status_of(rtuwire::errc why)
+{
+    using rtuwire::errc;
+    if (why == errc::none) {
+        return exit_status::done;
+    }
+    if (rtuwire::is_exception(why)) {
+        return exit_status::differs;
+    }
+    if (why >= errc::device_not_found and why <= errc::device_failed) {
+        return exit_status::port;
+    }
+    return exit_status::no_answer;
+}
+
+std::string words_of(rtuwire::errc why) { return std::string{rtuwire::name(why)}; }
+
+} // namespace tool

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A line that is open, and a client on it.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include <rtuwire/client.hpp>
+
+#include "any_port.hpp"
+#include "choices.hpp"
+#include "exit_status.hpp"
+
+namespace tool {
+
+/// How a line is set.
+struct line_setting {
+    std::uint32_t baud;
+    rtuwire::character_format format;
+};
+
+line_setting setting_in(line_choices const& line);
+
+/// The port that the choices name; refuses one that is none. Nothing is sent.
+any_port open_port(line_choices const& chosen, line_setting const& how);
+
+/// Opens the port and listens before anything is sent, as the choices say: a line in use is refused, with who is
+/// talking. Says what a request does to a drive's supervision.
+class open_line {
+public:
+    open_line(line_choices const& chosen, line_setting const& how);
+    /// With the setting of the choices.
+    explicit open_line(line_choices const& chosen) : open_line{chosen, setting_in(chosen)} {}
+
+    open_line(open_line const&) = delete;
+    open_line& operator=(open_line const&) = delete;
+
+    any_port& port() { return port_; }
+    rtuwire::client_options const& options() const { return options_; }
+
+    /// Asks and waits for the outcome.
+    template <typename Conversation> auto run(Conversation&& conversation)
+    {
+        return client_.run(std::forward<Conversation>(conversation));
+    }
+    template <typename To, rtuwire::pdu Request> auto ask(To to, Request const& request)
+    {
+        return client_.ask(to, request);
+    }
+
+private:
+    any_port port_;
+    rtuwire::client_options options_;
+    rtuwire::blocking_client<any_port> client_;
+};
+
+/// What an error means for whoever called the program.
+exit_status status_of(rtuwire::errc why);
+
+/// "no response in time": as the library says it.
+std::string words_of(rtuwire::errc why);
+
+} // namespace tool

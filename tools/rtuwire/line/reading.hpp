@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A register that was read, in the forms in which a person and a program want it.
+#pragma once
+
+#include <string>
+
+#include "line/register_reader.hpp"
+#include "output/record.hpp"
+
+namespace tool {
+
+/// "RFR", "ETA.fault"; "3202" where it has no mnemonic.
+std::string label_of(chosen_register const& which);
+
+/// What a register holds.
+struct reading {
+    std::string label;
+    rtuwire::result<std::uint16_t> word;
+    cell value;          ///< the amount in its unit, the enumerator, the bit; nothing where it could not be read
+    std::string measure; ///< "Hz"
+    std::string text;    ///< "50.0 Hz"; the error in words
+};
+
+reading reading_of(chosen_register const& which, register_reader const& from, drive_catalog const* drive);
+
+} // namespace tool

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "line/register_reader.hpp"
+
+namespace tool {
+
+using rtuwire::errc;
+
+register_reader::register_reader(std::vector<chosen_register> const& chosen, drive_catalog const* drive)
+    : drive_{drive}, limit_{drive != nullptr ? drive->limits.read : rtuwire::max_read_quantity}
+{
+    std::set<std::uint16_t> addresses;
+    for (chosen_register const& each : chosen) {
+        addresses.insert(each.address);
+        if (each.entry != nullptr and drive != nullptr and not each.entry->steps_set_by.empty()) {
+            if (register_entry const* const other = drive->by_code(each.entry->steps_set_by)) {
+                addresses.insert(other->address);
+            }
+        }
+    }
+    group(addresses);
+}
+
+bool register_reader::may_reach(std::uint16_t from, std::uint16_t to) const
+{
+    for (unsigned each = from + 1U; each < to; ++each) {
+        if (drive_ == nullptr or drive_->at(static_cast<std::uint16_t>(each)) == nullptr) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void register_reader::group(std::set<std::uint16_t> const& addresses)
+{
+    for (std::uint16_t const each : addresses) {
+        if (not blocks_.empty()) {
+            block& last = blocks_.back();
+            auto const end = static_cast<std::uint16_t>(last.start + last.count - 1U);
+            if (each - last.start < static_cast<int>(limit_) and may_reach(end, each)) {
+                last.count = static_cast<std::uint16_t>(each - last.start + 1);
+                continue;
+            }
+        }
+        blocks_.push_back({each, 1});
+    }
+}
+
+errc register_reader::read(open_line& line, rtuwire::unit_id unit, block const& which)
+{
+    auto const outcome = line.ask(unit, rtuwire::read_holding_registers{.start = which.start, .count = which.count});
+    for (std::uint16_t i = 0; i < which.count; ++i) {
+        auto const address = static_cast<std::uint16_t>(which.start + i);
+        words_.insert_or_assign(address, outcome ? rtuwire::result<std::uint16_t>{outcome->registers[i]}
+                                                 : rtuwire::result<std::uint16_t>{outcome.error()});
+    }
+    return outcome.error();
+}
+
+void register_reader::read(open_line& line, rtuwire::unit_id unit)
+{
+    first_error_ = errc::none;
+    for (block const& each : blocks_) {
+        errc outcome = read(line, unit, each);
+        if (outcome == errc::illegal_data_address and each.count > 1) {
+            outcome = errc::none;
+            for (std::uint16_t i = 0; i < each.count; ++i) {
+                errc const one = read(line, unit, {static_cast<std::uint16_t>(each.start + i), 1});
+                outcome = outcome == errc::none ? one : outcome;
+            }
+        }
+        if (status_of(outcome) == exit_status::port) {
+            throw ended{exit_status::port, line.port().failure()};
+        }
+        first_error_ = first_error_ == errc::none ? outcome : first_error_;
+    }
+}
+
+rtuwire::result<std::uint16_t> register_reader::at(std::uint16_t address) const
+{
+    auto const found = words_.find(address);
+    return found == words_.end() ? errc::finished : found->second;
+}
+
+known_words register_reader::known() const
+{
+    return [this](std::string_view code) -> std::optional<std::uint16_t> {
+        register_entry const* const entry = drive_ == nullptr ? nullptr : drive_->by_code(code);
+        if (entry == nullptr) {
+            return std::nullopt;
+        }
+        auto const word = at(entry->address);
+        return word ? std::optional{*word} : std::nullopt;
+    };
+}
+
+} // namespace tool

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "line/who_is_it.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <vector>
+
+#include "suggestion.hpp"
+
+namespace tool {
+
+namespace {
+
+using candidates = std::vector<drive_catalog const*>;
+using rtuwire::errc;
+
+/// "ATV320U07M2B" -> "ATV320".
+std::string_view family_of(std::string_view product)
+{
+    auto const is_digit = [](char each) { return std::isdigit(static_cast<unsigned char>(each)) != 0; };
+    auto const first = std::ranges::find_if(product, is_digit);
+    auto const end = std::find_if_not(first, product.end(), is_digit);
+    return product.substr(0, static_cast<std::size_t>(end - product.begin()));
+}
+
+std::string text_of_bytes(rtuwire::byte_view bytes)
+{
+    std::string text;
+    for (std::byte const each : bytes) {
+        text += static_cast<char>(std::to_integer<unsigned char>(each));
+    }
+    return text.erase(std::min(text.find_last_not_of(std::string{" \0", 2}) + 1, text.size()));
+}
+
+std::string* place_of(identity_words& who, std::uint8_t object)
+{
+    switch (object) {
+    case rtuwire::vendor_name: return &who.vendor;
+    case rtuwire::product_code: return &who.product;
+    case rtuwire::major_minor_revision: return &who.revision;
+    default: return nullptr;
+    }
+}
+
+/// The basic objects, page by page.
+errc read_identity(open_line& line, rtuwire::unit_id unit, identity_words& who)
+{
+    for (std::uint8_t object = 0;;) {
+        auto const page =
+            line.ask(unit, rtuwire::read_device_identification{rtuwire::identification_access::basic, object});
+        if (not page) {
+            return page.error();
+        }
+        for (auto at = page->first(); at; at = page->after(*at)) {
+            if (std::string* const place = place_of(who, at->id)) {
+                *place = text_of_bytes(at->value);
+            }
+        }
+        if (not page->more_follows) {
+            return errc::none;
+        }
+        if (page->next_object <= object) {
+            return errc::malformed;
+        }
+        object = page->next_object;
+    }
+}
+
+/// The first register that one drive has, and another has not.
+std::optional<std::uint16_t> only_in(drive_catalog const& one, drive_catalog const& other)
+{
+    for (register_entry const& each : one.registers) {
+        if (other.at(each.address) == nullptr) {
+            return each.address;
+        }
+    }
+    return std::nullopt;
+}
+
+errc read_one(open_line& line, rtuwire::unit_id unit, std::uint16_t address)
+{
+    return line.ask(unit, rtuwire::read_holding_registers{.start = address, .count = 1}).error();
+}
+
+/// Drops those whose own registers the unit does not have.
+void tell_apart(open_line& line, rtuwire::unit_id unit, candidates& left)
+{
+    for (std::size_t i = 0; left.size() > 1 and i < left.size();) {
+        drive_catalog const& other = *left[i == 0 ? 1 : 0];
+        auto const address = only_in(*left[i], other);
+        if (not address) {
+            ++i;
+            continue;
+        }
+        errc const outcome = read_one(line, unit, *address);
+        if (outcome == errc::none) {
+            std::erase(left, &other);
+        } else if (outcome == errc::illegal_data_address) {
+            left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
+        } else {
+            return;
+        }
+    }
+}
+
+/// Those of the family that the product's code begins with.
+candidates of_family(std::string const& product)
+{
+    candidates found;
+    for (drive_catalog const* const each : all_catalogs()) {
+        if (not product.empty() and family_of(each->reference) == family_of(product)) {
+            found.push_back(each);
+        }
+    }
+    return found;
+}
+
+/// Those without identification, if the unit has what only they have.
+candidates without_identity(open_line& line, rtuwire::unit_id unit)
+{
+    candidates found;
+    for (drive_catalog const* const each : all_catalogs()) {
+        if (each->functions.contains(rtuwire::function_code::encapsulated_interface)) {
+            continue;
+        }
+        bool fits = true;
+        for (drive_catalog const* const other : all_catalogs()) {
+            auto const address = other == each ? std::nullopt : only_in(*each, *other);
+            fits = fits and (not address or read_one(line, unit, *address) == errc::none);
+        }
+        if (fits) {
+            found.push_back(each);
+        }
+    }
+    return found;
+}
+
+} // namespace
+
+identity_words who_is_it(open_line& line, rtuwire::unit_id unit)
+{
+    identity_words who;
+    errc const outcome = read_identity(line, unit, who);
+    if (outcome != errc::none and not rtuwire::is_exception(outcome)) {
+        who.note = words_of(outcome);
+        who.outcome = status_of(outcome);
+        return who;
+    }
+    candidates left = outcome == errc::none ? of_family(who.product) : without_identity(line, unit);
+    tell_apart(line, unit, left);
+    if (left.size() == 1) {
+        who.drive = std::string{left.front()->name};
+    } else if (outcome != errc::none) {
+        who.note = "does not identify itself: " + words_of(outcome);
+        who.outcome = exit_status::differs;
+    }
+    return who;
+}
+
+drive_catalog const& catalog_chosen(std::string const& name)
+{
+    if (drive_catalog const* const found = catalog_named(name)) {
+        return *found;
+    }
+    std::vector<std::string_view> known;
+    std::string all;
+    for (drive_catalog const* const each : all_catalogs()) {
+        known.push_back(each->name);
+        all += (all.empty() ? "" : ", ") + std::string{each->name};
+    }
+    refuse_word("there is no drive '" + name + "', only " + all + suggestion(name, known));
+}
+
+drive_catalog const& catalog_of(open_line& line, rtuwire::unit_id unit, std::string const& chosen)
+{
+    if (not chosen.empty()) {
+        return catalog_chosen(chosen);
+    }
+    identity_words const who = who_is_it(line, unit);
+    if (not who.drive.empty()) {
+        return catalog_chosen(who.drive);
+    }
+    std::string const number = "unit " + std::to_string(unit.byte());
+    if (who.product.empty() and not who.note.empty()) {
+        throw ended{who.outcome, number + ": " + who.note};
+    }
+    throw ended{exit_status::differs,
+                number + " is a '" + who.vendor + " " + who.product + "', no drive of this program; say --drive"};
+}
+
+} // namespace tool

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Which device a unit is: what it says of itself (43/14), and which drive's table fits it.
+#pragma once
+
+#include <string>
+
+#include "catalog.hpp"
+#include "line/open_line.hpp"
+
+namespace tool {
+
+/// Empty where nobody said.
+struct identity_words {
+    std::string vendor{};
+    std::string product{};
+    std::string revision{};
+    std::string drive{}; ///< the name of a catalog
+    std::string note{};  ///< why something is missing
+    exit_status outcome{exit_status::done};
+};
+
+/// Asks for its identification; then, where that leaves several drives or none, reads registers that tell them apart.
+/// It writes nothing.
+identity_words who_is_it(open_line& line, rtuwire::unit_id unit);
+
+/// The catalog of the unit: the one that was chosen, else that of the drive that it is. Ends where it is none.
+drive_catalog const& catalog_of(open_line& line, rtuwire::unit_id unit, std::string const& chosen);
+
+/// The catalog of that name; refuses others with the nearest.
+drive_catalog const& catalog_chosen(std::string const& name);
+
+} // namespace tool

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// rtuwire: what a person does with a line of Modbus RTU, from a terminal. docs/tool.md is its page.
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <string_view>
+
+#include "command_line.hpp"
+#include "commands/commands.hpp"
+
+namespace {
+
+using namespace tool;
+
+struct command {
+    std::string_view name;
+    exit_status (*run)(choices const&);
+};
+
+constexpr command commands[] = {
+    {"scan", run_scan},   {"identify", run_identify}, {"read", run_read},
+    {"watch", run_watch}, {"list", run_list},         {"write", run_write},
+};
+
+exit_status run(choices const& chosen)
+{
+    for (command const& each : commands) {
+        if (each.name == chosen.command) {
+            return each.run(chosen);
+        }
+    }
+    refuse_word("'" + chosen.command + "' is no command");
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    std::signal(SIGPIPE, SIG_IGN); // a reader that went away is told by the write
+    try {
+        parsed const words = parse(argc, argv);
+        return static_cast<int>(words.chosen ? run(*words.chosen) : words.status);
+    } catch (ended const& why) {
+        std::fprintf(stderr, "rtuwire: %s\n", why.what());
+        return static_cast<int>(why.status);
+    } catch (std::exception const& why) {
+        std::fprintf(stderr, "rtuwire: %s\n", why.what());
+        return static_cast<int>(exit_status::port);
+    }
+}

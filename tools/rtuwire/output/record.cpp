@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "output/record.hpp"
+
+#include <cstdio>
+
+namespace tool {
+
+namespace {
+
+struct to_text {
+    std::string operator()(std::monostate) const { return {}; }
+    std::string operator()(bool value) const { return value ? "yes" : "no"; }
+    std::string operator()(std::int64_t value) const { return std::to_string(value); }
+    std::string operator()(double value) const
+    {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.10g", value);
+        return text;
+    }
+    std::string operator()(std::string const& value) const { return value; }
+};
+
+} // namespace
+
+std::string text_of_cell(cell const& value) { return std::visit(to_text{}, value); }
+
+} // namespace tool
