@@ -14,6 +14,10 @@ import rules
 PAGE = "docs/names.md"
 # Who uses public names only.
 PROGRAMS, PAGES = ("examples", "tools"), ("README.md", "docs/*.md")
+# A program with many names of its own, in a namespace of its own: the library's stand behind `rtuwire::` there.
+OWN_NAMES = {"tools"}
+USES_ALL = re.compile(r"\busing\s+namespace\s+rtuwire\b")
+QUALIFIED = re.compile(r"\brtuwire(::\w+)*::\Z")
 # Pages about the inside of the library.
 LEFT_OUT = {"changes.md", "engine-rules.md", "size-notes.md"}
 # The five main doors have this many names: enough for the work, few enough to be read.
@@ -138,7 +142,14 @@ def uses(path, code, internal, doors):
         if found[1] not in doors:
             yield f"{path}:{code.count(chr(10), 0, found.start()) + 1}: includes {found[1]}, which is no door"
     plain = declarations.code_of(code)
+    has_own_names = pathlib.PurePath(path).parts[0] in OWN_NAMES
+    if has_own_names:
+        for found in USES_ALL.finditer(plain):
+            yield (f"{path}:{plain.count(chr(10), 0, found.start()) + 1}: has `using namespace rtuwire`, which hides "
+                   f"which names are the library's")
     for found in WORD.finditer(plain):
+        if has_own_names and not QUALIFIED.search(plain, 0, found.start()):
+            continue
         if found.group() in internal:
             yield f"{path}:{plain.count(chr(10), 0, found.start()) + 1}: uses {found.group()}, which is internal"
 

@@ -112,6 +112,13 @@ class Names(unittest.TestCase):
         self.assertEqual(len(found("rtuwire::turns all;")), 1)
         self.assertEqual(found("motor.turns = 1; motor->turns(); // turns\nauto a = \"turns\";"), [])
 
+    def test_a_program_with_many_names_of_its_own_names_the_library(self):
+        def found(code):
+            return list(names.uses("tools/t/a.cpp", code, {"turns"}, set()))
+        self.assertEqual(found("turns mine; tool::turns others;"), [])
+        self.assertEqual(len(found("rtuwire::turns all; rtuwire::detail::turns more;")), 2)
+        self.assertEqual(len(found("using namespace rtuwire;")), 1)
+
     def test_what_a_drive_has_is_public_by_its_manual(self):
         text = "#pragma once\nnamespace rtuwire::altivar::atv99 {\ninline constexpr int eta{1};\n}\n"
         self.assertEqual(list(names.unlisted(house(altivar__device__atv99=text), set())), [])

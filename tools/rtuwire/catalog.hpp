@@ -12,10 +12,8 @@
 #include <string>
 #include <string_view>
 
-#include <rtuwire/altivar/device/drive_layout.hpp>
-#include <rtuwire/table/device.hpp>
-#include <rtuwire/table/enumeration.hpp>
-#include <rtuwire/table/register.hpp>
+#include <rtuwire/client.hpp>
+#include <rtuwire/drives.hpp>
 
 namespace tool {
 

@@ -44,7 +44,7 @@ public:
     {
         return client_.run(std::forward<Conversation>(conversation));
     }
-    template <typename To, rtuwire::pdu Request> auto ask(To to, Request const& request)
+    template <typename To, typename Request> auto ask(To to, Request const& request)
     {
         return client_.ask(to, request);
     }
