@@ -74,6 +74,7 @@ constexpr bool checksums_of_all_units_are_right()
         for (frame_role const role : {frame_role::request, frame_role::response, frame_role::unknown}) {
             std::array<std::byte, 256> bytes{to_byte(unit)};
             pcapng_blocks blocks;
+            static_cast<void>(blocks.begin({}, {.at = instant{0}}));
             byte_view const frame = byte_view{bytes}.first(1 + unit % 255U);
             byte_view const packet = blocks.packet({.bytes = frame, .at = instant{0}, .role = role}).subspan(28);
             std::uint32_t sum = 0;
@@ -110,6 +111,7 @@ constexpr bool a_long_piece_keeps_256_bytes()
 {
     std::array<std::byte, 300> bytes{};
     pcapng_blocks blocks;
+    static_cast<void>(blocks.begin({}, {.at = instant{0}}));
     byte_view const block = blocks.packet({.bytes = bytes, .at = instant{0}, .verdict = frame_verdict::damaged});
     return number_at(block, 20) == 28 + 256 and number_at(block, 24) == 28 + 300 and
            number_at(block, 4) == block.size() and number_at(block, block.size() - 4) == block.size();

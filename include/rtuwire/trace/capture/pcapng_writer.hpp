@@ -69,7 +69,7 @@ public:
         at_ = now;
     }
 
-    /// The block of a frame. A frame may be up to 35 minutes older than the one before. The view is valid until the
+    /// The block of a frame; after `begin`. A frame may be up to 35 minutes older than the one before. The view is valid until the
     /// next call.
     [[nodiscard]] constexpr byte_view packet(traced_frame const& frame) noexcept
     {
@@ -170,7 +170,7 @@ private:
 
     // A packet of the UDP form takes most: 28 bytes of the block, 284 of the packet, 36 of options and the end.
     block_builder<352> out_{};
-    capture_form form_{capture_form::udp};
+    capture_form form_{}; // zero until it begins, so that a `constinit` object lies in .bss: 400 bytes of flash less
     std::uint64_t time_{0};
     instant at_{0};
 };
