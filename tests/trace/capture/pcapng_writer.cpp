@@ -99,8 +99,8 @@ constexpr bool time_goes_on_across_the_wrap()
         return std::uint64_t{number_at(block, 12)} << 32U | number_at(block, 16);
     };
     bool is_right = time_of(4) == 1'005;
-    is_right = is_right and time_of(4U + 0x7FFF'FFFF) == 1'005 + 0x7FFF'FFFFULL; // half a turn ahead
-    is_right = is_right and time_of(4U + 0x7FFF'FFFE) == 1'004 + 0x7FFF'FFFFULL; // a little older
+    is_right = is_right and time_of(4U + 0x7FFF'FFFFU) == 1'005 + 0x7FFF'FFFFULL; // half a turn ahead
+    is_right = is_right and time_of(4U + 0x7FFF'FFFEU) == 1'004 + 0x7FFF'FFFFULL; // a little older
     blocks.advance(instant{0xFFFF'0000U});
     blocks.advance(instant{0x7000'0000U});
     return is_right and time_of(0x7000'0001U) == 1'000ULL + 1 + 0x1'0000'0000ULL + 0x7000'0001ULL;
@@ -131,7 +131,7 @@ TEST_CASE("The largest blocks have room")
         std::uint32_t const section = number_at(begin, 4);
         CHECK(section + number_at(begin, section + 4) == begin.size());
         CHECK(number_at(begin, begin.size() - 4) == number_at(begin, section + 4));
-        CHECK(number_at(begin, section + 16) == (63U << 16U | 2U));
+        CHECK(number_at(begin, section + 16) == (std::uint32_t{63} << 16U | 2U));
         byte_view const packet = blocks.packet(
             {.bytes = bytes, .at = instant{0}, .role = frame_role::response, .verdict = frame_verdict::damaged});
         CHECK(number_at(packet, 4) == packet.size());

@@ -155,7 +155,7 @@ private:
         }
         byte_view const behind = body.subspan(packet_head_size);
         std::uint32_t const kept = order.u32(body, 12);
-        if (kept > behind.size() or padded(kept) > behind.size()) {
+        if (kept > behind.size()) {
             return capture_errc::wrong_block_length;
         }
         traced_frame frame{.bytes = {}, .at = instant{0}};

@@ -25,7 +25,7 @@ struct packet_view {
     byte_view bytes;
     std::uint32_t full_size; ///< as it was on the line, at least that of the bytes
 
-    /// Drops a header; false where the packet has none. `is_all` tells whether the file holds all of the packet.
+    /// Drops a header; false where the packet has none.
     constexpr bool drop(std::size_t size) noexcept
     {
         if (size > bytes.size()) {
@@ -98,7 +98,7 @@ struct packet_view {
         return packet_content::other;
     }
     std::uint16_t const size = u16_at(packet.bytes, 4);
-    bool const is_right = size >= head and packet.keep(size) and packet.drop(head);
+    bool const is_right = packet.keep(size) and packet.drop(head);
     return is_right ? packet_content::frame : packet_content::wrong;
 }
 
