@@ -12,8 +12,6 @@
 
 #include "lua_code.hpp"
 
-using namespace rtuwire;
-
 namespace wireshark {
 namespace {
 
@@ -33,7 +31,7 @@ template <typename E> std::string names_of()
 {
     std::string list;
     for (unsigned word = 0; word <= 0xFFFFU; ++word) {
-        std::string const name = string_of(text_of(static_cast<E>(word)));
+        std::string const name = string_of(rtuwire::text_of(static_cast<E>(word)));
         if (name[0] != '#') {
             list += "[" + std::to_string(word) + "]=" + quoted(name) + ",";
         }
@@ -52,10 +50,10 @@ std::size_t decimals_of(std::string const& amount)
 /// How a register's words are shown. An amount as a format of its value and the size of its steps.
 template <auto const& R> std::string form_of_register()
 {
-    using value = value_of<R>;
-    if constexpr (bit_field<value>) {
+    using value = rtuwire::value_of<R>;
+    if constexpr (rtuwire::bit_field<value>) {
         return "bits=true";
-    } else if constexpr (register_enumeration<value>) {
+    } else if constexpr (rtuwire::register_enumeration<value>) {
         return "names=" + names_of<value>();
     } else {
         std::string const sign = std::is_signed_v<typename value::rep> ? ",signed=true" : "";
@@ -64,7 +62,7 @@ template <auto const& R> std::string form_of_register()
         }
         std::string unit = value::dimension::symbol;
         unit = unit.empty() ? "" : unit == "%" ? " %%" : " " + unit;
-        std::string const digits = std::to_string(decimals_of(string_of(text_of(value{1}))));
+        std::string const digits = std::to_string(decimals_of(string_of(rtuwire::text_of(value{1}))));
         return "format=" + quoted("%." + digits + "f" + unit) + ",step=" + std::to_string(value::scale::num) + "/" +
                std::to_string(value::scale::den) + sign;
     }
@@ -85,7 +83,7 @@ template <typename Drive> void write_drive(std::ostream& out)
 void write_lua_script(std::ostream& out)
 {
     out << lua_head;
-    altivar::all_drives::for_each([&]<typename Drive>() {
+    rtuwire::altivar::all_drives::for_each([&]<typename Drive>() {
         out << "known[#known + 1] = " << quoted(string_of(Drive::name)) << "\n";
         write_drive<Drive>(out);
     });
