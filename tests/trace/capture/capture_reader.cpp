@@ -244,7 +244,7 @@ byte_list packet_of(byte_view packet)
     return behind(udp_line, block);
 }
 
-TEST_CASE("Wrong headers of a packet are told; what is no frame of Modbus is counted")
+TEST_CASE("Wrong headers of a packet are told, and packets that are no frame of Modbus are counted")
 {
     auto const check = [](byte_view packet, capture_errc why, std::uint32_t skipped, std::size_t frames) {
         auto const found = read(packet_of(packet));
