@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Listens to a line without taking part: cuts both directions into frames and gives each response its request.
+//
+// A frame ends where its length rule is met and the CRC is right: gaps alone do not end it, since an adapter hands
+// bytes over late and in lumps. Where both rules may fit, a response to the request that passed last goes before, if it
+// fits that request in all fields; then a request; then a response alone. What has no rule ends by silence
+// (`frame_end`), and is a frame if its CRC is right.
+//
+// Bytes that are no frame end by silence, too. Before that, and among them, a frame counts only where more than a CRC
+// speaks for it: it is a response that fits the request that waits for one; a request with such a response right behind
+// it; or a request that ends where silence begins. Everything before it is then damaged, and a response behind damage
+// has no request. A CRC of 16 bits lets one of 65 536 wrong frames through.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/time.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/rtu/line.hpp>
+#include <rtuwire/trace/frame_match.hpp>
+#include <rtuwire/trace/heard_bytes.hpp>
+#include <rtuwire/trace/heard_frame.hpp>
+#include <rtuwire/trace/passed_request.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// Give it all bytes of a line, from both directions, and let time pass; it calls `take(heard_frame const&)` for each
+/// frame, for bytes that are none, and for each request that got no response in time. Each byte is handed out once,
+/// in order; damaged bytes (`receive_error`) are not handed out. About 4 KB; nothing is allocated.
+///
+///     line_listener tap{line_timing{19'200, character_format::even_8_1}};
+///     tap.receive(uart.take(), now, [](heard_frame const& it) { show(it); });
+///     tap.advance(now, ...);
+class line_listener {
+public:
+    /// A request without a response after `response_limit` is unanswered; the response is late from then on.
+    explicit constexpr line_listener(line_timing const& timing, duration response_limit = milliseconds(1'000)) noexcept
+        : timing_{timing}, limit_{response_limit}
+    {}
+
+    /// Takes bytes that had arrived by `now`, in chunks of any size.
+    template <typename Take> constexpr void receive(byte_view bytes, instant now, Take&& take)
+    {
+        while (not bytes.empty()) {
+            std::size_t const count = bytes.size() < piece ? bytes.size() : piece;
+            duration const behind = timing_.characters(bytes.size() - count);
+            receive_piece(bytes.first(count), now - behind, take);
+            bytes = bytes.subspan(count);
+        }
+    }
+
+    /// A byte arrived damaged (parity, framing, overrun).
+    template <typename Take> constexpr void receive_error(instant now, Take&& take)
+    {
+        let_pass(now - timing_.characters(1), take);
+        held_.note_damage();
+        last_ = now;
+    }
+
+    /// Lets time pass; at the latest at `poll_deadline`, and within 35 minutes.
+    template <typename Take> constexpr void advance(instant now, Take&& take) { let_pass(now, take); }
+
+    /// When `advance` has something to do.
+    [[nodiscard]] constexpr deadline poll_deadline() const noexcept
+    {
+        earliest next;
+        if (not held_.is_empty()) {
+            next.add(last_ + timing_.frame_end());
+        } else if (pending_.is_any()) {
+            next.add(pending_.end() + limit_);
+        }
+        return next;
+    }
+
+private:
+    static constexpr std::size_t piece = 64;
+    /// Bytes that wait for a silence; no frame is longer.
+    static constexpr std::size_t most_waiting = max_adu_size;
+
+    template <typename Take> constexpr void receive_piece(byte_view bytes, instant now, Take& take)
+    {
+        let_pass(now - timing_.characters(bytes.size()), take);
+        for (std::size_t i = 0; i < bytes.size(); ++i) {
+            instant const at = now - timing_.characters(bytes.size() - 1 - i);
+            last_ = held_.is_empty() or reached(at, last_) ? at : last_;
+            held_.push(bytes[i], last_);
+        }
+        cut(false, take);
+    }
+
+    /// The line was as it is up to a time.
+    template <typename Take> constexpr void let_pass(instant until, Take& take)
+    {
+        if (reached(until, last_ + timing_.frame_end())) {
+            cut(true, take);
+            held_.forget_damage();
+        }
+        if (held_.is_empty() and pending_.is_any() and reached(until, pending_.end() + limit_)) {
+            give_up(pending_.end() + limit_, take);
+        }
+    }
+
+    /// Hands out what has ended; after a silence everything has.
+    template <typename Take> constexpr void cut(bool is_silent, Take& take)
+    {
+        while (not held_.is_empty()) {
+            byte_view const bytes = held_.first(held_.size());
+            detail::frame_match const found = match_at(0, is_silent);
+            if (found.is_whole()) {
+                hand_out(found, take);
+            } else if (is_silent and has_no_rule(bytes)) {
+                hand_out({detail::frame_match::outcome::whole, bytes.size(), role_of(bytes)}, take);
+            } else if (found.is_open() and not is_silent and bytes.size() < most_waiting) {
+                return;
+            } else if (std::size_t const next = find_frame(is_silent); next != 0) {
+                hand_out_damaged(next, take);
+            } else if (is_silent) {
+                hand_out_damaged(bytes.size(), take);
+            } else if (bytes.size() > most_waiting) {
+                hand_out_damaged(bytes.size() - most_waiting, take);
+            } else {
+                return;
+            }
+        }
+    }
+
+    /// What begins at a byte, undamaged.
+    constexpr detail::frame_match match_at(std::size_t from, bool is_over) const noexcept
+    {
+        byte_view const bytes = held_.first(held_.size()).subspan(from);
+        detail::frame_match found = detail::match_frame(bytes, pending_.bytes(), is_over);
+        if (not found.is_whole() and detail::begins_response(bytes, given_up_.bytes())) {
+            detail::frame_match const late = detail::match_response(bytes, given_up_.bytes());
+            found = late.is_verified ? late : found;
+        }
+        if (found.is_whole() and held_.is_damaged(from, found.size)) {
+            found.is = detail::frame_match::outcome::refuted;
+        }
+        return found;
+    }
+
+    /// Where among the bytes a frame begins for which more than a CRC speaks; 0 for nowhere.
+    constexpr std::size_t find_frame(bool is_silent) const noexcept
+    {
+        for (std::size_t from = 1; from + min_adu_size <= held_.size(); ++from) {
+            detail::frame_match const found = match_at(from, is_silent);
+            std::size_t const behind = from + found.size;
+            bool const is_request = found.is_whole() and found.role == frame_role::request;
+            if (found.is_verified or
+                (is_request and ((is_silent and behind == held_.size()) or is_answered(from, found.size)))) {
+                return from;
+            }
+        }
+        return 0;
+    }
+
+    /// Whether right behind a request its response stands.
+    constexpr bool is_answered(std::size_t from, std::size_t size) const noexcept
+    {
+        byte_view const bytes = held_.first(held_.size()).subspan(from);
+        detail::frame_match const found = detail::match_response(bytes.subspan(size), bytes.first(size));
+        return found.is_verified and not held_.is_damaged(from + size, found.size);
+    }
+
+    constexpr bool has_no_rule(byte_view bytes) const noexcept
+    {
+        return bytes.size() >= min_adu_size and bytes.size() <= max_adu_size and
+               not held_.is_damaged(0, bytes.size()) and detail::has_right_crc(bytes) and
+               frame_length(direction::request, bytes).size() == 0;
+    }
+
+    constexpr frame_role role_of(byte_view bytes) const noexcept
+    {
+        return detail::begins_response(bytes, pending_.bytes()) ? frame_role::response : frame_role::request;
+    }
+
+    template <typename Take> constexpr void hand_out(detail::frame_match const& found, Take& take)
+    {
+        byte_view const bytes = held_.first(found.size);
+        heard_frame it{{bytes, held_.time(found.size - 1), found.role}, held_.time(0)};
+        if (found.role == frame_role::request) {
+            if (pending_.is_any()) {
+                give_up(it.first_byte, take);
+            }
+            take(it);
+            pending_.note(to_u8(bytes[0]) == 0 ? byte_view{} : bytes, it.frame.at);
+        } else {
+            answer(it, take);
+        }
+        held_.pop(found.size);
+    }
+
+    /// Gives a response its request, if one passed.
+    template <typename Take> constexpr void answer(heard_frame& it, Take& take)
+    {
+        bool const is_expected = pending_.is_any() and detail::begins_response(it.frame.bytes, pending_.bytes()) and
+                                 (not has_rule(it.frame.bytes) or detail::answers(pending_.bytes(), it.frame.bytes));
+        bool const is_late =
+            not is_expected and given_up_.is_any() and detail::answers(given_up_.bytes(), it.frame.bytes);
+        detail::passed_request& asked = is_late ? given_up_ : pending_;
+        it.frame.verdict = is_expected ? frame_verdict::good : is_late ? frame_verdict::late : frame_verdict::stray;
+        if (is_expected or is_late) {
+            it.request = asked.bytes();
+            it.response_time = reached(it.first_byte, asked.end()) ? it.first_byte - asked.end() : duration{};
+        }
+        take(it);
+        if (is_expected or is_late) {
+            asked.forget();
+        }
+    }
+
+    static constexpr bool has_rule(byte_view bytes) noexcept
+    {
+        return frame_length(direction::response, bytes).size() != 0;
+    }
+
+    template <typename Take> constexpr void hand_out_damaged(std::size_t count, Take& take)
+    {
+        constexpr std::size_t most_noise = 3;
+        frame_verdict const verdict = count <= most_noise ? frame_verdict::stray : frame_verdict::damaged;
+        heard_frame it{{held_.first(count), held_.time(count - 1), frame_role::unknown, verdict}, held_.time(0)};
+        it.request = pending_.bytes();
+        take(it);
+        held_.pop(count);
+        if (verdict == frame_verdict::damaged) {
+            lose_exchange(it.frame.at, take);
+        }
+    }
+
+    /// What was damaged may have been the response, or a newer request: whatever comes next answers neither for sure.
+    template <typename Take> constexpr void lose_exchange(instant at, Take& take)
+    {
+        if (pending_.is_any()) {
+            give_up(at, take);
+        }
+        given_up_.forget();
+    }
+
+    /// The request that waits gets no response any more, or a late one.
+    template <typename Take> constexpr void give_up(instant at, Take& take)
+    {
+        heard_frame it{{{}, at}, at};
+        it.request = pending_.bytes();
+        it.response_time = at - pending_.end();
+        it.is_unanswered = true;
+        take(it);
+        given_up_ = pending_;
+        pending_.forget();
+    }
+
+    line_timing timing_;
+    duration limit_;
+    detail::heard_bytes held_{};
+    detail::passed_request pending_{};
+    detail::passed_request given_up_{};
+    instant last_{0};
+};
+
+} // namespace rtuwire
