@@ -29,13 +29,17 @@
 #include <rtuwire/rtu/frame_cutter.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/server/respond.hpp>
+#include <rtuwire/server/server_trace.hpp>
 #include <rtuwire/wire/limits.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// A server without its functions and banks; what its calls do stands at `basic_server`. `Units` knows by
 /// `contains(unit)` which unit addresses are its own.
-template <typename Diagnostics, typename Units> class server_engine {
+template <typename Diagnostics, typename Units>
+class server_engine : public server_trace<server_engine<Diagnostics, Units>, Diagnostics> {
+    friend server_trace<server_engine, Diagnostics>;
+
 public:
     /// Receives bytes that had arrived by `now`, in chunks of any size. Drops a request that waits for `serve`, or
     /// its response, and decodes the next frame. While a response is sent, bytes are ignored; they only keep the line
@@ -43,11 +47,15 @@ public:
     constexpr void receive(byte_view bytes, instant now) noexcept
     {
         if (phase_ == phase::transmitting and not bytes.empty()) {
+            this->pass_while_leaving(bytes, now);
             return receive_error(now);
         }
         while (not bytes.empty()) {
             drop_request();
-            bytes = bytes.subspan(framer_.receive(bytes, now));
+            [[maybe_unused]] bool const was_open = framer_.has_open_end();
+            std::size_t const taken = framer_.receive(bytes, now);
+            this->pass_taken(bytes.first(taken), was_open, now);
+            bytes = bytes.subspan(taken);
             take_frame();
         }
     }
@@ -57,11 +65,14 @@ public:
     constexpr void receive(std::same_as<std::byte> auto byte, instant now) noexcept
     {
         if (phase_ == phase::transmitting) {
+            this->pass_while_leaving({&byte, 1}, now);
             return receive_error(now);
         }
         for (bool is_taken = false; not is_taken;) {
             drop_request();
+            [[maybe_unused]] bool const was_open = framer_.has_open_end();
             is_taken = framer_.receive(byte, now);
+            this->pass_taken({&byte, is_taken ? 1U : 0U}, was_open, now);
             take_frame();
         }
     }
@@ -73,6 +84,7 @@ public:
     constexpr void receive_error(instant now) noexcept
     {
         if (phase_ == phase::listening) {
+            this->pass_unpolled(now);
             framer_.receive_error(now);
         } else {
             framer_.note_activity(now);
@@ -94,6 +106,7 @@ public:
         if (phase_ == phase::transmitting) {
             framer_.restart(now);
             phase_ = phase::listening;
+            this->pass_sent(now);
         } else {
             framer_.note_activity(now);
         }
@@ -126,6 +139,7 @@ public:
         phase_ = phase::transmitting;
         std::size_t const size = pdu_size_ + adu_overhead;
         until_ = until_ + framer_.line().characters(size) + response_limit;
+        this->pass_leaving();
         return {framer_.storage().data(), size};
     }
 
@@ -198,10 +212,12 @@ private:
         }
         if (framer_.verdict() != errc::none) {
             diagnostics_.note_error();
+            this->pass_damaged();
             return;
         }
         diagnostics_.note_message();
         adu const heard = framer_.frame();
+        this->pass_frame(heard);
         std::uint8_t expected = exception_bit; // no response
         if (not framer_.is_foreign_response() and not heard.is_exception()) {
             if (units_.contains(heard.unit()) or heard.unit() == 0) {

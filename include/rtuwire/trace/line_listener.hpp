@@ -14,7 +14,6 @@
 // has no request. A CRC of 16 bits lets one of 65 536 wrong frames through.
 #pragma once
 
-#include <array>
 #include <cstddef>
 
 #include <rtuwire/core/bytes.hpp>
@@ -22,7 +21,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/trace/frame_match.hpp>
-#include <rtuwire/trace/heard_bytes.hpp>
+#include <rtuwire/trace/frame_search.hpp>
 #include <rtuwire/trace/heard_frame.hpp>
 #include <rtuwire/trace/passed_request.hpp>
 
@@ -35,7 +34,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 ///     line_listener tap{line_timing{19'200, character_format::even_8_1}};
 ///     tap.receive(uart.take(), now, [](heard_frame const& it) { show(it); });
 ///     tap.advance(now, ...);
-class line_listener {
+class line_listener : detail::frame_search {
 public:
     /// A request without a response after `response_limit` is unanswered; the response is late from then on.
     explicit constexpr line_listener(line_timing const& timing, duration response_limit = milliseconds(1'000)) noexcept
@@ -128,56 +127,6 @@ private:
         }
     }
 
-    /// What begins at a byte, undamaged.
-    constexpr detail::frame_match match_at(std::size_t from, bool is_over) const noexcept
-    {
-        byte_view const bytes = held_.first(held_.size()).subspan(from);
-        detail::frame_match found = detail::match_frame(bytes, pending_.bytes(), is_over);
-        if (not found.is_whole() and detail::begins_response(bytes, given_up_.bytes())) {
-            detail::frame_match const late = detail::match_response(bytes, given_up_.bytes());
-            found = late.is_verified ? late : found;
-        }
-        if (found.is_whole() and held_.is_damaged(from, found.size)) {
-            found.is = detail::frame_match::outcome::refuted;
-        }
-        return found;
-    }
-
-    /// Where among the bytes a frame begins for which more than a CRC speaks; 0 for nowhere.
-    constexpr std::size_t find_frame(bool is_silent) const noexcept
-    {
-        for (std::size_t from = 1; from + min_adu_size <= held_.size(); ++from) {
-            detail::frame_match const found = match_at(from, is_silent);
-            std::size_t const behind = from + found.size;
-            bool const is_request = found.is_whole() and found.role == frame_role::request;
-            if (found.is_verified or
-                (is_request and ((is_silent and behind == held_.size()) or is_answered(from, found.size)))) {
-                return from;
-            }
-        }
-        return 0;
-    }
-
-    /// Whether right behind a request its response stands.
-    constexpr bool is_answered(std::size_t from, std::size_t size) const noexcept
-    {
-        byte_view const bytes = held_.first(held_.size()).subspan(from);
-        detail::frame_match const found = detail::match_response(bytes.subspan(size), bytes.first(size));
-        return found.is_verified and not held_.is_damaged(from + size, found.size);
-    }
-
-    constexpr bool has_no_rule(byte_view bytes) const noexcept
-    {
-        return bytes.size() >= min_adu_size and bytes.size() <= max_adu_size and
-               not held_.is_damaged(0, bytes.size()) and detail::has_right_crc(bytes) and
-               frame_length(direction::request, bytes).size() == 0;
-    }
-
-    constexpr frame_role role_of(byte_view bytes) const noexcept
-    {
-        return detail::begins_response(bytes, pending_.bytes()) ? frame_role::response : frame_role::request;
-    }
-
     template <typename Take> constexpr void hand_out(detail::frame_match const& found, Take& take)
     {
         byte_view const bytes = held_.first(found.size);
@@ -211,11 +160,6 @@ private:
         if (is_expected or is_late) {
             asked.forget();
         }
-    }
-
-    static constexpr bool has_rule(byte_view bytes) noexcept
-    {
-        return frame_length(direction::response, bytes).size() != 0;
     }
 
     template <typename Take> constexpr void hand_out_damaged(std::size_t count, Take& take)
@@ -254,9 +198,6 @@ private:
 
     line_timing timing_;
     duration limit_;
-    detail::heard_bytes held_{};
-    detail::passed_request pending_{};
-    detail::passed_request given_up_{};
     instant last_{0};
 };
 

@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <rtuwire/client/line/frame_trace.hpp>
 #include <rtuwire/client/line/phase.hpp>
-#include <rtuwire/client/line/request_steps.hpp>
 #include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/time.hpp>
@@ -22,8 +22,8 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The base of a client's transaction.
 template <typename Statistics, typename Line, typename Options, typename Debts, std::size_t Front>
-class reception : public request_steps<Statistics, Line, Options, Debts, Front> {
-    using steps = request_steps<Statistics, Line, Options, Debts, Front>;
+class reception : public frame_trace<Statistics, Line, Options, Debts, Front> {
+    using steps = frame_trace<Statistics, Line, Options, Debts, Front>;
 
 protected:
     using phase = client_phase;
@@ -95,7 +95,11 @@ protected:
     /// Takes a response that has ended, by its length or by silence, and judges it.
     constexpr void take_frame(instant now) noexcept
     {
-        if (not framer().poll_end() or error_ == errc::collision) {
+        bool const is_end = framer().poll_end();
+        if (not is_end or error_ == errc::collision) {
+            if constexpr (is_traced<Statistics>) {
+                this->pass_frame(is_end ? framer().bytes() : byte_view{}, errc::collision);
+            }
             return;
         }
         errc wrong = framer().verdict();
@@ -107,6 +111,9 @@ protected:
         }
         line_event const event = event_of(wrong);
         note_frame(statistics_, event, wrong, unit(), now);
+        if constexpr (is_traced<Statistics>) {
+            this->pass_frame(framer().bytes(), wrong);
+        }
         bool const is_response = event == line_event::reply or event == line_event::exception;
         bool const is_damaged =
             event == line_event::crc and framer().looks_addressed_to(request()) and framer().matches_size_hint();
@@ -137,6 +144,7 @@ private:
         if (framer().begin_chunk(bytes, now) and phase_ == phase::awaiting) {
             take_frame(now);
         }
+        this->pass_heard(now);
     }
 
     /// Takes a byte of an echo, of a response or before it; returns false where none is expected. Inlined, it would save
@@ -152,6 +160,7 @@ private:
         // Bytes before the unit's address are skipped, as far as `max_leading_noise` allows.
         if (this->may_skip() and to_u8(byte) != unit()) {
             this->drop_leading_noise();
+            this->pass_noise(byte);
         } else if (framer().push(byte)) {
             take_frame(now);
         }
@@ -181,7 +190,9 @@ private:
     /// always is, elsewhere where it is the same.
     [[gnu::always_inline]] constexpr bool take_echo(std::byte byte, instant now) noexcept
     {
+        [[maybe_unused]] std::size_t const before = echo_.taken();
         bool const is_same = echo_.take(byte, request());
+        this->pass_echoed(byte, before, is_same);
         if (options().has_line_echo) {
             if (not is_same) {
                 statistics_.note(line_event::collision, unit());
