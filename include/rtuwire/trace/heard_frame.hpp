@@ -69,19 +69,26 @@ struct heard_frame {
         if (asked().size() < shortest) {
             return std::nullopt;
         }
-        switch (function()) {
-        case function_code::read_coils:
-        case function_code::read_discrete_inputs:
-        case function_code::read_holding_registers:
-        case function_code::read_input_registers:
-        case function_code::write_multiple_coils:
-        case function_code::write_multiple_registers:
-        case function_code::read_write_multiple_registers: return u16_at(asked(), 4);
-        case function_code::write_single_coil:
-        case function_code::write_single_register:
-        case function_code::mask_write_register: return std::uint16_t{1};
-        default: return std::nullopt;
+        constexpr function_code with_quantity[] = {function_code::read_coils,
+                                                   function_code::read_discrete_inputs,
+                                                   function_code::read_holding_registers,
+                                                   function_code::read_input_registers,
+                                                   function_code::write_multiple_coils,
+                                                   function_code::write_multiple_registers,
+                                                   function_code::read_write_multiple_registers};
+        constexpr function_code of_one[] = {function_code::write_single_coil, function_code::write_single_register,
+                                            function_code::mask_write_register};
+        for (function_code const each : with_quantity) {
+            if (function() == each) {
+                return u16_at(asked(), 4);
+            }
         }
+        for (function_code const each : of_one) {
+            if (function() == each) {
+                return std::uint16_t{1};
+            }
+        }
+        return std::nullopt;
     }
 
 private:

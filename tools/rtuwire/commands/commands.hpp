@@ -15,4 +15,9 @@ exit_status run_watch(choices const& chosen);
 exit_status run_list(choices const& chosen);
 exit_status run_write(choices const& chosen);
 
+exit_status run_sniff(choices const& chosen);
+exit_status run_capture(choices const& chosen);
+exit_status run_replay(choices const& chosen);
+exit_status run_timing(choices const& chosen);
+
 } // namespace tool

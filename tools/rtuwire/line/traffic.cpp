@@ -3,30 +3,76 @@
 #include "line/traffic.hpp"
 
 #include <array>
+#include <set>
 #include <string>
+
+#include <rtuwire/trace.hpp>
 
 #include "exit_status.hpp"
 
 namespace tool {
 
+namespace {
+
+/// Who was heard.
+class talkers {
+public:
+    void note(rtuwire::heard_frame const& it)
+    {
+        bool const is_frame = it.frame.role != rtuwire::frame_role::unknown and not it.is_unanswered;
+        frames_ += is_frame ? 1U : 0U;
+        bytes_ += it.frame.bytes.size();
+        if (is_frame) {
+            units_.insert(it.unit());
+        }
+    }
+    void note_damage() { is_damaged_ = true; }
+
+    bool is_silent() const { return bytes_ == 0 and not is_damaged_; }
+
+    std::string words() const
+    {
+        if (frames_ == 0) {
+            return std::to_string(bytes_) + " bytes that are no frame at this bit rate and format";
+        }
+        std::string units;
+        for (unsigned const each : units_) {
+            units += (units.empty() ? "" : ", ") + std::to_string(each);
+        }
+        return std::to_string(frames_) + " frames of a client and of unit " + units;
+    }
+
+private:
+    std::set<unsigned> units_{};
+    std::size_t frames_{0};
+    std::size_t bytes_{0};
+    bool is_damaged_{false};
+};
+
+} // namespace
+
 void refuse_traffic(any_port& port, rtuwire::duration time)
 {
     rtuwire::instant const end = port.now() + time;
-    std::size_t bytes = 0;
-    bool is_damaged = false;
+    rtuwire::line_listener tap{port.timing()};
+    talkers heard;
+    auto const note = [&heard](rtuwire::heard_frame const& it) { heard.note(it); };
     std::array<std::byte, 512> place;
     while (not reached(port.now(), end)) {
-        auto const heard = port.read(place, end);
-        if (not heard) {
+        auto const bytes = port.read(place, end);
+        if (not bytes) {
             throw ended{exit_status::port, port.failure()};
         }
-        is_damaged = port.take_receive_error() or is_damaged;
-        bytes += heard->size();
+        tap.receive(*bytes, port.now(), note);
+        if (port.take_receive_error()) {
+            heard.note_damage();
+        }
     }
-    if (bytes > 0 or is_damaged) {
-        refuse_for_safety(port.device() + ": somebody is talking on this line, " + std::to_string(bytes) +
-                          " bytes while this program listened; a second client disturbs the first, and keeps a drive "
-                          "running that its own has left. To speak all the same, say --no-listen");
+    tap.advance(end + rtuwire::milliseconds(2'000), note);
+    if (not heard.is_silent()) {
+        refuse_for_safety(port.device() + ": somebody is talking on this line: " + heard.words() +
+                          ". A second client disturbs the first, and keeps a drive running that its own has left. To "
+                          "speak all the same, say --no-listen");
     }
 }
 

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A capture that is listened to again: its frames go through the same listener as those of a line.
+#pragma once
+
+#include <string>
+
+#include "line/open_line.hpp"
+#include "line/tap.hpp"
+
+namespace tool {
+
+/// Plays a file: pcapng or pcap. The bit rate that the file says goes before that of `how`. Ends where it cannot be
+/// read, or says where it is wrong.
+void play_capture(std::string const& file, line_setting how, take_frame const& take);
+
+} // namespace tool

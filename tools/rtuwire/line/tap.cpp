@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "line/tap.hpp"
+
+#include <array>
+#include <chrono>
+
+#include "exit_status.hpp"
+#include "line/end_wish.hpp"
+#include "line/open_line.hpp"
+#include "line/time_text.hpp"
+
+namespace tool {
+
+namespace {
+
+using rtuwire::instant;
+using std::chrono::steady_clock;
+
+/// The calendar's time of instants that are not far from now.
+std::uint64_t unix_time(instant at, instant now) { return unix_now() - (now - at).microseconds; }
+
+} // namespace
+
+any_port open_to_listen(choices const& chosen) { return open_port(chosen.line, setting_in(chosen.line)); }
+
+void listen(any_port& port, std::optional<double> seconds, take_frame const& take, std::function<bool()> const& goes_on)
+{
+    rtuwire::line_listener tap{port.timing()};
+    auto const began = steady_clock::now();
+    auto const is_over = [&] {
+        return seconds and steady_clock::now() - began >= std::chrono::duration<double>{*seconds};
+    };
+    std::array<std::byte, 512> place;
+    while (noted_signal() == 0 and goes_on() and not is_over()) {
+        auto const bytes = port.read(place, port.now() + rtuwire::milliseconds(20));
+        if (not bytes) {
+            throw ended{exit_status::port, port.failure()};
+        }
+        instant const now = port.now();
+        auto const hand_on = [&](rtuwire::heard_frame const& it) { take({it, unix_time(it.frame.at, now)}); };
+        tap.receive(*bytes, now, hand_on);
+        if (port.take_receive_error()) {
+            tap.receive_error(now, hand_on);
+        }
+        tap.advance(now, hand_on);
+    }
+}
+
+} // namespace tool
