@@ -9,7 +9,7 @@
 #include "support/command_line.hpp"
 #include "support/demonstration.hpp"
 #include "support/simulated_process.hpp"
-#include "support/standard_descriptors.hpp"
+#include "../tools/rtuwire/process/standard_descriptors.hpp"
 
 using namespace rtuwire;
 using namespace examples;

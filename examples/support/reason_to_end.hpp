@@ -8,10 +8,12 @@
 #include <string>
 
 #include "missed_time.hpp"
-#include "say.hpp"
-#include "signals.hpp"
+#include "../../tools/rtuwire/process/say.hpp"
+#include "../../tools/rtuwire/process/signals.hpp"
 
 namespace examples {
+
+using namespace tool;
 
 class reason_to_end {
 public:
