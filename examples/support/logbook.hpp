@@ -10,8 +10,8 @@
 
 #include <rtuwire/drives.hpp>
 
-#include "plot.hpp"
 #include "../../tools/rtuwire/process/say.hpp"
+#include "plot.hpp"
 
 namespace examples {
 

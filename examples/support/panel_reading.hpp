@@ -9,8 +9,8 @@
 
 #include <rtuwire/drives.hpp>
 
-#include "drive_panel.hpp"
 #include "../../tools/rtuwire/process/say.hpp"
+#include "drive_panel.hpp"
 
 namespace examples {
 

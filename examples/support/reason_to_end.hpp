@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "missed_time.hpp"
 #include "../../tools/rtuwire/process/say.hpp"
 #include "../../tools/rtuwire/process/signals.hpp"
+#include "missed_time.hpp"
 
 namespace examples {
 

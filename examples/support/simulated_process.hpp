@@ -14,8 +14,8 @@
 
 #include <rtuwire/port.hpp>
 
-#include "../../tools/rtuwire/simulated_line.hpp"
 #include "../../tools/rtuwire/process/line_reader.hpp"
+#include "../../tools/rtuwire/simulated_line.hpp"
 
 namespace examples {
 

@@ -21,9 +21,8 @@ struct command {
 };
 
 constexpr command commands[] = {
-    {"scan", run_scan},   {"identify", run_identify}, {"read", run_read},
-    {"watch", run_watch}, {"list", run_list},         {"write", run_write},
-    {"simulate", run_simulate},
+    {"scan", run_scan}, {"identify", run_identify}, {"read", run_read},         {"watch", run_watch},
+    {"list", run_list}, {"write", run_write},       {"simulate", run_simulate},
 };
 
 exit_status run(choices const& chosen)
