@@ -106,7 +106,7 @@ private:
                 refuse("a value is missing");
             }
             bool const is_number = plain.find_first_not_of("0123456789.") == std::string::npos;
-            if (not is_number) {
+            if (not is_number and plain != "true" and plain != "false") {
                 refuse("'" + plain + "' is a text: write it as \"" + plain + "\"");
             }
             return plain;
