@@ -6,10 +6,10 @@
 #include <chrono>
 #include <string>
 
+#include "../tools/rtuwire/process/standard_descriptors.hpp"
 #include "support/command_line.hpp"
 #include "support/demonstration.hpp"
 #include "support/simulated_process.hpp"
-#include "support/standard_descriptors.hpp"
 
 using namespace rtuwire;
 using namespace examples;

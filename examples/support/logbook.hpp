@@ -10,10 +10,12 @@
 
 #include <rtuwire/drives.hpp>
 
+#include "../../tools/rtuwire/process/say.hpp"
 #include "plot.hpp"
-#include "say.hpp"
 
 namespace examples {
+
+using namespace tool;
 
 class logbook {
 public:

@@ -9,10 +9,12 @@
 
 #include <rtuwire/drives.hpp>
 
+#include "../../tools/rtuwire/process/say.hpp"
 #include "drive_panel.hpp"
-#include "say.hpp"
 
 namespace examples {
+
+using namespace tool;
 
 /// Borrows the values that were read.
 template <rtuwire::device_type Device> class panel_reading {

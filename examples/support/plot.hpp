@@ -11,9 +11,11 @@
 
 #include <rtuwire/drives.hpp>
 
-#include "say.hpp"
+#include "../../tools/rtuwire/process/say.hpp"
 
 namespace examples {
+
+using namespace tool;
 
 /// One look at a drive.
 struct sample {

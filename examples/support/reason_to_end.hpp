@@ -7,11 +7,13 @@
 #include <optional>
 #include <string>
 
+#include "../../tools/rtuwire/process/say.hpp"
+#include "../../tools/rtuwire/process/signals.hpp"
 #include "missed_time.hpp"
-#include "say.hpp"
-#include "signals.hpp"
 
 namespace examples {
+
+using namespace tool;
 
 class reason_to_end {
 public:

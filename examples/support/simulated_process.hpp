@@ -14,10 +14,12 @@
 
 #include <rtuwire/port.hpp>
 
+#include "../../tools/rtuwire/process/line_reader.hpp"
 #include "../../tools/rtuwire/simulated_line.hpp"
-#include "line_reader.hpp"
 
 namespace examples {
+
+using namespace tool;
 
 class simulated_process {
 public:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""Runs the `simulate` example, and says what others' tools need to know of the simulated drives."""
+"""Runs `rtuwire simulate`, and says what others' tools need to know of the simulated drives."""
 import subprocess
 import sys
 import time
@@ -21,13 +21,12 @@ class Registers:
 
 
 class Simulator:
-    """with Simulator(program, "atv320:1") as device: ..."""
+    """with Simulator(tool, "atv320:1") as device: ..."""
 
-    def __init__(self, program, *drives, vendor=None):
+    def __init__(self, tool, *drives, vendor=None):
         self.drives = drives
-        words = [word for drive in drives for word in ("--drive", drive)]
-        words += ["--vendor", vendor] if vendor else []
-        self.process = subprocess.Popen([program, *words], stdin=subprocess.PIPE,
+        words = ["--vendor", vendor] if vendor else []
+        self.process = subprocess.Popen([tool, "simulate", *drives, *words], stdin=subprocess.PIPE,
                                         stdout=subprocess.PIPE, text=True)
 
     def __enter__(self):

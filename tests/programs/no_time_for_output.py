@@ -123,7 +123,7 @@ def simulate_answers(program, name, check):
     reader, writer = full_pipe()
     request = with_crc(bytes([UNIT, 3, *ETA[name].to_bytes(2, "big"), 0, 1]))
     with Line() as line:
-        process = subprocess.Popen([program, "--drive", f"{name}:{UNIT}", "--port", line.name],
+        process = subprocess.Popen([program, "simulate", f"{name}:{UNIT}", "--port", line.name],
                                    stdin=subprocess.PIPE, stdout=writer, stderr=writer)
         process.stdin.write(f"{UNIT} show\n{UNIT} nonsense\n".encode() * 500)
         process.stdin.flush()

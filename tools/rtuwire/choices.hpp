@@ -20,6 +20,8 @@ struct line_choices {
     std::string drive{};                      ///< empty: recognised by asking
     std::vector<std::string> names{};         ///< "fan=7:atv320"
     std::optional<double> response_timeout{}; ///< seconds; nothing: as the command thinks best
+    double late_response{
+        0.2}; ///< seconds behind that time, for what comes too late to be waited for; see client_options
     unsigned retries{1};
     double listen{1.0};          ///< seconds before the first frame
     bool must_not_listen{false}; ///< speaks at once, on a line in use, too

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "command_line.hpp"
 
+#include <sstream>
+
 #include <CLI/CLI.hpp>
 
+#include "configuration.hpp"
+#include "help/tool_texts.hpp"
 #include "suggestion.hpp"
 
 namespace tool {
@@ -20,7 +24,7 @@ void add_line_options(CLI::App& app, line_choices& line)
     app.add_option("-b,--baud", line.baud, "bits a second")->capture_default_str();
     app.add_option("-f,--format", line.format, "8E1, 8N1, 8O1 or 8N2")->capture_default_str();
     app.add_option("-d,--drive", line.drive, "the drive's type, instead of asking it");
-    app.add_option("--name", line.names, "a unit's name: fan=7:atv320");
+    app.add_option("--name", line.names, "a unit's name: fan=7:atv320")->allow_extra_args(false);
     app.add_option("--timeout", line.response_timeout, "seconds to wait for a response")
         ->check(CLI::Range(0.001, 30.0));
     app.add_option("--retries", line.retries, "how often a request is repeated")
@@ -52,7 +56,7 @@ CLI::App& add_command(CLI::App& app, choices& chosen, char const* name, char con
 {
     CLI::App* const command = app.add_subcommand(name, what);
     command->fallthrough();
-    command->footer(ends_with);
+    command->footer("Example: " + example_of(name) + "\nOptions of every command: rtuwire --help\n" + ends_with);
     command->callback([&chosen, name] { chosen.command = name; });
     return *command;
 }
@@ -85,8 +89,12 @@ void add_reading(CLI::App& app, choices& chosen)
 {
     CLI::App& scan = add_command(app, chosen, "scan", "find the units of a line");
     scan.add_option("--units", chosen.scan.units, "1-247 or 1,3,7-9")->capture_default_str();
-    scan.add_option("--bauds", chosen.scan.bauds, "bit rates to try, such as 9600,19200")->delimiter(',');
-    scan.add_option("--formats", chosen.scan.formats, "formats to try, such as 8E1,8N1")->delimiter(',');
+    scan.add_option("--bauds", chosen.scan.bauds, "bit rates to try, such as 9600,19200")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    scan.add_option("--formats", chosen.scan.formats, "formats to try, such as 8E1,8N1")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     scan.add_option("--resume", chosen.scan.resume_file, "keeps what was found here, and goes on from there");
     add_command(app, chosen, "identify", "who is it?");
     add_words(add_command(app, chosen, "read", "read registers"), chosen, "REG", register_words, true);
@@ -146,6 +154,116 @@ void add_line_tools(CLI::App& app, choices& chosen)
     simulate.add_option("--vendor", chosen.vendor, "who made them, instead of what their manuals print");
 }
 
+/// What the program says of itself.
+void add_own_texts(CLI::App& app, choices& chosen)
+{
+    add_words(add_command(app, chosen, "completion", "print a completion script: put it where your shell finds it"),
+              chosen, "SHELL", "bash or zsh", true);
+    add_command(app, chosen, "man", "print a page for man(1)");
+}
+
+option_text text_of(CLI::Option const& option)
+{
+    option_text text{{}, option.get_description(), option.get_items_expected_max() > 0};
+    for (std::string const& each : option.get_snames()) {
+        text.names.push_back("-" + each);
+    }
+    for (std::string const& each : option.get_lnames()) {
+        text.names.push_back("--" + each);
+    }
+    return text;
+}
+
+command_text text_of(CLI::App const& command)
+{
+    command_text text{
+        .name = command.get_name(), .what = command.get_description(), .example = example_of(command.get_name())};
+    for (CLI::Option const* const each : command.get_options()) {
+        if (each->get_positional()) {
+            text.operand = each->get_name(true);
+            text.operand_what = each->get_description();
+        } else {
+            text.options.push_back(text_of(*each));
+        }
+    }
+    return text;
+}
+
+tool_texts texts_of(CLI::App const& app)
+{
+    tool_texts texts{app.get_description(), RTUWIRE_TOOL_VERSION, {}, {}};
+    for (CLI::Option const* const each : app.get_options()) {
+        texts.options.push_back(text_of(*each));
+    }
+    for (CLI::App const* const each : app.get_subcommands({})) {
+        texts.commands.push_back(text_of(*each));
+    }
+    return texts;
+}
+
+exit_status print(std::string const& text)
+{
+    bool const is_printed =
+        std::fwrite(text.data(), 1, text.size(), stdout) == text.size() and std::fflush(stdout) == 0;
+    if (not is_printed) {
+        std::perror("rtuwire: standard output");
+    }
+    return is_printed ? exit_status::done : exit_status::port;
+}
+
+exit_status print_own_text(CLI::App const& app, choices const& chosen)
+{
+    if (chosen.command == "man") {
+        return print(man_page(texts_of(app)));
+    }
+    std::string const& shell = chosen.words.front();
+    std::string const script = completion_script(texts_of(app), shell);
+    if (script.empty() or chosen.words.size() > 1) {
+        refuse_word("there is no completion for '" + chosen.words.back() + "': say bash or zsh");
+    }
+    return print(script);
+}
+
+/// The file that --config names, or the one that is there without it. Read before the command line, which overrides it.
+std::string configuration_among(int argc, char** argv)
+{
+    std::string_view const flag = "--config";
+    for (int i = 1; i < argc; ++i) {
+        std::string_view const word = argv[i];
+        if (word == flag and i + 1 < argc) {
+            return argv[i + 1];
+        }
+        if (word.starts_with(flag) and word.substr(flag.size()).starts_with('=')) {
+            return std::string{word.substr(flag.size() + 1)};
+        }
+    }
+    return configuration_file();
+}
+
+/// Why the configuration is refused; empty where it is not. Help is shown all the same.
+std::string configure(int argc, char** argv, line_choices& line)
+{
+    try {
+        if (std::string const file = configuration_among(argc, argv); not file.empty()) {
+            read_configuration(file, line);
+        }
+    } catch (ended const& why) {
+        return why.what();
+    }
+    return {};
+}
+
+/// Names of the command line stand beside those of the file; drives are never simulated on the port of the file.
+void mend(CLI::App const& app, choices& chosen, line_choices const& of_file)
+{
+    if (app.get_option("--name")->count() > 0) {
+        chosen.line.names.insert(chosen.line.names.begin(), of_file.names.begin(), of_file.names.end());
+    }
+    if (chosen.command == "simulate" and app.get_option("--port")->count() == 0) {
+        chosen.line.port.clear();
+    }
+}
+
 std::vector<std::string_view> commands_of(CLI::App const& app)
 {
     std::vector<std::string_view> names;
@@ -188,6 +306,14 @@ std::string wrong_word(CLI::App const& app)
     return {};
 }
 
+/// Shows help or the version, once all of the output has taken it.
+exit_status show(CLI::App const& app, CLI::ParseError const& what)
+{
+    std::ostringstream text;
+    app.exit(what, text);
+    return print(text.str());
+}
+
 exit_status refuse(CLI::App const& app, CLI::ParseError const& why)
 {
     std::string const word = wrong_word(app);
@@ -201,12 +327,18 @@ exit_status refuse(CLI::App const& app, CLI::ParseError const& why)
 parsed parse(int argc, char** argv)
 {
     choices chosen;
+    std::string const wrong = configure(argc, argv, chosen.line);
+    line_choices const of_file = chosen.line;
     CLI::App app{"Modbus RTU lines and Altivar drives: find, read, write, watch, run, capture.\n"
                  "It reads unless --write or --allow-run says otherwise.",
                  "rtuwire"};
     app.set_version_flag("--version", RTUWIRE_TOOL_VERSION);
-    app.set_config("--config", "",
-                   "a file of these options, such as port = \"/dev/ttyUSB0\"\nname = [\"fan=7:atv320\"]");
+    std::string ignored; // read already
+    app.add_option(
+        "--config", ignored,
+        "a file with what is said each time: port, unit, baud, format, drive, name, timeout, retries, listen,\n"
+        "such as port = \"/dev/ttyUSB0\" and name = [\"fan=7:atv320\"];\n"
+        "without it ./rtuwire.toml, then $XDG_CONFIG_HOME/rtuwire.toml");
     app.footer(ends_with);
     app.require_subcommand(1);
     add_line_options(app, chosen.line);
@@ -215,14 +347,22 @@ parsed parse(int argc, char** argv)
     add_reading(app, chosen);
     add_writing(app, chosen);
     add_line_tools(app, chosen);
+    add_own_texts(app, chosen);
     try {
         app.parse(argc, argv);
     } catch (CLI::CallForHelp const& why) {
-        return {std::nullopt, static_cast<exit_status>(app.exit(why))};
+        return {std::nullopt, show(app, why)};
     } catch (CLI::CallForVersion const& why) {
-        return {std::nullopt, static_cast<exit_status>(app.exit(why))};
+        return {std::nullopt, show(app, why)};
     } catch (CLI::ParseError const& why) {
         return {std::nullopt, refuse(app, why)};
+    }
+    if (not wrong.empty()) {
+        refuse_word(wrong);
+    }
+    mend(app, chosen, of_file);
+    if (chosen.command == "completion" or chosen.command == "man") {
+        return {std::nullopt, print_own_text(app, chosen)};
     }
     return {chosen, exit_status::done};
 }

@@ -9,6 +9,7 @@
 
 #include "command_line.hpp"
 #include "commands/commands.hpp"
+#include "process/standard_descriptors.hpp"
 
 namespace {
 
@@ -20,9 +21,9 @@ struct command {
 };
 
 constexpr command commands[] = {
-    {"scan", run_scan},   {"identify", run_identify}, {"read", run_read},
-    {"watch", run_watch}, {"list", run_list},         {"write", run_write},
-    {"sniff", run_sniff}, {"capture", run_capture},   {"replay", run_replay}, {"timing", run_timing},
+    {"scan", run_scan},     {"identify", run_identify}, {"read", run_read},         {"watch", run_watch},
+    {"list", run_list},     {"write", run_write},       {"sniff", run_sniff},       {"capture", run_capture},
+    {"replay", run_replay}, {"timing", run_timing},     {"simulate", run_simulate},
 };
 
 exit_status run(choices const& chosen)
@@ -39,6 +40,7 @@ exit_status run(choices const& chosen)
 
 int main(int argc, char** argv)
 {
+    keep_standard_descriptors();
     std::signal(SIGPIPE, SIG_IGN); // a reader that went away is told by the write
     try {
         parsed const words = parse(argc, argv);

@@ -21,6 +21,19 @@ record of_drive(drive_catalog const& drive)
             {"most in a write", std::int64_t{drive.limits.write}}};
 }
 
+std::string note_on(register_entry const& entry)
+{
+    std::string note;
+    if (not entry.steps_set_by.empty()) {
+        note = "steps set by " + std::string{entry.steps_set_by};
+    }
+    if (entry.gap_first <= entry.gap_last) {
+        note += (note.empty() ? "never " : "; never ") + std::to_string(entry.gap_first) + " to " +
+                std::to_string(entry.gap_last);
+    }
+    return note;
+}
+
 record of_register(register_entry const& entry, drive_catalog const& drive)
 {
     auto const step = step_of(entry, drive);
@@ -31,8 +44,10 @@ record of_register(register_entry const& entry, drive_catalog const& drive)
             {"step", step and not entry.unit.empty() ? amount_text(1, *step, entry.unit) : std::string{}},
             {"lowest", text_of_bound(entry.min)},
             {"highest", text_of_bound(entry.max)},
+            {"default", entry.factory ? cell{std::int64_t{*entry.factory}} : cell{}},
             {"source", std::string{text_of(entry.source)}},
-            {"name", std::string{entry.name}}};
+            {"name", std::string{entry.name}},
+            {"note", note_on(entry)}};
 }
 
 } // namespace

@@ -88,11 +88,13 @@ private:
         return true;
     }
 
-    /// It listens before the first frame only.
+    /// It listens before the first frame only. What comes late is no response to another's request: each has an address
+    /// of its own, so nobody waits for it.
     line_choices choices_here()
     {
         line_choices line = chosen_.line;
         line.response_timeout = line.response_timeout.value_or(scan_timeout);
+        line.late_response = 0;
         line.retries = 0;
         line.must_not_listen = line.must_not_listen or has_listened_;
         has_listened_ = true;

@@ -30,6 +30,7 @@ rtuwire::client_options options_in(line_choices const& chosen)
 {
     rtuwire::client_options options;
     options.response_timeout = seconds_in(chosen.response_timeout.value_or(1.0));
+    options.late_response = seconds_in(chosen.late_response);
     options.retries = static_cast<std::uint8_t>(chosen.retries);
     return options;
 }

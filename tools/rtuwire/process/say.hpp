@@ -14,7 +14,7 @@
 
 #include "printer.hpp"
 
-namespace examples {
+namespace tool {
 
 inline printer standard_output{STDOUT_FILENO};
 inline printer error_output{STDERR_FILENO};
@@ -68,4 +68,4 @@ inline int end_of_output(char const* program, int status)
     return status == 0 and failure != 0 ? 1 : status;
 }
 
-} // namespace examples
+} // namespace tool

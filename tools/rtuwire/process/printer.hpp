@@ -20,7 +20,7 @@
 #include <poll.h>
 #include <unistd.h>
 
-namespace examples {
+namespace tool {
 
 class printer {
 public:
@@ -134,4 +134,4 @@ private:
     bool has_begun_{false};
 };
 
-} // namespace examples
+} // namespace tool

@@ -5,7 +5,7 @@
 
 #include <csignal>
 
-namespace examples {
+namespace tool {
 
 /// What signals have said since the program began.
 struct signal_notes {
@@ -94,4 +94,4 @@ inline void suspend()
     take_signal(SIGTSTP);
 }
 
-} // namespace examples
+} // namespace tool

@@ -7,7 +7,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace examples {
+namespace tool {
 
 /// Puts something in each of the three places that is empty. Reading from it and writing to it fail, as they
 /// would with the closed one: whoever prints is told that nobody gets it.
@@ -21,4 +21,4 @@ inline void keep_standard_descriptors() noexcept
     }
 }
 
-} // namespace examples
+} // namespace tool

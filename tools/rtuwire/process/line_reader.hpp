@@ -9,7 +9,7 @@
 #include <poll.h>
 #include <unistd.h>
 
-namespace examples {
+namespace tool {
 
 class line_reader {
 public:
@@ -49,4 +49,4 @@ private:
     bool has_ended_{false};
 };
 
-} // namespace examples
+} // namespace tool

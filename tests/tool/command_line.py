@@ -1,0 +1,134 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Help, completion, the man page, the configuration file, and how a wrong word is refused.
+
+    python3 command_line.py TOOL
+"""
+import re
+import shutil
+import subprocess
+
+from support import DONE, PORT, USAGE, Tool, runs
+
+WRONG = [
+    (["raed", "RFR"], ["'raed' is no command", "'read'"]),
+    (["read", "RFR", "--baudd", "9600"], ["'--baudd' is no option", "'--baud'"]),
+    (["read"], ["REG"]),
+    (["list", "--drive", "atv99"], ["atv99"]),
+    (["--json", "--csv", "list"], ["--json", "--csv"]),
+    (["--port", "sim:atv320", "--unit", "248", "read", "RFR"], ["248", "1 to 247"]),
+    (["--port", "sim:atv320", "--unit", "fan", "read", "RFR"], ["fan", "--name"]),
+    (["--port", "sim:atv320", "--format", "7E1", "scan"], ["7E1", "8E1"]),
+    (["--port", "sim:atv320", "read", "RRF"], ["RRF"]),
+    (["read", "RFR"], ["--port"]),
+    (["completion", "fish"], ["fish", "bash"]),
+    (["simulate", "atv28:99"], ["unit 99", "atv28", "1 to 31"]),
+    (["simulate", "atv320:2", "atv28:2"], ["unit 2", "twice"]),
+    (["simulate", "atv99:1"], ["atv99", "atv320"]),
+    (["simulate", "atv320:"], ["unit", "atv320"]),
+    (["simulate", "atv320", "--vendor", 64 * "x"], ["--vendor", "63"]),
+    (["simulate", "atv320", "--port", "tcp://host:4001"], ["tcp://host:4001", "/dev/"]),
+]
+
+# A file, the line that is wrong, and what is said of it.
+WRONG_FILES = [
+    ('port = "sim:atv320"\nbauds = 9600\n', 2, ["'bauds'", "'baud'"]),
+    ('\n# a comment\nbaud = "fast"', 3, ["baud", "'fast'"]),
+    ("baud = 12345", 1, ["12345"]),
+    ("format = 8E1", 1, ["8E1", '"8E1"']),
+    ('format = "7E1"', 1, ["7E1"]),
+    ('name = [\n "fan=7:atv320",\n "pump"\n]', 1, ["pump", "fan=7"]),
+    ('name = [\n "fan=7:atv320"\n "pump=3"\n]', 3, ["pump"]),
+    ('name = ["fan=7:atv99"]', 1, ["atv99"]),
+    ('port = "sim:atv320\n', 1, ["sim:atv320", "end"]),
+    ('port = "sim:atv320"\nport = "sim:atv12"', 2, ["port", "second"]),
+    ("[line]\nbaud = 9600", 1, ["[line]"]),
+    ("write = true", 1, ["write", "typed"]),
+    ("retries = 11", 1, ["retries", "11"]),
+]
+
+COMPLETED = [
+    (["sca"], ["scan"]),
+    (["--drive", "atv3"], ["atv310", "atv310_2026", "atv320"]),
+    (["-d", "atv320", "read", "RFR"], ["RFR", "RFRD"]),
+    (["-d", "atv28", "read", "RFRD"], ["RFRD"]),
+    (["-d", "atv320", "read", "@hou"], ["@hours"]),
+    (["--drive=atv320", "--write", "write", "AC"], ["ACC=", "AC2="]),
+    (["-p", "scan", "scan", "--un"], ["--units", "--unit"]),
+    (["simulate", "atv12"], ["atv12"]),
+    (["completion", ""], ["bash", "zsh"]),
+]
+
+
+def check_help(tool, check):
+    commands = re.findall(r"^  ([a-z]+) ", tool.run("--help").output.split("Subcommands:")[1], re.M)
+    check({"scan", "read", "watch", "write", "simulate", "list"} <= set(commands), "commands", commands)
+    for each in commands:
+        ended = tool.run(each, "--help")
+        is_whole = f"Example: rtuwire" in ended.output and f" {each}" in ended.output.split("Example:")[1]
+        check(ended.status == DONE and is_whole and "Exit status" in ended.output, f"{each} --help has an example")
+    page = tool.run("man").output
+    check(all(f".SS {each}" in page for each in commands), "all of them are in the man page")
+    (tool.place / "rtuwire.1").write_text(page)
+    if shutil.which("groff"):
+        said = subprocess.run(["groff", "-man", "-ww", "-Tascii", "-z", "rtuwire.1"], cwd=tool.place, check=False,
+                              stderr=subprocess.PIPE, text=True)
+        check(said.returncode == 0 and not said.stderr, "groff has nothing to say of it", said.stderr)
+    with open("/dev/full", "wb") as full:
+        for words in (["--help"], ["man"], ["list"], ["--csv", "list", "--drive", "atv320"]):
+            process = tool.start(*words, stdout=full)
+            _, errors = process.communicate()
+            check(process.returncode == PORT and "standard output" in errors, f"{words} into a full disk", errors)
+
+
+def check_completion(tool, check):
+    (tool.place / "script").write_text(tool.run("completion", "bash").output)
+    for words, expected in COMPLETED:
+        quoted = " ".join(f"'{word}'" for word in ["rtuwire", *words])
+        text = (f". ./script; COMP_WORDS=({quoted}); COMP_CWORD={len(words)}; _rtuwire; "
+                'printf "%s\\n" "${COMPREPLY[@]}"')
+        found = subprocess.run(["bash", "-c", text], cwd=tool.place, check=False, stdout=subprocess.PIPE, text=True).stdout
+        check(found.split() == expected, f"completes {words}", found.split())
+    if shutil.which("zsh"):
+        (tool.place / "_rtuwire").write_text(tool.run("completion", "zsh").output)
+        check(subprocess.run(["zsh", "-n", "_rtuwire"], cwd=tool.place, check=False).returncode == 0, "zsh reads its script")
+
+
+def check_configuration(tool, check):
+    file = tool.place / "cabinet.toml"
+    for text, line, parts in WRONG_FILES:
+        file.write_text(text)
+        ended = tool.run("--config", "cabinet.toml", "read", "RFR")
+        is_told = ended.errors.startswith(f"rtuwire: cabinet.toml:{line}: ") and all(part in ended.errors for part in parts)
+        check(ended.status == USAGE and is_told, f"{text!r} is refused", ended.errors)
+    check(tool.run("--config", "cabinet.toml", "--help").status == DONE, "help is shown all the same")
+    check("missing.toml" in tool.run("--config", "missing.toml", "list").errors, "a file that is not there is named")
+    file.write_text('port = "sim:atv320:7,atv12:3"\nname = [\n  "fan=7:atv320",  # in the cellar\n  \'pump=3\',\n]\n'
+                    "baud = 9600\ntimeout = 0.5\nunit = 7\n")
+    ended = tool.run("--config", "cabinet.toml", "--json", "-u", "fan", "read", "RFR")
+    check(ended.status == DONE and ended.objects()[0]["unit"] == 7, "a name of the file", ended)
+    ended = tool.run("--config=cabinet.toml", "--json", "--name", "mixer=3", "-u", "mixer", "read", "RFR")
+    check(ended.status == DONE and ended.objects()[0]["unit"] == 3, "and one of the command line beside it", ended)
+    check(tool.run("--config", "cabinet.toml", "--unit", "3", "--json", "read", "RFR").objects()[0]["unit"] == 3,
+          "the command line overrides the file")
+    (tool.place / "config").mkdir()
+    (tool.place / "config" / "rtuwire.toml").write_text('port = "sim:atv12:9"\nunit = 9\n')
+    check(tool.run("--json", "read", "RFR").objects()[0]["unit"] == 9, "$XDG_CONFIG_HOME is looked into")
+    (tool.place / "rtuwire.toml").write_text(file.read_text())
+    check(tool.run("--json", "read", "RFR").objects()[0]["unit"] == 7, "./rtuwire.toml goes before it")
+    (tool.place / "rtuwire.toml").unlink()
+    (tool.place / "config" / "rtuwire.toml").unlink()
+
+
+def main(check, program):
+    with Tool(program) as tool:
+        for words, parts in WRONG:
+            ended = tool.run(*words)
+            is_named = ended.errors.startswith("rtuwire: ") and all(part in ended.errors for part in parts)
+            check(ended.status == USAGE and not ended.output and is_named, f"{words} is refused", ended)
+        check_help(tool, check)
+        check_completion(tool, check)
+        check_configuration(tool, check)
+
+
+runs(main)

@@ -1,0 +1,129 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""What is read, by which words, in which form; who the unit is; and units that are no drives.
+
+    python3 reading.py TOOL LIBMODBUS_SERVER
+"""
+import os
+import subprocess
+import sys
+import tempfile
+
+from support import (DIFFERS, DONE, DRIVES, HERE, NO_ANSWER, PORT, USAGE, Simulator, Tool, Units, runs)
+
+from pair import wait_for_line, wait_for_server  # noqa: I100
+from rtu_over_tcp import device_server, free_port, listens, wait_until
+
+CABINET = "sim:atv320:7,atv12:3,atv28:4,atv310:5,atv310_2026:6"
+UNITS = {"atv320": 7, "atv12": 3, "atv28": 4, "atv310": 5, "atv310_2026": 6}
+
+
+def check_forms(tool, check):
+    """The same in each form."""
+    words = ["-u", 7, "read", "RFR", "ACC", "ETA", "LFT"]
+    people = tool.run(*words).table()
+    objects = tool.run("--json", *words).objects()
+    rows = tool.run("--csv", *words).rows()
+    check([row[0] for row in people] == [each["register"] for each in objects] == [row["register"] for row in rows]
+          == ["RFR", "ACC", "ETA", "LFT"], "a table, objects and rows are of the same registers")
+    check([str(each["raw"]) for each in objects] == [row["raw"] for row in rows], "and have the same values")
+    check(objects[0] == {"unit": 7, "register": "RFR", "address": 3202, "raw": 0, "value": 0.0, "measure": "Hz",
+                         "text": "0.0 Hz"}, "an object says all of a value", objects[0])
+    ended = tool.run("-u", 9, "--json", "-d", "atv320", "--timeout", "0.1", "--retries", 0, "read", "RFR")
+    check(ended.status == NO_ANSWER and ended.objects()[0]["error"], "a failure is an object, too", ended)
+    for drive in DRIVES:
+        rows = tool.run("--csv", "list", "--drive", drive).rows()
+        check(len(rows) > 20 and len({row["register"] for row in rows}) == len(rows), f"the list of {drive}")
+        check(all(None not in row and None not in row.values() for row in rows), "has the same columns in each row")
+
+
+def read(tool, *words):
+    return [each["register"] for each in tool.run("--json", "-u", 7, "-d", "atv320", "read", *words).objects()]
+
+
+def check_words(tool, check):
+    check(read(tool, "DP*") == [f"DP{i}" for i in range(9)], "a glob")
+    check(read(tool, "rfr", "RFR") == ["RFR"], "small letters, and each once")
+    check("RFR" in read(tool, "@monitor"), "a group")
+    check(read(tool, "3202", "0x0C81") == ["RFR", "ETA"], "numbers, with the names of the drive")
+    check(read(tool, "ETA.fault") == ["ETA.fault"], "a bit")
+    check(read(tool, "3201-3203") == ["ETA", "RFR", "FRH"], "a range")
+    ended = tool.run("-u", 7, "-d", "atv320", "read", "RFRR")
+    check(ended.status == USAGE and "RFRR" in ended.errors and "RFR" in ended.errors, "a wrong one", ended)
+
+
+def check_identity(tool, check):
+    for drive, unit in UNITS.items():
+        found = tool.run("--json", "-u", unit, "identify").objects()[0]
+        # The two revisions of one manual are one drive to whoever asks.
+        check(found["drive"].startswith(drive.removesuffix("_2026")) or "atv310" in found["note"],
+              f"{drive} is recognised", found)
+
+
+def check_no_drive(tool, check, what, how):
+    """Numbers only: unit 1 with its own address in registers 100 to 199."""
+    rows = tool.run(*how, "--json", "read", "100-109", "150").objects()
+    check([row.get("raw") for row in rows] == [*range(100, 110), 150], f"{what}: registers by their numbers", rows)
+    ended = tool.run(*how, "--json", "read", "100", "5000")
+    check(ended.status == DIFFERS and ended.objects()[0]["raw"] == 100 and ended.objects()[1]["error"],
+          f"{what}: one that it does not have is an error of its own", ended)
+    ended = tool.run(*how, "read", "RFR")
+    check(ended.status in (DIFFERS, NO_ANSWER) and "unit 1" in ended.errors, f"{what}: no name without a drive", ended)
+
+
+def others_servers(tool, check, libmodbus_server, folder, processes):
+    servers = {"libmodbus": [libmodbus_server, "@"],
+               "pymodbus": [sys.executable, "-B", str(HERE.parent / "interop" / "pymodbus_server.py"), "@"]}
+    for name, command in servers.items():
+        ends = [os.path.join(folder, name + end) for end in ("server", "client")]
+        processes.append(subprocess.Popen(["socat", *[f"pty,raw,echo=0,link={end}" for end in ends]]))
+        wait_for_line(processes[-1], ends)
+        processes.append(subprocess.Popen([ends[0] if word == "@" else word for word in command],
+                                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True))
+        wait_for_server(processes[-1])
+        check_no_drive(tool, check, name, ["--port", ends[1], "--listen", "0.05"])
+    # The same over TCP: a server of its own, and drives behind a serial device server.
+    number = free_port()
+    processes.append(subprocess.Popen([*servers["pymodbus"][:-1], f"tcp:{number}"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True))
+    wait_for_server(processes[-1])
+    wait_until(lambda: listens(number), "nobody listens")
+    check_no_drive(tool, check, "pymodbus over TCP", ["--port", f"tcp://127.0.0.1:{number}", "--listen", "0.05"])
+    number = free_port()
+    far = device_server(folder, number, processes)
+    processes.append(tool.start("simulate", "atv320:7", port=far))
+    processes[-1].stdout.readline()
+    wait_until(lambda: listens(number), "nobody listens")
+    ended = tool.run("--port", f"tcp://127.0.0.1:{number}", "--listen", "0.05", "--json", "-u", 7, "read", "RFR")
+    check(ended.status == DONE and ended.objects()[0]["value"] == 0.0, "a drive behind a serial device server", ended)
+
+
+def check_ports(tool, check, program):
+    with Simulator(program, "atv12:3", vendor="Example GmbH") as device:
+        found = tool.run("--port", device, "--listen", "0.05", "--json", "-u", 3, "identify").objects()[0]
+        check(found["vendor"] == "Example GmbH" and found["drive"] == "atv12", "simulated drives for other programs", found)
+    ended = tool.run("--port", "/dev/ttyUSB-not", "--listen", "0", "read", "1")
+    check(ended.status == PORT and "/dev/ttyUSB-not" in ended.errors, "a port that is not there", ended)
+    number = free_port()
+    ended = tool.run("--port", f"tcp://127.0.0.1:{number}", "read", "1")
+    check(ended.status == PORT and str(number) in ended.errors, "nor there", ended)
+
+
+def main(check, program, libmodbus_server):
+    with Tool(program, CABINET) as tool:
+        check_forms(tool, check)
+        check_words(tool, check)
+        check_identity(tool, check)
+    processes = []
+    with Tool(program) as tool, tempfile.TemporaryDirectory(prefix="line-") as folder:
+        check_ports(tool, check, program)
+        try:
+            others_servers(tool, check, libmodbus_server, folder, processes)
+        finally:
+            for process in reversed(processes):
+                process.kill()
+                process.wait()
+        with Units({1: dict.fromkeys(range(10), 3)}) as line:
+            check(tool.run("--port", line.name, "--listen", "0.05", "identify").status != PORT, "a unit that says nothing")
+
+
+runs(main)

@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Registers read again and again: at a period, into a pipe, until the reader goes away; and how much of a line it uses.
+
+    python3 watching.py TOOL
+"""
+import json
+import signal
+import time
+from datetime import datetime
+
+from support import DONE, NO_ANSWER, Tool, Units, runs
+
+COUNT = 20  # registers
+RATE = 19_200
+LEAST = 0.97  # of what the line allows
+
+
+def check_period(tool, check):
+    process = tool.start("--json", "-u", 7, "watch", "RFR", "ETA", "--every", "200ms", port="sim:atv320:7")
+    came = []
+    for _ in range(6):
+        rows = json.loads(process.stdout.readline())
+        came.append((time.monotonic(), rows))
+    process.send_signal(signal.SIGINT)
+    process.communicate(timeout=5)
+    periods = [after[0] - before[0] for before, after in zip(came[1:], came[2:])]
+    check(all(0.1 < each < 0.3 for each in periods), "a line at a time, while it goes on", periods)
+    seconds = [row["seconds"] for _, row in came]
+    check(all(abs(each - i * 0.2) < 0.1 for i, each in enumerate(seconds)), "counted from the beginning", seconds)
+    times = [datetime.fromisoformat(row["time"].replace("Z", "+00:00")) for _, row in came]
+    check(times == sorted(times) and len(set(times)) == len(times), "with the time of day", times)
+    check(all(row["RFR"] == 0.0 and row["ETA"] is not None for _, row in came), "and the values")
+    ended = tool.run("--csv", "-u", 7, "watch", "RFR", "--every", "100ms", "--for", "0.45s", port="sim:atv320:7")
+    check(ended.status == DONE and len(ended.rows()) == 5, "for a time", ended)
+
+
+def check_reader(tool, check):
+    process = tool.start("--csv", "-u", 7, "watch", "RFR", "--every", "20ms", port="sim:atv320:7")
+    process.stdout.readline()
+    process.stdout.close()
+    began = time.monotonic()
+    status = process.wait(timeout=10)
+    errors = process.stderr.read()
+    check(status == DONE and time.monotonic() - began < 1 and not errors, "ends without a word when its reader has gone",
+          (status, errors))
+
+
+def check_silence(tool, check):
+    """A unit that falls silent is a line with an error, and the watch goes on."""
+    with Units({7: {100: 5}}) as line:
+        process = tool.start("--port", line.name, "--no-listen", "--json", "-u", 7, "--timeout", 0.05, "--retries", 0, "watch", "100",
+                             "--every", "100ms", "--for", "1s")
+        rows = [json.loads(process.stdout.readline())]
+        line.units = {}
+        rows += [json.loads(process.stdout.readline()) for _ in range(3)]
+        line.units = {7: {100: 6}}
+        output, _ = process.communicate(timeout=5)
+        last = json.loads(output.splitlines()[-1])
+        check(rows[0]["100"] == 5 and rows[-1]["100"] is None and rows[-1]["error"], "its error is in the line", rows)
+        check(last["100"] == 6 and not last["error"] and process.returncode == DONE, "and it comes back", last)
+        line.units = {}
+        ended = tool.run("--port", line.name, "--no-listen", "-u", 7, "--timeout", 0.05, "watch", "100", "--every", "100ms", "--for", "0.3s")
+        check(ended.status == NO_ANSWER, "silent to the end: status 3", ended)
+
+
+def check_share(tool, check):
+    """A line with the times of 19 200 bits a second: a request, its response, and a silence before each."""
+    with Units({7: dict.fromkeys(range(100, 100 + COUNT), 1)}, RATE) as line:
+        ended = tool.run("--port", line.name, "--no-listen", "-b", RATE, "--csv", "-u", 7, "watch", f"100-{99 + COUNT}",
+                         "--every", "0s", "--for", "3s")
+        seconds = [float(row["seconds"]) for row in ended.rows()]
+    took = (seconds[-1] - seconds[4]) / (len(seconds) - 5)
+    exchange = (8 + 5 + 2 * COUNT + 7) * 11 / RATE
+    share = exchange / took
+    check(share >= LEAST, f"{share:.3f} of what the line allows: {1000 * took:.2f} ms a round for {1000 * exchange:.2f} ms")
+
+
+def main(check, program):
+    with Tool(program) as tool:
+        check_period(tool, check)
+        check_reader(tool, check)
+        check_silence(tool, check)
+        check_share(tool, check)
+
+
+runs(main)

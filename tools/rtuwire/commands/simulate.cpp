@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Simulated drives for a PLC, a SCADA system or a script of one's own, on a pseudo-terminal or a real port. Its output
+// may block, and its standard descriptors may be closed: the drives answer all the same.
+#include <chrono>
+#include <cstdio>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <rtuwire/frames.hpp>
+#include <rtuwire/port.hpp>
+
+#include "commands/commands.hpp"
+#include "line/open_line.hpp"
+#include "port_word.hpp"
+#include "process/line_reader.hpp"
+#include "process/say.hpp"
+#include "process/signals.hpp"
+#include "simulated_line.hpp"
+#include "simulated_words.hpp"
+
+namespace tool {
+
+namespace {
+
+using rtuwire::line_timing;
+
+constexpr std::size_t longest_vendor = 63;
+
+std::vector<simulated_drive_choice> drives_in(std::vector<std::string> const& words)
+{
+    std::string all;
+    for (std::string const& each : words) {
+        all += (all.empty() ? "" : ",") + each;
+    }
+    simulated_words const found = read_simulated_drives(all);
+    if (not found.why.empty()) {
+        refuse_word(found.why + (found.nearest.empty() ? "" : "; did you mean " + found.nearest + "?"));
+    }
+    return found.drives;
+}
+
+/// A device, to serve on; nothing else is one.
+std::string device_in(std::string const& word)
+{
+    port_choice const which = read_port_word(word);
+    if (which.refused) {
+        refuse_word(which.refused->sentence);
+    }
+    auto const* const device = std::get_if<serial_device>(&which.port);
+    if (device == nullptr) {
+        refuse_word("--port " + word + ": drives are simulated on a serial device, such as /dev/ttyUSB0, or on a " +
+                    "pseudo-terminal where no port is given");
+    }
+    return device->path;
+}
+
+/// "1 fault": what happens to unit 1. "1 show": what it does.
+template <typename Line> void apply(Line& line, std::string const& order)
+{
+    auto const space = order.find(' ');
+    auto const unit = number_in(order.substr(0, space));
+    auto* const drive = unit ? line.find(*unit) : nullptr;
+    std::string const what = space == std::string::npos ? "" : order.substr(space + 1);
+    if (drive != nullptr and what == "show") {
+        say("unit %u: %s\n", *unit, drive->shown().c_str());
+    } else if (drive == nullptr or not drive->suffer(what, line.now())) {
+        complain("simulate understands: UNIT show|%s\n", drive_events);
+    }
+}
+
+/// Nothing is heard before the line was silent once.
+template <typename Line> rtuwire::result<void> listen(Line& line, rtuwire::instant until, rtuwire::duration step)
+{
+    rtuwire::result<void> passed{};
+    while (passed and not reached(line.now(), until)) {
+        passed = line.pass(step);
+    }
+    return passed;
+}
+
+/// Until a signal ends it, or the port fails.
+template <typename Line> rtuwire::result<void> follow_orders(Line& line)
+{
+    line_reader input{STDIN_FILENO};
+    rtuwire::result<void> passed{};
+    while (passed and noted.end == 0) {
+        passed = line.pass(rtuwire::milliseconds(20));
+        while (auto const order = input.next()) {
+            apply(line, *order);
+        }
+        if (noted.suspend != 0) {
+            suspend(); // the drives fall silent, as without power
+        }
+    }
+    return passed;
+}
+
+template <typename Port>
+exit_status serve(Port& port, std::string const& path, line_timing const& timing,
+                  std::vector<simulated_drive_choice> const& drives, std::string const& vendor)
+{
+    simulated_line<Port> line{port, timing, vendor};
+    for (auto const& each : drives) {
+        line.add(each.drive, each.unit);
+    }
+    if (not listen(line, port.now() + timing.frame_end() + timing.frame_end(), timing.frame_end())) {
+        return exit_status::port;
+    }
+    complain("simulate: what answers here is simulated, whoever it says has made it\n");
+    for (auto const& each : drives) {
+        say("%s unit %u on %s\n", each.drive.c_str(), unsigned{each.unit}, path.c_str());
+    }
+    standard_output.finish(std::chrono::milliseconds{200});
+    if (standard_output.failure() != 0) {
+        return exit_status::port; // nobody knows where the drives are
+    }
+    return follow_orders(line) ? exit_status::done : exit_status::port;
+}
+
+exit_status serve_on_device(choices const& chosen, std::vector<simulated_drive_choice> const& drives)
+{
+    auto const set = setting_in(chosen.line);
+    std::string const device = device_in(chosen.line.port);
+    rtuwire::posix_serial port;
+    exit_status const status = port.open(device, {.bits_per_second = set.baud, .format = set.format})
+                                   ? serve(port, device, line_timing::host(set.baud, set.format), drives, chosen.vendor)
+                                   : exit_status::port;
+    if (not port.failure().empty()) {
+        complain("rtuwire: %s\n", port.failure().c_str());
+    }
+    return status;
+}
+
+exit_status serve_on_pseudo_terminal(choices const& chosen, std::vector<simulated_drive_choice> const& drives)
+{
+    auto const set = setting_in(chosen.line);
+    rtuwire::pseudo_terminal port;
+    if (not port.open()) {
+        throw ended{exit_status::port, "no pseudo-terminal to be had"};
+    }
+    // A pseudo-terminal is no wire: nothing delays its bytes inside a frame, and nothing has to be silent before a
+    // response.
+    auto const timing =
+        line_timing::host(set.baud, set.format, rtuwire::milliseconds(5)).with_silence(rtuwire::duration{});
+    return serve(port, port.path(), timing, drives, chosen.vendor);
+}
+
+} // namespace
+
+exit_status run_simulate(choices const& chosen)
+{
+    auto const drives = drives_in(chosen.words);
+    if (chosen.vendor.size() > longest_vendor) {
+        refuse_word("--vendor " + chosen.vendor + ": longer than " + std::to_string(longest_vendor) + " characters");
+    }
+    take_signals();
+    exit_status const status =
+        chosen.line.port.empty() ? serve_on_pseudo_terminal(chosen, drives) : serve_on_device(chosen, drives);
+    // 1: the drives ended well, but what they said was not taken.
+    int const said = end_of_output("rtuwire", static_cast<int>(status));
+    return status == exit_status::done and said != 0 ? exit_status::port : status;
+}
+
+} // namespace tool
+
+/// Whoever hears no more of the drives, or of the line, must know why.
+void rtuwire::on_missing_value(rtuwire::errc why) noexcept
+{
+    tool::complain("rtuwire: read a value that is not there (%s), a fault of this program; it ends here\n",
+                   std::string{name(why)}.c_str());
+    tool::error_output.finish(std::chrono::milliseconds{500});
+}

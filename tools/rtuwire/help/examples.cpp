@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "help/tool_texts.hpp"
+
+#include <string_view>
+#include <utility>
+
+namespace tool {
+
+namespace {
+
+constexpr std::pair<std::string_view, std::string_view> examples[] = {
+    {"scan", "rtuwire -p /dev/ttyUSB0 scan --units 1-31 --bauds 9600,19200 --resume cabinet.scan"},
+    {"identify", "rtuwire -p /dev/ttyUSB0 -u 7 identify"},
+    {"read", "rtuwire -p /dev/ttyUSB0 -u 7 read RFR 'DP*' @monitor 3202"},
+    {"watch", "rtuwire -p /dev/ttyUSB0 -u 7 --csv watch RFR LCR --every 200ms --for 8h > night.csv"},
+    {"monitor", "rtuwire -p /dev/ttyUSB0 --name fan=7 --name pump=3 monitor"},
+    {"list", "rtuwire list --drive atv320 --search ramp"},
+    {"write", "rtuwire -p /dev/ttyUSB0 -u 7 --write write ACC=1.3s"},
+    {"start", "rtuwire -p /dev/ttyUSB0 -u 7 --allow-run start --frequency 40Hz --for 10s"},
+    {"stop", "rtuwire -p /dev/ttyUSB0 -u 7 stop"},
+    {"reset", "rtuwire -p /dev/ttyUSB0 -u 7 --write reset"},
+    {"sniff", "rtuwire -p /dev/ttyUSB0 sniff --for 10s"},
+    {"capture", "rtuwire -p /dev/ttyUSB0 capture -o line.pcapng --for 5min"},
+    {"replay", "rtuwire replay line.pcapng"},
+    {"timing", "rtuwire timing line.pcapng"},
+    {"decode", "rtuwire decode 07 03 0C 82 00 01 27 0C"},
+    {"simulate", "rtuwire simulate atv320:7 atv12:3"},
+    {"completion", "rtuwire completion bash > ~/.local/share/bash-completion/completions/rtuwire"},
+    {"man", "rtuwire man > ~/.local/share/man/man1/rtuwire.1"},
+};
+
+} // namespace
+
+std::string example_of(std::string const& command)
+{
+    for (auto const& [name, example] : examples) {
+        if (name == command) {
+            return std::string{example};
+        }
+    }
+    return {};
+}
+
+} // namespace tool
