@@ -23,7 +23,7 @@ struct command {
 constexpr command commands[] = {
     {"scan", run_scan},     {"identify", run_identify}, {"read", run_read},         {"watch", run_watch},
     {"list", run_list},     {"write", run_write},       {"sniff", run_sniff},       {"capture", run_capture},
-    {"replay", run_replay}, {"timing", run_timing},     {"simulate", run_simulate},
+    {"replay", run_replay}, {"timing", run_timing},     {"simulate", run_simulate}, {"monitor", run_monitor},
 };
 
 exit_status run(choices const& chosen)

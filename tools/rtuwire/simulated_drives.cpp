@@ -9,32 +9,14 @@
 #include <thread>
 #include <utility>
 
-#include <signal.h>
-
 #include <rtuwire/port.hpp>
 
 #include "simulated_line.hpp"
+#include "without_signals.hpp"
 
 namespace tool {
 
 namespace {
-
-/// While it lives, this thread and those that it starts get no signals: they are for the threads that the program knows.
-class without_signals {
-public:
-    without_signals() noexcept
-    {
-        sigset_t all{};
-        ::sigfillset(&all);
-        ::pthread_sigmask(SIG_SETMASK, &all, &before_);
-    }
-    without_signals(without_signals const&) = delete;
-    without_signals& operator=(without_signals const&) = delete;
-    ~without_signals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-
-private:
-    sigset_t before_{};
-};
 
 /// Nothing delays the bytes of a pseudo-terminal inside a frame.
 rtuwire::line_timing timing() noexcept { return rtuwire::line_timing::without_wire(rtuwire::milliseconds(5)); }

@@ -1,0 +1,51 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""A line between a client and simulated drives, that keeps what the client sent."""
+import os
+import pty
+import select
+import threading
+import tty
+
+SIZES = {3: 8, 4: 8, 43: 7}  # bytes of requests that only read
+
+
+class LineBetween:
+    """with LineBetween(device) as line: ... line.name ... line.sent"""
+
+    def __init__(self, device):
+        self.client, self.end = pty.openpty()
+        tty.setraw(self.end)
+        self.name = os.ttyname(self.end)
+        self.drives = os.open(device, os.O_RDWR | os.O_NOCTTY)
+        tty.setraw(self.drives)
+        self.sent = b""
+        self.shall_end = False
+        self.thread = threading.Thread(target=self._run)
+
+    def __enter__(self):
+        self.thread.start()
+        return self
+
+    def __exit__(self, *_):
+        self.shall_end = True
+        self.thread.join()
+        for each in (self.client, self.end, self.drives):
+            os.close(each)
+
+    def _run(self):
+        other = {self.client: self.drives, self.drives: self.client}
+        while not self.shall_end:
+            for each in select.select(list(other), [], [], 0.05)[0]:
+                moved = os.read(each, 512)
+                if each == self.client:
+                    self.sent += moved
+                os.write(other[each], moved)
+
+    def functions(self):
+        """The function codes of all requests; raises KeyError at the first that does more than read."""
+        found, rest = [], self.sent
+        while len(rest) > 1:
+            found.append(rest[1])
+            rest = rest[SIZES[rest[1]]:]
+        return found

@@ -1,0 +1,197 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Runs `rtuwire monitor` on terminals of this test, against simulated drives.
+
+    python3 monitor.py TOOL SIMULATE screen|alarms|keys|reads|ways_out|refusals
+"""
+import os
+import pathlib
+import signal
+import statistics
+import subprocess
+import sys
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "interop"))
+
+from line_between import LineBetween  # noqa: E402
+from screen import Screen  # noqa: E402
+from simulator import Checks, Simulator  # noqa: E402
+
+KEYS = "q quit   up/down drive   p pause   +/- period   ? help"
+SIM = "sim:atv320:7,atv12:3,atv28:4"
+NAMES = ["--name", "fan=7:atv320", "--name", "pump=3", "--name", "mixer=4:atv28"]
+DOWN, UP = "\x1bOB", "\x1bOA"  # as TERM says
+
+
+def monitor(tool, port, *words):
+    return [tool, "--port", port, "--no-listen", *words]
+
+
+def check_whole(screen, check, width, height):
+    """What every page has; pyte would wrap a line that is too long onto the next, so that the last is not the keys."""
+    what = f"{width}x{height}"
+    check(screen.until(lambda: screen.lines[-1] == KEYS), f"{what}: the keys are the last line", screen.text)
+    check(len(screen.lines) == height and all(len(each) <= width for each in screen.lines), f"{what}: it fits")
+    curve = r" +▁" if width > 100 else r"$"
+    for name, start in (("fan", "7 +atv320"), ("pump", "3 +atv12"), ("mixer", "4 +atv28")):
+        is_there = screen.until_shown(rf"^ {name} +{start} +switch on disabled +0\.0 Hz{curve}")
+        check(is_there, f"{what}: the {name}", screen.text)
+    check("Its reads hold off the drives' own time-outs" in screen.text, f"{what}: what reads do", screen.text)
+
+
+def screen(tool, _, check):
+    with Screen(monitor(tool, SIM, *NAMES, "monitor", "--every", "100ms")) as page:
+        check_whole(page, check, 80, 24)
+        check(page.until_shown(r"^fan: unit 7, atv320, switch on disabled$"), "the first is chosen")
+        check(page.until_shown(r"^ RFR +Output frequency +0\.0 Hz +▁▁▁"), "a value and its curve", page.text)
+        check(page.until_shown(r"^ ULN +Mains voltage from the DC bus +400\.0 V +▁▁▁"), "another", page.text)
+        check(not page.until_shown("alarm", 0.2), "no alarm", page.text)
+        page.resize(120, 40)
+        check_whole(page, check, 120, 40)
+        check(page.until_shown(r"ULN +Mains voltage from the DC bus +400\.0 V +▁{10}"), "longer curves", page.text)
+        page.resize(60, 20)
+        check(page.until_shown(r"^This terminal has 60x20 characters; monitor needs 80x24"), "too small", page.text)
+        check("fan" not in page.text, "and nothing else", page.text)
+        page.resize(80, 24)
+        check_whole(page, check, 80, 24)
+        page.type("q")
+        check(page.end() == 0 and page.is_restored(), "q ends it, and the terminal is as it was", page.raw[-80:])
+    words = monitor(tool, SIM, "-u", "3,7-7", "-d", "atv320", "monitor", "RFR", "ETA.fault", "3204")
+    with Screen(words, LC_ALL="C") as page:
+        check(page.until_shown(r"^ +7 +atv320 +switch on disabled +0\.0 Hz +_"), "a list of units", page.text)
+        check(page.until_shown(r"^ ETA\.fault"), "registers that were asked for", page.text)
+        check(page.text.isascii() and "ULN" not in page.text, "and no others; ASCII is enough", page.text)
+
+
+def alarms(tool, check):
+    drives = Simulator(tool, "atv320:7", "atv12:3", "atv28:4")
+    with drives as device, Screen(monitor(tool, device, *NAMES, "monitor", "--every", "100ms")) as page:
+        check_whole(page, check, 80, 24)
+        drives.suffer("7 fault")
+        check(page.until_shown(r"fault, OCF"), "the fault in words", page.text)
+        check(page.until(lambda: page.is_red("fault, OCF")) and page.is_red(" fan "), "in red", page.text)
+        check(page.until_shown(r"^fault: OCF: .*current"), "and whole", page.text)
+        check(page.until_shown("1 alarm "), "is counted", page.lines[0])
+        drives.suffer("3 cut")
+        check(page.until_shown(r"^ pump +3 +atv12 +link lost, silent for \d+ s$"), "a unit is cut off", page.text)
+        check(page.is_red("link lost") and not page.is_red("mixer"), "that one only", page.text)
+        before = page.text
+        check(page.until_shown(r"silent for 2 s"), "it counts", before)
+        drives.suffer("4 local")
+        check(page.until_shown(r"^ mixer +4 +atv28 +.*, local"), "local control", page.text)
+        check(page.until(lambda: page.is_red(", local")) and page.until_shown("3 alarms"), "in red", page.text)
+        drives.suffer("3 join")
+        check(page.until_shown(r"^ pump +3 +atv12 +switch on disabled", 10), "it is back", page.text)
+        drives.suffer("4 remote")
+        check(page.until_shown("1 alarm "), "one alarm is left", page.text)
+
+
+def keys(tool, check):
+    drives = Simulator(tool, "atv320:7")
+    silent = ["--name", "ghost=9:atv12", "--name", "fan=7", "--name", "spirit=10:atv12"]
+    with drives as device, Screen(monitor(tool, device, *silent, "--timeout", "1", "monitor", "RFR")) as page:
+        check(page.until_shown(r"^ fan +7 +atv320 +switch on disabled"), "a silent unit delays no other for good")
+        check(page.until_shown(r"^ghost: unit 9"), "the first is chosen", page.text)
+        page.type(DOWN)
+        check(page.until_shown(r"^fan: unit 7"), "down", page.text)
+        page.type(UP + UP)
+        check(page.until_shown(r"^ghost: unit 9"), "up, and there it ends", page.text)
+        page.type("+")
+        check(page.until_shown("every 1 s"), "+", page.lines[0])
+        page.type("--")
+        check(page.until_shown(r"every 0\.2 s"), "-", page.lines[0])
+        times = []
+        for i in range(9):
+            began = time.monotonic()
+            page.type("?")
+            check(page.until(lambda: ("It writes nothing" in page.text) == (i % 2 == 0)), "the help comes and goes")
+            times.append(time.monotonic() - began)
+        check(statistics.median(times) < 0.2, "keys react within 0.2 s while units are silent", times)
+        page.type("?p")
+        check(page.until_shown("PAUSED"), "p", page.lines[0])
+        page.type("q")
+        check(page.end() == 0 and page.is_restored(), "q", page.raw[-80:])
+
+
+def reads(tool, check):
+    with Simulator(tool, "atv320:7", "atv12:3") as device, LineBetween(device) as line:
+        with Screen(monitor(tool, line.name, "-u", "3,7", "monitor", "--every", "100ms")) as page:
+            check(page.until_shown(r"^ +7 +atv320 +switch on disabled"), "they are recognised", page.text)
+            page.take(1.0)
+            page.type("p")
+            check(page.until_shown("PAUSED"), "it pauses", page.lines[0])
+            page.take(0.3)
+            before = len(line.sent)
+            page.take(0.5)
+            check(len(line.sent) == before, "and asks nothing then")
+            page.type("p")
+            check(page.until(lambda: len(line.sent) > before), "until it goes on")
+        try:
+            found = line.functions()
+            check(len(found) > 20 and set(found) <= {3, 43}, "nothing but reads was sent", set(found))
+        except KeyError as why:
+            check(False, "nothing but reads was sent", why)
+
+
+def ends_by(tool, device, check, what, end, status):
+    words = monitor(tool, device, "--name", "fan=7:atv320", "--name", "ghost=9:atv12", "monitor")
+    with Screen(words) as page:
+        page.until_shown(r"^ fan +7 +atv320 +switch on disabled")
+        end(page)
+        found = page.end()
+        check(found == status, f"{what}: the status", found)
+        check(page.is_restored(), f"{what}: the terminal is as it was", page.raw[-120:])
+        return page.raw.decode(errors="replace")
+
+
+def ways_out(tool, check):
+    drives = Simulator(tool, "atv320:7")
+    with drives as device:
+        ends_by(tool, device, check, "q", lambda page: page.type("q"), 0)
+        for each in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            ends_by(tool, device, check, each.name, lambda page: page.process.send_signal(each), 128 + each)
+        ends_by(tool, device, check, "Ctrl-C", lambda page: page.type("\x03"), 128 + signal.SIGINT)
+        ends_by(tool, device, check, "Ctrl-\\ does nothing, q ends", lambda page: page.type("\x1cq"), 0)
+        drawn = ends_by(tool, device, check, "the port vanishes", lambda page: drives.process.kill(), 4)
+        said = drawn.rpartition("\x1b[?1049l")[2]
+        check(f"rtuwire: {device}" in said, "it says which port", said)
+
+
+def refused(words, check, what, *sentences, **environment):
+    """Refused with a sentence; nothing is drawn."""
+    with Screen(words, **environment) as page:
+        status = page.end()
+        check(status == 2 and b"\x1b" not in page.raw, f"{what}: status 2, nothing is drawn", (status, page.raw))
+        said = " ".join(page.raw.decode().split())
+        check(all(each in said for each in sentences), f"{what}: a sentence", said)
+
+
+def refusals(tool, _, check):
+    piped = subprocess.run([tool, "monitor"], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+    check(piped.returncode == 2 and piped.stdout == "" and "watch" in piped.stderr, "no terminal", piped)
+    words = monitor(tool, "sim:atv320:7", "-u", "7", "monitor")
+    refused(words, check, "an unknown TERM", "TERM is 'no-such'", "watch", TERM="no-such")
+    refused(words, check, "an empty TERM", "TERM is ''", TERM="")
+    refused(words, check, "a TERM without a screen", "TERM is 'dumb'", TERM="dumb")
+    refused([*words, "RFX"], check, "a register of no drive", "RFX")
+    refused([*words, "--json"], check, "--json", "watch")
+    refused(monitor(tool, "sim:atv320:7", "-u", "7,fun", "--name", "fan=7", "monitor"), check, "no unit", "'fun'", "fan")
+    refused(monitor(tool, "sim:atv320:7", "-u", "7,300", "monitor"), check, "no address", "300")
+    refused(monitor(tool, "sim:atv320:7", "--name", "fan=7:atv321", "monitor"), check, "no drive", "atv321", "atv320")
+    refused([tool, "monitor"], check, "no port", "--port")
+    with Screen(monitor(tool, "/dev/no-such-port", "monitor")) as page:
+        check(page.end() == 4 and b"\x1b" not in page.raw, "no such port: status 4", page.raw)
+
+
+PARTS = {each.__name__: each for each in (screen, alarms, keys, reads, ways_out, refusals)}
+
+
+def main(tool, part):
+    check = Checks()
+    PARTS[part](os.path.abspath(tool), check)
+    return check.status()
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Several drives on a full screen. It only reads.
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands/commands.hpp"
+#include "line/end_wish.hpp"
+#include "line/time_text.hpp"
+#include "monitor/draw.hpp"
+#include "monitor/line_thread.hpp"
+#include "monitor/terminal.hpp"
+#include "monitor/watched_units.hpp"
+
+namespace tool {
+
+namespace {
+
+/// A silent unit holds up the others so long, and the end of the program.
+constexpr double usual_timeout = 0.3;
+constexpr double longest_timeout = 3.0;
+constexpr double usual_period = 0.5;
+
+void check(choices const& chosen)
+{
+    if (chosen.form != output_form::table) {
+        refuse_word("monitor draws a screen, no --json and no --csv; 'rtuwire watch' writes both");
+    }
+    check_terminal();
+    if (chosen.line.response_timeout.value_or(0) > longest_timeout) {
+        refuse_word("--timeout of more than 3 s: monitor would not end when q is pressed");
+    }
+}
+
+/// A request is not repeated at once: the next round does it.
+std::unique_ptr<open_line> open(line_choices line)
+{
+    line.retries = 0;
+    line.response_timeout = line.response_timeout.value_or(usual_timeout);
+    return std::make_unique<open_line>(line);
+}
+
+std::vector<unit_reader> readers(choices const& chosen)
+{
+    std::vector<named_unit> const units = units_watched(chosen.line);
+    check_register_words(chosen.words, units);
+    std::vector<unit_reader> all;
+    for (named_unit const& each : units) {
+        all.emplace_back(each, chosen.words, chosen.line.retries + 1);
+    }
+    return all;
+}
+
+class monitoring {
+public:
+    explicit monitoring(line_thread& line, double period) : line_{line}
+    {
+        shown_.port = line.device();
+        shown_.period = period;
+    }
+
+    /// Until somebody ends it; the terminal is restored when it returns, and when it throws.
+    exit_status run()
+    {
+        terminal screen;
+        shown_.has_blocks = screen.has_blocks();
+        for (key pressed = key::redraw; pressed != key::quit; pressed = screen.next_key(redraw_time)) {
+            if (noted_signal() != 0) {
+                return static_cast<exit_status>(128 + noted_signal());
+            }
+            if (pressed == key::gone) {
+                throw ended{exit_status::port, "the terminal is gone"};
+            }
+            apply(pressed, shown_);
+            line_.set_period(shown_.period);
+            line_.set_paused(shown_.is_paused);
+            refresh();
+            screen.show(draw(shown_, screen.width(), screen.height()));
+            if (not shown_.failure.empty()) {
+                throw ended{exit_status::port, shown_.failure};
+            }
+        }
+        return exit_status::done;
+    }
+
+private:
+    static constexpr std::chrono::milliseconds redraw_time{100};
+
+    void refresh()
+    {
+        shown_.units = line_.units();
+        shown_.failure = line_.failure();
+        shown_.time = time_text(unix_now()).substr(11, 8);
+    }
+
+    line_thread& line_;
+    shown_screen shown_{};
+};
+
+} // namespace
+
+exit_status run_monitor(choices const& chosen)
+{
+    check(chosen);
+    std::vector<unit_reader> units = readers(chosen);
+    note_signals();
+    double const period = chosen.every.value_or(usual_period);
+    line_thread line{open(chosen.line), std::move(units), period};
+    return monitoring{line, period}.run();
+}
+
+} // namespace tool

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What the screen of `monitor` shows, as plain data: neither a line nor a terminal.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <string>
+#include <vector>
+
+namespace tool {
+
+/// One value of a unit, and what it was before.
+struct shown_value {
+    std::string label{}; ///< "RFR"
+    std::string name{};  ///< "Output frequency"; empty where no table has it
+    std::string text{};  ///< "50.0 Hz", or why it could not be read
+    bool is_bad{false};  ///< it could not be read
+    /// The oldest first; not a number where it could not be read. Empty for what is no number.
+    std::deque<double> samples{};
+
+    static constexpr std::size_t most_samples = 400;
+
+    void add_sample(double sample)
+    {
+        samples.push_back(sample);
+        if (samples.size() > most_samples) {
+            samples.pop_front();
+        }
+    }
+};
+
+enum class link_state { waiting, linked, lost };
+
+/// A unit of the line.
+struct shown_unit {
+    unsigned address{0};
+    std::string name{};  ///< as the user calls it
+    std::string drive{}; ///< "atv320"; empty while it is not known
+    link_state link{link_state::waiting};
+    double silent_seconds{0}; ///< since its last response, where the link is lost
+    std::string state{};      ///< "operation enabled"; empty where it is no drive
+    std::string fault{};      ///< "SLF1: Modbus interrupted"; empty without a fault
+    bool is_local{false};     ///< its terminals or its keys command it
+    std::string note{};       ///< what is wrong with it, or with what was asked of it
+    std::vector<shown_value> values{};
+
+    bool has_alarm() const { return link == link_state::lost or is_local or not fault.empty() or not note.empty(); }
+};
+
+/// All that is on the screen.
+struct shown_screen {
+    std::string port{};
+    double period{0.5}; ///< seconds
+    std::string time{}; ///< of the day
+    std::vector<shown_unit> units{};
+    std::size_t selected{0};
+    bool is_paused{false};
+    bool has_help{false};
+    bool has_blocks{true}; ///< the terminal shows UTF-8
+    std::string failure{}; ///< why the program ends; empty while it does not
+};
+
+} // namespace tool

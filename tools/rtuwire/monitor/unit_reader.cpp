@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "monitor/unit_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <rtuwire/altivar/device/words.hpp>
+#include <rtuwire/cia402/state.hpp>
+
+#include "line/reading.hpp"
+#include "line/who_is_it.hpp"
+#include "value_text.hpp"
+
+namespace tool {
+
+using rtuwire::errc;
+
+namespace {
+
+bool is_silence(errc why) { return why != errc::none and not rtuwire::is_exception(why); }
+
+chosen_register register_at(drive_catalog const& drive, std::uint16_t address) { return {address, drive.at(address)}; }
+
+double sample_of(cell const& value)
+{
+    if (auto const* const amount = std::get_if<double>(&value)) {
+        return *amount;
+    }
+    auto const* const count = std::get_if<std::int64_t>(&value);
+    return count != nullptr ? static_cast<double>(*count) : NAN;
+}
+
+bool has_curve(chosen_register const& which)
+{
+    bool const is_number = which.entry == nullptr or which.entry->kind == register_kind::number or
+                           which.entry->kind == register_kind::signed_number;
+    return is_number and which.bit < 0;
+}
+
+} // namespace
+
+unit_reader::unit_reader(named_unit unit, std::vector<std::string> words, unsigned misses)
+    : unit_{std::move(unit)}, words_{std::move(words)}, misses_allowed_{misses}
+{
+    shown_.address = unit_.unit.byte();
+    shown_.name = unit_.name;
+    shown_.drive = unit_.drive;
+    if (not unit_.drive.empty()) {
+        begin(&catalog_chosen(unit_.drive));
+    }
+}
+
+void unit_reader::begin(drive_catalog const* drive)
+{
+    is_known_ = true;
+    drive_ = drive;
+    for (std::string const& word : words_) {
+        choose_registers(word);
+    }
+    if (words_.empty() and drive != nullptr) {
+        choose_registers("@monitor");
+        // What the lines above the values say already.
+        std::erase_if(registers_, [drive](chosen_register const& each) {
+            return each.address == drive->layout.eta or each.address == drive->layout.lft;
+        });
+    }
+    std::vector<chosen_register> all = registers_;
+    if (drive != nullptr) {
+        shown_.drive = std::string{drive->name};
+        state_reader_.emplace(std::vector{register_at(*drive, drive->layout.eta)}, drive);
+        all.push_back(register_at(*drive, drive->layout.lft));
+    }
+    reader_.emplace(all, drive);
+    for (chosen_register const& each : registers_) {
+        shown_.values.push_back(
+            {label_of(each), each.entry == nullptr ? std::string{} : std::string{each.entry->name}});
+    }
+}
+
+void unit_reader::choose_registers(std::string const& word)
+{
+    std::string_view const one[]{word};
+    register_selection found = select_registers(one, drive_);
+    if (found.refused) {
+        shown_.note += (shown_.note.empty() ? "has no " : ", ") + word;
+        return;
+    }
+    for (chosen_register const& each : found.registers) {
+        if (std::find(registers_.begin(), registers_.end(), each) == registers_.end()) {
+            registers_.push_back(each);
+        }
+    }
+}
+
+bool unit_reader::recognise(open_line& line)
+{
+    identity_words const who = who_is_it(line, unit_.unit);
+    if (who.drive.empty() and who.outcome == exit_status::port) {
+        throw ended{exit_status::port, line.port().failure()};
+    }
+    if (who.drive.empty() and who.outcome == exit_status::no_answer) {
+        return false;
+    }
+    begin(who.drive.empty() ? nullptr : catalog_named(who.drive));
+    if (drive_ == nullptr and registers_.empty()) {
+        shown_.note = "no drive of this program; say --name NAME=" + std::to_string(shown_.address) + ":DRIVE";
+    }
+    return true;
+}
+
+void unit_reader::round(open_line& line, clock::time_point now)
+{
+    if (now >= next_) {
+        bool const has_responded = (is_known_ or recognise(line)) and read_state(line);
+        if (has_responded) {
+            read_values(line);
+        }
+        note_response(has_responded, clock::now());
+    }
+    shown_.silent_seconds = std::chrono::duration<double>(clock::now() - last_response_).count();
+}
+
+bool unit_reader::read_state(open_line& line)
+{
+    if (not state_reader_) {
+        return true; // not a drive: its registers tell whether it responds
+    }
+    state_reader_->read(line, unit_.unit);
+    auto const word = state_reader_->at(drive_->layout.eta);
+    if (word) {
+        auto const state = rtuwire::cia402::decode(*word);
+        shown_.state = std::string{std::string_view{rtuwire::cia402::name_of(state)}};
+        shown_.is_local = not rtuwire::altivar::status_word{*word}.has(rtuwire::altivar::status_bit::remote);
+        shown_.fault = rtuwire::cia402::is_in_fault(state) ? "its number is not read yet" : "";
+    }
+    return not is_silence(state_reader_->first_error());
+}
+
+void unit_reader::read_values(open_line& line)
+{
+    reader_->read(line, unit_.unit);
+    if (drive_ != nullptr and not shown_.fault.empty()) {
+        auto const word = reader_->at(drive_->layout.lft);
+        register_entry const* const entry = drive_->at(drive_->layout.lft);
+        shown_.fault = word and entry != nullptr ? text_of(*entry, *word) : "its number could not be read";
+    }
+    for (std::size_t i = 0; i < registers_.size(); ++i) {
+        tool::reading const it = reading_of(registers_[i], *reader_, drive_);
+        shown_value& value = shown_.values[i];
+        value.text = it.text;
+        value.is_bad = not it.word;
+        if (has_curve(registers_[i])) {
+            value.add_sample(it.word ? sample_of(it.value) : NAN);
+        }
+    }
+}
+
+void unit_reader::note_response(bool has_responded, clock::time_point now)
+{
+    if (has_responded and not state_reader_) {
+        has_responded = not is_silence(reader_->first_error());
+    }
+    if (has_responded) {
+        shown_.link = link_state::linked;
+        last_response_ = now;
+        misses_ = 0;
+        return;
+    }
+    ++misses_;
+    if (misses_ >= misses_allowed_) {
+        shown_.link = link_state::lost;
+        auto const wait = std::chrono::milliseconds{250} * (1 << std::min(misses_ - misses_allowed_, 5U));
+        next_ = now + std::min<clock::duration>(wait, longest_wait);
+    }
+    for (shown_value& each : shown_.values) {
+        if (not each.samples.empty()) {
+            each.add_sample(NAN);
+        }
+    }
+}
+
+} // namespace tool

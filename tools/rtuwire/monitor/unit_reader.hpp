@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Asks one unit what `monitor` shows of it. It only reads; a silent unit costs one request's time, and that less and
+// less often.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "line/line_words.hpp"
+#include "line/register_reader.hpp"
+#include "monitor/model.hpp"
+
+namespace tool {
+
+class unit_reader {
+public:
+    using clock = std::chrono::steady_clock;
+
+    /// `misses`: so many rounds without a response in a row are a lost link.
+    unit_reader(named_unit unit, std::vector<std::string> words, unsigned misses);
+
+    /// One round, if it is due: a silent unit waits twice as long each time, up to `longest_wait`. Throws `ended` where
+    /// the port fails.
+    void round(open_line& line, clock::time_point now);
+
+    /// What there is to show.
+    shown_unit const& shown() const { return shown_; }
+
+    static constexpr std::chrono::seconds longest_wait{8};
+
+private:
+    void begin(drive_catalog const* drive);
+    /// False where it is silent.
+    bool recognise(open_line& line);
+    bool read_state(open_line& line);
+    void read_values(open_line& line);
+    void choose_registers(std::string const& word);
+    void note_response(bool has_responded, clock::time_point now);
+
+    named_unit unit_;
+    std::vector<std::string> words_;
+    unsigned misses_allowed_;
+    bool is_known_{false};
+    drive_catalog const* drive_{nullptr};
+    std::vector<chosen_register> registers_{};
+    std::optional<register_reader> state_reader_{};
+    std::optional<register_reader> reader_{};
+    unsigned misses_{0};
+    clock::time_point last_response_{clock::now()};
+    clock::time_point next_{};
+    shown_unit shown_{};
+};
+
+} // namespace tool
