@@ -7,4 +7,5 @@
 #include <rtuwire/trace/capture/capture_reader.hpp>
 #include <rtuwire/trace/capture/pcapng_writer.hpp>
 #include <rtuwire/trace/line_listener.hpp>
+#include <rtuwire/trace/trace_ring.hpp>
 #include <rtuwire/trace/traced_frame.hpp>

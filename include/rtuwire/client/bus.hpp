@@ -15,6 +15,7 @@
 #include <rtuwire/client/slot/bus_passes.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/trace/tracing.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
@@ -35,6 +36,9 @@ template <std::size_t Slots, typename Statistics = no_statistics> class bus : bu
     using typename places::slot;
 
 public:
+    /// The same, of which a sink takes the frames as they pass, from `trace_to(sink)` on.
+    template <frame_sink Sink> using traced_by = bus<Slots, tracing<Sink, Statistics>>;
+
     explicit constexpr bus(line_timing const& its_line, client_options const& its_options = {},
                            bus_options const& share = {}) noexcept
         : places{its_line, its_options, share}
@@ -51,6 +55,9 @@ public:
     /// As for a client.
     using places::cancel, places::hold, places::is_held, places::line, places::poll_transmit, places::receive,
         places::receive_error, places::sent;
+    template <typename Sink>
+        requires is_traced_by<Statistics, Sink>
+    constexpr void trace_to(Sink& frames) noexcept { client_.trace_to(frames); }
 
     /// Lets time pass.
     constexpr void advance(instant now) noexcept
@@ -121,7 +128,7 @@ public:
     }
 
     /// What was counted, where counting was asked for.
-    [[nodiscard]] constexpr Statistics const& statistics() const noexcept { return client_.statistics(); }
+    [[nodiscard]] constexpr counted_by<Statistics> const& statistics() const noexcept { return client_.statistics(); }
 
     /// Whether a slot's unit counts as silent: see `bus_options`.
     [[nodiscard]] constexpr bool is_silent(std::size_t index) const noexcept

@@ -16,6 +16,7 @@
 #include <rtuwire/client/line/transaction.hpp>
 #include <rtuwire/client/order/orders.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/trace/tracing.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
@@ -41,6 +42,11 @@ class basic_client : public conversation_desk<transaction<Statistics, Line, Opti
     using desk::turns_;
 
 public:
+    /// The same, of which a sink takes the frames as they pass, from `trace_to(sink)` on:
+    /// `client::traced_by<trace_ring<4096>>`.
+    template <frame_sink Sink>
+    using traced_by = basic_client<tracing<Sink, Statistics>, Line, Options, Debts, Front, Orders>;
+
     using desk::cancel;
     using desk::desk;
 

@@ -4,10 +4,7 @@
 // Passes what the interrupts of a UART report to the loop: bytes, receive errors and "sent", each with its
 // time, in the order in which they happened. One side writes, the other reads; there are no locks and no
 // interrupt is masked. Knows no frame, no clock and no UART.
-//
-// Uses atomic loads and stores only: a Cortex-M0+ has no other atomic instruction. They are the compiler's
-// built-in functions, because <atomic> takes longer to compile than all else this header needs and its
-// objects cannot be used in a constant expression.
+// Uses the atomic loads and stores of rtu/published.hpp only.
 #pragma once
 
 #include <array>
@@ -19,24 +16,11 @@
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/rtu/published.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 namespace detail {
-
-/// Loads what the other side stores: an acquiring load sees all that was written before the releasing store it reads.
-template <typename T> [[nodiscard]] constexpr T load(T const& from) noexcept
-{
-    return std::is_constant_evaluated() ? from : __atomic_load_n(&from, __ATOMIC_ACQUIRE);
-}
-template <typename T> constexpr void store(T& to, T value) noexcept
-{
-    if (std::is_constant_evaluated()) {
-        to = value;
-    } else {
-        __atomic_store_n(&to, value, __ATOMIC_RELEASE);
-    }
-}
 
 /// Reports an overrun. A server that counts overruns has a separate function for it.
 template <typename Engine> constexpr void report_overrun(Engine& engine, instant at) noexcept

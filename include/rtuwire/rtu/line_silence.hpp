@@ -107,6 +107,9 @@ public:
     /// Whether the next byte would be the first of a frame.
     [[nodiscard]] constexpr bool is_at_start() const noexcept { return not waits_for_silence(); }
 
+    /// Whether bytes are ignored until the line has been silent.
+    [[nodiscard]] constexpr bool ignores_bytes() const noexcept { return state_ == state::synchronising; }
+
     [[nodiscard]] constexpr line_timing const& line() const noexcept
     {
         return static_cast<Holder const&>(*this).line_.get();

@@ -13,6 +13,7 @@
 #include <rtuwire/server/respond.hpp>
 #include <rtuwire/server/server_engine.hpp>
 #include <rtuwire/server/units/bank_at.hpp>
+#include <rtuwire/trace/tracing.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -77,6 +78,10 @@ class basic_server : public server_engine<Diagnostics, one_unit> {
 public:
     /// The same with other functions: `server::with<function_list<read_coils>>`; `public_functions` are all.
     template <typename Others> using with = basic_server<Diagnostics, Others>;
+
+    /// The same, of which a sink takes the frames as they pass, from `trace_to(sink)` on:
+    /// `server::traced_by<trace_ring<4096>>`. One of several units is `server::traced_by<Sink>::for_units(...)`.
+    template <frame_sink Sink> using traced_by = basic_server<tracing<Sink, Diagnostics>, Functions>;
 
     /// A server of several unit addresses, each with a bank of its own, that have one line and one frame's memory in
     /// common: `auto node = server::for_units(timing, bank_at{unit_id{3}, io}, bank_at{unit_id{4}, meter})`. It is

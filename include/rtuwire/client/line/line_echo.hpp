@@ -28,6 +28,9 @@ public:
     /// Whether half of `size` bytes have come, and more are to come.
     [[nodiscard]] constexpr bool is_half(std::size_t size) const noexcept { return next_ > size / 2; }
 
+    /// How many bytes have come, while more are to come.
+    [[nodiscard]] constexpr std::size_t taken() const noexcept { return is_open() ? next_ - 1U : 0U; }
+
     /// Takes a byte while the echo is open. Returns whether it equals the byte that was sent; after one that differs,
     /// and after the last one, the echo is over.
     constexpr bool take(std::byte byte, byte_view sent) noexcept

@@ -22,6 +22,7 @@
 #include <rtuwire/rtu/frame_cutter.hpp>
 #include <rtuwire/rtu/frame_place.hpp>
 #include <rtuwire/rtu/line.hpp>
+#include <rtuwire/trace/tracing.hpp>
 #include <rtuwire/wire/response.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -65,8 +66,13 @@ public:
     constexpr line_end() noexcept requires is_constant<Line> : bytes_{} {}
 
     /// What was counted.
-    [[nodiscard]] constexpr Statistics& statistics() noexcept { return statistics_; }
-    [[nodiscard]] constexpr Statistics const& statistics() const noexcept { return statistics_; }
+    [[nodiscard]] constexpr counted_by<Statistics>& statistics() noexcept { return statistics_; }
+    [[nodiscard]] constexpr counted_by<Statistics> const& statistics() const noexcept { return statistics_; }
+
+    /// Hands the frames that pass from here on to a sink, which must outlive the client. For a client `traced_by` it.
+    template <typename Sink>
+        requires is_traced_by<Statistics, Sink>
+    constexpr void trace_to(Sink& frames) noexcept { statistics_.trace_to(frames); }
 
     /// Whether the line has fallen silent since the last byte.
     [[nodiscard]] constexpr bool is_quiet() const noexcept { return framer().is_quiet(); }
@@ -146,6 +152,9 @@ protected:
         std::uint8_t const first = to_u8(bytes[0]);
         bool const is_late = is_start and first <= highest_unit and quarantine_.covers(first);
         statistics_.note_stray(bytes.size(), is_start, is_late ? first : std::uint8_t{0});
+        if constexpr (is_traced<Statistics>) {
+            statistics_.pass_stray(bytes, is_start, is_late);
+        }
     }
 
     [[no_unique_address]] Debts quarantine_{};

@@ -16,6 +16,7 @@
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/trace/tracing.hpp>
 #include <rtuwire/wire/response.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -95,7 +96,11 @@ protected:
     /// Takes a response that has ended, by its length or by silence, and judges it.
     constexpr void take_frame(instant now) noexcept
     {
-        if (not framer().poll_end() or error_ == errc::collision) {
+        bool const is_end = framer().poll_end();
+        if (not is_end or error_ == errc::collision) {
+            if constexpr (is_traced<Statistics>) {
+                pass_frame(is_end ? framer().bytes() : byte_view{}, errc::collision);
+            }
             return;
         }
         errc wrong = framer().verdict();
@@ -107,6 +112,9 @@ protected:
         }
         line_event const event = event_of(wrong);
         note_frame(statistics_, event, wrong, unit(), now);
+        if constexpr (is_traced<Statistics>) {
+            pass_frame(framer().bytes(), wrong);
+        }
         bool const is_response = event == line_event::reply or event == line_event::exception;
         bool const is_damaged =
             event == line_event::crc and framer().looks_addressed_to(request()) and framer().matches_size_hint();
@@ -137,6 +145,32 @@ private:
         if (framer().begin_chunk(bytes, now) and phase_ == phase::awaiting) {
             take_frame(now);
         }
+        if constexpr (is_traced<Statistics>) {
+            statistics_.note_heard(now);
+        }
+    }
+
+    /// Traces a frame that arrived while a response was awaited, by the error that was found in it.
+    constexpr void pass_frame(byte_view bytes, errc wrong) noexcept requires is_traced<Statistics>
+    {
+        if (not bytes.empty()) {
+            bool const has_end = framer().verdict() == errc::none and framer().matches_size_hint();
+            statistics_.pass(bytes, has_end ? frame_role::response : frame_role::unknown, verdict_of(bytes, wrong));
+        }
+    }
+
+    constexpr frame_verdict verdict_of(byte_view bytes, errc wrong) const noexcept
+    {
+        if (framer().verdict() != errc::none or wrong == errc::wrong_length) {
+            return frame_verdict::damaged;
+        }
+        if (wrong == errc::none or is_exception(wrong)) {
+            return frame_verdict::good;
+        }
+        if (wrong == errc::wrong_unit) {
+            return quarantine_.covers(to_u8(bytes[0])) ? frame_verdict::late : frame_verdict::foreign;
+        }
+        return wrong == errc::line_echo ? frame_verdict::echo : frame_verdict::stray;
     }
 
     /// Takes a byte of an echo, of a response or before it; returns false where none is expected. Inlined, it would save
@@ -152,6 +186,9 @@ private:
         // Bytes before the unit's address are skipped, as far as `max_leading_noise` allows.
         if (this->may_skip() and to_u8(byte) != unit()) {
             this->drop_leading_noise();
+            if constexpr (is_traced<Statistics>) {
+                statistics_.pass({&byte, 1}, frame_role::unknown, frame_verdict::stray);
+            }
         } else if (framer().push(byte)) {
             take_frame(now);
         }
@@ -181,7 +218,11 @@ private:
     /// always is, elsewhere where it is the same.
     [[gnu::always_inline]] constexpr bool take_echo(std::byte byte, instant now) noexcept
     {
+        [[maybe_unused]] std::size_t const before = echo_.taken();
         bool const is_same = echo_.take(byte, request());
+        if constexpr (is_traced<Statistics>) {
+            pass_echoed(byte, before, is_same);
+        }
         if (options().has_line_echo) {
             if (not is_same) {
                 statistics_.note(line_event::collision, unit());
@@ -197,6 +238,17 @@ private:
             }
         }
         return is_same;
+    }
+
+    /// Traces an echo that has come back whole, or up to a byte that differs.
+    constexpr void pass_echoed(std::byte byte, std::size_t before, bool is_same) noexcept requires is_traced<Statistics>
+    {
+        if (not echo_.is_open()) {
+            this->pass_echo(before + (is_same ? 1U : 0U));
+        }
+        if (not is_same and options().has_line_echo) {
+            statistics_.pass({&byte, 1}, frame_role::unknown, frame_verdict::damaged);
+        }
     }
 
     /// The line was not silent when a request was to leave.

@@ -14,6 +14,7 @@
 #include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/trace/tracing.hpp>
 #include <rtuwire/wire/errc.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -43,6 +44,7 @@ protected:
     /// The request waits for the line. Not inlined: it is called in several places.
     [[gnu::noinline]] constexpr void wait_for_silence(instant now) noexcept
     {
+        pass_begun();
         phase_ = phase::waiting;
         error_ = errc::none;
         echo_.end();
@@ -85,6 +87,7 @@ protected:
     /// be: client/line/quarantine.hpp gives the rule and its reasons.
     constexpr void settle(errc error, instant now) noexcept
     {
+        pass_begun();
         error_ = error;
         if (retries_.unanswered() != 0) {
             bool const has_response = error_ == errc::none or is_exception(error_);
@@ -119,6 +122,41 @@ protected:
                 static_cast<void>(note_sent(now));
             }
             settle(error_, now);
+        }
+    }
+
+    /// Traces what has come of an echo and of a response, neither of which is awaited any longer.
+    constexpr void pass_begun() noexcept
+    {
+        if constexpr (is_traced<Statistics>) {
+            pass_begun_echo();
+            byte_view const begun = phase_ == phase::awaiting ? framer().begun() : byte_view{};
+            if (not begun.empty()) {
+                statistics_.pass_stray(begun, true, to_u8(begun[0]) == unit());
+            }
+        }
+    }
+
+    /// Traces bytes that were taken for the beginning of an echo: on another line than one that echoes, they are none.
+    constexpr void pass_begun_echo() noexcept requires is_traced<Statistics> { pass_echo(echo_.taken()); }
+
+    /// Traces the request that has left. Less than half an echo will not be taken for one from here on.
+    constexpr void pass_request(instant at) noexcept requires is_traced<Statistics>
+    {
+        if (not options().has_line_echo and not echo_.is_half(this->size_)) {
+            pass_begun_echo();
+            echo_.end();
+        }
+        statistics_.pass_own(this->request(), frame_role::request, at);
+    }
+
+    constexpr void pass_echo(std::size_t taken) noexcept requires is_traced<Statistics>
+    {
+        byte_view const bytes = this->request().first(taken);
+        if (options().has_line_echo or taken == this->size_) {
+            statistics_.pass_echo(bytes, frame_role::request);
+        } else {
+            statistics_.pass(bytes, frame_role::unknown, frame_verdict::stray);
         }
     }
 

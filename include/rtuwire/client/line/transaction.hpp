@@ -19,6 +19,7 @@
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/trace/tracing.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
@@ -58,6 +59,9 @@ public:
         }
         framer().restart(at);
         statistics_.note_asked(at);
+        if constexpr (is_traced<Statistics>) {
+            this->pass_request(at);
+        }
         this->noise_.begin(options().max_leading_noise);
         if (unit() == 0) {
             return turn_around(at);
