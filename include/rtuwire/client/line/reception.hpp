@@ -161,7 +161,7 @@ private:
 
     constexpr frame_verdict verdict_of(byte_view bytes, errc wrong) const noexcept
     {
-        if (framer().verdict() != errc::none or wrong == errc::wrong_length) {
+        if (framer().verdict() != errc::none or not framer().matches_size_hint()) {
             return frame_verdict::damaged;
         }
         if (wrong == errc::none or is_exception(wrong)) {
