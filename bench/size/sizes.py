@@ -34,7 +34,7 @@ CPUS = ("cortex-m0plus", "cortex-m3")
 RISCV = "rv32imc"
 RISCV_GCC = "riscv64-unknown-elf-g++"
 NAMES = ("server_frames", "server", "server_all", "client_frames", "client_encoding", "client",
-         "client_counting", "client_counting_fixed", "typed_read",
+         "client_counting", "client_counting_fixed", "client_traced", "typed_read",
          "monitor", "two_conversations", "bus", "text",
          "crc_bitwise", "crc_nibble_table", "crc_byte_table", "crc_byte_algebra")
 # What this library wants to need at most: flash on a Cortex-M0+, RAM of an engine with its frame.

@@ -268,6 +268,7 @@ using rtuwire::time_span;
 using rtuwire::to_hex;
 using rtuwire::together;
 using rtuwire::torque;
+using rtuwire::trace_ring;
 using rtuwire::traced_frame;
 using rtuwire::truncated_to;
 using rtuwire::unit_id;
