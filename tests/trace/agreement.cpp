@@ -22,12 +22,12 @@ using namespace rtuwire;
 
 namespace {
 
-using octets = std::vector<std::byte>;
+using byte_list = std::vector<std::byte>;
 
 constexpr line_timing timing{19'200, character_format::even_8_1};
 
 struct record {
-    octets bytes;
+    byte_list bytes;
     frame_verdict verdict;
     bool is_own;
 };
@@ -37,7 +37,7 @@ class record_list {
 public:
     void take(traced_frame const& frame) noexcept
     {
-        all.push_back({octets(frame.bytes.begin(), frame.bytes.end()), frame.verdict, frame.is_own});
+        all.push_back({byte_list(frame.bytes.begin(), frame.bytes.end()), frame.verdict, frame.is_own});
         goes_back = goes_back or (all.size() > 1 and not reached(frame.at, last_));
         last_ = frame.at;
     }
@@ -53,7 +53,7 @@ private:
     instant last_{0};
 };
 
-bool has_right_crc(octets const& frame)
+bool has_right_crc(byte_list const& frame)
 {
     unsigned crc = 0xFFFF;
     for (std::byte const each : frame) {
@@ -68,7 +68,7 @@ bool has_right_crc(octets const& frame)
 /// Listens.
 class tap {
 public:
-    explicit tap(std::vector<octets>& bursts, std::vector<bool>& whole) : bursts_{&bursts}, whole_{&whole} {}
+    explicit tap(std::vector<byte_list>& bursts, std::vector<bool>& whole) : bursts_{&bursts}, whole_{&whole} {}
 
     void receive(byte_view bytes, instant now) noexcept
     {
@@ -99,7 +99,7 @@ private:
         last_ = now;
     }
 
-    std::vector<octets>* bursts_;
+    std::vector<byte_list>* bursts_;
     std::vector<bool>* whole_;
     instant last_{0};
 };
@@ -168,14 +168,14 @@ private:
     void keep(byte_view bytes) { frame_.assign(bytes.begin(), bytes.end()); }
 
     test::random random_;
-    octets frame_;
+    byte_list frame_;
 };
 
 /// Looks for a frame in a trace from `from` on: as one record, or as the pieces of one that nobody waited for.
-bool find(std::vector<record> const& trace, octets const& frame, std::size_t& from)
+bool find(std::vector<record> const& trace, byte_list const& frame, std::size_t& from)
 {
     for (std::size_t start = from; start < trace.size(); ++start) {
-        octets all;
+        byte_list all;
         for (std::size_t end = start; end < trace.size() and all.size() < frame.size(); ++end) {
             record const& each = trace[end];
             bool const is_piece = each.verdict == frame_verdict::late or each.verdict == frame_verdict::stray;
@@ -204,7 +204,7 @@ void check_run(std::uint32_t seed, sim::line_faults const& faults, totals& sum)
     CAPTURE(seed);
     record_list at_client;
     record_list at_server;
-    std::vector<octets> bursts;
+    std::vector<byte_list> bursts;
     std::vector<bool> whole;
     client_options const options{
         .response_timeout = milliseconds(30), .late_response = milliseconds(100), .retries = 1};
@@ -214,8 +214,8 @@ void check_run(std::uint32_t seed, sim::line_faults const& faults, totals& sum)
     sim::basic_bench<traced_client, sim::line, slow_unit, tap> bench{timing, wire, traced_client{timing, options},
                                                                      slow_unit{at_server, seed}, tap{bursts, whole}};
     bench.link().trace_to(at_client);
-    asks_anything questions{seed};
-    bench.run_for(milliseconds(20'000), questions);
+    asks_anything asking{seed};
+    bench.run_for(milliseconds(20'000), asking);
 
     CHECK_FALSE(at_client.goes_back);
     CHECK_FALSE(at_server.goes_back);
@@ -231,8 +231,8 @@ void check_run(std::uint32_t seed, sim::line_faults const& faults, totals& sum)
         REQUIRE(find(at_server.all, bursts[i], server_from));
     }
     for (record_list const* trace : {&at_client, &at_server}) {
-        octets line;
-        for (octets const& each : bursts) {
+        byte_list line;
+        for (byte_list const& each : bursts) {
             line.insert(line.end(), each.begin(), each.end());
         }
         auto place = line.begin();
