@@ -54,10 +54,7 @@ public:
 
     /// As for a client.
     using places::cancel, places::hold, places::is_held, places::line, places::poll_transmit, places::receive,
-        places::receive_error, places::sent;
-    template <typename Sink>
-        requires is_traced_by<Statistics, Sink>
-    constexpr void trace_to(Sink& frames) noexcept { client_.trace_to(frames); }
+        places::receive_error, places::sent, places::trace_to;
 
     /// Lets time pass.
     constexpr void advance(instant now) noexcept

@@ -46,6 +46,26 @@ public:
         return size() >= min_adu_size and start[0] == request[0] and (start[1] & std::byte{0x7F}) == request[1];
     }
 
+    /// The bytes of the last frame, or of the one being received.
+    [[nodiscard]] constexpr byte_view bytes() const noexcept { return {storage().data() + place_.begin(), size()}; }
+
+    /// What has been received of a frame that has not ended.
+    [[nodiscard]] constexpr byte_view begun() const noexcept
+    {
+        return this->state_ == line_silence<Holder, Way>::state::receiving ? bytes() : byte_view{};
+    }
+
+    /// Whether the next byte may turn out to belong to the frame before it.
+    [[nodiscard]] constexpr bool has_open_end() const noexcept { return this->is_open_end(); }
+
+    /// Keeps the byte 00 that was taken behind an open end, where there is room.
+    constexpr void keep_zero() noexcept
+    {
+        if (end_ < place_.memory) {
+            storage()[end_++] = std::byte{0};
+        }
+    }
+
 protected:
     /// A frame begins: its first two bytes tell more.
     constexpr void begin_bytes() noexcept
@@ -68,7 +88,6 @@ protected:
     }
 
     constexpr std::size_t size() const noexcept { return std::size_t{end_} - place_.begin(); }
-    constexpr byte_view bytes() const noexcept { return {storage().data() + place_.begin(), size()}; }
 
     std::uint16_t end_{0};     ///< behind the last byte
     std::uint16_t rule_at_{0}; ///< where the length rule is due; no byte's position, 0, where it has nothing to say

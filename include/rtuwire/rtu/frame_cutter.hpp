@@ -40,7 +40,6 @@ class frame_cutter : public frame_bytes<Holder, Way, Front> {
 
 public:
     using store::begin_chunk;
-    using store::bytes;
     using store::storage;
 
     constexpr frame_cutter() noexcept = default;
@@ -149,23 +148,6 @@ public:
 
     /// The last frame, where the verdict is none.
     [[nodiscard]] constexpr adu frame() const noexcept { return adu{this->bytes()}; }
-
-    /// What has been received of a frame that has not ended.
-    [[nodiscard]] constexpr byte_view begun() const noexcept
-    {
-        return state_ == state::receiving ? this->bytes() : byte_view{};
-    }
-
-    /// Whether the next byte may turn out to belong to the frame before it.
-    [[nodiscard]] constexpr bool has_open_end() const noexcept { return is_open_end(); }
-
-    /// Keeps the byte 00 that was taken behind an open end, where there is room.
-    constexpr void keep_zero() noexcept
-    {
-        if (end_ < place_.memory) {
-            storage()[end_++] = std::byte{0};
-        }
-    }
 
     /// Records a request to another unit: the response of this unit and function may follow. Frames with
     /// these first two bytes (the function with or without 80) then end at the size by the request's rule or

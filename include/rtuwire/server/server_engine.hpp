@@ -29,14 +29,17 @@
 #include <rtuwire/rtu/frame_cutter.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/server/respond.hpp>
-#include <rtuwire/trace/tracing.hpp>
+#include <rtuwire/server/server_trace.hpp>
 #include <rtuwire/wire/limits.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// A server without its functions and banks; what its calls do stands at `basic_server`. `Units` knows by
 /// `contains(unit)` which unit addresses are its own.
-template <typename Diagnostics, typename Units> class server_engine {
+template <typename Diagnostics, typename Units>
+class server_engine : public server_trace<server_engine<Diagnostics, Units>, Diagnostics> {
+    friend server_trace<server_engine, Diagnostics>;
+
 public:
     /// Receives bytes that had arrived by `now`, in chunks of any size. Drops a request that waits for `serve`, or
     /// its response, and decodes the next frame. While a response is sent, bytes are ignored; they only keep the line
@@ -44,16 +47,14 @@ public:
     constexpr void receive(byte_view bytes, instant now) noexcept
     {
         if (phase_ == phase::transmitting and not bytes.empty()) {
-            pass_while_leaving(bytes, now);
+            this->pass_while_leaving(bytes, now);
             return receive_error(now);
         }
         while (not bytes.empty()) {
             drop_request();
             [[maybe_unused]] bool const was_open = framer_.has_open_end();
             std::size_t const taken = framer_.receive(bytes, now);
-            if constexpr (is_traced<Diagnostics>) {
-                note_taken(bytes.first(taken), was_open, now);
-            }
+            this->pass_taken(bytes.first(taken), was_open, now);
             bytes = bytes.subspan(taken);
             take_frame();
         }
@@ -64,16 +65,14 @@ public:
     constexpr void receive(std::same_as<std::byte> auto byte, instant now) noexcept
     {
         if (phase_ == phase::transmitting) {
-            pass_while_leaving({&byte, 1}, now);
+            this->pass_while_leaving({&byte, 1}, now);
             return receive_error(now);
         }
         for (bool is_taken = false; not is_taken;) {
             drop_request();
             [[maybe_unused]] bool const was_open = framer_.has_open_end();
             is_taken = framer_.receive(byte, now);
-            if constexpr (is_traced<Diagnostics>) {
-                note_taken({&byte, is_taken ? 1U : 0U}, was_open, now);
-            }
+            this->pass_taken({&byte, is_taken ? 1U : 0U}, was_open, now);
             take_frame();
         }
     }
@@ -85,9 +84,7 @@ public:
     constexpr void receive_error(instant now) noexcept
     {
         if (phase_ == phase::listening) {
-            if constexpr (is_traced<Diagnostics>) {
-                pass_unpolled(now);
-            }
+            this->pass_unpolled(now);
             framer_.receive_error(now);
         } else {
             framer_.note_activity(now);
@@ -109,9 +106,7 @@ public:
         if (phase_ == phase::transmitting) {
             framer_.restart(now);
             phase_ = phase::listening;
-            if constexpr (is_traced<Diagnostics>) {
-                diagnostics_.pass_own(response_bytes(), frame_role::response, now);
-            }
+            this->pass_sent(now);
         } else {
             framer_.note_activity(now);
         }
@@ -144,16 +139,9 @@ public:
         phase_ = phase::transmitting;
         std::size_t const size = pdu_size_ + adu_overhead;
         until_ = until_ + framer_.line().characters(size) + response_limit;
-        if constexpr (is_traced<Diagnostics>) {
-            diagnostics_.note_leaving();
-        }
+        this->pass_leaving();
         return {framer_.storage().data(), size};
     }
-
-    /// Hands the frames that pass from here on to a sink, which must outlive the server. For a server `traced_by` it.
-    template <typename Sink>
-        requires is_traced_by<Diagnostics, Sink>
-    constexpr void trace_to(Sink& frames) noexcept { diagnostics_.trace_to(frames); }
 
     /// When `advance` is due next. Listening: never between frames and before the first `advance`; with a frame
     /// begun, or while bytes are ignored, the last byte + `frame_end` (t3.5 with an open end). In any other phase:
@@ -224,16 +212,12 @@ private:
         }
         if (framer_.verdict() != errc::none) {
             diagnostics_.note_error();
-            if constexpr (is_traced<Diagnostics>) {
-                diagnostics_.pass(framer_.bytes(), frame_role::unknown, frame_verdict::damaged);
-            }
+            this->pass_damaged();
             return;
         }
         diagnostics_.note_message();
         adu const heard = framer_.frame();
-        if constexpr (is_traced<Diagnostics>) {
-            pass_frame(heard);
-        }
+        this->pass_frame(heard);
         std::uint8_t expected = exception_bit; // no response
         if (not framer_.is_foreign_response() and not heard.is_exception()) {
             if (units_.contains(heard.unit()) or heard.unit() == 0) {
@@ -246,55 +230,6 @@ private:
             }
         }
         framer_.note_foreign_request(heard.unit(), expected);
-    }
-
-    constexpr byte_view response_bytes() const noexcept
-    {
-        return framer_.storage().first(std::size_t{pdu_size_} + adu_overhead);
-    }
-
-    /// Traces an undamaged frame.
-    constexpr void pass_frame(adu const& heard) noexcept requires is_traced<Diagnostics>
-    {
-        bool const is_response = framer_.is_foreign_response() or heard.is_exception();
-        bool const is_ours = units_.contains(heard.unit()) or heard.unit() == 0;
-        frame_verdict const ours = is_response ? frame_verdict::stray : frame_verdict::good;
-        diagnostics_.pass(heard.bytes(), is_response ? frame_role::response : frame_role::request,
-                          is_ours ? ours : frame_verdict::foreign);
-    }
-
-    /// Traces bytes that the framer ignored; gives a frame whose end was open its last byte.
-    constexpr void note_taken(byte_view bytes, bool was_open, instant now) noexcept requires is_traced<Diagnostics>
-    {
-        if (bytes.empty()) {
-            return;
-        }
-        diagnostics_.note_heard(now);
-        if (was_open) {
-            framer_.keep_zero();
-        } else if (framer_.ignores_bytes()) {
-            diagnostics_.pass(bytes, frame_role::unknown, frame_verdict::stray);
-        }
-    }
-
-    /// Traces bytes that arrive while a response is sent.
-    constexpr void pass_while_leaving(byte_view bytes, instant now) noexcept
-    {
-        if constexpr (is_traced<Diagnostics>) {
-            diagnostics_.note_heard(now);
-            diagnostics_.pass_while_leaving(bytes, response_bytes(), frame_role::response);
-        }
-    }
-
-    /// Traces a frame that silence ended before a damaged byte, and that is dropped with it.
-    constexpr void pass_unpolled(instant now) noexcept requires is_traced<Diagnostics>
-    {
-        if (framer_.begin_chunk(1, now)) {
-            bool const is_damaged = framer_.verdict() != errc::none;
-            diagnostics_.pass(framer_.bytes(), frame_role::unknown,
-                              is_damaged ? frame_verdict::damaged : frame_verdict::stray);
-        }
-        diagnostics_.note_heard(now);
     }
 
     /// Drops the waiting request, or its response.

@@ -10,21 +10,20 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <rtuwire/client/line/frame_trace.hpp>
 #include <rtuwire/client/line/phase.hpp>
-#include <rtuwire/client/line/request_steps.hpp>
 #include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/trace/tracing.hpp>
 #include <rtuwire/wire/response.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The base of a client's transaction.
 template <typename Statistics, typename Line, typename Options, typename Debts, std::size_t Front>
-class reception : public request_steps<Statistics, Line, Options, Debts, Front> {
-    using steps = request_steps<Statistics, Line, Options, Debts, Front>;
+class reception : public frame_trace<Statistics, Line, Options, Debts, Front> {
+    using steps = frame_trace<Statistics, Line, Options, Debts, Front>;
 
 protected:
     using phase = client_phase;
@@ -98,9 +97,7 @@ protected:
     {
         bool const is_end = framer().poll_end();
         if (not is_end or error_ == errc::collision) {
-            if constexpr (is_traced<Statistics>) {
-                pass_frame(is_end ? framer().bytes() : byte_view{}, errc::collision);
-            }
+            this->pass_frame(is_end ? framer().bytes() : byte_view{}, errc::collision);
             return;
         }
         errc wrong = framer().verdict();
@@ -112,9 +109,7 @@ protected:
         }
         line_event const event = event_of(wrong);
         note_frame(statistics_, event, wrong, unit(), now);
-        if constexpr (is_traced<Statistics>) {
-            pass_frame(framer().bytes(), wrong);
-        }
+        this->pass_frame(framer().bytes(), wrong);
         bool const is_response = event == line_event::reply or event == line_event::exception;
         bool const is_damaged =
             event == line_event::crc and framer().looks_addressed_to(request()) and framer().matches_size_hint();
@@ -145,32 +140,7 @@ private:
         if (framer().begin_chunk(bytes, now) and phase_ == phase::awaiting) {
             take_frame(now);
         }
-        if constexpr (is_traced<Statistics>) {
-            statistics_.note_heard(now);
-        }
-    }
-
-    /// Traces a frame that arrived while a response was awaited, by the error that was found in it.
-    constexpr void pass_frame(byte_view bytes, errc wrong) noexcept requires is_traced<Statistics>
-    {
-        if (not bytes.empty()) {
-            bool const has_end = framer().verdict() == errc::none and framer().matches_size_hint();
-            statistics_.pass(bytes, has_end ? frame_role::response : frame_role::unknown, verdict_of(bytes, wrong));
-        }
-    }
-
-    constexpr frame_verdict verdict_of(byte_view bytes, errc wrong) const noexcept
-    {
-        if (framer().verdict() != errc::none or not framer().matches_size_hint()) {
-            return frame_verdict::damaged;
-        }
-        if (wrong == errc::none or is_exception(wrong)) {
-            return frame_verdict::good;
-        }
-        if (wrong == errc::wrong_unit) {
-            return quarantine_.covers(to_u8(bytes[0])) ? frame_verdict::late : frame_verdict::foreign;
-        }
-        return wrong == errc::line_echo ? frame_verdict::echo : frame_verdict::stray;
+        this->pass_heard(now);
     }
 
     /// Takes a byte of an echo, of a response or before it; returns false where none is expected. Inlined, it would save
@@ -186,9 +156,7 @@ private:
         // Bytes before the unit's address are skipped, as far as `max_leading_noise` allows.
         if (this->may_skip() and to_u8(byte) != unit()) {
             this->drop_leading_noise();
-            if constexpr (is_traced<Statistics>) {
-                statistics_.pass({&byte, 1}, frame_role::unknown, frame_verdict::stray);
-            }
+            this->pass_noise(byte);
         } else if (framer().push(byte)) {
             take_frame(now);
         }
@@ -220,9 +188,7 @@ private:
     {
         [[maybe_unused]] std::size_t const before = echo_.taken();
         bool const is_same = echo_.take(byte, request());
-        if constexpr (is_traced<Statistics>) {
-            pass_echoed(byte, before, is_same);
-        }
+        this->pass_echoed(byte, before, is_same);
         if (options().has_line_echo) {
             if (not is_same) {
                 statistics_.note(line_event::collision, unit());
@@ -238,17 +204,6 @@ private:
             }
         }
         return is_same;
-    }
-
-    /// Traces an echo that has come back whole, or up to a byte that differs.
-    constexpr void pass_echoed(std::byte byte, std::size_t before, bool is_same) noexcept requires is_traced<Statistics>
-    {
-        if (not echo_.is_open()) {
-            this->pass_echo(before + (is_same ? 1U : 0U));
-        }
-        if (not is_same and options().has_line_echo) {
-            statistics_.pass({&byte, 1}, frame_role::unknown, frame_verdict::damaged);
-        }
     }
 
     /// The line was not silent when a request was to leave.

@@ -15,6 +15,7 @@
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/trace/tracing.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -76,6 +77,9 @@ public:
     constexpr void hold(unit_id unit, instant end) noexcept { client_.hold(unit, end); }
     [[nodiscard]] constexpr bool is_held(unit_id unit) const noexcept { return client_.is_held(unit); }
     [[nodiscard]] constexpr byte_view poll_transmit() noexcept { return client_.poll_transmit(); }
+    template <typename Sink>
+        requires is_traced_by<Statistics, Sink>
+    constexpr void trace_to(Sink& frames) noexcept { client_.trace_to(frames); }
 
 protected:
     /// Conversations that visit in every pass: their stops and their own times wait for nothing.
