@@ -26,7 +26,7 @@ public:
 
 protected:
     /// Traces an undamaged frame.
-    constexpr void pass_frame(adu const& heard) noexcept
+    [[gnu::always_inline]] constexpr void pass_frame(adu const& heard) noexcept
     {
         if constexpr (is_traced<Diagnostics>) {
             auto const& units = engine().units_;
@@ -39,7 +39,7 @@ protected:
     }
 
     /// Traces a damaged one.
-    constexpr void pass_damaged() noexcept
+    [[gnu::always_inline]] constexpr void pass_damaged() noexcept
     {
         if constexpr (is_traced<Diagnostics>) {
             to().pass(engine().framer_.bytes(), frame_role::unknown, frame_verdict::damaged);
@@ -47,7 +47,7 @@ protected:
     }
 
     /// Bytes were taken: traces those that the framer ignored; gives a frame whose end was open its last byte.
-    constexpr void pass_taken(byte_view bytes, bool was_open, instant now) noexcept
+    [[gnu::always_inline]] constexpr void pass_taken(byte_view bytes, bool was_open, instant now) noexcept
     {
         if constexpr (is_traced<Diagnostics>) {
             if (bytes.empty()) {
@@ -63,7 +63,7 @@ protected:
     }
 
     /// Traces a frame that silence ended before a damaged byte, and that is dropped with it.
-    constexpr void pass_unpolled(instant now) noexcept
+    [[gnu::always_inline]] constexpr void pass_unpolled(instant now) noexcept
     {
         if constexpr (is_traced<Diagnostics>) {
             auto& framer = engine().framer_;
@@ -77,20 +77,20 @@ protected:
     }
 
     /// A response begins to leave; bytes arrive while it does; it has left.
-    constexpr void pass_leaving() noexcept
+    [[gnu::always_inline]] constexpr void pass_leaving() noexcept
     {
         if constexpr (is_traced<Diagnostics>) {
             to().note_leaving();
         }
     }
-    constexpr void pass_while_leaving(byte_view bytes, instant now) noexcept
+    [[gnu::always_inline]] constexpr void pass_while_leaving(byte_view bytes, instant now) noexcept
     {
         if constexpr (is_traced<Diagnostics>) {
             to().note_heard(now);
             to().pass_while_leaving(bytes, response_bytes(), frame_role::response);
         }
     }
-    constexpr void pass_sent(instant now) noexcept
+    [[gnu::always_inline]] constexpr void pass_sent(instant now) noexcept
     {
         if constexpr (is_traced<Diagnostics>) {
             to().pass_own(response_bytes(), frame_role::response, now);

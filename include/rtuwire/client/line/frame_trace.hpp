@@ -32,7 +32,7 @@ protected:
     using steps::statistics_;
 
     /// Bytes have arrived.
-    constexpr void pass_heard(instant now) noexcept
+    [[gnu::always_inline]] constexpr void pass_heard(instant now) noexcept
     {
         if constexpr (is_traced<Statistics>) {
             statistics_.note_heard(now);
@@ -40,7 +40,7 @@ protected:
     }
 
     /// Traces a byte that is skipped before a response.
-    constexpr void pass_noise(std::byte byte) noexcept
+    [[gnu::always_inline]] constexpr void pass_noise(std::byte byte) noexcept
     {
         if constexpr (is_traced<Statistics>) {
             statistics_.pass({&byte, 1}, frame_role::unknown, frame_verdict::stray);
@@ -48,7 +48,7 @@ protected:
     }
 
     /// Traces a frame that arrived while a response was awaited, by the error that was found in it.
-    constexpr void pass_frame(byte_view bytes, errc wrong) noexcept
+    [[gnu::always_inline]] constexpr void pass_frame(byte_view bytes, errc wrong) noexcept
     {
         if constexpr (is_traced<Statistics>) {
             if (not bytes.empty()) {
@@ -59,7 +59,7 @@ protected:
     }
 
     /// Traces an echo that has come back whole, or up to a byte that differs; `before` are the bytes before this one.
-    constexpr void pass_echoed(std::byte byte, std::size_t before, bool is_same) noexcept
+    [[gnu::always_inline]] constexpr void pass_echoed(std::byte byte, std::size_t before, bool is_same) noexcept
     {
         if constexpr (is_traced<Statistics>) {
             if (not echo_.is_open()) {

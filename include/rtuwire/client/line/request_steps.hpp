@@ -126,7 +126,7 @@ protected:
     }
 
     /// Traces what has come of an echo and of a response, neither of which is awaited any longer.
-    constexpr void pass_begun() noexcept
+    [[gnu::always_inline]] constexpr void pass_begun() noexcept
     {
         if constexpr (is_traced<Statistics>) {
             pass_begun_echo();
