@@ -97,7 +97,9 @@ protected:
     {
         bool const is_end = framer().poll_end();
         if (not is_end or error_ == errc::collision) {
-            this->pass_frame(is_end ? framer().bytes() : byte_view{}, errc::collision);
+            if constexpr (is_traced<Statistics>) {
+                this->pass_frame(is_end ? framer().bytes() : byte_view{}, errc::collision);
+            }
             return;
         }
         errc wrong = framer().verdict();
@@ -109,7 +111,9 @@ protected:
         }
         line_event const event = event_of(wrong);
         note_frame(statistics_, event, wrong, unit(), now);
-        this->pass_frame(framer().bytes(), wrong);
+        if constexpr (is_traced<Statistics>) {
+            this->pass_frame(framer().bytes(), wrong);
+        }
         bool const is_response = event == line_event::reply or event == line_event::exception;
         bool const is_damaged =
             event == line_event::crc and framer().looks_addressed_to(request()) and framer().matches_size_hint();
