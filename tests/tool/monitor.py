@@ -40,7 +40,7 @@ def check_whole(screen, check, width, height):
     check("Its reads hold off the drives' own time-outs" in screen.text, f"{what}: what reads do", screen.text)
 
 
-def screen(tool, _, check):
+def screen(tool, check):
     with Screen(monitor(tool, SIM, *NAMES, "monitor", "--every", "100ms")) as page:
         check_whole(page, check, 80, 24)
         check(page.until_shown(r"^fan: unit 7, atv320, switch on disabled$"), "the first is chosen")
@@ -167,7 +167,7 @@ def refused(words, check, what, *sentences, **environment):
         check(all(each in said for each in sentences), f"{what}: a sentence", said)
 
 
-def refusals(tool, _, check):
+def refusals(tool, check):
     piped = subprocess.run([tool, "monitor"], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
     check(piped.returncode == 2 and piped.stdout == "" and "watch" in piped.stderr, "no terminal", piped)
     words = monitor(tool, "sim:atv320:7", "-u", "7", "monitor")

@@ -20,7 +20,6 @@
 // the time of the response's characters and response_limit more.
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -29,7 +28,7 @@
 #include <rtuwire/rtu/frame_cutter.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/server/respond.hpp>
-#include <rtuwire/server/server_trace.hpp>
+#include <rtuwire/server/server_reception.hpp>
 #include <rtuwire/wire/limits.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -37,68 +36,11 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// A server without its functions and banks; what its calls do stands at `basic_server`. `Units` knows by
 /// `contains(unit)` which unit addresses are its own.
 template <typename Diagnostics, typename Units>
-class server_engine : public server_trace<server_engine<Diagnostics, Units>, Diagnostics> {
+class server_engine : public server_reception<server_engine<Diagnostics, Units>, Diagnostics> {
     friend server_trace<server_engine, Diagnostics>;
+    friend server_reception<server_engine, Diagnostics>;
 
 public:
-    /// Receives bytes that had arrived by `now`, in chunks of any size. Drops a request that waits for `serve`, or
-    /// its response, and decodes the next frame. While a response is sent, bytes are ignored; they only keep the line
-    /// from being silent.
-    constexpr void receive(byte_view bytes, instant now) noexcept
-    {
-        if (phase_ == phase::transmitting and not bytes.empty()) {
-            this->pass_while_leaving(bytes, now);
-            return receive_error(now);
-        }
-        while (not bytes.empty()) {
-            drop_request();
-            [[maybe_unused]] bool const was_open = framer_.has_open_end();
-            std::size_t const taken = framer_.receive(bytes, now);
-            this->pass_taken(bytes.first(taken), was_open, now);
-            bytes = bytes.subspan(taken);
-            take_frame();
-        }
-    }
-
-    /// The same of one byte, for a receiver that hands over each as it arrives: a program that calls only this has no code
-    /// for chunks.
-    constexpr void receive(std::same_as<std::byte> auto byte, instant now) noexcept
-    {
-        if (phase_ == phase::transmitting) {
-            this->pass_while_leaving({&byte, 1}, now);
-            return receive_error(now);
-        }
-        for (bool is_taken = false; not is_taken;) {
-            drop_request();
-            [[maybe_unused]] bool const was_open = framer_.has_open_end();
-            is_taken = framer_.receive(byte, now);
-            this->pass_taken({&byte, is_taken ? 1U : 0U}, was_open, now);
-            take_frame();
-        }
-    }
-
-    /// Reports a byte that arrived damaged (parity, framing, overrun): its frame is dropped. After a request, where
-    /// the line's turnaround often produces one, it only delays the response; bytes after it are ignored up to a
-    /// silence of `frame_end`, and still drop the request. A frame that silence ended before it, and no `advance` has
-    /// processed, is dropped.
-    constexpr void receive_error(instant now) noexcept
-    {
-        if (phase_ == phase::listening) {
-            this->pass_unpolled(now);
-            framer_.receive_error(now);
-        } else {
-            framer_.note_activity(now);
-            framer_.resynchronise();
-        }
-    }
-
-    /// The same, where the receiver reports that it lost a byte.
-    constexpr void receive_overrun(instant now) noexcept
-    {
-        diagnostics_.note_overrun();
-        receive_error(now);
-    }
-
     /// Reports that the last stop bit of what `poll_transmit` returned was sent at `now`: the next byte begins a
     /// frame. In any other phase it only means that the line was not silent at `now`.
     constexpr void sent(instant now) noexcept
@@ -203,7 +145,7 @@ protected:
     }
 
 private:
-    enum class phase : std::uint8_t { listening, asked, responding, transmitting };
+    using phase = server_phase;
 
     constexpr void take_frame() noexcept
     {

@@ -12,10 +12,10 @@ exit_status run_scan(choices const& chosen);
 exit_status run_identify(choices const& chosen);
 exit_status run_read(choices const& chosen);
 exit_status run_watch(choices const& chosen);
+exit_status run_monitor(choices const& chosen);
 exit_status run_list(choices const& chosen);
 exit_status run_write(choices const& chosen);
 exit_status run_simulate(choices const& chosen);
-
 exit_status run_sniff(choices const& chosen);
 exit_status run_capture(choices const& chosen);
 exit_status run_replay(choices const& chosen);

@@ -58,6 +58,14 @@ protected:
         }
     }
 
+    /// Traces a frame that ended in a collision.
+    [[gnu::always_inline]] constexpr void pass_collision(bool is_end) noexcept
+    {
+        if constexpr (is_traced<Statistics>) {
+            pass_frame(is_end ? framer().bytes() : byte_view{}, errc::collision);
+        }
+    }
+
     /// Traces an echo that has come back whole, or up to a byte that differs; `before` are the bytes before this one.
     [[gnu::always_inline]] constexpr void pass_echoed(std::byte byte, std::size_t before, bool is_same) noexcept
     {

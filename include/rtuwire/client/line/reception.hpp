@@ -97,10 +97,7 @@ protected:
     {
         bool const is_end = framer().poll_end();
         if (not is_end or error_ == errc::collision) {
-            if constexpr (is_traced<Statistics>) {
-                this->pass_frame(is_end ? framer().bytes() : byte_view{}, errc::collision);
-            }
-            return;
+            return this->pass_collision(is_end);
         }
         errc wrong = framer().verdict();
         if (wrong == errc::none) {
