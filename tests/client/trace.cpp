@@ -201,7 +201,7 @@ constexpr bool given_up()
 }
 PROOF("a request that did not leave, or of which nobody knows, is not told", given_up)
 
-constexpr bool echoed()
+constexpr bool line_echo()
 {
     traced_end end{{.has_line_echo = true}};
     static_cast<void>(end.unit.link.start(request_frame{read_eta}, end.unit.now));
@@ -213,7 +213,7 @@ constexpr bool echoed()
            is(end.has(1, read_eta, role::request, verdict::good, true), "request") and
            is(end.has(2, response_1234, role::response, verdict::good), "response") and end.frames.count() == 3;
 }
-PROOF("a line that echoes: the echo in one piece, the request, the response", echoed)
+PROOF("a line that echoes: the echo in one piece, the request, the response", line_echo)
 
 constexpr bool collided()
 {

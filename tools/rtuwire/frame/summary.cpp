@@ -95,7 +95,7 @@ std::string of_response(byte_view pdu, byte_view asked, function_code code, driv
     if (asked.size() < rtuwire::min_adu_size) {
         return function_text(code);
     }
-    byte_view const request = asked.subspan(1, asked.size() - rtuwire::adu_overhead);
+    byte_view const request = rtuwire::adu{asked}.pdu();
     if (auto const read = rtuwire::read_holding_registers::decode(request)) {
         auto const words = rtuwire::read_holding_registers_response::decode(pdu);
         return words ? values_at(read->start, words->registers, drive) : function_text(code);
@@ -119,17 +119,16 @@ std::string summary_of(rtuwire::heard_frame const& heard, drive_catalog const* d
 {
     byte_view const bytes = heard.frame.bytes;
     if (heard.is_unanswered) {
-        return "no response to: " + of_request(heard.request.subspan(1, heard.request.size() - rtuwire::adu_overhead),
-                                               heard.function(), drive);
+        return "no response to: " + of_request(rtuwire::adu{heard.request}.pdu(), heard.function(), drive);
     }
     bool const is_whole =
         heard.frame.verdict != rtuwire::frame_verdict::damaged and bytes.size() >= rtuwire::min_adu_size;
     if (not is_whole or heard.frame.role == rtuwire::frame_role::unknown) {
         return hex_of(bytes);
     }
-    byte_view const pdu = bytes.subspan(1, bytes.size() - rtuwire::adu_overhead);
-    if (heard.is_exception()) {
-        return "refused: " + std::string{name(rtuwire::exception_error(std::to_integer<std::uint8_t>(pdu[1])))};
+    byte_view const pdu = rtuwire::adu{bytes}.pdu();
+    if (auto const refused = rtuwire::exception_response::decode(pdu)) {
+        return "refused: " + std::string{name(refused->error())};
     }
     return heard.frame.role == rtuwire::frame_role::request ? of_request(pdu, heard.function(), drive)
                                                             : of_response(pdu, heard.request, heard.function(), drive);

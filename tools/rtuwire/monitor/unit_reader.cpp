@@ -6,8 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include <rtuwire/altivar/device/words.hpp>
-#include <rtuwire/cia402/state.hpp>
+#include <rtuwire/drives.hpp>
 
 #include "line/reading.hpp"
 #include "line/who_is_it.hpp"
