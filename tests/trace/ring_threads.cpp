@@ -55,7 +55,7 @@ TEST_CASE("an interrupt and a loop share a ring of frames")
     while (true) {
         bool const was_over = is_over.load(std::memory_order_relaxed);
         while (auto const frame = ring.poll_frame(place)) {
-            wrong += is_whole(*frame) and frame->at.microseconds > last ? 0 : 1;
+            wrong += is_whole(*frame) and frame->at.microseconds > last ? 0U : 1U;
             last = frame->at.microseconds;
             ++count;
         }
@@ -66,7 +66,7 @@ TEST_CASE("an interrupt and a loop share a ring of frames")
     }
     writer.join();
     while (auto const frame = ring.poll_frame(place)) {
-        wrong += is_whole(*frame) and frame->at.microseconds > last ? 0 : 1;
+        wrong += is_whole(*frame) and frame->at.microseconds > last ? 0U : 1U;
         last = frame->at.microseconds;
         ++count;
     }
