@@ -59,8 +59,8 @@ def screen(tool, check):
         check(page.end() == 0 and page.is_restored(), "q ends it, and the terminal is as it was", page.raw[-80:])
     words = monitor(tool, SIM, "-u", "3,7-7", "-d", "atv320", "monitor", "RFR", "ETA.fault", "3204")
     with Screen(words, LC_ALL="C") as page:
-        check(page.until_shown(r"^ +7 +atv320 +switch on disabled +0\.0 Hz +_"), "a list of units", page.text)
-        check(page.until_shown(r"^ ETA\.fault"), "registers that were asked for", page.text)
+        check(page.until_shown(r"^ +7 +atv320 +switch on disabled +0\.0 Hz$"), "a list of units", page.text)
+        check(page.until_shown(r"^ RFR .* __") and page.until_shown(r"^ ETA\.fault"), "registers that were asked for", page.text)
         check(page.text.isascii() and "ULN" not in page.text, "and no others; ASCII is enough", page.text)
 
 
@@ -153,6 +153,11 @@ def ways_out(tool, check):
             ends_by(tool, device, check, each.name, lambda page: page.process.send_signal(each), 128 + each)
         ends_by(tool, device, check, "Ctrl-C", lambda page: page.type("\x03"), 128 + signal.SIGINT)
         ends_by(tool, device, check, "Ctrl-\\ does nothing, q ends", lambda page: page.type("\x1cq"), 0)
+        ends_by(tool, device, check, "Ctrl-C twice", lambda page: page.type("\x03\x03"), 128 + signal.SIGINT)
+        with Screen(monitor(tool, device, "-u", "7", "monitor")) as page:
+            page.until_shown(r"^ +7 +atv320 +switch on disabled")
+            page.close()
+            check(page.process.wait(timeout=10) == 128 + signal.SIGHUP, "its terminal is closed: it ends")
         drawn = ends_by(tool, device, check, "the port vanishes", lambda page: drives.process.kill(), 4)
         said = drawn.rpartition("\x1b[?1049l")[2]
         check(f"rtuwire: {device}" in said, "it says which port", said)

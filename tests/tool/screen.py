@@ -59,6 +59,11 @@ class Screen:
         self.shown.resize(height, width)
         self._set_size(width, height)
 
+    def close(self):
+        """The terminal goes away, as a window that is closed."""
+        os.close(self.keyboard)
+        self.keyboard = None
+
     def type(self, keys):
         os.write(self.keyboard, keys.encode())
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Several drives on a full screen. It only reads.
 #include <chrono>
+#include <csignal>
 #include <memory>
 #include <string>
 #include <vector>
@@ -71,7 +72,7 @@ public:
                 return static_cast<exit_status>(128 + noted_signal());
             }
             if (pressed == key::gone) {
-                throw ended{exit_status::port, "the terminal is gone"};
+                return static_cast<exit_status>(128 + SIGHUP); // before its signal, or where that is ignored
             }
             apply(pressed, shown_);
             line_.set_period(shown_.period);
