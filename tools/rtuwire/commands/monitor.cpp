@@ -65,7 +65,7 @@ public:
     /// Until somebody ends it; the terminal is restored when it returns, and when it throws.
     exit_status run()
     {
-        terminal screen;
+        full_screen screen;
         shown_.has_blocks = screen.has_blocks();
         for (key pressed = key::redraw; pressed != key::quit; pressed = screen.next_key(redraw_time)) {
             if (noted_signal() != 0) {

@@ -102,7 +102,7 @@ void check_terminal()
     }
 }
 
-terminal::terminal()
+full_screen::full_screen()
     // Only what a character is: numbers keep their point.
     : has_utf8_{std::setlocale(LC_CTYPE, "") != nullptr and std::string{::nl_langinfo(CODESET)} == "UTF-8"}
 {
@@ -123,12 +123,12 @@ terminal::terminal()
     }
 }
 
-terminal::~terminal() { ::endwin(); }
+full_screen::~full_screen() { ::endwin(); }
 
-std::size_t terminal::width() const { return static_cast<std::size_t>(::getmaxx(stdscr)); }
-std::size_t terminal::height() const { return static_cast<std::size_t>(::getmaxy(stdscr)); }
+std::size_t full_screen::width() const { return static_cast<std::size_t>(::getmaxx(stdscr)); }
+std::size_t full_screen::height() const { return static_cast<std::size_t>(::getmaxy(stdscr)); }
 
-void terminal::put(text_piece const& piece, bool is_selected) const
+void full_screen::put(text_piece const& piece, bool is_selected) const
 {
     attr_t how = is_selected ? A_REVERSE : A_NORMAL;
     how |= piece.how == look::strong ? A_BOLD : A_NORMAL;
@@ -141,7 +141,7 @@ void terminal::put(text_piece const& piece, bool is_selected) const
     ::addstr(has_utf8_ ? piece.text.c_str() : in_ascii(piece.text).c_str());
 }
 
-void terminal::show(std::vector<text_line> const& lines)
+void full_screen::show(std::vector<text_line> const& lines)
 {
     ::erase();
     for (std::size_t row = 0; row < lines.size() and row < height(); ++row) {
@@ -153,7 +153,7 @@ void terminal::show(std::vector<text_line> const& lines)
     ::refresh();
 }
 
-key terminal::next_key(std::chrono::milliseconds limit)
+key full_screen::next_key(std::chrono::milliseconds limit)
 {
     pollfd keyboard{STDIN_FILENO, POLLIN, 0};
     int const ready = ::poll(&keyboard, 1, static_cast<int>(limit.count()));

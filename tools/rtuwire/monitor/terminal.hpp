@@ -16,12 +16,12 @@ namespace tool {
 void check_terminal();
 
 /// The whole screen, while it lives; its destructor restores the terminal.
-class terminal {
+class full_screen {
 public:
-    terminal();
-    terminal(terminal const&) = delete;
-    terminal& operator=(terminal const&) = delete;
-    ~terminal();
+    full_screen();
+    full_screen(full_screen const&) = delete;
+    full_screen& operator=(full_screen const&) = delete;
+    ~full_screen();
 
     std::size_t width() const;
     std::size_t height() const;

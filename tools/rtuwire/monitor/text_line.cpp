@@ -13,7 +13,7 @@ namespace {
 bool continues(char each) { return (static_cast<unsigned char>(each) & 0xC0U) == 0x80U; }
 
 /// The bytes of so many characters from the beginning.
-std::size_t bytes_of(std::string_view text, std::size_t characters)
+std::size_t prefix_size(std::string_view text, std::size_t characters)
 {
     std::size_t end = 0;
     for (; end < text.size(); ++end) {
@@ -31,7 +31,7 @@ std::string cut_to(std::string_view text, std::size_t width, bool has_blocks)
     std::string shown{text};
     if (width_of(text) > width) {
         std::string_view const mark = has_blocks ? "…" : "~";
-        shown = width == 0 ? std::string{} : shown.substr(0, bytes_of(text, width - 1)).append(mark);
+        shown = width == 0 ? std::string{} : shown.substr(0, prefix_size(text, width - 1)).append(mark);
     }
     auto const is_control = [](char each) { return static_cast<unsigned char>(each) < 0x20 or each == '\x7F'; };
     std::replace_if(shown.begin(), shown.end(), is_control, '?');
@@ -44,7 +44,7 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t width)
     while (not text.empty() and width > 0) {
         std::size_t end = text.size();
         if (width_of(text) > width) {
-            end = bytes_of(text, width);
+            end = prefix_size(text, width);
             std::size_t const space = text.rfind(' ', end);
             end = space == std::string_view::npos or space == 0 ? end : space;
         }

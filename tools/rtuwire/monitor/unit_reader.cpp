@@ -20,7 +20,10 @@ namespace {
 
 bool is_silence(errc why) { return why != errc::none and not rtuwire::is_exception(why); }
 
-chosen_register register_at(drive_catalog const& drive, std::uint16_t address) { return {address, drive.at(address)}; }
+chosen_register whole_register(drive_catalog const& drive, std::uint16_t address)
+{
+    return {address, drive.at(address)};
+}
 
 double sample_of(cell const& value)
 {
@@ -68,8 +71,8 @@ void unit_reader::begin(drive_catalog const* drive)
     std::vector<chosen_register> all = registers_;
     if (drive != nullptr) {
         shown_.drive = std::string{drive->name};
-        state_reader_.emplace(std::vector{register_at(*drive, drive->layout.eta)}, drive);
-        all.push_back(register_at(*drive, drive->layout.lft));
+        state_reader_.emplace(std::vector{whole_register(*drive, drive->layout.eta)}, drive);
+        all.push_back(whole_register(*drive, drive->layout.lft));
     }
     reader_.emplace(all, drive);
     for (chosen_register const& each : registers_) {
@@ -93,7 +96,7 @@ void unit_reader::choose_registers(std::string const& word)
     }
 }
 
-bool unit_reader::recognise(open_line& line)
+bool unit_reader::identify(open_line& line)
 {
     identity_words const who = who_is_it(line, unit_.unit);
     if (who.drive.empty() and who.outcome == exit_status::port) {
@@ -112,7 +115,7 @@ bool unit_reader::recognise(open_line& line)
 void unit_reader::round(open_line& line, clock::time_point now)
 {
     if (now >= next_) {
-        bool const has_responded = (is_known_ or recognise(line)) and read_state(line);
+        bool const has_responded = (is_known_ or identify(line)) and read_state(line);
         if (has_responded) {
             read_values(line);
         }

@@ -34,7 +34,7 @@ public:
 private:
     void begin(drive_catalog const* drive);
     /// False where it is silent.
-    bool recognise(open_line& line);
+    bool identify(open_line& line);
     bool read_state(open_line& line);
     void read_values(open_line& line);
     void choose_registers(std::string const& word);
