@@ -13,6 +13,8 @@
 
 namespace examples {
 
+using namespace tool;
+
 using tool::drive_names;
 using tool::station_at;
 using tool::with_drive;

@@ -12,12 +12,14 @@
 #include <rtuwire/drives.hpp>
 #include <rtuwire/port.hpp>
 
-#include "emergency_stop.hpp"
+#include "../../tools/support/emergency_stop.hpp"
+#include "../../tools/support/reason_to_end.hpp"
 #include "logbook.hpp"
 #include "panel_reading.hpp"
-#include "reason_to_end.hpp"
 
 namespace examples {
+
+using namespace tool;
 
 using rtuwire::milliseconds;
 using rtuwire::cia402::state;
@@ -87,7 +89,7 @@ public:
     bool take_command()
     {
         is_commanding_ = true;
-        emergency.arm(port_, drive_);
+        emergency.arm(port_, drive_.unit(), Device::layout.cmd);
         if (not until(
                 "first exchange", [this] { return not loop_.link_lost(); }, milliseconds(5'000))) {
             auto const& found = loop_.supervision();
@@ -202,7 +204,9 @@ private:
 
     template <typename Conversation> bool pass(Conversation& conversation)
     {
-        must_end_.look();
+        if (must_end_.look()) {
+            say("   %s\n", must_end_.text().c_str());
+        }
         if (must_end_ and not is_stopping_) {
             return false;
         }

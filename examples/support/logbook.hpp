@@ -10,7 +10,7 @@
 
 #include <rtuwire/drives.hpp>
 
-#include "../../tools/rtuwire/process/say.hpp"
+#include "../../tools/support/say.hpp"
 #include "plot.hpp"
 
 namespace examples {

@@ -9,7 +9,7 @@
 
 #include <rtuwire/drives.hpp>
 
-#include "../../tools/rtuwire/process/say.hpp"
+#include "../../tools/support/say.hpp"
 #include "drive_panel.hpp"
 
 namespace examples {

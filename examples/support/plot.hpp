@@ -11,7 +11,7 @@
 
 #include <rtuwire/drives.hpp>
 
-#include "../../tools/rtuwire/process/say.hpp"
+#include "../../tools/support/say.hpp"
 
 namespace examples {
 

@@ -14,7 +14,7 @@
 
 #include <rtuwire/port.hpp>
 
-#include "../../tools/rtuwire/process/line_reader.hpp"
+#include "../../tools/support/line_reader.hpp"
 #include "../../tools/rtuwire/simulated_line.hpp"
 
 namespace examples {

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// How the examples notice that they did not run.
+// How a program notices that it did not run.
 #include "support/catch.hpp"
 
 #include <chrono>
 
-#include "../../examples/support/missed_time.hpp"
+#include "../../tools/support/missed_time.hpp"
 
-using examples::missed_time;
+using tool::missed_time;
 using namespace std::chrono_literals;
 
 TEST_CASE("motion law: S37 a clock that jumped by more than a third of the time-out is noticed once")
@@ -30,9 +30,9 @@ TEST_CASE("motion law: S37 a clock that goes back is taken for a jump")
 
 TEST_CASE("motion law: S37 the clock that is asked goes on by itself")
 {
-    auto const before = examples::time_awake_or_asleep();
+    auto const before = tool::time_awake_or_asleep();
     missed_time watch{3s};
     CHECK_FALSE(watch.is_too_long());
-    CHECK(examples::time_awake_or_asleep() >= before);
+    CHECK(tool::time_awake_or_asleep() >= before);
     CHECK(before > 0s);
 }

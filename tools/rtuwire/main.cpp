@@ -9,7 +9,7 @@
 
 #include "command_line.hpp"
 #include "commands/commands.hpp"
-#include "process/standard_descriptors.hpp"
+#include "../support/standard_descriptors.hpp"
 
 namespace {
 

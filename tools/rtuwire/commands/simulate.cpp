@@ -14,9 +14,9 @@
 #include "commands/commands.hpp"
 #include "line/open_line.hpp"
 #include "port_word.hpp"
-#include "process/line_reader.hpp"
-#include "process/say.hpp"
-#include "process/signals.hpp"
+#include "../support/line_reader.hpp"
+#include "../support/say.hpp"
+#include "../support/signals.hpp"
 #include "simulated_line.hpp"
 #include "simulated_words.hpp"
 

@@ -9,29 +9,28 @@
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
+#include <cstdint>
 #include <ctime>
 #include <exception>
 
 #include <unistd.h>
 
-#include <rtuwire/client.hpp>
-#include <rtuwire/drives.hpp>
-#include <rtuwire/port.hpp>
+#include <rtuwire/cia402/command.hpp>
+#include <rtuwire/frames.hpp>
 
-namespace examples {
+namespace tool {
 
 /// The frame that stops the motor and the line it goes to; no line while no motor is commanded.
 struct emergency_stop {
     int volatile line{-1};
     std::array<std::byte, 8> frame{};
 
-    template <rtuwire::device_type Device>
-    void arm(rtuwire::posix_serial const& port, rtuwire::station<Device> const& drive)
+    /// `port` is any that has a `descriptor_number()`; `command` is the address of the drive's control word.
+    template <typename Port> void arm(Port const& port, rtuwire::unit_id drive, std::uint16_t command)
     {
         using namespace rtuwire;
-        auto const written =
-            encode_into(frame, drive.unit(),
-                        write_single_register{Device::layout.cmd, cia402::word_of(cia402::command::disable_voltage)});
+        auto const written = encode_into(
+            frame, drive, write_single_register{command, cia402::word_of(cia402::command::disable_voltage)});
         line = written ? port.descriptor_number() : -1;
     }
 
@@ -99,4 +98,4 @@ inline void stop_motor_before_dying()
     }
 }
 
-} // namespace examples
+} // namespace tool

@@ -7,11 +7,11 @@
 #include <optional>
 #include <string>
 
-#include "../../tools/rtuwire/process/say.hpp"
-#include "../../tools/rtuwire/process/signals.hpp"
+#include "say.hpp"
+#include "signals.hpp"
 #include "missed_time.hpp"
 
-namespace examples {
+namespace tool {
 
 using namespace tool;
 
@@ -20,12 +20,12 @@ public:
     /// More than `longest_pause` between two looks means that nobody minded the drive.
     explicit reason_to_end(std::chrono::nanoseconds longest_pause) : pause_{longest_pause} {}
 
-    /// To be called in each pass, before anything is sent. Once there is a reason, it stays.
-    void look()
+    /// To be called in each pass, before anything is sent; true where it finds a reason. Once there is one, it stays.
+    bool look()
     {
         bool const has_paused = pause_.is_too_long() or noted.resumed != 0;
         if (why_) {
-            return;
+            return false;
         }
         if (noted.end != 0) {
             why_ = ::strsignal(noted.end);
@@ -36,12 +36,13 @@ public:
         } else if (int const failure = standard_output.failure(); failure != 0) {
             why_ = std::string{"standard output: "} + std::strerror(failure);
         }
-        if (why_) {
-            say("   %s\n", why_->c_str());
-        }
+        return why_.has_value();
     }
 
     explicit operator bool() const { return why_.has_value(); }
+
+    /// It in words; empty where there is none.
+    std::string text() const { return why_.value_or(std::string{}); }
 
 private:
     missed_time pause_;
@@ -51,4 +52,4 @@ private:
 /// The status that a shell expects of a program that a signal ended; `otherwise` where none did.
 inline int status_of_end(int otherwise) { return noted.end != 0 ? 128 + noted.end : otherwise; }
 
-} // namespace examples
+} // namespace tool

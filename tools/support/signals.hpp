@@ -31,7 +31,6 @@ inline bool asks_for_an_end(int number)
     case SIGTSTP:
     case SIGTTIN:
     case SIGTTOU:
-    case SIGPIPE:
     case SIGXFSZ:
     case SIGABRT:
     case SIGSEGV:
@@ -56,17 +55,21 @@ extern "C" inline void note_signal(int number)
     }
 }
 
-/// What was ignored when the program began stays so: `nohup` means it.
-inline void take_signal(int number)
+inline void note_from_now_on(int number)
 {
-    struct sigaction before {};
-    if (sigaction(number, nullptr, &before) != 0 or before.sa_handler != SIG_DFL) {
-        return;
-    }
     struct sigaction taken {};
     taken.sa_handler = note_signal;
     taken.sa_flags = SA_RESTART;
     sigaction(number, &taken, nullptr);
+}
+
+/// What was ignored when the program began stays so: `nohup` means it.
+inline void take_signal(int number)
+{
+    struct sigaction before {};
+    if (sigaction(number, nullptr, &before) == 0 and before.sa_handler == SIG_DFL) {
+        note_from_now_on(number);
+    }
 }
 
 inline void take_signals()
@@ -78,9 +81,11 @@ inline void take_signals()
     }
     take_signal(SIGTSTP);
     take_signal(SIGCONT);
+    // Where somebody sends it. What is written to a reader that went away fails, and says so: see `printer`.
+    note_from_now_on(SIGPIPE);
     // What is written then fails, and says so. A program in the background may write to its terminal; what it
     // reads from there has ended.
-    for (int const each : {SIGPIPE, SIGXFSZ, SIGTTOU, SIGTTIN}) {
+    for (int const each : {SIGXFSZ, SIGTTOU, SIGTTIN}) {
         std::signal(each, SIG_IGN);
     }
 }

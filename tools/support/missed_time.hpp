@@ -6,7 +6,7 @@
 #include <chrono>
 #include <ctime>
 
-namespace examples {
+namespace tool {
 
 /// Counts the time in which the machine sleeps, too, where the system has such a clock.
 inline std::chrono::nanoseconds time_awake_or_asleep() noexcept
@@ -41,4 +41,4 @@ private:
     std::chrono::nanoseconds last_;
 };
 
-} // namespace examples
+} // namespace tool
