@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
+#include "../support/standard_descriptors.hpp"
 #include "command_line.hpp"
 #include "commands/commands.hpp"
-#include "../support/standard_descriptors.hpp"
 
 namespace {
 
@@ -24,6 +24,7 @@ constexpr command commands[] = {
     {"scan", run_scan},     {"identify", run_identify}, {"read", run_read},         {"watch", run_watch},
     {"list", run_list},     {"write", run_write},       {"sniff", run_sniff},       {"capture", run_capture},
     {"replay", run_replay}, {"timing", run_timing},     {"simulate", run_simulate}, {"monitor", run_monitor},
+    {"start", run_start},   {"stop", run_stop},         {"reset", run_reset},
 };
 
 exit_status run(choices const& chosen)

@@ -7,13 +7,11 @@
 #include <optional>
 #include <string>
 
+#include "missed_time.hpp"
 #include "say.hpp"
 #include "signals.hpp"
-#include "missed_time.hpp"
 
 namespace tool {
-
-using namespace tool;
 
 class reason_to_end {
 public:

@@ -1,0 +1,416 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""The tool runs and stops the motor of a simulated drive in another process, which tells what the motor does.
+
+    python3 motion.py SIMULATE TOOL moments [COUNT]    kills the tool in so many moments of `start`, by each signal
+    python3 motion.py SIMULATE TOOL ways               the other ways out, each on a drive of its own, all at once
+    python3 motion.py SIMULATE TOOL orders             what is refused; `stop` and `reset`
+"""
+import concurrent.futures
+import fcntl
+import json
+import os
+import pathlib
+import pty
+import signal
+import subprocess
+import sys
+import termios
+import threading
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "programs"))
+
+from controller import DISABLED, RUNS, UNIT, Checks, Drive, own_group, soon  # noqa: E402
+from frames import Line, are_frames  # noqa: E402
+
+AT_ONCE = 12  # simulated drives, each with its own process
+LIMIT = 20  # in seconds, for what has to happen
+QUICK = 15  # TTO of a drive that has to stop by itself, in 0.1 s
+DRIVES = ("atv320", "atv28", "atv12", "atv310", "atv310_2026")
+SIGNALS = ("INT", "TERM", "HUP", "PIPE", "KILL")
+LIFE = 2.6  # seconds of a `start --for 1s`, from its first frame to the end of its stop
+
+checks_lock = threading.Lock()
+
+
+class Motor(Drive):
+    """A drive with short ramps."""
+
+    def __init__(self, program, name="atv320", tto=None, ramp=5):
+        super().__init__(program, name)
+        self.tto, self.ramp = tto, ramp
+
+    def __enter__(self):
+        from simulator import Registers
+        super().__enter__()
+        at = Registers(self.name)
+        self.write(at.acc, self.ramp)
+        self.write(at.dec, self.ramp)
+        if self.tto and at.tto:
+            self.write(at.tto, self.tto)
+        return self
+
+    def write(self, address, word):
+        self.simulator.suffer(f"{UNIT} write {address} {word}")
+
+    def suffer(self, what):
+        self.simulator.suffer(f"{UNIT} {what}")
+
+    def tool(self, program, *words, device=None, **how):
+        how = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE,
+               "preexec_fn": own_group, **how}
+        self.controllers.append(subprocess.Popen(
+            [program, "--port", device or self.device, "--unit", str(UNIT), "--no-listen", "--timeout", "0.2",
+             *(("--retries", "0") if self.tto == QUICK else ()), *words], **how))
+        return self.controllers[-1]
+
+    def start(self, program, *words, **how):
+        return self.tool(program, "--allow-run", "start", "--frequency", "40Hz", *words, **how)
+
+    def has_stopped(self):
+        state, frequency, _ = self.shown()
+        return state != RUNS and frequency == 0
+
+
+def end(process, limit=LIMIT):
+    """Its status, its output and its error output, once it is gone."""
+    try:
+        out, error = process.communicate(timeout=limit)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.communicate()
+        return "it does not end", "", ""
+    return process.returncode, (out or b"").decode(), (error or b"").decode()
+
+
+# Moments.
+
+def kill_at(simulate, program, drive, name, moment):
+    """Whether it turned; what is wrong, or nothing."""
+    is_killed = name == "KILL"
+    with Motor(simulate, drive, tto=QUICK if is_killed else None) as motor:
+        process = motor.start(program, "--for", "1s")
+        time.sleep(moment)
+        turned = motor.turns()
+        process.send_signal(getattr(signal, "SIG" + name))
+        status, _, text = end(process)
+        if status == "it does not end":
+            return turned, status
+        if is_killed:
+            limit = (7 if drive == "atv28" else QUICK / 10) + 0.5 + 1.0  # and the ramp, where it has one
+            return turned, None if soon(motor.has_stopped, limit) else f"turns on: {motor.shown()}"
+        return turned, None if motor.stands() else f"{motor.shown()}, status {status}, {text}"
+
+
+def moments(simulate, program, check, count=20):
+    """The motor stops, whenever it comes; by KILL within the drive's time-out."""
+    runs = []
+    for name in SIGNALS:
+        for i in range(count):
+            drive = DRIVES[i % 2] if name != "KILL" else "atv320" if i % 10 else "atv28"
+            runs.append((drive, name, 0.02 + LIFE * i / count))
+    with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
+        ends = list(pool.map(lambda run: kill_at(simulate, program, *run), runs))
+    for name in SIGNALS:
+        of_one = [(run, found) for run, found in zip(runs, ends) if run[1] == name]
+        wrong = [(run, found[1]) for run, found in of_one if found[1]]
+        check(not wrong, f"{name}: the motor stops in each of {len(of_one)} moments", wrong[:3])
+    turned = sum(found[0] for found in ends)
+    check(turned > len(ends) / 4, "it turned in many of them", f"{turned} of {len(ends)}")
+
+
+# Ways out.
+
+def ends_with(process, motor, check, what, status, says, stands=True):
+    found, out, error = end(process)
+    check(found == status, f"{what}: its status", (found, error))
+    check(says in error, f"{what}: it says why", error)
+    check(motor.stands() if stands else motor.has_stopped(), f"{what}: the motor stands", motor.shown())
+    return out
+
+
+def by_its_time(motor, program, check):
+    process = motor.start(program, "--for", "0.5s", "--json")
+    out = ends_with(process, motor, check, "--for", 0, "the time is over; the motor stands")
+    lines = [json.loads(line) for line in out.splitlines()]
+    check(lines[-1]["frequency"] == 0 and any(line["state"] == RUNS for line in lines), "--for: objects", lines)
+
+
+def by_speed(motor, program, check):
+    process = motor.tool(program, "--allow-run", "start", "--speed", "1200rpm", "--reverse")
+    check(soon(lambda: motor.shown()[1] == -40), "--speed: it runs so fast, and in reverse", motor.shown())
+    process.send_signal(signal.SIGTERM)
+    ends_with(process, motor, check, "--speed", 0, "the motor stands")
+
+
+def by_fault(motor, program, check):
+    process = motor.start(program)
+    check(soon(motor.turns), "fault: it turns")
+    motor.suffer("fault")
+    ends_with(process, motor, check, "fault", 1, "the drive is in fault; fault: OCF", stands=False)
+
+
+def by_lost_line(motor, program, check):
+    process = motor.start(program)
+    check(soon(motor.turns), "lost line: it turns")
+    motor.suffer("cut")
+    found, _, error = end(process)
+    check(found == 3 and "the link is lost" in error, "lost line: it says so", (found, error))
+    check(soon(motor.has_stopped, QUICK / 10 + 2), "lost line: the drive stops by itself", motor.shown())
+
+
+def by_deaf_line(motor, program, check):
+    """Its answers get lost: the drive hears the words that stop it."""
+    process = motor.start(program)
+    check(soon(motor.turns), "answers lost: it turns")
+    motor.suffer("mute")
+    found, _, error = end(process)
+    check(found == 3, "answers lost: its status", (found, error))
+    check(motor.has_stopped(), "answers lost: the motor was stopped", motor.shown())
+
+
+def by_another_master(motor, program, check):
+    process = motor.start(program)
+    check(soon(motor.turns), "another master: it turns")
+    for _ in range(40):
+        motor.write(8502, 100)
+        time.sleep(0.05)
+    ends_with(process, motor, check, "another master", 1, "another master commands the drive")
+
+
+def by_local(motor, program, check):
+    process = motor.start(program)
+    check(soon(motor.turns), "local control: it turns")
+    motor.suffer("local")
+    found, _, error = end(process)
+    check(found == 1 and "local control" in error, "local control: it says so", (found, error))
+
+
+def by_two_interrupts(motor, program, check):
+    process = motor.start(program)
+    check(soon(lambda: motor.shown()[1] == 40), "twice Ctrl-C: it turns")
+    process.send_signal(signal.SIGINT)
+    time.sleep(0.4)
+    process.send_signal(signal.SIGINT)
+    found, _, error = end(process)
+    check(found in (0, 1) and "power" in error or "stands" in error, "twice Ctrl-C: its status", (found, error))
+    check(motor.has_no_power(), "twice Ctrl-C: the motor has no power", motor.shown())
+
+
+def by_suspension(motor, program, check):
+    process = motor.start(program)
+    check(soon(motor.turns), "TSTP: it turns")
+    process.send_signal(signal.SIGTSTP)
+    _, status = os.waitpid(process.pid, os.WUNTRACED)
+    check(os.WIFSTOPPED(status) and motor.stands(), "TSTP: the motor stands before it is suspended", motor.shown())
+    process.send_signal(signal.SIGCONT)
+    ends_with(process, motor, check, "TSTP", 1, "the motor stands")
+
+
+def by_stop(motor, program, check, is_deaf=False):
+    def before():
+        own_group()
+        if is_deaf:
+            signal.signal(signal.SIGCONT, signal.SIG_IGN)
+
+    what = "asleep" if is_deaf else "STOP, CONT"
+    process = motor.start(program, preexec_fn=before)
+    check(soon(motor.turns), what + ": it turns")
+    process.send_signal(signal.SIGSTOP)
+    os.waitpid(process.pid, os.WUNTRACED)
+    time.sleep(motor.tto / 30 + 0.3)
+    process.send_signal(signal.SIGCONT)
+    ends_with(process, motor, check, what, 1, "the order to run is gone; the motor stands")
+
+
+def by_sleep(motor, program, check):
+    by_stop(motor, program, check, is_deaf=True)
+
+
+def by_abort(motor, program, check):
+    process = motor.start(program)
+    check(soon(motor.turns), "ABRT: it turns")
+    process.send_signal(signal.SIGABRT)
+    found, _, _ = end(process)
+    check(found == -signal.SIGABRT and motor.has_no_power(), "ABRT: no power, and the signal ends it", motor.shown())
+
+
+def by_a_full_disk(motor, program, check):
+    with open("/dev/full", "wb") as out:
+        process = motor.start(program, stdout=out)
+        found, _, error = end(process)
+    check(found == 4 and "No space left" in error, "full disk: it says so", (found, error))
+    check(motor.stands(), "full disk: the motor stands", motor.shown())
+
+
+def by_its_reader(motor, program, check):
+    head = subprocess.Popen(["head", "-n", "3"], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL)
+    process = motor.start(program, stdout=head.stdin)
+    head.stdin.close()
+    ends_with(process, motor, check, "head", 4, "Broken pipe; the motor stands")
+    head.wait()
+
+
+def behind_a_full_pipe(motor, program, check):
+    reader, writer = os.pipe()
+    os.write(writer, bytes(fcntl.fcntl(writer, fcntl.F_SETPIPE_SZ, 4096)))
+    process = motor.start(program, "--for", "2s", stdout=writer)
+    check(soon(lambda: motor.shown()[1] == 40), "full pipe: it turns", motor.shown())
+    ends_with(process, motor, check, "full pipe", 0, "the motor stands")
+    os.close(reader)
+    os.close(writer)
+
+
+def by_its_terminal(motor, program, check):
+    near, far = pty.openpty()
+
+    def on_the_terminal():
+        os.setsid()
+        fcntl.ioctl(far, termios.TIOCSCTTY, 0)
+
+    process = motor.start(program, stdout=far, stderr=far, preexec_fn=on_the_terminal)
+    os.close(far)
+    check(soon(motor.turns), "terminal: it turns")
+    os.close(near)
+    end(process)
+    check(motor.stands(), "terminal: the motor stands when it is closed", motor.shown())
+
+
+def with_nothing_open(motor, program, check):
+    def before():
+        own_group()
+        for each in (0, 1, 2):
+            os.close(each)
+
+    with Line(motor.device) as line:
+        process = motor.start(program, device=line.name, stdin=None, stdout=None, stderr=None, preexec_fn=before)
+        found, _, _ = end(process)
+        check(found == 4, "closed descriptors: nobody would see the motor", found)
+        check(line.heard and are_frames(line.heard), "closed descriptors: nothing but frames", line.heard[:24])
+    check(motor.stands(), "closed descriptors: the motor stands", motor.shown())
+
+
+WAYS = (by_its_time, by_speed, by_fault, by_lost_line, by_deaf_line, by_another_master, by_local, by_two_interrupts,
+        by_suspension, by_stop, by_sleep, by_abort, by_a_full_disk, by_its_reader, behind_a_full_pipe,
+        by_its_terminal, with_nothing_open)
+TIMES = {by_lost_line: QUICK, by_deaf_line: 300, by_stop: 60, by_sleep: 60}
+RAMPS = {by_two_interrupts: 100}
+
+
+def ways(simulate, program, check):
+    def checked(*words):
+        with checks_lock:
+            check(*words)
+
+    def one(way):
+        with Motor(simulate, tto=TIMES.get(way), ramp=RAMPS.get(way, 5)) as motor:
+            try:
+                way(motor, program, checked)
+            except Exception as error:  # pylint: disable=broad-except
+                checked(False, way.__name__, repr(error))
+
+    with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
+        list(pool.map(one, WAYS))
+
+
+# Orders.
+
+def refused(simulate, program, check):
+    with Motor(simulate) as motor, Line(motor.device) as line:
+        def asks(what, status, says, *words):
+            found, _, error = end(motor.tool(program, *words, device=line.name))
+            check(found == status and says in error, f"{what} is refused", (found, error))
+
+        start = ("start", "--frequency")
+        asks("start without --allow-run", 5, "--allow-run", *start, "40Hz")
+        asks("no frequency", 2, "how fast?", "--allow-run", "start")
+        asks("a wrong unit", 2, "in Hz", "--allow-run", *start, "40m")
+        asks("two directions", 2, "say the direction once", "--allow-run", "start", "--frequency=-40Hz", "--reverse")
+        asks("reset without --write", 5, "--write", "reset")
+        check(not line.heard, "nothing was sent for that", line.heard)
+        asks("above HSP", 2, "50.0 Hz (HSP)", "--allow-run", *start, "50.1Hz")
+        asks("a speed above HSP", 2, "50.0 Hz (HSP)", "--allow-run", "start", "--speed", "1600rpm")
+        asks("half a step", 2, "steps of 0.1 Hz", "--allow-run", *start, "40.05Hz")
+        motor.write(3105, 100)
+        asks("below LSP", 2, "10.0 Hz (LSP)", "--allow-run", *start, "9.9Hz")
+        motor.write(7010, 0)
+        asks("an unsupervised drive", 5, "does not watch its link (SLL", "--allow-run", *start, "40Hz")
+        frames = are_frames(line.heard)
+        check(frames and motor.stands(), "and nothing moved", motor.shown())
+        check(bytes([UNIT, 6, 8501 >> 8, 8501 & 255, 0, 15]) not in line.heard, "nothing was enabled")
+
+
+def runs_by_another(motor, at, speed=400):
+    """Another program runs the motor."""
+    for word in (6, 7, 15):
+        motor.write(at.cmd, word)
+        if word == 7:
+            motor.write(at.lfr, speed)
+    return soon(lambda: motor.shown()[1] == speed / 10)
+
+
+def stops(simulate, program, check):
+    from simulator import Registers
+
+    def one(case):
+        name, words, is_named, state = case
+        with Motor(simulate, name) as motor:
+            what = f"stop {' '.join(words)} of {name}{' by its name' if is_named else ''}"
+            runs = runs_by_another(motor, Registers(name))
+            refusal = end(motor.start(program))
+            process = motor.tool(program, *(("--drive", name) if is_named else ()), "stop", *words, "--json")
+            seen = {motor.shown()[0]}
+            while process.poll() is None:
+                seen.add(motor.shown()[0])
+            found, out, error = end(process)
+            with checks_lock:
+                check(runs, f"{what}: another runs it")
+                check(refusal[0] == 5 and "somebody else" in refusal[2], f"{what}: a start is refused", refusal)
+                check(found == 0 and "the motor stands" in json.loads(out)["outcome"], what, (found, out, error))
+                check(motor.stands(), f"{what}: it stands", motor.shown())
+                check(state in seen, f"{what}: in its way", seen)
+
+    cases = [("atv320", (), False, DISABLED), ("atv28", (), False, "switched on"), ("atv12", (), True, "switched on"),
+             ("atv320", ("--freewheel",), True, DISABLED), ("atv28", ("--quick",), False, DISABLED),
+             ("atv310", ("--quick",), True, DISABLED)]
+    with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
+        list(pool.map(one, cases))
+
+
+def resets_and_misses(simulate, program, check):
+    with Motor(simulate) as motor:
+        motor.suffer("fault")
+        time.sleep(0.1)
+        home = {**os.environ, "XDG_STATE_HOME": "/nonexistent"}
+        found, out, _ = end(motor.tool(program, "--json", "--write", "reset", env=home))
+        check(found == 1 and "OCF" in out and "still in fault" in out, "a fault whose cause is there", (found, out))
+        found, _, error = end(motor.start(program))
+        check(found == 1 and "in fault: OCF" in error, "start refuses a drive in fault", (found, error))
+        found, out, _ = end(motor.tool(program, "--json", "stop"))
+        check(found == 0 and "in fault: OCF" in out, "stop says so", (found, out))
+        motor.suffer("clear")
+        found, out, _ = end(motor.tool(program, "--json", "--write", "reset", env=home))
+        check(found == 0 and "OCF" in out and json.loads(out)["outcome"].startswith("reset"), "reset", (found, out))
+        check(motor.shown()[0] == DISABLED, "it is reset", motor.shown())
+        motor.suffer("cut")
+        begin = time.monotonic()
+        found, out, _ = end(motor.tool(program, "--json", "stop"))
+        took = time.monotonic() - begin
+        check(found == 3 and "not reached" in out and took < 8, "stop of a drive that is off", (found, out, took))
+
+
+def orders(simulate, program, check):
+    refused(simulate, program, check)
+    stops(simulate, program, check)
+    resets_and_misses(simulate, program, check)
+
+
+def main(simulate, program, what, *words):
+    check = Checks()
+    {"moments": moments, "ways": ways, "orders": orders}[what](simulate, program, check, *map(int, words))
+    return check.status()
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

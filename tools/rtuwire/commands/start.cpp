@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Runs a motor until somebody ends this program, and stops it then: on every way out that a program has.
+#include <string>
+
+#include "../support/emergency_stop.hpp"
+#include "../support/reason_to_end.hpp"
+#include "commands/commands.hpp"
+#include "line/line_words.hpp"
+#include "line/who_is_it.hpp"
+#include "motion/asked_motion.hpp"
+#include "motion/motor.hpp"
+#include "motion/question.hpp"
+#include "motion/running.hpp"
+
+namespace tool {
+
+namespace {
+
+constexpr double quick_response = 0.3; ///< seconds: one exchange without an answer must not take the drive's time-out
+
+line_choices line_for_motion(line_choices line)
+{
+    line.response_timeout = line.response_timeout.value_or(quick_response);
+    return line;
+}
+
+void refuse_where_it_runs(open_line& line, rtuwire::unit_id unit, drive_catalog const& drive)
+{
+    auto const status = line.ask(unit, rtuwire::read_holding_registers{.start = drive.layout.eta, .count = 1});
+    if (not status) {
+        throw ended{status_of(status.error()), "the drive's status could not be read: " + words_of(status.error())};
+    }
+    if (rtuwire::cia402::has_power(rtuwire::cia402::decode(status->registers[0]))) {
+        refuse_for_safety("the motor has power already: somebody else commands it; `rtuwire stop` stops it");
+    }
+}
+
+std::string announcement(choices const& chosen, named_unit const& who, drive_catalog const& drive,
+                         asked_motion const& asked)
+{
+    double const seconds = chosen.motion.seconds;
+    std::string const length = seconds > 0 ? "for " + text_of_cell(cell{seconds}) + " s" : "until Ctrl-C";
+    std::string const unit =
+        "unit " + std::to_string(who.unit.byte()) + (who.name.empty() ? "" : " (" + who.name + ")");
+    return unit + ", " + std::string{drive.name} + " on " + chosen.line.port + ": runs the motor at " + asked.text +
+           ", " + length;
+}
+
+exit_status start_on(line_choices const& how, choices const& chosen)
+{
+    named_unit const who = unit_in(how);
+    open_line line{how};
+    drive_catalog const& drive = catalog_of(line, who.unit, who.drive);
+    motor_maker const make = maker_of(drive.name);
+    if (make == nullptr) {
+        refuse_word("this program does not run the motor of an " + std::string{drive.name});
+    }
+    asked_motion const asked = motion_asked(chosen.motion, line, who.unit, drive);
+    refuse_where_it_runs(line, who.unit, drive);
+    if (not may_go_on(chosen.allowed, announcement(chosen, who, drive, asked), "run?")) {
+        throw ended{exit_status::refused, "the motor is not started"};
+    }
+    running motor{make({line.port(), line.options()}, who.unit, asked),
+                  line.port(),
+                  who.unit,
+                  drive,
+                  chosen.form,
+                  chosen.motion.seconds};
+    motion_end const end = motor.run();
+    complain("rtuwire: %s\n", end.sentence.c_str());
+    return end.status;
+}
+
+} // namespace
+
+exit_status run_start(choices const& chosen)
+{
+    if (not chosen.allowed.may_run) {
+        refuse_for_safety("this program moves nothing; to run a motor, say --allow-run");
+    }
+    refuse_wrong_words(chosen.motion);
+    take_signals();
+    stop_motor_before_dying();
+    exit_status const status = start_on(line_for_motion(chosen.line), chosen);
+    if (noted.suspend != 0) {
+        standard_output.finish(std::chrono::milliseconds{500});
+        suspend(); // nothing is asked of the drive any more
+    }
+    bool const is_shown = end_of_output("rtuwire", 0) == 0;
+    return status == exit_status::done and not is_shown ? exit_status::port : status;
+}
+
+} // namespace tool

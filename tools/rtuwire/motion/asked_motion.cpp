@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "motion/asked_motion.hpp"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "amount_words.hpp"
+#include "line/asked_registers.hpp"
+#include "line/register_reader.hpp"
+#include "value_text.hpp"
+#include "value_words.hpp"
+
+namespace tool {
+
+namespace {
+
+struct typed_motion {
+    std::string word; ///< as it was typed, for whoever is told that it is wrong
+    std::string size; ///< without its sign
+    bool is_speed;
+    bool is_reverse;
+
+    char const* option() const { return is_speed ? "--speed" : "--frequency"; }
+};
+
+typed_motion typed_in(motion_choices const& typed)
+{
+    bool const is_speed = not typed.speed.empty();
+    std::string const& word = is_speed ? typed.speed : typed.frequency;
+    bool const is_negative = word.starts_with('-');
+    return {word, word.substr(is_negative ? 1 : 0), is_speed, is_negative or typed.is_reverse};
+}
+
+/// What a drive's register holds, where it has been read, as a count.
+std::int64_t count_in(register_reader const& from, drive_catalog const& drive, std::string_view code)
+{
+    register_entry const* const entry = drive.by_code(code);
+    if (entry == nullptr) {
+        refuse_for_safety("an " + std::string{drive.name} + " has no " + std::string{code} +
+                          ", which limits the motor");
+    }
+    auto const word = from.at(entry->address);
+    if (not word) {
+        throw ended{status_of(word.error()),
+                    std::string{code} + ", which limits the motor, could not be read: " + words_of(word.error())};
+    }
+    return entry->count_of(*word);
+}
+
+/// In 0.1 Hz, as the drive works it out of its motor's nameplate; rounded towards zero.
+std::int64_t tenths_of_hertz(std::int64_t speed, std::int64_t rated_tenths, std::int64_t rated_speed)
+{
+    if (rated_tenths <= 0 or rated_speed <= 0) {
+        refuse_for_safety("the drive's nameplate of its motor (FRS, NSP) is empty: say --frequency");
+    }
+    std::int64_t const pole_pairs = (rated_tenths * 6 + rated_speed / 2) / rated_speed;
+    return speed * pole_pairs / 6;
+}
+
+std::string hertz_text(std::int64_t tenths) { return amount_text(tenths, {1, 10}, "Hz"); }
+
+} // namespace
+
+void refuse_wrong_words(motion_choices const& typed)
+{
+    if (typed.speed.empty() == typed.frequency.empty()) {
+        refuse_word("how fast? say --speed 1200rpm or --frequency 40Hz");
+    }
+    typed_motion const it = typed_in(typed);
+    if (it.size != it.word and typed.is_reverse) {
+        refuse_word(std::string{it.option()} + ' ' + it.word + " and --reverse: say the direction once");
+    }
+    std::string_view const unit = it.is_speed ? "rpm" : "Hz";
+    bool const is_number = not it.size.empty() and it.size.front() >= '0' and it.size.front() <= '9';
+    if (not is_number or read_amount(it.size, unit).fault != amount_fault::none) {
+        refuse_word(std::string{it.option()} + ' ' + it.word + ": a number is needed, in " + units_for(unit));
+    }
+}
+
+asked_motion motion_asked(motion_choices const& typed, open_line& line, rtuwire::unit_id unit,
+                          drive_catalog const& drive)
+{
+    typed_motion const it = typed_in(typed);
+    if (it.is_speed and drive.by_code("NSP") == nullptr) {
+        refuse_word("an " + std::string{drive.name} + " is kept running by a frequency: say --frequency 40Hz");
+    }
+    std::vector<chosen_register> limits;
+    for (std::string_view const code : {"LSP", "HSP", "FRS", "NSP"}) {
+        if (register_entry const* const entry = drive.by_code(code)) {
+            limits.push_back({entry->address, entry});
+        }
+    }
+    register_reader reader{limits, &drive};
+    reader.read(line, unit);
+    std::int64_t const lowest = count_in(reader, drive, "LSP");
+    std::int64_t const highest = count_in(reader, drive, "HSP");
+
+    std::uint16_t const address = it.is_speed ? drive.speed_reference : drive.frequency_reference;
+    register_entry const& reference = *drive.at(address);
+    typed_amount const amount = read_amount(it.size, reference.unit);
+    std::int64_t const count = amount.amount.counts_below(reference.step);
+    std::string const said = std::string{it.option()} + ' ' + it.word;
+    if (amount.amount.counts_above(reference.step) != count) {
+        refuse_word(said + ": not a whole number of steps of " + amount_text(1, reference.step, reference.unit));
+    }
+    bool const fits = count <= reference.highest_count();
+    std::int64_t const tenths =
+        it.is_speed and fits ? tenths_of_hertz(count, count_in(reader, drive, "FRS"), count_in(reader, drive, "NSP"))
+                             : count;
+    if (not fits or tenths < lowest or tenths > highest) {
+        refuse_word(said + (it.is_speed ? " (" + hertz_text(tenths) + ")" : std::string{}) +
+                    ": the drive is set to run from " + hertz_text(lowest) + " (LSP) to " + hertz_text(highest) +
+                    " (HSP)");
+    }
+    std::string const text = amount_text(count, reference.step, reference.unit) + (it.is_reverse ? ", reverse" : "");
+    return {static_cast<std::int16_t>(count), it.is_speed, it.is_reverse, text};
+}
+
+} // namespace tool

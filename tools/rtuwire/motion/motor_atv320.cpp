@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include <rtuwire/altivar/atv320.hpp>
+
+#include "motion/motor_of.hpp"
+
+namespace tool {
+
+std::unique_ptr<motor> make_motor_of_atv320(motor_line const& line, rtuwire::unit_id unit, asked_motion const& asked)
+{
+    return make_motor<rtuwire::altivar::atv320::device>(line, unit, asked);
+}
+
+} // namespace tool

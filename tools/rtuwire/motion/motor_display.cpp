@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "motion/motor_display.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include <unistd.h>
+
+#include "../support/say.hpp"
+
+namespace tool {
+
+namespace {
+
+std::unique_ptr<form> form_for(output_form how)
+{
+    switch (how) {
+    case output_form::json: return make_json();
+    case output_form::csv: return make_csv();
+    case output_form::table: break;
+    }
+    return make_table(true);
+}
+
+double amperes_a_step(drive_catalog const& drive)
+{
+    register_entry const* const current = drive.by_code("LCR");
+    bool const is_known = current != nullptr and current->steps_set_by.empty();
+    return is_known ? static_cast<double>(current->step.numerator) / static_cast<double>(current->step.denominator) : 0;
+}
+
+constexpr std::size_t longest_state = 22;
+
+std::string state_text(motor_sight const& seen)
+{
+    return seen.is_linked ? std::string{std::string_view{name_of(seen.state)}} : std::string{"no link"};
+}
+
+} // namespace
+
+motor_display::motor_display(output_form how, drive_catalog const& drive)
+    : form_{form_for(how)}, is_table_{how == output_form::table}, is_line_{is_table_ and ::isatty(STDOUT_FILENO) == 1},
+      amperes_a_step_{amperes_a_step(drive)}
+{}
+
+void motor_display::show(motor_sight const& seen)
+{
+    if (seconds() < next_) {
+        return;
+    }
+    next_ = std::floor(seconds() * (is_line_ ? 5 : 1) + 1) / (is_line_ ? 5 : 1);
+    standard_output.put(is_line_ ? line_of(seen) : form_->text_of(record_of(seen, {})));
+}
+
+void motor_display::end(motor_sight const& seen, std::string const& sentence)
+{
+    standard_output.put(is_line_ ? line_of(seen) + '\n' : form_->text_of(record_of(seen, sentence)) + form_->rest());
+}
+
+record motor_display::record_of(motor_sight const& seen, std::string const& note) const
+{
+    bool const is_known = seen.is_linked and seen.has_output;
+    bool const has_current = is_known and amperes_a_step_ > 0;
+    std::string state = state_text(seen);
+    if (is_table_) { // a table that is shown line by line has columns as wide as its first line
+        state.resize(longest_state, ' ');
+    }
+    return {{"seconds", std::round(seconds() * 10) / 10},
+            {"state", state},
+            {"frequency", is_known ? cell{hertz_of(seen)} : cell{}},
+            {"current", has_current ? cell{seen.current * amperes_a_step_} : cell{}},
+            {"note", note}};
+}
+
+std::string motor_display::line_of(motor_sight const& seen) const
+{
+    char text[128];
+    if (seen.is_linked and seen.has_output) {
+        std::snprintf(text, sizeof text, "\r%6.1f s  %-22s %7.1f Hz  %6.2f A\x1b[K", seconds(),
+                      state_text(seen).c_str(), hertz_of(seen), seen.current * amperes_a_step_);
+    } else {
+        std::snprintf(text, sizeof text, "\r%6.1f s  %-22s\x1b[K", seconds(), state_text(seen).c_str());
+    }
+    return text;
+}
+
+double motor_display::hertz_of(motor_sight const& seen) const
+{
+    double const size = std::abs(seen.output) / 10.0;
+    return seen.output < 0 or (seen.output > 0 and seen.is_backwards) ? -size : size;
+}
+
+double motor_display::seconds() const
+{
+    return std::chrono::duration<double>{std::chrono::steady_clock::now() - began_}.count();
+}
+
+} // namespace tool

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A motor of one type of drive. Included by one file a drive.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include <rtuwire/client.hpp>
+#include <rtuwire/drives.hpp>
+
+#include "motion/motor.hpp"
+
+namespace tool {
+
+/// The same drive, commanded by a frequency: command and LFR stand side by side in each, and are written by function
+/// 16; status and output frequency are read by function 03. It needs no scanner.
+template <typename Device> struct by_frequency : Device {
+    static constexpr rtuwire::altivar::scanner_registers scanner{};
+    static constexpr rtuwire::altivar::cycle_registers cycle{
+        .by = rtuwire::function_code::write_multiple_registers,
+        .reads = {Device::layout.eta, Device::layout.rfr},
+        .writes = {Device::layout.cmd, Device::frequency_reference.address},
+        .speed = Device::layout.rfr};
+    static_assert(Device::layout.rfr == Device::layout.eta + 1);
+    static_assert(Device::frequency_reference.address == Device::layout.cmd + 1);
+};
+
+template <rtuwire::device_type Device> class motor_of final : public motor {
+    using setting = rtuwire::setting<rtuwire::altivar::cycle_layout<Device>::reference>;
+    static constexpr unsigned shown_words = 3; ///< RFR, another, LCR
+    static constexpr rtuwire::duration shown_every = rtuwire::milliseconds(200);
+
+public:
+    motor_of(motor_line const& line, rtuwire::unit_id unit, asked_motion const& asked)
+        : port_{line.port}, bus_{line.port.timing(), line.options, {.silent_share = 50}},
+          cycle_{station_of(unit), {.supervision = {.longest_gap = longest_gap(line.options)}}},
+          reference_{setting::checked(typename setting::value_type{asked.count})},
+          direction_{asked.is_reverse ? rtuwire::altivar::run_direction::reverse
+                                      : rtuwire::altivar::run_direction::forward},
+          unit_{unit}, shown_at_{port_.now()}
+    {}
+
+    rtuwire::result<void> pass() override
+    {
+        rtuwire::instant const now = port_.now();
+        bus_.advance(now);
+        bus_.converse(0, cycle_, now);
+        if (not shown_ and cycle_.supervision().finding == rtuwire::altivar::outcome_kind::succeeded and
+            reached(now, shown_at_)) {
+            asks_fault_ = cycle_.control().state() == rtuwire::cia402::state::fault and sight_.fault == 0;
+            shown_.emplace(unit_, asks_fault_ ? rtuwire::read_holding_registers{.start = Device::layout.lft, .count = 1}
+                                              : rtuwire::read_holding_registers{.start = Device::layout.rfr,
+                                                                                .count = shown_words});
+        }
+        if (shown_) {
+            bus_.converse(1, *shown_, now);
+            take_shown(now);
+        }
+        return pump(bus_, port_, input_, now + rtuwire::milliseconds(10));
+    }
+
+    bool run() override
+    {
+        sight_.has_output = false;
+        return reference_ and cycle_.run(*reference_, direction_);
+    }
+
+    void stop(rtuwire::altivar::stop_by how) override
+    {
+        sight_.has_output = false;
+        is_old_ = shown_.has_value();
+        cycle_.stop(how);
+    }
+
+    motor_sight sight() const override
+    {
+        auto const& control = cycle_.control();
+        motor_sight seen = sight_;
+        seen.state = control.state();
+        seen.is_linked = not cycle_.link_lost();
+        seen.is_able = control.is_able();
+        seen.is_ordered = control.is_ordered();
+        seen.is_backwards = (control.status() & rtuwire::altivar::runs_backwards_bit) != 0;
+        return seen;
+    }
+
+    rtuwire::altivar::reason reason() const override { return cycle_.control().reason(); }
+    rtuwire::altivar::supervision_report const& supervision() const override { return cycle_.supervision(); }
+
+private:
+    static rtuwire::station<Device> station_of(rtuwire::unit_id unit)
+    {
+        auto const found = rtuwire::station<Device>::checked(unit.byte());
+        if (not found) {
+            refuse_word("unit " + std::to_string(unit.byte()) + " is no address of this drive: it has one from " +
+                        std::to_string(Device::units.first) + " to " + std::to_string(Device::units.last));
+        }
+        return *found;
+    }
+
+    /// An exchange and a read that got no answer, and the period.
+    static rtuwire::duration longest_gap(rtuwire::client_options const& options)
+    {
+        return options.response_timeout * (1U + options.retries) + rtuwire::milliseconds(30);
+    }
+
+    void take_shown(rtuwire::instant now)
+    {
+        if (not shown_->settled()) {
+            return;
+        }
+        auto const outcome = shown_->outcome();
+        auto const read = outcome ? outcome->template to<rtuwire::read_holding_registers>() : outcome.error();
+        if (read and asks_fault_) {
+            sight_.fault = read->registers[0];
+        } else if (read and not is_old_) {
+            sight_.output = static_cast<std::int16_t>(read->registers[0]);
+            sight_.current = read->registers[shown_words - 1];
+            sight_.has_output = true;
+        }
+        is_old_ = false;
+        shown_.reset();
+        shown_at_ = asks_fault_ ? now : now + shown_every;
+    }
+
+    any_port& port_;
+    rtuwire::bus<2> bus_;
+    rtuwire::altivar::cyclic<Device> cycle_;
+    rtuwire::result<setting> reference_;
+    rtuwire::altivar::run_direction direction_;
+    rtuwire::unit_id unit_;
+    std::optional<rtuwire::single_request<rtuwire::read_holding_registers>> shown_{};
+    rtuwire::instant shown_at_;
+    motor_sight sight_{};
+    std::array<std::byte, rtuwire::max_adu_size> input_{};
+    bool asks_fault_{false};
+    bool is_old_{false}; ///< what is on its way was asked before the stop
+};
+
+/// By a speed over the drive's scanner, or by a frequency without it.
+template <rtuwire::device_type Device>
+std::unique_ptr<motor> make_motor(motor_line const& line, rtuwire::unit_id unit, asked_motion const& asked)
+{
+    if (asked.is_speed) {
+        return std::make_unique<motor_of<Device>>(line, unit, asked);
+    }
+    return std::make_unique<motor_of<by_frequency<Device>>>(line, unit, asked);
+}
+
+} // namespace tool

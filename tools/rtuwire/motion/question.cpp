@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "motion/question.hpp"
+
+#include <cstdio>
+
+#include <poll.h>
+#include <unistd.h>
+
+#include "../support/signals.hpp"
+
+namespace tool {
+
+bool may_go_on(permissions const& allowed, std::string const& what, char const* question)
+{
+    constexpr int look_every = 100; // ms
+    bool const asks = not allowed.is_confirmed and ::isatty(STDIN_FILENO) == 1;
+    std::fprintf(stderr, asks ? "%s\n%s (y/n) " : "%s\n", what.c_str(), question);
+    if (not asks) {
+        return noted.end == 0;
+    }
+    pollfd watched{STDIN_FILENO, POLLIN, 0};
+    while (noted.end == 0 and noted.suspend == 0) {
+        if (::poll(&watched, 1, look_every) > 0) {
+            char answer = 0;
+            return ::read(STDIN_FILENO, &answer, 1) == 1 and (answer == 'y' or answer == 'Y');
+        }
+    }
+    return false;
+}
+
+} // namespace tool

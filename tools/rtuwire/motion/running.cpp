@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "motion/running.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "../support/emergency_stop.hpp"
+#include "value_text.hpp"
+
+namespace tool {
+
+namespace {
+
+using rtuwire::altivar::outcome_kind;
+using rtuwire::altivar::stop_by;
+using rtuwire::cia402::state;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr seconds longest_look{3};      ///< between two passes, before the drive's time-out was read
+constexpr seconds connect_limit{5};     ///< to the first exchange of words
+constexpr seconds able_limit{5};        ///< to a drive that takes an order
+constexpr seconds unreached_limit{3};   ///< the library sends words that stop for 2 s, and is silent then
+constexpr seconds unfollowed_limit{30}; ///< in which the motor gets no slower
+
+std::string words_of_kind(outcome_kind kind) { return std::string{std::string_view{name_of(kind)}}; }
+
+} // namespace
+
+running::running(std::unique_ptr<motor> which, any_port& port, rtuwire::unit_id unit, drive_catalog const& drive,
+                 output_form how, double length)
+    : motor_{std::move(which)}, port_{port}, unit_{unit}, drive_{drive}, display_{how, drive}, must_end_{longest_look},
+      length_{length}
+{}
+
+running::~running() { emergency.stop_motor(); }
+
+motion_end running::run()
+{
+    display_.show(motor_->sight());
+    standard_output.finish(milliseconds{300});
+    auto early = connect();
+    if (not early) {
+        early = order();
+    }
+    if (early) {
+        emergency.disarm(); // it has no order
+        display_.end(motor_->sight(), early->sentence);
+        return *early;
+    }
+    motion_end end = keep_running();
+    std::string const rest = stop(end);
+    end.sentence += "; " + rest;
+    display_.end(motor_->sight(), end.sentence);
+    return end;
+}
+
+/// Ends where the port fails. False where something asks for an end; nothing is sent then.
+bool running::pass()
+{
+    must_end_.look();
+    if (must_end_) {
+        return false;
+    }
+    if (not motor_->pass()) {
+        throw ended{exit_status::port, port_.failure() + "; the motor stops when the drive's own time-out is over"};
+    }
+    display_.show(motor_->sight());
+    return true;
+}
+
+std::optional<motion_end> running::connect()
+{
+    auto const until = clock::now() + connect_limit;
+    while (not motor_->sight().is_linked) {
+        outcome_kind const why = motor_->reason().kind;
+        bool const is_refused =
+            why != outcome_kind::pending and why != outcome_kind::silent and why != outcome_kind::in_fault;
+        if (is_refused or clock::now() > until) {
+            return refusal_of_check();
+        }
+        if (not pass()) {
+            return interrupted();
+        }
+    }
+    rtuwire::duration const timeout = motor_->supervision().period.timeout;
+    must_end_ = reason_to_end{to_chrono(timeout != rtuwire::duration{} ? timeout : drive_.layout.longest_silence) / 3};
+    return std::nullopt;
+}
+
+motion_end running::refusal_of_check() const
+{
+    auto const& found = motor_->supervision();
+    auto const why = motor_->reason();
+    if (why.kind == outcome_kind::silent or why.kind == outcome_kind::pending) {
+        return {exit_status::no_answer, "the drive does not answer"};
+    }
+    std::string sentence = "the motor is not started: " + words_of_kind(why.kind);
+    if (why.error != rtuwire::errc::none) {
+        sentence += ": " + words_of(why.error);
+    }
+    if (why.kind == outcome_kind::timeout_too_short) {
+        sentence += " (" + std::to_string(found.period.timeout.microseconds / 1'000) +
+                    " ms; it has to be three times " + std::to_string(found.period.longest_gap.microseconds / 1'000) +
+                    " ms: a shorter --timeout helps)";
+    } else if (register_entry const* const entry = found.finding == why.kind ? drive_.at(found.address) : nullptr) {
+        sentence += " (" + std::string{entry->code} + " is " + full_text(*entry, found.word) + ")";
+    } else if (why.kind == outcome_kind::misconfigured) {
+        sentence += "; --frequency does without it";
+    } else if (why.kind == outcome_kind::in_fault) {
+        return {exit_status::differs, sentence + fault_text() + "; `rtuwire reset` resets it"};
+    }
+    return {why.kind == outcome_kind::refused ? exit_status::differs : exit_status::refused, sentence};
+}
+
+std::optional<motion_end> running::order()
+{
+    auto const until = clock::now() + able_limit;
+    while (not motor_->sight().is_able) {
+        if (clock::now() > until or motor_->sight().fault != 0) {
+            return refusal_of_check();
+        }
+        if (not pass()) {
+            return interrupted();
+        }
+    }
+    if (int const failure = standard_output.failure(); failure != 0) {
+        return motion_end{exit_status::port,
+                          std::string{"standard output: "} + std::strerror(failure) + ": the motor is not started"};
+    }
+    emergency.arm(port_, unit_, drive_.layout.cmd);
+    if (not motor_->run()) {
+        return motion_end{exit_status::differs, "the drive takes no order: " + words_of_kind(motor_->reason().kind)};
+    }
+    return std::nullopt;
+}
+
+motion_end running::keep_running()
+{
+    std::optional<clock::time_point> until;
+    for (;;) {
+        if (not pass()) {
+            return interrupted();
+        }
+        motor_sight const seen = motor_->sight();
+        if (not seen.is_ordered) {
+            return order_lost();
+        }
+        bool const runs = seen.state == state::operation_enabled;
+        if (runs and length_.count() > 0 and not until) {
+            until = clock::now() + std::chrono::duration_cast<clock::duration>(length_);
+        }
+        if (until and clock::now() >= *until) {
+            return {exit_status::done, "the time is over"};
+        }
+    }
+}
+
+motion_end running::interrupted() const
+{
+    int const failure = standard_output.failure();
+    exit_status const status = noted.end != 0 ? exit_status::done
+                               : failure != 0 ? exit_status::port
+                                              : exit_status::differs;
+    return {status, "ended: " + must_end_.text()};
+}
+
+motion_end running::order_lost() const
+{
+    auto const why = motor_->reason();
+    exit_status const status = why.kind == outcome_kind::silent ? exit_status::no_answer : exit_status::differs;
+    return {status,
+            why.kind == outcome_kind::silent ? "the link is lost: " + words_of(why.error) : words_of_kind(why.kind)};
+}
+
+std::string running::fault_text() const
+{
+    std::uint16_t const fault = motor_->sight().fault;
+    register_entry const* const entry = drive_.at(drive_.layout.lft);
+    return entry == nullptr or fault == 0 ? std::string{} : ": " + text_of(*entry, fault);
+}
+
+bool running::stands() const
+{
+    motor_sight const seen = motor_->sight();
+    bool const has_no_power = seen.state == state::switch_on_disabled or seen.state == state::not_ready_to_switch_on or
+                              (seen.state == state::fault and seen.fault != 0);
+    return seen.is_linked and has_no_power and seen.has_output and seen.output == 0;
+}
+
+/// A second Ctrl-C takes the motor's power away, whatever it does.
+void running::heed_interrupts()
+{
+    if (noted.interrupts >= 2 and not std::exchange(is_coasting_, true)) {
+        motor_->stop(stop_by::freewheel);
+    }
+}
+
+/// Until it stands; what became of it. Where it was not seen to stand, that is what the end is about.
+std::string running::stop(motion_end& end)
+{
+    motor_->stop(stop_by::ramp);
+    bool const is_local = motor_->reason().kind == outcome_kind::local_control;
+    auto const patience = is_local ? unreached_limit : unfollowed_limit;
+    auto slowed = clock::now();
+    auto heard = slowed;
+    int slowest = 65'536;
+    while (not stands()) {
+        heed_interrupts();
+        if (not motor_->pass()) {
+            throw ended{exit_status::port, port_.failure() + "; the motor stops when the drive's own time-out is over"};
+        }
+        display_.show(motor_->sight());
+        motor_sight const seen = motor_->sight();
+        auto const now = clock::now();
+        heard = seen.is_linked ? now : heard;
+        int const output = seen.has_output ? std::abs(int{seen.output}) : slowest;
+        slowed = output < slowest ? now : slowed;
+        slowest = std::min(slowest, output);
+        if (now - heard > unreached_limit) {
+            emergency.disarm(); // from here on only silence makes the drive stop
+            end.status = exit_status::no_answer;
+            return "nobody answered the stop: the drive stops when its own time-out is over";
+        }
+        bool const has_no_power = seen.is_linked and rtuwire::cia402::is_at_rest(seen.state);
+        if (now - slowed > patience or (is_coasting_ and has_no_power)) {
+            emergency.stop_motor();
+            end.status = exit_status::differs;
+            return has_no_power ? "the motor has no power; it was not seen to stand"
+                                : "THE MOTOR WAS TOLD TO STOP, AND DOES NOT FOLLOW";
+        }
+    }
+    emergency.disarm();
+    return (motor_->sight().state == state::fault ? "fault" + fault_text() + "; " : std::string{}) + "the motor stands";
+}
+
+} // namespace tool

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The life of one motor: from the check before the order to where it was seen to stand. However it is left, the motor is
+// stopped.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "../support/reason_to_end.hpp"
+#include "catalog.hpp"
+#include "exit_status.hpp"
+#include "motion/motor.hpp"
+#include "motion/motor_display.hpp"
+
+namespace tool {
+
+/// How it ended, in words.
+struct motion_end {
+    exit_status status;
+    std::string sentence;
+};
+
+class running {
+public:
+    /// `seconds`: how long it runs; 0: until somebody ends the program.
+    running(std::unique_ptr<motor> which, any_port& port, rtuwire::unit_id unit, drive_catalog const& drive,
+            output_form how, double seconds);
+    running(running const&) = delete;
+    running& operator=(running const&) = delete;
+    /// Stops the motor where it was not seen to stand: an exception is on its way.
+    ~running();
+
+    /// All of it. Ends early (`ended`) where the port, or the output, fails before the motor was ordered to run.
+    motion_end run();
+
+private:
+    using clock = std::chrono::steady_clock;
+
+    bool pass();
+    /// Each until it is so; or why it ends before.
+    std::optional<motion_end> connect();
+    std::optional<motion_end> order();
+    motion_end keep_running();
+    std::string stop(motion_end& end);
+
+    motion_end refusal_of_check() const;
+    motion_end order_lost() const;
+    motion_end interrupted() const;
+    std::string fault_text() const;
+    void heed_interrupts();
+    bool stands() const;
+
+    std::unique_ptr<motor> motor_;
+    any_port& port_;
+    rtuwire::unit_id unit_;
+    drive_catalog const& drive_;
+    motor_display display_;
+    reason_to_end must_end_;
+    std::chrono::duration<double> length_;
+    bool is_coasting_{false};
+};
+
+} // namespace tool
