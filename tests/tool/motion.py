@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSL-1.0
 """The tool runs and stops the motor of a simulated drive in another process, which tells what the motor does.
 
-    python3 motion.py SIMULATE TOOL moments [COUNT]    kills the tool in so many moments of `start`, by each signal
-    python3 motion.py SIMULATE TOOL ways               the other ways out, each on a drive of its own, all at once
-    python3 motion.py SIMULATE TOOL orders             what is refused; `stop` and `reset`
+    python3 motion.py TOOL moments [COUNT]    kills the tool in so many moments of `start`, by each signal
+    python3 motion.py TOOL ways               the other ways out, each on a drive of its own, all at once
+    python3 motion.py TOOL orders             what is refused; `stop` and `reset`
 """
 import concurrent.futures
 import fcntl
@@ -86,10 +86,10 @@ def end(process, limit=LIMIT):
 
 # Moments.
 
-def kill_at(simulate, program, drive, name, moment):
+def kill_at(program, drive, name, moment):
     """Whether it turned; what is wrong, or nothing."""
     is_killed = name == "KILL"
-    with Motor(simulate, drive, tto=QUICK if is_killed else None) as motor:
+    with Motor(program, drive, tto=QUICK if is_killed else None) as motor:
         process = motor.start(program, "--for", "1s")
         time.sleep(moment)
         turned = motor.turns()
@@ -103,7 +103,7 @@ def kill_at(simulate, program, drive, name, moment):
         return turned, None if motor.stands() else f"{motor.shown()}, status {status}, {text}"
 
 
-def moments(simulate, program, check, count=20):
+def moments(program, check, count=20):
     """The motor stops, whenever it comes; by KILL within the drive's time-out."""
     runs = []
     for name in SIGNALS:
@@ -111,7 +111,7 @@ def moments(simulate, program, check, count=20):
             drive = DRIVES[i % 2] if name != "KILL" else "atv320" if i % 10 else "atv28"
             runs.append((drive, name, 0.02 + LIFE * i / count))
     with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
-        ends = list(pool.map(lambda run: kill_at(simulate, program, *run), runs))
+        ends = list(pool.map(lambda run: kill_at(program, *run), runs))
     for name in SIGNALS:
         of_one = [(run, found) for run, found in zip(runs, ends) if run[1] == name]
         wrong = [(run, found[1]) for run, found in of_one if found[1]]
@@ -298,13 +298,13 @@ TIMES = {by_lost_line: QUICK, by_deaf_line: 300, by_stop: 60, by_sleep: 60}
 RAMPS = {by_two_interrupts: 100}
 
 
-def ways(simulate, program, check):
+def ways(program, check):
     def checked(*words):
         with checks_lock:
             check(*words)
 
     def one(way):
-        with Motor(simulate, tto=TIMES.get(way), ramp=RAMPS.get(way, 5)) as motor:
+        with Motor(program, tto=TIMES.get(way), ramp=RAMPS.get(way, 5)) as motor:
             try:
                 way(motor, program, checked)
             except Exception as error:  # pylint: disable=broad-except
@@ -316,7 +316,7 @@ def ways(simulate, program, check):
 
 # Orders.
 
-def refused(simulate, program, check):
+def refused(program, check):
     with Motor(simulate) as motor, Line(motor.device) as line:
         def asks(what, status, says, *words):
             found, _, error = end(motor.tool(program, *words, device=line.name))
@@ -350,12 +350,12 @@ def runs_by_another(motor, at, speed=400):
     return soon(lambda: motor.shown()[1] == speed / 10)
 
 
-def stops(simulate, program, check):
+def stops(program, check):
     from simulator import Registers
 
     def one(case):
         name, words, is_named, state = case
-        with Motor(simulate, name) as motor:
+        with Motor(program, name) as motor:
             what = f"stop {' '.join(words)} of {name}{' by its name' if is_named else ''}"
             runs = runs_by_another(motor, Registers(name))
             refusal = end(motor.start(program))
@@ -378,7 +378,7 @@ def stops(simulate, program, check):
         list(pool.map(one, cases))
 
 
-def resets_and_misses(simulate, program, check):
+def resets_and_misses(program, check):
     with Motor(simulate) as motor:
         motor.suffer("fault")
         time.sleep(0.1)
@@ -400,15 +400,15 @@ def resets_and_misses(simulate, program, check):
         check(found == 3 and "not reached" in out and took < 8, "stop of a drive that is off", (found, out, took))
 
 
-def orders(simulate, program, check):
-    refused(simulate, program, check)
-    stops(simulate, program, check)
-    resets_and_misses(simulate, program, check)
+def orders(program, check):
+    refused(program, check)
+    stops(program, check)
+    resets_and_misses(program, check)
 
 
-def main(simulate, program, what, *words):
+def main(program, what, *words):
     check = Checks()
-    {"moments": moments, "ways": ways, "orders": orders}[what](simulate, program, check, *map(int, words))
+    {"moments": moments, "ways": ways, "orders": orders}[what](program, check, *map(int, words))
     return check.status()
 
 

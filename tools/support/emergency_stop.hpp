@@ -15,7 +15,7 @@
 
 #include <unistd.h>
 
-#include <rtuwire/cia402/command.hpp>
+#include <rtuwire/drives.hpp>
 #include <rtuwire/frames.hpp>
 
 namespace tool {

@@ -45,9 +45,9 @@ struct ending {
     std::string sentence;
 };
 
-class stopping {
+class stop_command {
 public:
-    stopping(choices const& chosen, named_unit who)
+    stop_command(choices const& chosen, named_unit who)
         : chosen_{chosen}, who_{std::move(who)}, way_{way_in(chosen.motion.stop_by)}, line_{line_to_stop(chosen.line)}
     {}
 
@@ -177,7 +177,7 @@ exit_status run_stop(choices const& chosen)
     if (not who.drive.empty()) {
         static_cast<void>(catalog_chosen(who.drive)); // refuses one that there is not
     }
-    return stopping{chosen, who}.run();
+    return stop_command{chosen, who}.run();
 }
 
 } // namespace tool

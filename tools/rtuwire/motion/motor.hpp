@@ -8,10 +8,8 @@
 #include <memory>
 #include <string_view>
 
-#include <rtuwire/altivar/procedure/inspection/supervision_report.hpp>
-#include <rtuwire/altivar/procedure/motion/stop.hpp>
-#include <rtuwire/altivar/procedure/outcome.hpp>
 #include <rtuwire/client.hpp>
+#include <rtuwire/drives.hpp>
 
 #include "any_port.hpp"
 #include "motion/asked_motion.hpp"

@@ -28,7 +28,17 @@ template <typename Device> struct by_frequency : Device {
 };
 
 template <rtuwire::device_type Device> class motor_of final : public motor {
-    using setting = rtuwire::setting<rtuwire::altivar::cycle_layout<Device>::reference>;
+    /// What the drive's cycle writes: a speed, or a frequency.
+    static constexpr auto const& written = []() -> auto const&
+    {
+        if constexpr (Device::cycle.writes.has(Device::speed_reference.address)) {
+            return Device::speed_reference;
+        } else {
+            return Device::frequency_reference;
+        }
+    }
+    ();
+    using setting = rtuwire::setting<written>;
     static constexpr unsigned shown_words = 3; ///< RFR, another, LCR
     static constexpr rtuwire::duration shown_every = rtuwire::milliseconds(200);
 
