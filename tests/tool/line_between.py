@@ -20,6 +20,10 @@ class LineBetween:
         self.drives = os.open(device, os.O_RDWR | os.O_NOCTTY)
         tty.setraw(self.drives)
         self.sent = b""
+        self.tap, self.tap_end = pty.openpty()  # where a listener gets the bytes of both directions
+        tty.setraw(self.tap_end)
+        self.tap_name = os.ttyname(self.tap_end)
+        self.is_tapped = False
         self.shall_end = False
         self.thread = threading.Thread(target=self._run)
 
@@ -30,7 +34,7 @@ class LineBetween:
     def __exit__(self, *_):
         self.shall_end = True
         self.thread.join()
-        for each in (self.client, self.end, self.drives):
+        for each in (self.client, self.end, self.drives, self.tap, self.tap_end):
             os.close(each)
 
     def _run(self):
@@ -40,7 +44,13 @@ class LineBetween:
                 moved = os.read(each, 512)
                 if each == self.client:
                     self.sent += moved
+                if self.is_tapped:
+                    os.write(self.tap, moved)
                 os.write(other[each], moved)
+
+    def say_to_tap(self, data):
+        """Bytes that only the listener gets."""
+        os.write(self.tap, data)
 
     def functions(self):
         """The function codes of all requests; raises KeyError at the first that does more than read."""

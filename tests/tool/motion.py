@@ -317,7 +317,7 @@ def ways(program, check):
 # Orders.
 
 def refused(program, check):
-    with Motor(simulate) as motor, Line(motor.device) as line:
+    with Motor(program) as motor, Line(motor.device) as line:
         def asks(what, status, says, *words):
             found, _, error = end(motor.tool(program, *words, device=line.name))
             check(found == status and says in error, f"{what} is refused", (found, error))
@@ -379,7 +379,7 @@ def stops(program, check):
 
 
 def resets_and_misses(program, check):
-    with Motor(simulate) as motor:
+    with Motor(program) as motor:
         motor.suffer("fault")
         time.sleep(0.1)
         home = {**os.environ, "XDG_STATE_HOME": "/nonexistent"}

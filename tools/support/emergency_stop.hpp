@@ -28,9 +28,9 @@ struct emergency_stop {
     /// `port` is any that has a `descriptor_number()`; `command` is the address of the drive's control word.
     template <typename Port> void arm(Port const& port, rtuwire::unit_id drive, std::uint16_t command)
     {
-        using namespace rtuwire;
-        auto const written = encode_into(
-            frame, drive, write_single_register{command, cia402::word_of(cia402::command::disable_voltage)});
+        constexpr std::uint16_t disable_voltage = 0;
+        auto const written =
+            rtuwire::encode_into(frame, drive, rtuwire::write_single_register{command, disable_voltage});
         line = written ? port.descriptor_number() : -1;
     }
 

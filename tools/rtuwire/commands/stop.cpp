@@ -82,10 +82,9 @@ private:
     /// Takes the power of the motor away; whether it is that of an ATV28.
     bool is_atv28()
     {
-        using namespace rtuwire::altivar;
-        errc const first = write_zero(atv320::device::layout.cmd);
+        errc const first = write_zero(rtuwire::altivar::atv320::device::layout.cmd);
         if (first == errc::none) {
-            way_ = stop_by::freewheel;
+            way_ = rtuwire::altivar::stop_by::freewheel;
             is_blind_ = chosen_.motion.stop_by != "freewheel";
             return false;
         }
@@ -93,7 +92,7 @@ private:
             return true;
         }
         // Nobody answered, or a drive that does not take it now: it may be either.
-        return write_zero(atv28::device::layout.cmd) == errc::none;
+        return write_zero(rtuwire::altivar::atv28::device::layout.cmd) == errc::none;
     }
 
     template <rtuwire::device_type Device> rtuwire::altivar::reason stop_of(std::string const& drive)

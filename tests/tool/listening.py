@@ -1,0 +1,137 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""sniff, capture, replay and timing on a line on which another program reads simulated drives; and who speaks there.
+
+    python3 listening.py TOOL
+"""
+import json
+import re
+import subprocess
+import time
+
+from line_between import LineBetween
+from support import DONE, NO_ANSWER, PORT, REFUSED, USAGE, Simulator, Tool, runs
+
+NAMES = ("--name", "fan=7:atv320", "--name", "pump=3:atv12")
+
+
+def told(check, what, is_right, detail=""):
+    check(is_right, what, detail)
+
+
+def traffic(tool, line, seconds="0.6s", unit=7):
+    """Another client reads; what it said it read."""
+    return tool.run("--no-listen", "-u", unit, "--json", *NAMES, "watch", "RFR", "LCR", "ACC", "--every", "0.1s", "--for",
+                    seconds, port=line.name)
+
+
+def listen(tool, line, *words):
+    process = tool.start(*words, port=line.tap_name)
+    time.sleep(0.15)
+    line.is_tapped = True
+    return process
+
+
+def ended(process):
+    output, errors = process.communicate(timeout=20)
+    return process.returncode, output, errors
+
+
+def sniffs(tool, line, check):
+    process = listen(tool, line, "--json", *NAMES, "sniff", "--for", "1.6s")
+    traffic(tool, line)
+    line.say_to_tap(bytes.fromhex("07030C820001"))  # cut off: no CRC
+    tool.run("--no-listen", "-u", 9, "--timeout", "0.1", "--retries", "0", "read", "3202", port=line.name)
+    status, output, _ = ended(process)
+    seen = [json.loads(each) for each in output.splitlines()]
+    good = [each for each in seen if each["verdict"] == "good" and each["unit"] == 7]
+    told(check, "sniff ends with its time", status == DONE, status)
+    told(check, "requests and responses take turns", [each["role"] for each in good] ==
+               ["request", "response"] * (len(good) // 2) and len(good) >= 20, [each["role"] for each in good])
+    texts = {each["text"] for each in good}
+    told(check, "requests are named", "read RFR, 3 registers" in texts and "read ACC" in texts, texts)
+    told(check, "values have their units", "RFR 0.0 Hz, FRH 0.0 Hz, LCR 0.0 A" in texts, texts)
+    told(check, "a request without a response is told", any(each["verdict"] in ("unanswered", "damaged")
+                                                          for each in seen if each["unit"] == 9) or
+               any("no response" in each["text"] for each in seen), seen[-3:])
+    told(check, "damaged bytes are told", any(each["verdict"] == "damaged" for each in seen), seen)
+    told(check, "response times are those of a drive that answers at once",
+               all(each["ms"] < 100 for each in good if each["role"] == "response"), [each["ms"] for each in good])
+
+
+def captures(tool, line, check):
+    file = tool.place / "line.pcapng"
+    process = listen(tool, line, "capture", "-o", file, "--for", "1.5s")
+    traffic(tool, line, unit=3)
+    status, output, errors = ended(process)
+    told(check, "capture ends with its time, and counts", status == DONE and not output and "frames" in errors, errors)
+    first, second = (tool.run("--json", *NAMES, "replay", file) for _ in range(2))
+    told(check, "a replay says the same each time", first.output == second.output and first.status == DONE, first)
+    seen = first.objects()
+    good = [each for each in seen if each["verdict"] == "good"]
+    told(check, "a replay pairs all", len(good) == len(seen) and len(good) >= 20, seen[:4])
+    told(check, "a replay names values", any("RFR 0.0 Hz" in each["text"] for each in good), good[:4])
+    again = tool.place / "again.pcapng"
+    again.write_bytes(file.read_bytes()[:-7])
+    cut = tool.run("replay", again)
+    told(check, "a file that was cut short is told with its place",
+               cut.status == PORT and re.search(r"at byte \d+", cut.errors), cut)
+    shown = subprocess.run(["tshark", "-r", file, "-o", "mbrtu.udp.port:1502", "-o", "mbrtu.crc_verification:TRUE", "-T",
+                            "fields", "-e", "modbus.func_code", "-e", "_ws.col.Info"], capture_output=True, text=True)
+    rows = shown.stdout.splitlines()
+    told(check, "Wireshark classifies every frame", len(rows) == len(good) and
+               all(row.split("\t")[0] and "Unable" not in row for row in rows), rows[:4])
+    figures = tool.run("--json", "timing", file).objects()
+    told(check, "timing counts what passed", figures[0]["frames"] == len(good) and figures[1]["unit"] == 3 and
+               figures[1]["requests"] == figures[1]["answered"] == len(good) // 2, figures)
+    people = tool.run("timing", file)
+    told(check, "timing shows people how long responses took", "below 1 " in people.output and "#" in people.output,
+               people)
+
+
+def decides_again(tool, line, check):
+    """What a capture is heard as is what its line was heard as."""
+    file = tool.place / "same.pcapng"
+    sniffer = listen(tool, line, "--json", *NAMES, "sniff", "--for", "1.5s")
+    traffic(tool, line)
+    live = [json.loads(each) for each in ended(sniffer)[1].splitlines()]
+    capture = listen(tool, line, "capture", "-o", file, "--for", "1.5s")
+    traffic(tool, line)
+    ended(capture)
+    played = tool.run("--json", *NAMES, "replay", file).objects()
+    same = [(each["role"], each["unit"], each["verdict"], each["text"], each["bytes"]) for each in played]
+    kinds = {(each["role"], each["unit"], each["verdict"], each["text"], each["bytes"]) for each in live}
+    told(check, "the frames of the line and of its capture are told alike", same and set(same) == kinds,
+               set(same) ^ kinds)
+
+
+def refuses_to_speak(tool, line, check):
+    speaking = tool.start("--no-listen", "-u", 7, *NAMES, "watch", "RFR", "--every", "0.1s", "--for", "3s", port=line.name)
+    time.sleep(0.3)
+    for command in (("scan",), ("-u", "7", "read", "3202")):
+        found = tool.run(*command, port=line.tap_name)
+        told(check, f"{command[-1]} refuses a line in use and says who talks",
+                   found.status == REFUSED and "frames of a client and of unit 7" in found.errors and
+                   "--no-listen" in found.errors, found)
+    speaking.kill()
+    speaking.communicate()
+
+
+def silence(tool, line, check):
+    found = tool.run("sniff", "--for", "0.2s", port=line.tap_name)
+    told(check, "a silent line is told by the status", found.status == NO_ANSWER and not found.output, found)
+    found = tool.run("replay", "/nowhere.pcapng")
+    told(check, "a capture that is not there is named", found.status == PORT and "/nowhere.pcapng" in found.errors, found)
+    found = tool.run("capture", "--as", "pcap", "-o", "x", port=line.tap_name)
+    told(check, "a form that is none is named", found.status == USAGE and "pcap" in found.errors, found)
+
+
+def main(check, program):
+    with Simulator(program, "atv320:7", "atv12:3") as device, Tool(program) as tool:
+        for part in (silence, sniffs, captures, decides_again, refuses_to_speak):
+            with LineBetween(device) as line:
+                part(tool, line, check)
+
+
+if __name__ == "__main__":
+    runs(main)
