@@ -101,12 +101,55 @@ struct frame_match {
            response.size == exception_adu_size;
 }
 
-/// Whether a whole response may also be a request whose last byte is still to come: a CRC that ends with 00 is right one
-/// byte before its end, too.
-[[nodiscard]] constexpr bool may_go_on_as(frame_match const& request, frame_match const& response,
-                                          std::size_t arrived) noexcept
+/// Whether nothing in the first bytes of a request contradicts a quantity that the specification allows.
+[[nodiscard]] constexpr bool is_plausible_request(byte_view bytes) noexcept
 {
-    return request.is_open() and response.is_whole() and response.size == arrived and request.size == arrived + 1;
+    constexpr std::size_t counted = 7;
+    constexpr std::size_t counted_exchange = 11;
+    auto const allows = [&](std::size_t most) { return bytes.size() < 6 or is_quantity(u16_at(bytes, 4), most); };
+    auto const counts = [&](std::size_t size, std::size_t bits) {
+        return bytes.size() < size or to_u8(bytes[size - 1]) == bytes_of_bits(bits * u16_at(bytes, size - 3));
+    };
+    constexpr std::size_t bits_of_register = 16;
+    switch (to_u8(bytes[1])) {
+    case to_u8(function_code::read_coils):
+    case to_u8(function_code::read_discrete_inputs): return allows(max_bit_quantity);
+    case to_u8(function_code::read_holding_registers):
+    case to_u8(function_code::read_input_registers): return allows(max_read_quantity);
+    case to_u8(function_code::write_multiple_coils): return counts(counted, 1);
+    case to_u8(function_code::write_multiple_registers): return counts(counted, bits_of_register);
+    case to_u8(function_code::read_write_multiple_registers):
+        return allows(max_exchange_read_quantity) and counts(counted_exchange, bits_of_register);
+    default: return true;
+    }
+}
+
+/// A whole response, or the request that it may be if one more byte, 00, belongs to it: a CRC that ends with 00 is right
+/// one byte before its end, too. Behind a response, that 00 is the address of a broadcast.
+[[nodiscard]] constexpr frame_match response_or_longer(byte_view bytes, frame_match const& response,
+                                                       frame_match const& request, bool is_over) noexcept
+{
+    if (request.size != response.size + 1 or not is_plausible_request(bytes)) {
+        return response;
+    }
+    if (request.is_open()) {
+        return is_over ? response : request;
+    }
+    if (not request.is_whole()) {
+        return response;
+    }
+    frame_match const broadcast = match_by_rule(direction::request, bytes.subspan(response.size));
+    bool const has_rule = frame_length(direction::request, bytes.subspan(response.size)).size() != 0;
+    if (broadcast.is_open() and has_rule and not is_over) {
+        return broadcast;
+    }
+    return broadcast.is_whole() ? response : request;
+}
+
+/// The bytes as a request.
+[[nodiscard]] constexpr frame_match match_request(byte_view bytes) noexcept
+{
+    return (to_u8(bytes[1]) & exception_bit) == 0 ? match_by_rule(direction::request, bytes) : frame_match{};
 }
 
 /// What begins here, where `pending` is the request that waits for its response, or empty; `is_over`: no byte will
@@ -117,17 +160,42 @@ struct frame_match {
         return {frame_match::outcome::open};
     }
     frame_match const response = match_response(bytes, pending);
-    if (response.is_verified or (response.is_open() and has_size_asked_for(response, pending))) {
+    frame_match const request = match_request(bytes);
+    if (response.is_verified) {
+        return response_or_longer(bytes, response, request, is_over);
+    }
+    if (response.is_open() and has_size_asked_for(response, pending)) {
         return response;
     }
-    frame_match const request =
-        (to_u8(bytes[1]) & exception_bit) == 0 ? match_by_rule(direction::request, bytes) : frame_match{};
     if (request.is_whole()) {
         return request;
     }
+    // The first bytes of a request may have the CRC of a response: 16 and 8 bytes of its head.
     frame_match const alone = match_by_rule(direction::response, bytes);
-    bool const must_wait = not is_over and may_go_on_as(request, alone, bytes.size());
+    bool const must_wait = not is_over and request.is_open() and is_plausible_request(bytes);
     return (alone.is_whole() and not must_wait) or not request.is_open() ? alone : request;
+}
+
+/// Whether a frame may be the response to a damaged request: of its unit and function, or the same but for two bytes, or
+/// where only the end of the request was heard, with the same end.
+[[nodiscard]] constexpr bool resembles(byte_view frame, byte_view damaged) noexcept
+{
+    constexpr std::size_t most_different = 2;
+    if (damaged.size() < min_adu_size or to_u8(frame[0]) == 0) {
+        return false;
+    }
+    if (damaged[0] == frame[0] and damaged[1] == frame[1]) {
+        return true;
+    }
+    if (damaged.size() > frame.size()) {
+        return false;
+    }
+    byte_view const end = frame.last(damaged.size());
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < end.size(); ++i) {
+        different += damaged[i] == end[i] ? 0U : 1U;
+    }
+    return different == 0 or (different <= most_different and damaged.size() == frame.size());
 }
 
 } // namespace rtuwire::detail

@@ -28,7 +28,12 @@ protected:
         frame_match found = match_frame(bytes, pending_.bytes(), is_over);
         if (not found.is_whole() and begins_response(bytes, given_up_.bytes())) {
             frame_match const late = match_response(bytes, given_up_.bytes());
-            found = late.is_verified ? late : found;
+            found = late.is_verified ? response_or_longer(bytes, late, match_request(bytes), is_over) : found;
+        }
+        if (found.is_whole() and found.role == frame_role::request and lost_.is_any() and
+            match_by_rule(direction::response, bytes).size == found.size and
+            resembles(bytes.first(found.size), lost_.bytes())) {
+            found.role = frame_role::response;
         }
         if (found.is_whole() and held_.is_damaged(from, found.size)) {
             found.is = frame_match::outcome::refuted;
@@ -79,6 +84,7 @@ protected:
     heard_bytes held_{};
     passed_request pending_{};
     passed_request given_up_{};
+    passed_request lost_{}; ///< damaged bytes in the place of a request
 };
 
 } // namespace rtuwire::detail

@@ -36,7 +36,9 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 ///     tap.advance(now, ...);
 class line_listener : detail::frame_search {
 public:
-    /// A request without a response after `response_limit` is unanswered; the response is late from then on.
+    /// A request without a response after `response_limit` is unanswered; the response is late from then on. Let it be
+    /// shorter than the time after which the line's client repeats a request: before, a repetition of functions 05, 06,
+    /// 08 and 22 is taken for the response, whose bytes are the same.
     explicit constexpr line_listener(line_timing const& timing, duration response_limit = milliseconds(1'000)) noexcept
         : timing_{timing}, limit_{response_limit}
     {}
@@ -101,6 +103,9 @@ private:
         if (held_.is_empty() and pending_.is_any() and reached(until, pending_.end() + limit_)) {
             give_up(pending_.end() + limit_, take);
         }
+        if (lost_.is_any() and reached(until, lost_.end() + limit_)) {
+            lost_.forget();
+        }
     }
 
     /// Hands out what has ended; after a silence everything has.
@@ -130,6 +135,7 @@ private:
     template <typename Take> constexpr void hand_out(detail::frame_match const& found, Take& take)
     {
         byte_view const bytes = held_.first(found.size);
+        lost_.forget();
         heard_frame it{{bytes, held_.time(found.size - 1), found.role}, held_.time(0)};
         if (found.role == frame_role::request) {
             if (pending_.is_any()) {
@@ -171,17 +177,21 @@ private:
         take(it);
         held_.pop(count);
         if (verdict == frame_verdict::damaged) {
-            lose_exchange(it.frame.at, take);
+            lose_exchange(it, take);
         }
     }
 
     /// What was damaged may have been the response, or a newer request: whatever comes next answers neither for sure.
-    template <typename Take> constexpr void lose_exchange(instant at, Take& take)
+    /// Where no request waited, it may have been one, whose response may repeat it.
+    template <typename Take> constexpr void lose_exchange(heard_frame const& it, Take& take)
     {
+        byte_view const bytes = it.frame.bytes;
+        bool const is_response = pending_.is_any() or detail::resembles(bytes, lost_.bytes());
         if (pending_.is_any()) {
-            give_up(at, take);
+            give_up(it.frame.at, take);
         }
         given_up_.forget();
+        lost_.note(is_response or bytes.size() > max_adu_size ? byte_view{} : bytes, it.frame.at);
     }
 
     /// The request that waits gets no response any more, or a late one.
