@@ -52,7 +52,8 @@ public:
     {
         constexpr unsigned codes[] = {1, 2, 3, 4, 5, 6, 7, 8, 11, 12, 15, 16, 17, 20, 21, 22, 23, 24, 43};
         unsigned const code = codes[below(sizeof codes / sizeof *codes)];
-        return make(unit, code, below(8) == 0);
+        bool const is_refused = below(8) == 0;
+        return make(unit, code, is_refused);
     }
 
     made_exchange make(unsigned unit, unsigned code, bool is_refused)

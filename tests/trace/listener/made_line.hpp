@@ -36,7 +36,13 @@ public:
     /// The same, but for functions that nobody knows.
     void add_with_rule() { add(make_.below(20) == 0 ? make_.make_broadcast() : make_.make(unit())); }
     /// A read of registers, as most exchanges are.
-    void add_read() { add(make_.make(unit(), make_.below(3) == 0 ? 16 : 3, make_.below(50) == 0)); }
+    void add_read()
+    {
+        unsigned const who = unit(); // one after the other: compilers take arguments in orders of their own
+        unsigned const code = make_.below(3) == 0 ? 16 : 3;
+        bool const is_refused = make_.below(50) == 0;
+        add(make_.make(who, code, is_refused));
+    }
 
     /// One byte in so many changes in one to eight bits.
     void damage_bytes(unsigned one_in)

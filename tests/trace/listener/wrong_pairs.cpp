@@ -80,14 +80,6 @@ std::size_t poisson_99(double mean)
     return most;
 }
 
-void check(pair_counts const& seen)
-{
-    INFO(seen.right << " right, " << seen.by_crc << " by CRC, " << seen.by_framing << " by framing, " << seen.missed
-                    << " missed, " << seen.damaged << " damaged frames");
-    CHECK(seen.by_framing == 0);
-    CHECK(seen.by_crc <= poisson_99(static_cast<double>(seen.damaged) / 65'536.0));
-}
-
 /// Of lines with these seeds, as `hear` hears them.
 template <typename Hear> pair_counts pairs_of(std::uint32_t seeds, Hear hear)
 {
@@ -96,8 +88,18 @@ template <typename Hear> pair_counts pairs_of(std::uint32_t seeds, Hear hear)
         made_line const line = damaged_line(seed);
         count(line, hear(line), seen);
     }
-    check(seen);
+    UNSCOPED_INFO(seen.right << " right, " << seen.by_crc << " by CRC, " << seen.by_framing << " by framing, "
+                             << seen.missed << " missed, " << seen.damaged << " damaged frames");
+    CHECK(seen.by_framing == 0);
     CHECK(seen.right > seeds * 700);
+    return seen;
+}
+
+/// The same of as many as the 99 % are meant for: of few lines a single one more would be too many.
+template <typename Hear> pair_counts pairs_of_twenty(Hear hear)
+{
+    pair_counts const seen = pairs_of(20, hear);
+    CHECK(seen.by_crc <= poisson_99(static_cast<double>(seen.damaged) / 65'536.0));
     return seen;
 }
 
@@ -113,9 +115,9 @@ TEST_CASE("of damaged lines behind an adapter no pair comes from framing") { pai
 
 TEST_CASE("of 20 damaged lines, byte by byte, no pair comes from framing and none is missed", "[.long]")
 {
-    CHECK(pairs_of(20, hear_by_bytes).missed == 0);
+    CHECK(pairs_of_twenty(hear_by_bytes).missed == 0);
 }
 TEST_CASE("of 20 damaged lines behind an adapter no pair comes from framing", "[.long]")
 {
-    pairs_of(20, hear_in_lumps_of_16);
+    pairs_of_twenty(hear_in_lumps_of_16);
 }
