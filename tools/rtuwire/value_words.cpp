@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "value_words.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <utility>
 
@@ -194,7 +195,9 @@ bool value_check::check_limits(register_entry const& entry)
         }
         if (not limit.count) {
             for (register_entry const* each : limit.needed) {
-                found_.needed.push_back(each);
+                bool const is_listed =
+                    std::find(found_.needed.begin(), found_.needed.end(), each) != found_.needed.end();
+                found_.needed.insert(found_.needed.end(), is_listed ? 0 : 1, each);
             }
         }
     }
