@@ -24,7 +24,7 @@ constexpr command commands[] = {
     {"scan", run_scan},     {"identify", run_identify}, {"read", run_read},         {"watch", run_watch},
     {"list", run_list},     {"write", run_write},       {"sniff", run_sniff},       {"capture", run_capture},
     {"replay", run_replay}, {"timing", run_timing},     {"simulate", run_simulate}, {"monitor", run_monitor},
-    {"start", run_start},   {"stop", run_stop},         {"reset", run_reset},
+    {"decode", run_decode}, {"start", run_start},       {"stop", run_stop},         {"reset", run_reset},
 };
 
 exit_status run(choices const& chosen)

@@ -39,7 +39,7 @@ public:
     /// A request without a response after `response_limit` is unanswered; the response is late from then on. Let it be
     /// shorter than the time after which the line's client repeats a request: before, a repetition of functions 05, 06,
     /// 08 and 22 is taken for the response, whose bytes are the same.
-    explicit constexpr line_listener(line_timing const& timing, duration response_limit = milliseconds(1'000)) noexcept
+    explicit constexpr line_listener(line_timing const& timing, duration response_limit = milliseconds(400)) noexcept
         : timing_{timing}, limit_{response_limit}
     {}
 

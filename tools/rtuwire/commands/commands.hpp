@@ -15,6 +15,7 @@ exit_status run_watch(choices const& chosen);
 exit_status run_monitor(choices const& chosen);
 exit_status run_list(choices const& chosen);
 exit_status run_write(choices const& chosen);
+exit_status run_decode(choices const& chosen);
 exit_status run_simulate(choices const& chosen);
 exit_status run_start(choices const& chosen);
 exit_status run_stop(choices const& chosen);

@@ -11,12 +11,12 @@
 #include <rtuwire/frames.hpp>
 #include <rtuwire/port.hpp>
 
-#include "commands/commands.hpp"
-#include "line/open_line.hpp"
-#include "port_word.hpp"
 #include "../support/line_reader.hpp"
 #include "../support/say.hpp"
 #include "../support/signals.hpp"
+#include "commands/commands.hpp"
+#include "line/open_line.hpp"
+#include "port_word.hpp"
 #include "simulated_line.hpp"
 #include "simulated_words.hpp"
 

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "frame/decode.hpp"
+
+#include "frame/frame_fit.hpp"
+#include "frame/frame_layouts.hpp"
+#include "frame/hex_text.hpp"
+
+namespace tool {
+
+namespace {
+
+using rtuwire::byte_view;
+using rtuwire::errc;
+using rtuwire::frame_role;
+
+constexpr std::size_t crc_size = 2;
+constexpr frame_role roles[]{frame_role::request, frame_role::response};
+
+std::uint16_t word_of(byte_view bytes, std::size_t at)
+{
+    return static_cast<std::uint16_t>(std::to_integer<unsigned>(bytes[at]) << 8U |
+                                      std::to_integer<unsigned>(bytes[at + 1]));
+}
+
+std::string unit_text(std::byte unit)
+{
+    auto const number = std::to_integer<unsigned>(unit);
+    return std::to_string(number) + (number == 0 ? ", broadcast" : number > 247 ? ", reserved" : "");
+}
+
+std::string crc_text(byte_view frame)
+{
+    if (rtuwire::crc16(frame) == 0) {
+        return "right";
+    }
+    unsigned const crc = rtuwire::crc16(frame.first(frame.size() - crc_size));
+    std::byte const right[]{static_cast<std::byte>(crc & 0xFFU), static_cast<std::byte>(crc >> 8U)};
+    bool const is_swapped = right[0] == frame.back() and right[1] == frame[frame.size() - crc_size];
+    return "wrong, right is " + hex_of(right) + (is_swapped ? " (swapped)" : "");
+}
+
+std::string length_flaw(std::size_t size, std::size_t needed)
+{
+    std::string const there = std::to_string(size) + " bytes, where its fields say ";
+    return there + (needed > size ? "at least " : "") + std::to_string(needed);
+}
+
+char const* word_for(frame_role role) { return role == frame_role::request ? "request" : "response"; }
+
+/// Whether requests of this function have a first address and a quantity in front.
+bool reads_a_run(std::byte function)
+{
+    auto const code = std::to_integer<unsigned>(function);
+    return (code >= 1 and code <= 4) or code == 23;
+}
+
+} // namespace
+
+void frame_decoder::remember(byte_view frame)
+{
+    asked_.reset();
+    byte_view const pdu = frame.subspan(1, frame.size() - 1 - crc_size);
+    if (reads_a_run(pdu[0]) and flaw_of(pdu, frame_role::request) == errc::none) {
+        asked_ = {frame[0], pdu[0], word_of(pdu, 1), word_of(pdu, 3)};
+    }
+}
+
+bool frame_decoder::is_answer(byte_view frame) const
+{
+    if (not asked_ or frame.size() < rtuwire::min_adu_size or frame[0] != asked_->unit or
+        frame[1] != asked_->function) {
+        return false;
+    }
+    bool const is_bits = std::to_integer<unsigned>(asked_->function) <= 2;
+    std::size_t const bytes = is_bits ? (asked_->count + 7U) / 8U : std::size_t{2} * asked_->count;
+    return std::to_integer<std::size_t>(frame[2]) == bytes and
+           flaw_of(frame.subspan(1, frame.size() - 1 - crc_size), frame_role::response) == errc::none;
+}
+
+frame_reading frame_decoder::read(byte_view bytes, frame_role role, std::size_t tail, std::size_t& size) const
+{
+    frame_reading reading{.as = word_for(role)};
+    bool const is_known = role == frame_role::response and is_answer(bytes);
+    field_reader fields{bytes.subspan(1, bytes.size() - 1 - tail), drive_};
+    read_fields(fields, role, is_known ? std::optional<unsigned>{asked_->first} : std::nullopt);
+    size = 1 + fields.size() + crc_size;
+    reading.fields.push_back({0, 1, "unit", unit_text(bytes[0])});
+    reading.fields.insert(reading.fields.end(), fields.fields().begin(), fields.fields().end());
+    if (tail == crc_size) {
+        reading.fields.push_back({bytes.size() - crc_size, crc_size, "CRC", crc_text(bytes)});
+    }
+    return reading;
+}
+
+/// Those without a flaw; else those whose length is right; else both, as far as they go.
+void frame_decoder::add_readings(decoded_frame& frame, byte_view bytes) const
+{
+    bool const may_be_whole = bytes.size() >= rtuwire::min_adu_size and bytes.size() <= rtuwire::max_adu_size;
+    byte_view const pdu = may_be_whole ? bytes.subspan(1, bytes.size() - 1 - crc_size) : byte_view{};
+    std::size_t size = 0;
+    for (frame_role const role : roles) {
+        if (may_be_whole and flaw_of(pdu, role) == errc::none) {
+            frame.readings.push_back(read(bytes, role, crc_size, size));
+        }
+    }
+    for (frame_role const role : roles) {
+        errc const flaw = frame.readings.empty() and may_be_whole ? flaw_of(pdu, role) : errc::none;
+        if (flaw != errc::none) {
+            frame_reading reading = read(bytes, role, crc_size, size);
+            if (size == bytes.size() and flaw != errc::invalid_function) {
+                reading.flaw = name(flaw);
+                frame.readings.push_back(std::move(reading));
+                break;
+            }
+        }
+    }
+    frame.is_whole = not frame.readings.empty();
+    for (frame_role const role : roles) {
+        if (not frame.is_whole) {
+            frame_reading reading = read(bytes, role, frame.has_right_crc ? crc_size : 0, size);
+            reading.flaw = length_flaw(bytes.size(), size);
+            frame.readings.push_back(std::move(reading));
+        }
+    }
+}
+
+decoded_frame frame_decoder::explain(byte_view bytes, frame_piece const& piece)
+{
+    decoded_frame frame{piece.offset, {bytes.begin(), bytes.end()}, piece.has_right_crc, false};
+    add_readings(frame, bytes);
+    bool const is_both = frame.readings.size() == 2;
+    if (is_both and frame.readings[0].fields == frame.readings[1].fields) {
+        frame.readings.pop_back();
+        frame.readings[0].as = "request or response";
+    } else if (is_both and frame.is_good() and is_answer(bytes)) {
+        frame.readings.erase(frame.readings.begin());
+    }
+    asked_.reset();
+    if (frame.is_good()) {
+        remember(bytes);
+    }
+    return frame;
+}
+
+std::vector<decoded_frame> frame_decoder::decode(byte_view run)
+{
+    std::vector<decoded_frame> frames;
+    for (frame_piece const& piece : split_frames(run)) {
+        frames.push_back(explain(run.subspan(piece.offset, piece.size), piece));
+    }
+    return frames;
+}
+
+} // namespace tool

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Bytes of a line, explained: the frames in them, what each may be, and all of its fields.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <rtuwire/frames.hpp>
+#include <rtuwire/trace.hpp>
+
+#include "catalog.hpp"
+#include "frame/frame_fields.hpp"
+#include "frame/frame_split.hpp"
+
+namespace tool {
+
+/// A frame as a request or as a response.
+struct frame_reading {
+    std::string as;                    ///< "request", "response", "request or response"
+    std::vector<frame_field> fields{}; ///< from the unit to the CRC
+    std::string flaw{};                ///< what is wrong with the fields; empty where nothing is
+};
+
+struct decoded_frame {
+    std::size_t offset; ///< from the start of the run
+    std::vector<std::byte> bytes;
+    bool has_right_crc;
+    bool is_whole; ///< its length is what its fields say
+    /// One that is certain, or all that are possible.
+    std::vector<frame_reading> readings{};
+
+    bool is_good() const { return has_right_crc and is_whole; }
+};
+
+/// Explains runs of bytes in the order in which they passed.
+class frame_decoder {
+public:
+    /// Drive: its registers are named; null where none is chosen.
+    explicit frame_decoder(drive_catalog const* drive) : drive_{drive} {}
+
+    /// All frames of a run, one after the other. The response that follows its request is known as that, and the
+    /// addresses of its registers with it.
+    [[nodiscard]] std::vector<decoded_frame> decode(rtuwire::byte_view run);
+
+private:
+    /// What the last frame asked for, by a request that reads.
+    struct question {
+        std::byte unit;
+        std::byte function;
+        std::uint16_t first;
+        std::uint16_t count;
+    };
+
+    [[nodiscard]] decoded_frame explain(rtuwire::byte_view bytes, frame_piece const& piece);
+    [[nodiscard]] bool is_answer(rtuwire::byte_view frame) const;
+    void remember(rtuwire::byte_view frame);
+    void add_readings(decoded_frame& frame, rtuwire::byte_view bytes) const;
+    [[nodiscard]] frame_reading read(rtuwire::byte_view bytes, rtuwire::frame_role role, std::size_t tail,
+                                     std::size_t& size) const;
+
+    drive_catalog const* drive_;
+    std::optional<question> asked_{};
+};
+
+} // namespace tool

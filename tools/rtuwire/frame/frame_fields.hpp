@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The fields of a frame, one after the other: where, how long, which and what they say.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rtuwire/frames.hpp>
+
+#include "catalog.hpp"
+
+namespace tool {
+
+/// One field, for a printer.
+struct frame_field {
+    std::size_t offset; ///< from the start of the frame
+    std::size_t length; ///< in bytes
+    std::string name;
+    std::string value; ///< for people
+
+    friend bool operator==(frame_field const&, frame_field const&) = default;
+};
+
+/// Reads the fields of a PDU. Where the bytes end early, the rest is left out and `is_short()`.
+class field_reader {
+public:
+    /// Drive: null where none is known.
+    field_reader(rtuwire::byte_view pdu, drive_catalog const* drive) : pdu_{pdu}, drive_{drive} {}
+
+    /// A number of 1 or 2 bytes, as it is; 0 where it is missing.
+    unsigned number(std::size_t length, std::string_view name);
+    /// One with a text of its own, given by a call with the number.
+    template <typename Text> unsigned number(std::size_t length, std::string_view name, Text text)
+    {
+        std::optional<unsigned> const found = take(length);
+        if (found) {
+            add(length, std::string{name}, text(*found));
+        }
+        return found.value_or(0);
+    }
+
+    /// An address of a holding register, with its mnemonic.
+    unsigned register_address(std::string_view name);
+    /// So many registers. Without a first address they are counted from 1. Words of a drive's registers where
+    /// `are_holding`.
+    void registers(std::size_t count, std::optional<unsigned> first, bool are_holding = true);
+    /// Bits in so many bytes, the lowest first; `one` is "coil" or "input".
+    void bits(std::size_t bytes, std::size_t count, std::optional<unsigned> first, std::string_view one);
+    /// Bytes that are not looked into, in rows.
+    void raw(std::size_t length, std::string_view name);
+    /// Characters, as they are where they are printable.
+    void text(std::size_t length, std::string const& name);
+
+    std::size_t left() const { return pdu_.size() - at_; }
+    bool is_short() const { return is_short_; }
+    /// How many bytes the fields so far have, with the first that is missing.
+    std::size_t size() const { return size_; }
+    std::vector<frame_field> const& fields() const { return fields_; }
+
+private:
+    std::optional<unsigned> take(std::size_t length);
+    bool has(std::size_t length);
+    void add(std::size_t length, std::string name, std::string value);
+    register_entry const* entry_at(unsigned address) const;
+
+    rtuwire::byte_view pdu_;
+    drive_catalog const* drive_;
+    std::size_t at_{0};
+    std::size_t size_{0};
+    bool is_short_{false};
+    std::vector<frame_field> fields_{};
+};
+
+} // namespace tool

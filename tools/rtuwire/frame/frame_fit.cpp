@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "frame/frame_fit.hpp"
+
+namespace tool {
+
+namespace {
+
+using rtuwire::byte_view;
+using rtuwire::errc;
+using rtuwire::frame_role;
+
+template <typename... Functions>
+errc flaw_by(rtuwire::function_list<Functions...>, byte_view pdu, frame_role role, rtuwire::function_code code)
+{
+    errc found = errc::none;
+    auto const look = [&]<typename Function>() {
+        if (Function::code == code) {
+            found =
+                role == frame_role::request ? Function::decode(pdu).error() : Function::response::decode(pdu).error();
+        }
+    };
+    (look.template operator()<Functions>(), ...);
+    return found;
+}
+
+bool is_exception_code(byte_view pdu) { return (std::to_integer<unsigned>(pdu[0]) & 0x80U) != 0; }
+
+} // namespace
+
+bool has_known_fields(byte_view pdu)
+{
+    constexpr auto identification = std::byte{14}; // the type of function 43 that the library knows
+    auto const code = static_cast<rtuwire::function_code>(pdu[0]);
+    bool const is_other_type =
+        code == rtuwire::function_code::encapsulated_interface and pdu.size() > 1 and pdu[1] != identification;
+    return is_exception_code(pdu) or (rtuwire::all_functions.contains(code) and not is_other_type);
+}
+
+errc flaw_of(byte_view pdu, frame_role role)
+{
+    if (is_exception_code(pdu)) {
+        return role == frame_role::request ? errc::invalid_function : rtuwire::exception_response::decode(pdu).error();
+    }
+    if (not has_known_fields(pdu)) {
+        return rtuwire::raw_pdu<>::decode(pdu).error();
+    }
+    return flaw_by(rtuwire::public_functions{}, pdu, role, static_cast<rtuwire::function_code>(pdu[0]));
+}
+
+bool is_known_pdu(byte_view pdu)
+{
+    return has_known_fields(pdu) and
+           (flaw_of(pdu, frame_role::request) == errc::none or flaw_of(pdu, frame_role::response) == errc::none);
+}
+
+} // namespace tool

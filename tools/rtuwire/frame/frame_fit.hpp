@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Whether bytes are a request or a response, by the checks of the library.
+#pragma once
+
+#include <rtuwire/frames.hpp>
+#include <rtuwire/trace.hpp>
+
+namespace tool {
+
+/// What is wrong with a PDU as a request or a response; none where it may be one. Of a function that is not public
+/// nothing is known, so that any bytes may be either.
+[[nodiscard]] rtuwire::errc flaw_of(rtuwire::byte_view pdu, rtuwire::frame_role role);
+
+/// Whether this PDU is a request or a response of a public function, or an exception.
+[[nodiscard]] bool is_known_pdu(rtuwire::byte_view pdu);
+
+/// Whether its function is one whose fields are known, exception or not.
+[[nodiscard]] bool has_known_fields(rtuwire::byte_view pdu);
+
+} // namespace tool

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Which fields the requests and responses of each function have (AP 6).
+#pragma once
+
+#include <optional>
+
+#include <rtuwire/trace.hpp>
+
+#include "frame/frame_fields.hpp"
+
+namespace tool {
+
+/// Reads the PDU as a request or as a response. `first`: the address that the request of a response had, where it is
+/// known.
+void read_fields(field_reader& from, rtuwire::frame_role role, std::optional<unsigned> first);
+
+} // namespace tool
