@@ -14,8 +14,8 @@
 
 #include <rtuwire/port.hpp>
 
-#include "../../tools/support/line_reader.hpp"
 #include "../../tools/rtuwire/simulated_line.hpp"
+#include "../../tools/support/line_reader.hpp"
 
 namespace examples {
 
