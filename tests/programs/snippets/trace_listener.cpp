@@ -5,7 +5,9 @@
 #include <rtuwire/client.hpp>
 #include <rtuwire/trace.hpp>
 
-#include "board_of_a_page.hpp"
+namespace board {
+rtuwire::instant now();
+}
 
 using namespace rtuwire;
 
