@@ -67,6 +67,9 @@ def check_help(tool, check):
         ended = tool.run(each, "--help")
         is_whole = f"Example: rtuwire" in ended.output and f" {each}" in ended.output.split("Example:")[1]
         check(ended.status == DONE and is_whole and "Exit status" in ended.output, f"{each} --help has an example")
+    for each in ("decode", "list", "man", "completion"):
+        words = tool.run(each, "--help").output.split("Example: rtuwire ")[1].splitlines()[0].split(" > ")[0]
+        check(tool.run(*words.split()).status == DONE, f"the example of {each} does what it says")
     page = tool.run("man").output
     check(all(f".SS {each}" in page for each in commands), "all of them are in the man page")
     (tool.place / "rtuwire.1").write_text(page)

@@ -24,7 +24,7 @@ constexpr std::pair<std::string_view, std::string_view> examples[] = {
     {"capture", "rtuwire -p /dev/ttyUSB0 capture -o line.pcapng --for 5min"},
     {"replay", "rtuwire replay line.pcapng"},
     {"timing", "rtuwire timing line.pcapng"},
-    {"decode", "rtuwire decode 07 03 0C 82 00 01 27 0C"},
+    {"decode", "rtuwire decode 07 03 0C 82 00 01 27 14"},
     {"simulate", "rtuwire simulate atv320:7 atv12:3"},
     {"completion", "rtuwire completion bash > ~/.local/share/bash-completion/completions/rtuwire"},
     {"man", "rtuwire man > ~/.local/share/man/man1/rtuwire.1"},
