@@ -38,6 +38,7 @@ ROW = re.compile(r"^\|(?P<names>[^|]*`[^|]*)\|", re.MULTILINE)
 NAME = re.compile(r'`([\w:]+(?:"")?\w*)`')
 WORD = re.compile(r"(?<![\w.])(?<!->)[A-Za-z_]\w*")
 CODE = re.compile(r"```.*?```", re.DOTALL)
+TRANSCRIPT = re.compile(r"```\n\$ ")  # what a terminal shows
 INCLUDE = re.compile(r"#\s*include\s*<rtuwire/([^>]+)>")
 
 
@@ -162,6 +163,8 @@ def programs(root):
         for path in sorted(root.glob(pattern)):
             text = path.read_text(encoding="utf-8")
             for code in CODE.finditer(text) if path.name not in LEFT_OUT else ():
+                if TRANSCRIPT.match(code.group()):
+                    continue
                 yield path.relative_to(root), "\n" * text.count("\n", 0, code.start()) + code.group().strip("`")
 
 
