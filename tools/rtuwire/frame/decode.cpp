@@ -42,7 +42,7 @@ std::string crc_text(byte_view frame)
 
 std::string length_flaw(std::size_t size, std::size_t needed)
 {
-    std::string const there = std::to_string(size) + " bytes, where its fields say ";
+    std::string const there = std::to_string(size) + (size == 1 ? " byte" : " bytes") + ", where its fields say ";
     return there + (needed > size ? "at least " : "") + std::to_string(needed);
 }
 
@@ -127,7 +127,8 @@ void frame_decoder::add_readings(decoded_frame& frame, byte_view bytes) const
 
 decoded_frame frame_decoder::explain(byte_view bytes, frame_piece const& piece)
 {
-    decoded_frame frame{piece.offset, {bytes.begin(), bytes.end()}, piece.has_right_crc, false};
+    bool const has_right_crc = rtuwire::check_frame(bytes) == errc::none;
+    decoded_frame frame{piece.offset, {bytes.begin(), bytes.end()}, has_right_crc, false};
     add_readings(frame, bytes);
     bool const is_both = frame.readings.size() == 2;
     if (is_both and frame.readings[0].fields == frame.readings[1].fields) {

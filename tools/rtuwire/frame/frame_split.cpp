@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "frame/frame_fit.hpp"
+#include "frame/frame_layouts.hpp"
 
 namespace tool {
 
@@ -18,6 +19,19 @@ byte_view pdu_in(byte_view frame) { return frame.subspan(1, frame.size() - 3); }
 bool is_frame(byte_view bytes)
 {
     return rtuwire::check_frame(bytes) == rtuwire::errc::none and is_known_pdu(pdu_in(bytes));
+}
+
+/// Of a function whose fields are not known, any length is.
+bool is_as_long_as_its_fields(byte_view pdu)
+{
+    for (auto const role : {rtuwire::frame_role::request, rtuwire::frame_role::response}) {
+        field_reader fields{pdu, nullptr};
+        read_fields(fields, role, std::nullopt);
+        if (not fields.is_short() and fields.size() == pdu.size()) {
+            return true;
+        }
+    }
+    return false;
 }
 
 /// The size of the shortest undamaged frame at the start for which `fits` holds; 0 where there is none.
@@ -46,7 +60,7 @@ std::size_t size_of_first(byte_view bytes)
     if (rtuwire::check_frame(bytes) == rtuwire::errc::none) {
         return bytes.size();
     }
-    return shortest(bytes, [](byte_view pdu) { return not has_known_fields(pdu); });
+    return shortest(bytes, is_as_long_as_its_fields);
 }
 
 std::size_t next_frame(byte_view run, std::size_t after)
@@ -67,7 +81,7 @@ std::vector<frame_piece> split_frames(byte_view run)
     for (std::size_t at = 0; at < run.size();) {
         std::size_t const good = size_of_first(run.subspan(at));
         std::size_t const size = good != 0 ? good : next_frame(run, at + 1) - at;
-        pieces.push_back({at, size, good != 0});
+        pieces.push_back({at, size});
         at += size;
     }
     return pieces;

@@ -10,10 +10,10 @@
 
 namespace tool {
 
+/// A frame; or, where none begins, all bytes up to the next that is undamaged.
 struct frame_piece {
     std::size_t offset;
     std::size_t size;
-    bool has_right_crc; ///< otherwise these are all bytes up to the next frame that is undamaged
 };
 
 /// All bytes, in pieces. A frame ends where its function says so and its CRC is right.

@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Bytes explained. Their CRCs are made here bit by bit, as the specification describes it, and all of what is said
+// stands here as a person wrote it.
+#include "frame/decode.hpp"
+
+#include <initializer_list>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "support/catch.hpp"
+
+#include "exit_status.hpp"
+#include "frame/function_text.hpp"
+#include "frame/hex_lines.hpp"
+#include "frame/hex_text.hpp"
+
+namespace {
+
+using bytes = std::vector<std::byte>;
+
+bytes raw(std::initializer_list<unsigned> numbers)
+{
+    bytes made;
+    for (unsigned const each : numbers) {
+        made.push_back(static_cast<std::byte>(each));
+    }
+    return made;
+}
+
+bytes framed(std::initializer_list<unsigned> numbers)
+{
+    unsigned crc = 0xFFFF;
+    for (unsigned const each : numbers) {
+        crc ^= each;
+        for (int bit = 0; bit < 8; ++bit) {
+            crc = (crc & 1U) != 0 ? (crc >> 1U) ^ 0xA001U : crc >> 1U;
+        }
+    }
+    bytes made = raw(numbers);
+    made.push_back(static_cast<std::byte>(crc & 0xFFU));
+    made.push_back(static_cast<std::byte>(crc >> 8U));
+    return made;
+}
+
+bytes operator+(bytes left, bytes const& right)
+{
+    left.insert(left.end(), right.begin(), right.end());
+    return left;
+}
+
+std::vector<tool::decoded_frame> decoded(bytes const& run, std::string_view drive = "")
+{
+    return tool::frame_decoder{drive.empty() ? nullptr : tool::catalog_named(drive)}.decode(run);
+}
+
+/// "offset+length name: value; ..." of the fields between unit and CRC.
+std::string told(tool::frame_reading const& reading)
+{
+    std::string text = reading.as;
+    for (auto const& each : reading.fields) {
+        if (each.name != "unit" and each.name != "CRC" and each.name != "function") {
+            text += "; " + std::to_string(each.offset) + '+' + std::to_string(each.length) + ' ' + each.name + ": " +
+                    each.value;
+        }
+    }
+    return text + (reading.flaw.empty() ? "" : "; flaw: " + reading.flaw);
+}
+
+std::string told(bytes const& frame, std::string_view drive = "")
+{
+    auto const frames = decoded(frame, drive);
+    REQUIRE(frames.size() == 1);
+    REQUIRE(frames[0].readings.size() == 1);
+    CHECK(frames[0].is_good());
+    return told(frames[0].readings[0]);
+}
+
+std::string value_of(tool::frame_reading const& reading, std::string_view name)
+{
+    for (auto const& each : reading.fields) {
+        if (each.name == name) {
+            return each.value;
+        }
+    }
+    return "(none)";
+}
+
+/// All runs of a text, as hexadecimal digits; or why there is one that is none.
+std::string runs_in(std::string const& text)
+{
+    std::istringstream from{text};
+    tool::hex_lines lines{from};
+    bytes run;
+    std::string found;
+    try {
+        while (lines.next(run)) {
+            found += (found.empty() ? "" : "/") + tool::hex_of(run);
+        }
+    } catch (tool::ended const& why) {
+        CHECK(why.status == tool::exit_status::usage);
+        return why.what();
+    }
+    return found;
+}
+
+} // namespace
+
+TEST_CASE("each field of a frame is told")
+{
+    CHECK(told(framed({7, 3, 0x0C, 0x82, 0, 2})) == "request; 2+2 first register: 3202; 4+2 quantity: 2");
+    CHECK(told(framed({7, 3, 0x0C, 0x82, 0, 2}), "atv320") ==
+          "request; 2+2 first register: 3202 (RFR); 4+2 quantity: 2");
+    CHECK(told(framed({7, 6, 0x21, 0x35, 0, 6})) == "request or response; 2+2 register: 8501; 4+2 register 8501: 6");
+    CHECK(told(framed({7, 5, 0, 9, 0xFF, 0})) == "request or response; 2+2 coil: 9; 4+2 value: on");
+    CHECK(
+        told(framed({7, 16, 0x21, 0x36, 0, 1, 2, 0x01, 0xF4}), "atv320") ==
+        "request; 2+2 first register: 8502 (LFR); 4+2 quantity: 1; 6+1 byte count: 2; 7+2 register 8502 LFR: 50.0 Hz");
+    CHECK(told(framed({0, 15, 0, 4, 0, 10, 2, 0x0D, 0x03})) ==
+          "request; 2+2 first coil: 4; 4+2 quantity: 10; 6+1 byte count: 2; 7+1 coils 4 to 11: 1 0 1 1 0 0 0 0; "
+          "8+1 coils 12 to 13: 1 1");
+    CHECK(told(framed({7, 8, 0, 0, 0xA5, 0x37})) ==
+          "request or response; 2+2 sub-function: return query data; 4+2 data: 42295");
+    CHECK(told(framed({7, 22, 0, 4, 0, 0xF2, 0, 0x25})) ==
+          "request or response; 2+2 register: 4; 4+2 AND mask: 242; 6+2 OR mask: 37");
+    CHECK(told(framed({7, 23, 0, 3, 0, 6, 0, 14, 0, 1, 2, 0, 255})) ==
+          "request; 2+2 first register to read: 3; 4+2 quantity to read: 6; 6+2 first register to write: 14; "
+          "8+2 quantity to write: 1; 10+1 byte count: 2; 11+2 register 14: 255");
+    CHECK(told(framed({7, 24, 0, 6, 0, 2, 0x01, 0xB8, 0x12, 0x84})) ==
+          "response; 2+2 byte count: 6; 4+2 registers in the queue: 2; 6+2 register no. 1 of 2: 440; "
+          "8+2 register no. 2 of 2: 4740");
+    CHECK(told(framed({7, 43, 14, 1, 1, 0, 0, 1, 0, 2, 'S', 'E'})) ==
+          "response; 2+1 type: read device identification; 3+1 access: basic; 4+1 conformity: 1; 5+1 more follows: no; "
+          "6+1 next object: 0; 7+1 objects: 1; 8+1 object: 0: vendor name; 9+1 length: 2; 10+2 object 0: \"SE\"");
+    CHECK(told(framed({7, 65, 1, 2})) == "request or response; 2+2 data: 01 02");
+    CHECK(told(framed({7, 3, 0, 0, 1, 0})) ==
+          "request; 2+2 first register: 0; 4+2 quantity: 256; flaw: quantity outside the function's limits");
+}
+
+TEST_CASE("unit, function and exception are told in words")
+{
+    auto const frame = decoded(framed({7, 0x83, 2}))[0];
+    CHECK(value_of(frame.readings[0], "function") == "read holding registers, refused");
+    CHECK(value_of(frame.readings[0], "exception") == "illegal data address");
+    CHECK(value_of(decoded(framed({7, 0x83, 0}))[0].readings[0], "exception") == "an exception with an unlisted code");
+    CHECK(value_of(decoded(framed({0, 6, 0, 1, 0, 2}))[0].readings[0], "unit") == "0, broadcast");
+    CHECK(value_of(decoded(framed({248, 6, 0, 1, 0, 2}))[0].readings[0], "unit") == "248, reserved");
+    CHECK(tool::function_text(static_cast<rtuwire::function_code>(65)) == "function 65");
+}
+
+TEST_CASE("what may be a request and a response is told as both, but for the response that follows its request")
+{
+    bytes const either = framed({1, 1, 3, 0, 0, 20});
+    auto const alone = decoded(either);
+    REQUIRE(alone.size() == 1);
+    REQUIRE(alone[0].readings.size() == 2);
+    CHECK(told(alone[0].readings[0]) == "request; 2+2 first coil: 768; 4+2 quantity: 20");
+    CHECK(alone[0].readings[1].as == "response");
+
+    auto const pair = decoded(framed({1, 1, 0, 30, 0, 20}) + either);
+    REQUIRE(pair.size() == 2);
+    REQUIRE(pair[1].readings.size() == 1);
+    CHECK(value_of(pair[1].readings[0], "coils 46 to 53") == "0 0 1 0 1 0 0 0");
+}
+
+TEST_CASE("registers of a response have the addresses of its request")
+{
+    bytes const answer = framed({7, 3, 4, 0x01, 0xF4, 0xFF, 0xFB});
+    auto const pair = decoded(framed({7, 3, 0x0C, 0x81, 0, 2}) + answer, "atv320");
+    REQUIRE(pair.size() == 2);
+    CHECK(pair[1].offset == 8);
+    CHECK(value_of(pair[1].readings[0], "register 3202 RFR") == "-0.5 Hz");
+    for (bytes const& other : {framed({8, 3, 0x0C, 0x81, 0, 2}), framed({7, 3, 0x0C, 0x81, 0, 3}),
+                               framed({7, 4, 0x0C, 0x81, 0, 2}), framed({7, 3, 0x0C, 0x81, 0, 2}) + framed({7, 7})}) {
+        CHECK(value_of(decoded(other + answer, "atv320").back().readings[0], "register no. 2 of 2") == "65531");
+    }
+    auto const input = decoded(framed({7, 4, 0x0C, 0x81, 0, 2}) + framed({7, 4, 4, 1, 0xF4, 0, 0}), "atv320");
+    CHECK(value_of(input[1].readings[0], "register 3201") == "500"); // an input register has no drive's name
+}
+
+TEST_CASE("a wrong CRC is told with the right one")
+{
+    bytes frame = framed({7, 3, 0x0C, 0x82, 0, 2});
+    std::string const right = tool::hex_of(rtuwire::byte_view{frame}.last(2));
+    std::swap(frame[6], frame[7]);
+    auto found = decoded(frame);
+    REQUIRE(found.size() == 1);
+    CHECK((not found[0].has_right_crc and found[0].is_whole));
+    CHECK(value_of(found[0].readings[0], "CRC") == "wrong, right is " + right + " (swapped)");
+    frame[7] = std::byte{0};
+    CHECK(value_of(decoded(frame)[0].readings[0], "CRC") == "wrong, right is " + right);
+}
+
+TEST_CASE("frames one after the other are parted, with what is between them")
+{
+    bytes const one = framed({7, 3, 0x0C, 0x82, 0, 2});
+    bytes const two = framed({7, 3, 4, 0x01, 0xF4, 0, 0});
+    bytes const not_public = framed({9, 65, 1, 2, 3});
+    bytes const too_many = framed({7, 3, 0, 0, 1, 0});
+    bytes damaged = one;
+    damaged[3] ^= std::byte{1};
+    auto const found = decoded(one + two + not_public + too_many + damaged + raw({0}) + one + raw({7, 3, 12}));
+    std::vector<std::size_t> sizes;
+    std::vector<bool> are_good;
+    for (auto const& each : found) {
+        sizes.push_back(each.bytes.size());
+        are_good.push_back(each.is_good());
+    }
+    CHECK(sizes == std::vector<std::size_t>{8, 9, 7, 8, 9, 8, 3});
+    CHECK(are_good == std::vector<bool>{true, true, true, true, false, true, false});
+    CHECK(found.back().readings[0].flaw == "3 bytes, where its fields say at least 6");
+    CHECK(found.back().readings[1].flaw == "3 bytes, where its fields say at least 7");
+    CHECK(decoded(raw({255}))[0].readings[0].flaw == "1 byte, where its fields say at least 4");
+    CHECK(decoded({}).empty());
+}
+
+TEST_CASE("each frame that is cut short, and any bytes at all, are explained as far as they go")
+{
+    for (bytes const& whole :
+         {framed({7, 43, 14, 1, 1, 0, 0, 1, 0, 2, 'S', 'E'}), framed({7, 21, 9, 6, 0, 4, 0, 7, 0, 1, 6, 0xAF}),
+          framed({7, 20, 6, 5, 6, 0x0D, 0xFE, 0, 0x20}), framed({7, 12, 8, 0, 0, 1, 8, 1, 0x21, 0x20, 0}),
+          framed({7, 16, 0, 1, 0, 2, 4, 0, 10, 1, 2}), bytes(300, std::byte{3}), bytes(256, std::byte{20})}) {
+        for (std::size_t size = 1; size <= whole.size(); ++size) {
+            bytes const part{whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)};
+            std::size_t next = 0;
+            for (auto const& frame : decoded(part)) {
+                CHECK(frame.offset == next);
+                CHECK_FALSE(frame.readings.empty());
+                for (auto const& reading : frame.readings) {
+                    for (auto const& each : reading.fields) {
+                        CHECK(each.offset + each.length <= frame.bytes.size());
+                    }
+                }
+                next += frame.bytes.size();
+            }
+            CHECK(next == size);
+        }
+    }
+}
+
+TEST_CASE("bytes are written in many ways")
+{
+    for (char const* const text :
+         {"01 AB 0c", "01AB0C", "0x01,0xAB,0x0C", "\\x01\\xab\\x0c", "01:ab:0C", "[01][AB][0C]", "<01><AB><0C>",
+          "{ 0X01, 0XAB, 0X0C };", "1 AB C", "0x01AB 0C", "\t01-AB-0C\r\n\n"}) {
+        INFO(text);
+        CHECK(runs_in(text) == "01 AB 0C");
+    }
+    CHECK(runs_in("01 02\n\n03\n") == "01 02/03");
+    CHECK(runs_in("") == "");
+}
+
+TEST_CASE("lines of a dump are one run, without their offsets and characters")
+{
+    std::string const first = "00 01 02 03 04 05 06 07 08 09 0A 0B 0C 0D 0E 0F";
+    for (char const* const text :
+         {"00000000  00 01 02 03 04 05 06 07  08 09 0a 0b 0c 0d 0e 0f  |abcd 12|\n00000010  10 11   |ab|\n00000012\n",
+          "00000000: 0001 0203 0405 0607 0809 0a0b 0c0d 0e0f  ab cd 01\n00000010: 1011  ab\n",
+          "0000000 00 01 02 03 04 05 06 07 08 09 0a 0b 0c 0d 0e 0f\n0000020 10 11\n0000022\n",
+          "0000  00 01 02 03 04 05 06 07  08 09 0a 0b 0c 0d 0e 0f   ........ ab\n0010  10 11   ab\n"}) {
+        INFO(text);
+        CHECK(runs_in(text) == first + " 10 11");
+    }
+    CHECK(runs_in("00000000  01 02\n00000000  03 04\n") == "01 02/03 04"); // two dumps
+    CHECK(runs_in("0103 00 02") == "01 03 00 02");                         // no offset
+}
+
+TEST_CASE("what is no hexadecimal number is refused with its place")
+{
+    CHECK(runs_in("01 03\n  TX 01") == "line 2, character 3: 'TX' is no hexadecimal number");
+    CHECK(runs_in("01 123") == "line 1, character 4: '123' has 3 digits: a byte has two");
+    CHECK(runs_in("0x") == "line 1, character 1: '0x' is no hexadecimal number");
+    CHECK(runs_in("x01") == "line 1, character 1: 'x01' is no hexadecimal number");
+    CHECK(runs_in("12.5") == "line 1, character 1: '12.5' is no hexadecimal number");
+}
