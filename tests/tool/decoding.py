@@ -16,6 +16,13 @@ WORDS = {1: "read coils", 2: "read discrete inputs", 3: "read holding registers"
          5: "write single coil", 6: "write single register", 15: "write multiple coils", 16: "write multiple registers",
          22: "mask write register", 23: "read/write multiple registers"}
 
+EXCEPTIONS = {"": "", "1": "illegal function", "2": "illegal data address", "3": "illegal data value",
+              "4": "server device failure", "6": "server device busy", "8": "memory parity error",
+              "10": "gateway path unavailable", "11": "gateway target failed to respond"}
+COUNTS = ("modbus.word_cnt", "modbus.bit_cnt", "modbus.read_word_cnt")
+FIELDS = ("mbrtu.unit_id", "modbus.func_code", "modbus.reference_num", "modbus.read_reference_num", *COUNTS,
+          "modbus.byte_cnt", "modbus.regval_uint16", "modbus.exception_code", "mbrtu.crc16.status")
+
 
 def request(chance):
     """A request of a function that tshark dissects field by field: its bytes, start address and quantity."""
@@ -41,77 +48,120 @@ def request(chance):
     return with_crc(bytes([unit, function]) + body), start, count
 
 
-def capture(frames):
-    """pcap with each frame as UDP to port 1502 of its unit."""
+def response(chance):
+    """A response of such a function: its bytes, its start address or, where it has none, nothing, and a quantity."""
+    unit, function = chance.randrange(1, 248), chance.choice(list(WORDS))
+    start, count = chance.randrange(60_000), None
+    if function in (1, 2, 3, 4, 23):
+        start, size = None, 2 * (125 if chance.randrange(100) == 0 else chance.randrange(1, 12))
+        body = bytes([size]) + chance.randbytes(size)
+    elif function in (5, 6):
+        body = struct.pack(">HH", start, chance.choice((0, 0xFF00)))
+    elif function == 22:
+        body = struct.pack(">HHH", start, chance.randrange(65_536), chance.randrange(65_536))
+    else:
+        count = chance.randrange(1, 124)
+        body = struct.pack(">HH", start, count)
+    return with_crc(bytes([unit, function]) + body), start, count
+
+
+def refusal(chance):
+    unit, function = chance.randrange(1, 248), chance.choice(list(WORDS))
+    return with_crc(bytes([unit, 0x80 + function, chance.choice((1, 2, 3, 4, 6, 8, 10, 11))])), None, None
+
+
+def capture(frames, are_requests=True):
+    """pcap with each frame as UDP to port 1502 of its unit, or from there."""
+    ends = [0x0A0000FE, 50_000], [0x0A000000, 1502]
     out = struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 65_535, 228)
     for number, frame in enumerate(frames):
         size = 28 + len(frame)
-        packet = struct.pack(">BBHHHBBHII", 0x45, 0, size, 0, 0, 64, 17, 0, 0x0A0000FE, 0x0A000000 + frame[0])
-        packet += struct.pack(">HHHH", 50_000, 1502, size - 20, 0) + frame
+        (client, client_port), (units, unit_port) = ends
+        source, to, *ports = ((client, units + frame[0], client_port, unit_port) if are_requests else
+                              (units + frame[0], client, unit_port, client_port))
+        packet = struct.pack(">BBHHHBBHII", 0x45, 0, size, 0, 0, 64, 17, 0, source, to)
+        packet += struct.pack(">HHHH", *ports, size - 20, 0) + frame
         out += struct.pack("<IIII", number, 0, size, size) + packet
     return out
 
 
-def dissected(place, frames):
+def dissected(place, frames, are_requests=True):
     file = place / "frames.pcap"
-    file.write_bytes(capture(frames))
-    fields = ("mbrtu.unit_id", "modbus.func_code", "modbus.reference_num", "modbus.read_reference_num", "modbus.word_cnt",
-              "modbus.bit_cnt", "modbus.read_word_cnt", "mbrtu.crc16.status")
+    file.write_bytes(capture(frames, are_requests))
     shown = subprocess.run(["tshark", "-r", file, "-o", "mbrtu.udp.port:1502", "-o", "mbrtu.crc_verification:TRUE", "-T",
-                            "fields", *(word for field in fields for word in ("-e", field))],
+                            "fields", *(word for field in FIELDS for word in ("-e", field))],
                            capture_output=True, text=True, check=True)
-    return [line.split("\t") for line in shown.stdout.splitlines()]
+    return [dict(zip(FIELDS, line.split("\t"))) for line in shown.stdout.splitlines()]
 
 
-def decoded(tool, frames):
-    """What the tool says of each frame, read as a request: its fields by name."""
+def decoded(tool, frames, but="response"):
+    """What the tool says of each frame, read as one or the other: its fields by name."""
     found = tool.run("--json", "decode", "-", given="".join(frame.hex(" ") + "\n" for frame in frames))
     by_frame = {}
     for line in found.output.splitlines():
         each = json.loads(line)
-        if each["as"] != "response":
+        if each["as"] != but:
             by_frame.setdefault(each["frame"], {})[each["field"]] = each["value"]
     return found.status, by_frame
 
 
 def agrees(fields, row, start, count):
-    unit, function, reference, read_reference, *counts, _ = row
-    told_start = next((int(value.split()[0]) for name, value in fields.items()
-                       if name.startswith("first") or name in ("register", "coil")), None)
+    first = row["modbus.read_reference_num"] or row["modbus.reference_num"].split(",")[0]
+    told_start = next((value.split()[0] for name, value in fields.items()
+                       if name.startswith("first") or name in ("register", "coil")), "")
     told_count = next((int(value) for name, value in fields.items() if name.startswith("quantity")), None)
-    counted = {int(each) for each in ",".join(counts).split(",") if each}
-    return (fields["unit"] == unit and fields["function"] == WORDS[int(function)] and
-            told_start == int((read_reference or reference).split(",")[0]) == start and
-            (count is None or (told_count == count and count in counted)))
+    counted = {int(each) for field in COUNTS for each in row[field].split(",") if each}
+    words = WORDS[int(row["modbus.func_code"])] + (", refused" if row["modbus.exception_code"] else "")
+    return (fields["unit"] == row["mbrtu.unit_id"] and fields["function"] == words and
+            told_start == first == ("" if start is None else str(start)) and
+            (count is None or (told_count == count and count in counted)) and
+            fields.get("exception", "") == EXCEPTIONS[row["modbus.exception_code"]] and
+            has_right_crc(row) and fields["CRC"] == "right")
 
 
-def right_ones(tool, check):
+def same_answer(fields, row, start, count):
+    """Of a response, its byte count and its registers besides; tshark does not look into those of function 23."""
+    told = [value for name, value in fields.items() if name.startswith("register no.")]
+    shown = row["modbus.regval_uint16"].split(",") if told and row["modbus.func_code"] != "23" else told
+    return (agrees(fields, row, start, count) and fields.get("byte count", "") == row["modbus.byte_cnt"] and
+            told == shown)
+
+
+def has_right_crc(row):
+    return {"1": True, "0": False}[row["mbrtu.crc16.status"]]
+
+
+def right_ones(tool, check, make, count, are_requests, agree):
     chance = random.Random(2026)
-    made = [request(chance) for _ in range(COUNT)]
+    made = [make(chance) for _ in range(count)]
     frames = [frame for frame, _, _ in made]
-    rows = dissected(tool.place, frames)
-    status, told = decoded(tool, frames)
-    check(status == DONE and len(told) == COUNT == len(rows), "every frame is explained", (status, len(told), len(rows)))
-    wrong = [(frame.hex(" "), told.get(i + 1), rows[i]) for i, (frame, start, count) in enumerate(made)
-             if i + 1 not in told or not agrees(told[i + 1], rows[i], start, count)]
-    check(not wrong, "unit, function, address and quantity are those of tshark", wrong[:2])
+    rows = dissected(tool.place, frames, are_requests)
+    status, told = decoded(tool, frames, "response" if are_requests else "request")
+    check(status == DONE and len(told) == count == len(rows), "every frame is explained", (status, len(told), len(rows)))
+    wrong = [(frame.hex(" "), told.get(i + 1), rows[i]) for i, (frame, start, quantity) in enumerate(made)
+             if i + 1 not in told or not agree(told[i + 1], rows[i], start, quantity)]
+    check(not wrong, "what it says is what tshark says", wrong[:2])
 
 
 def damaged_ones(tool, check):
+    """One bit each; every other frame has it in its CRC."""
     chance = random.Random(7)
+    right = [request(chance)[0] for _ in range(1_000)]
     frames = []
-    for _ in range(100):
-        frame = bytearray(request(chance)[0])
-        frame[chance.randrange(2, len(frame))] ^= 1 << chance.randrange(8)
-        frames.append(bytes(frame))
+    for number, frame in enumerate(right):
+        bad = bytearray(frame)
+        bad[chance.randrange(2, len(bad)) if number % 2 else -chance.randrange(1, 3)] ^= 1 << chance.randrange(8)
+        frames.append(bytes(bad))
     rows = dissected(tool.place, frames)
+    status, told = decoded(tool, frames)
+    check(status == DIFFERS and len(told) == len(rows) == len(frames), "damaged frames are explained", (status, len(told)))
     wrong = []
-    for frame, row in zip(frames, rows):
-        found = tool.run("--json", "decode", frame.hex())
-        says = "wrong" if '"wrong, right is ' in found.output or found.status == DIFFERS else "right"
-        if found.status != DIFFERS or says != "wrong" or row[-1] not in ("0", "Bad"):
-            wrong.append((frame.hex(), found, row))
-    check(not wrong, "a damaged frame is told, as tshark tells it", wrong[:2])
+    for number, (frame, row) in enumerate(zip(right, rows)):
+        said = told[number + 1].get("CRC", "")
+        is_told = said != "right" if number % 2 else said.startswith("wrong, right is " + frame[-2:].hex(" ").upper())
+        if not is_told or has_right_crc(row):
+            wrong.append((frames[number].hex(" "), told[number + 1], row))
+    check(not wrong, "the CRC of a damaged frame is wrong, as tshark says, and the right one is told", wrong[:2])
 
 
 def random_ones(tool, check):
@@ -133,14 +183,20 @@ def forms_of_hex(tool, check):
         check(found.output == plain and found.status == DONE, f"{text!r} is understood", found)
     found = tool.run("decode", "02 03 0G")
     check(found.status == USAGE and "0G" in found.errors, "what is no hex is named", found)
-    named = tool.run("--drive", "atv320", "decode", "07 03 0C 82 00 01 27 CE", "07 03 02 01 F4 30 53")
-    check("RFR" in named.output, "registers of a drive are named", named)
+    pair = (with_crc(bytes.fromhex(each)).hex() for each in ("07 03 0C 82 00 01", "07 03 02 01 F4"))
+    named = tool.run("--json", "--drive", "atv320", "decode", *pair)
+    told = {each["field"]: each["value"] for each in named.objects()}
+    check(named.status == DONE and told.get("first register") == "3202 (RFR)" and
+          told.get("register 3202 RFR") == "50.0 Hz", "registers of a drive are named", named)
 
 
 def main(check, program):
     with Tool(program) as tool:
-        for part in (forms_of_hex, right_ones, damaged_ones, random_ones):
+        for part in (forms_of_hex, damaged_ones, random_ones):
             part(tool, check)
+        right_ones(tool, check, request, 6_000, True, agrees)
+        right_ones(tool, check, response, 3_500, False, same_answer)
+        right_ones(tool, check, refusal, 500, False, same_answer)
 
 
 if __name__ == "__main__":
