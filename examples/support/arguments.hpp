@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <string>
 
-#include "../../tools/rtuwire/usage_error.hpp"
+#include "../../tools/rtuwire/port/usage_error.hpp"
 
 namespace examples {
 

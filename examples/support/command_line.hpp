@@ -8,7 +8,7 @@
 
 #include <rtuwire/port.hpp>
 
-#include "../../tools/rtuwire/named_drives.hpp"
+#include "../../tools/rtuwire/port/named_drives.hpp"
 #include "arguments.hpp"
 
 namespace examples {

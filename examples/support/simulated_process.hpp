@@ -14,7 +14,7 @@
 
 #include <rtuwire/port.hpp>
 
-#include "../../tools/rtuwire/simulated_line.hpp"
+#include "../../tools/rtuwire/port/simulated_line.hpp"
 #include "../../tools/support/line_reader.hpp"
 
 namespace examples {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A port of whichever kind under a client: simulated drives, drives behind a TCP port, and what is said where nothing opens.
-#include "../../tools/rtuwire/any_port.hpp"
+#include "../../tools/rtuwire/port/any_port.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // The catalog of the tool: rows as the manuals print them, all registers as the library's tables have them, and texts
 // as the library makes them where it knows the type.
-#include "catalog.hpp"
+#include "catalog/catalog.hpp"
 
 #include <cstdint>
 #include <set>
@@ -13,7 +13,7 @@
 
 #include <rtuwire/table/register_text.hpp>
 
-#include "value_text.hpp"
+#include "catalog/value_text.hpp"
 
 using namespace rtuwire;
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // What a person types for a port, and what is said to what is none.
-#include "../../tools/rtuwire/port_word.hpp"
+#include "../../tools/rtuwire/port/port_word.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Registers as they are typed on the tool's command line.
-#include "register_words.hpp"
+#include "words/register_words.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Values as they are typed on the tool's command line: what is written, and what is refused before a frame leaves.
-#include "value_words.hpp"
+#include "words/value_words.hpp"
 
 #include <map>
 #include <string>
@@ -10,7 +10,7 @@
 
 #include "support/catch.hpp"
 
-#include "value_text.hpp"
+#include "catalog/value_text.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 
 #include "configuration.hpp"
 #include "help/tool_texts.hpp"
-#include "suggestion.hpp"
+#include "words/suggestion.hpp"
 
 namespace tool {
 

@@ -13,11 +13,11 @@
 #include <string_view>
 #include <vector>
 
-#include "catalog.hpp"
+#include "catalog/catalog.hpp"
 #include "exit_status.hpp"
 #include "line/line_words.hpp"
-#include "port_word.hpp"
-#include "suggestion.hpp"
+#include "port/port_word.hpp"
+#include "words/suggestion.hpp"
 
 namespace tool {
 

@@ -3,10 +3,10 @@
 // The drives that this program knows, or the registers of one: no line is needed.
 #include <string>
 
+#include "catalog/value_text.hpp"
 #include "commands/commands.hpp"
 #include "line/asked_registers.hpp"
 #include "line/who_is_it.hpp"
-#include "value_text.hpp"
 
 namespace tool {
 

@@ -7,13 +7,13 @@
 #include <rtuwire/client.hpp>
 #include <rtuwire/drives.hpp>
 
+#include "catalog/value_text.hpp"
 #include "commands/commands.hpp"
 #include "line/line_words.hpp"
 #include "line/who_is_it.hpp"
 #include "line/write_log.hpp"
 #include "motion/question.hpp"
-#include "named_drives.hpp"
-#include "value_text.hpp"
+#include "port/named_drives.hpp"
 
 namespace tool {
 

@@ -16,9 +16,9 @@
 #include "../support/signals.hpp"
 #include "commands/commands.hpp"
 #include "line/open_line.hpp"
-#include "port_word.hpp"
-#include "simulated_line.hpp"
-#include "simulated_words.hpp"
+#include "port/port_word.hpp"
+#include "port/simulated_line.hpp"
+#include "port/simulated_words.hpp"
 
 namespace tool {
 

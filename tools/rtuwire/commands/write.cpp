@@ -8,13 +8,13 @@
 
 #include <unistd.h>
 
+#include "catalog/value_text.hpp"
 #include "commands/commands.hpp"
 #include "line/asked_registers.hpp"
 #include "line/reading.hpp"
 #include "line/who_is_it.hpp"
 #include "line/write_log.hpp"
-#include "value_text.hpp"
-#include "value_words.hpp"
+#include "words/value_words.hpp"
 
 namespace tool {
 

@@ -12,7 +12,7 @@
 #include <rtuwire/frames.hpp>
 #include <rtuwire/trace.hpp>
 
-#include "catalog.hpp"
+#include "catalog/catalog.hpp"
 #include "frame/frame_fields.hpp"
 #include "frame/frame_split.hpp"
 

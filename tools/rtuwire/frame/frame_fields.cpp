@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "catalog/value_text.hpp"
 #include "frame/hex_text.hpp"
-#include "value_text.hpp"
 
 namespace tool {
 

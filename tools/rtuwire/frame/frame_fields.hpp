@@ -12,7 +12,7 @@
 
 #include <rtuwire/frames.hpp>
 
-#include "catalog.hpp"
+#include "catalog/catalog.hpp"
 
 namespace tool {
 

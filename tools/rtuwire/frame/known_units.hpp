@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-#include "catalog.hpp"
+#include "catalog/catalog.hpp"
 #include "choices.hpp"
 
 namespace tool {

@@ -7,9 +7,9 @@
 
 #include <rtuwire/frames.hpp>
 
+#include "catalog/value_text.hpp"
 #include "frame/function_text.hpp"
 #include "frame/hex_text.hpp"
-#include "value_text.hpp"
 
 namespace tool {
 

@@ -7,7 +7,7 @@
 
 #include <rtuwire/trace.hpp>
 
-#include "catalog.hpp"
+#include "catalog/catalog.hpp"
 
 namespace tool {
 

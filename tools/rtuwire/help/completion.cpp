@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "catalog.hpp"
-#include "register_words.hpp"
+#include "catalog/catalog.hpp"
+#include "words/register_words.hpp"
 
 namespace tool {
 

@@ -8,7 +8,7 @@
 #include "choices.hpp"
 #include "line/line_words.hpp"
 #include "line/open_line.hpp"
-#include "register_words.hpp"
+#include "words/register_words.hpp"
 
 namespace tool {
 

@@ -11,7 +11,7 @@
 #include <rtuwire/port.hpp>
 
 #include "exit_status.hpp"
-#include "suggestion.hpp"
+#include "words/suggestion.hpp"
 
 namespace tool {
 

@@ -8,7 +8,7 @@
 
 #include "line/line_words.hpp"
 #include "line/traffic.hpp"
-#include "port_word.hpp"
+#include "port/port_word.hpp"
 
 namespace tool {
 

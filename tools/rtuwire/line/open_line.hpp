@@ -8,9 +8,9 @@
 
 #include <rtuwire/client.hpp>
 
-#include "any_port.hpp"
 #include "choices.hpp"
 #include "exit_status.hpp"
+#include "port/any_port.hpp"
 
 namespace tool {
 

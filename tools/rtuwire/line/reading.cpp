@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "line/reading.hpp"
 
-#include "value_text.hpp"
+#include "catalog/value_text.hpp"
 
 namespace tool {
 

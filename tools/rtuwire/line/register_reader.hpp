@@ -12,10 +12,10 @@
 
 #include <rtuwire/frames.hpp>
 
-#include "catalog.hpp"
+#include "catalog/catalog.hpp"
 #include "line/open_line.hpp"
-#include "register_words.hpp"
-#include "value_words.hpp"
+#include "words/register_words.hpp"
+#include "words/value_words.hpp"
 
 namespace tool {
 

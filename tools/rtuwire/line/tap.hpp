@@ -9,8 +9,8 @@
 
 #include <rtuwire/trace.hpp>
 
-#include "any_port.hpp"
 #include "choices.hpp"
+#include "port/any_port.hpp"
 
 namespace tool {
 

@@ -5,7 +5,7 @@
 
 #include <rtuwire/client.hpp>
 
-#include "any_port.hpp"
+#include "port/any_port.hpp"
 
 namespace tool {
 

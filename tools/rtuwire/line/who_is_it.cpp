@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "suggestion.hpp"
+#include "words/suggestion.hpp"
 
 namespace tool {
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "catalog.hpp"
+#include "catalog/catalog.hpp"
 #include "line/open_line.hpp"
 
 namespace tool {

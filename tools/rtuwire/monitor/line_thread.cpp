@@ -7,7 +7,7 @@
 #include <exception>
 #include <utility>
 
-#include "without_signals.hpp"
+#include "port/without_signals.hpp"
 
 namespace tool {
 

@@ -8,9 +8,9 @@
 
 #include <rtuwire/drives.hpp>
 
+#include "catalog/value_text.hpp"
 #include "line/reading.hpp"
 #include "line/who_is_it.hpp"
-#include "value_text.hpp"
 
 namespace tool {
 

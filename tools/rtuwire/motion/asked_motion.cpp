@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "amount_words.hpp"
+#include "catalog/value_text.hpp"
 #include "line/asked_registers.hpp"
 #include "line/register_reader.hpp"
-#include "value_text.hpp"
-#include "value_words.hpp"
+#include "words/amount_words.hpp"
+#include "words/value_words.hpp"
 
 namespace tool {
 

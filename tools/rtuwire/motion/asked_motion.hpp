@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "catalog.hpp"
+#include "catalog/catalog.hpp"
 #include "choices.hpp"
 #include "line/open_line.hpp"
 

@@ -11,8 +11,8 @@
 #include <rtuwire/client.hpp>
 #include <rtuwire/drives.hpp>
 
-#include "any_port.hpp"
 #include "motion/asked_motion.hpp"
+#include "port/any_port.hpp"
 
 namespace tool {
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "catalog.hpp"
+#include "catalog/catalog.hpp"
 #include "motion/motor.hpp"
 #include "output/output.hpp"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "../support/emergency_stop.hpp"
-#include "value_text.hpp"
+#include "catalog/value_text.hpp"
 
 namespace tool {
 

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "../support/reason_to_end.hpp"
-#include "catalog.hpp"
+#include "catalog/catalog.hpp"
 #include "exit_status.hpp"
 #include "motion/motor.hpp"
 #include "motion/motor_display.hpp"

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Makes a drive's catalog of its table. Included by one file a drive, so that no file compiles for long.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+
+#include "catalog/catalog.hpp"
+
+namespace tool {
+
+/// The identifier of an enumerator, as the compiler prints it; empty where the enumeration has none of this value.
+template <auto Value> [[nodiscard]] consteval std::string_view enumerator_name() noexcept
+{
+    std::string_view const text = __PRETTY_FUNCTION__;
+    std::size_t const first = text.find("Value = ") + 8;
+    std::size_t const last = text.find_first_of(";]", first);
+    std::string_view const value = text.substr(first, last - first);
+    return value.starts_with('(') ? std::string_view{} : value.substr(value.rfind(':') + 1);
+}
+
+/// The identifiers of a word's bits.
+template <typename Bit>
+inline constexpr std::array<std::string_view, 16> bit_names = []<std::size_t... At>(std::index_sequence<At...>)
+{
+    return std::array<std::string_view, 16>{enumerator_name<static_cast<Bit>(At)>()...};
+}
+(std::make_index_sequence<16>{});
+
+inline constexpr std::array<std::string_view, 16> no_bit_names{};
+
+/// What the type of a register's values tells. Made once for each type, not for each register.
+struct value_traits {
+    register_kind kind;
+    std::string_view unit{};
+    step_size step{};
+    std::span<rtuwire::named_value const> names{};
+    std::span<rtuwire::named_value const> meanings{};
+    std::span<std::string_view const, 16> bits{no_bit_names};
+};
+
+template <typename T> [[nodiscard]] consteval value_traits traits_of() noexcept
+{
+    if constexpr (rtuwire::bit_field<T>) {
+        return {.kind = register_kind::bits, .bits = bit_names<typename T::bit_type>};
+    } else if constexpr (rtuwire::register_enumeration<T>) {
+        return {.kind = register_kind::enumeration, .names = rtuwire::enumerators<T>, .meanings = rtuwire::meanings<T>};
+    } else {
+        bool const has_sign = std::is_signed_v<typename T::rep>;
+        return {.kind = has_sign ? register_kind::signed_number : register_kind::number,
+                .unit = T::dimension::symbol,
+                .step = {T::scale::num, T::scale::den}};
+    }
+}
+template <typename T> inline constexpr value_traits traits = traits_of<T>();
+
+/// One register. A template for each type of values, because the descriptor is an argument.
+template <typename T> [[nodiscard]] constexpr register_entry entry_of(rtuwire::reg<T> const& from) noexcept
+{
+    value_traits const& type = traits<T>;
+    return {.code = from.code,
+            .address = from.address,
+            .name = from.name,
+            .mode = from.mode,
+            .kind = type.kind,
+            .unit = type.unit,
+            .step = type.step,
+            .steps_set_by = from.steps_set_by,
+            .min = from.min,
+            .max = from.max,
+            .gap_first = from.gap.first,
+            .gap_last = from.gap.last,
+            .factory = from.factory,
+            .source = from.source,
+            .names = type.names,
+            .meanings = type.meanings,
+            .bits = type.bits};
+}
+
+/// The registers of a table, by address.
+template <auto const&... Registers>
+[[nodiscard]] std::array<register_entry, sizeof...(Registers)> entries_of(rtuwire::table<Registers...>) noexcept
+{
+    std::array<register_entry, sizeof...(Registers)> all{entry_of(Registers)...};
+    std::sort(all.begin(), all.end(), [](auto const& left, auto const& right) { return left.address < right.address; });
+    return all;
+}
+
+/// A drive's catalog.
+template <typename Drive> [[nodiscard]] drive_catalog const& catalog_of() noexcept
+{
+    static auto const registers = entries_of(typename Drive::registers{});
+    static drive_catalog const catalog{.name = Drive::name,
+                                       .reference = Drive::reference,
+                                       .registers = registers,
+                                       .limits = Drive::limits,
+                                       .functions = Drive::functions,
+                                       .units = Drive::units,
+                                       .layout = Drive::layout,
+                                       .speed_reference = Drive::speed_reference.address,
+                                       .frequency_reference = Drive::frequency_reference.address};
+    return catalog;
+}
+
+} // namespace tool

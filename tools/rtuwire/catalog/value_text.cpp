@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "catalog/value_text.hpp"
+
+#include <algorithm>
+
+namespace tool {
+
+namespace {
+
+/// The step that a display calls "001", "01" or "1": behind a leading zero stands the point.
+std::optional<step_size> displayed_step(std::string_view digits)
+{
+    step_size step{0, 1};
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        if (digits[i] < '0' or digits[i] > '9' or i > 6) {
+            return std::nullopt;
+        }
+        step.numerator = step.numerator * 10 + (digits[i] - '0');
+        step.denominator *= i > 0 and digits[0] == '0' ? 10 : 1;
+    }
+    return step.numerator > 0 ? std::optional{step} : std::nullopt;
+}
+
+std::string_view name_in(std::span<rtuwire::named_value const> list, std::uint16_t value)
+{
+    auto const found =
+        std::find_if(list.begin(), list.end(), [value](auto const& each) { return each.value == value; });
+    return found != list.end() ? std::string_view{found->name} : std::string_view{};
+}
+
+std::string enumerator_text(register_entry const& entry, std::uint16_t word)
+{
+    std::string text{name_in(entry.names, word)};
+    std::string_view const meaning = name_in(entry.meanings, word);
+    if (text.empty() and meaning.empty()) {
+        return "#" + std::to_string(word);
+    }
+    text += text.empty() or meaning.empty() ? "" : ": ";
+    return text.append(meaning);
+}
+
+} // namespace
+
+std::optional<step_size> step_of(register_entry const& entry, drive_catalog const& drive,
+                                 std::optional<std::uint16_t> setting)
+{
+    if (entry.steps_set_by.empty()) {
+        return entry.step;
+    }
+    register_entry const* const by = drive.by_code(entry.steps_set_by);
+    return by != nullptr and setting ? displayed_step(name_in(by->names, *setting)) : std::nullopt;
+}
+
+std::string number_text(std::int64_t count, step_size step)
+{
+    // So many digits behind the point that the step is a whole number of the last.
+    std::size_t decimals = 0;
+    std::int64_t factor = step.numerator;
+    for (; factor % step.denominator != 0 and decimals < 9; ++decimals) {
+        factor *= 10;
+    }
+    std::int64_t const last = count * (factor / step.denominator);
+    std::string digits = std::to_string(last < 0 ? -last : last);
+    if (decimals > 0) {
+        digits.insert(0, digits.size() <= decimals ? decimals + 1 - digits.size() : 0, '0');
+        digits.insert(digits.size() - decimals, ".");
+    }
+    return last < 0 ? "-" + digits : digits;
+}
+
+std::string amount_text(std::int64_t count, step_size step, std::string_view unit)
+{
+    std::string text = number_text(count, step);
+    return unit.empty() ? text : text.append(" ").append(unit);
+}
+
+std::string hex_word(std::uint16_t word)
+{
+    constexpr char digits[] = "0123456789ABCDEF";
+    std::string text = "0x";
+    for (unsigned shift = 16; shift > 0; shift -= 4) {
+        text += digits[(unsigned{word} >> (shift - 4)) & 0xFU];
+    }
+    return text;
+}
+
+std::string text_of(register_entry const& entry, std::uint16_t word, step_size step)
+{
+    switch (entry.kind) {
+    case register_kind::bits: return hex_word(word);
+    case register_kind::enumeration: return enumerator_text(entry, word);
+    case register_kind::number:
+    case register_kind::signed_number: return amount_text(entry.count_of(word), step, entry.unit);
+    }
+    return {};
+}
+
+std::string text_of(register_entry const& entry, std::uint16_t word) { return text_of(entry, word, entry.step); }
+
+std::string bits_text(register_entry const& entry, std::uint16_t word)
+{
+    std::string text;
+    for (std::size_t bit = 0; bit < 16; ++bit) {
+        if (((unsigned{word} >> bit) & 1U) != 0) {
+            std::string name = entry.bits[bit].empty() ? "bit " + std::to_string(bit) : std::string{entry.bits[bit]};
+            std::replace(name.begin(), name.end(), '_', ' ');
+            text += (text.empty() ? "" : ", ") + name;
+        }
+    }
+    return text.empty() ? "none" : text;
+}
+
+std::string full_text(register_entry const& entry, std::uint16_t word, step_size step)
+{
+    std::string const text = text_of(entry, word, step);
+    return entry.kind == register_kind::bits ? text + " (" + bits_text(entry, word) + ")" : text;
+}
+
+std::string full_text(register_entry const& entry, std::uint16_t word) { return full_text(entry, word, entry.step); }
+
+} // namespace tool

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "port/any_port.hpp"
+
+#include <utility>
+
+#include "port/nearest_device.hpp"
+
+namespace tool {
+
+using rtuwire::errc;
+using rtuwire::line_timing;
+using rtuwire::posix_serial;
+using rtuwire::result;
+using rtuwire::serial_settings;
+using rtuwire::tcp_stream;
+
+result<void> any_port::open(port_description const& described, serial_settings const& settings)
+{
+    close();
+    own_failure_.clear();
+    return std::visit([&](auto const& chosen) { return open_one(chosen, settings); }, described);
+}
+
+result<void> any_port::open_one(serial_device const& chosen, serial_settings const& settings)
+{
+    timing_ = line_timing::host(settings.bits_per_second, settings.format);
+    auto& port = port_.emplace<posix_serial>();
+    auto const opened = port.open(chosen.path, settings);
+    if (std::string const nearest = opened == errc::device_not_found ? nearest_device(chosen.path) : "";
+        not nearest.empty()) {
+        own_failure_ = port.failure() + "; did you mean " + nearest + "?";
+    }
+    return opened;
+}
+
+result<void> any_port::open_one(tcp_address const& chosen, serial_settings const& settings)
+{
+    // Not every serial device server keeps the silence between frames, and what the network varies by eats some of it.
+    line_timing const wire{settings.bits_per_second, settings.format};
+    timing_ = line_timing::without_wire().with_silence(wire.t3_5() + rtuwire::milliseconds(3));
+    return port_.emplace<tcp_stream>().open(chosen.host, chosen.port);
+}
+
+result<void> any_port::open_one(simulated_drives_choice const& chosen, serial_settings const&)
+{
+    timing_ = line_timing::without_wire();
+    if (not drives_.start(chosen)) {
+        own_failure_ = "sim: " + drives_.failure();
+        return errc::device_failed;
+    }
+    return port_.emplace<posix_serial>().open(drives_.device());
+}
+
+result<void> any_port::open_one(capture_file const& chosen, serial_settings const&)
+{
+    own_failure_ = chosen.path + ": a capture file, in which nobody answers";
+    return errc::device_not_serial;
+}
+
+void any_port::close() noexcept
+{
+    std::visit([](auto& port) { port.close(); }, port_);
+    drives_.stop();
+}
+
+bool any_port::is_open() const noexcept
+{
+    return std::visit([](auto const& port) { return port.is_open(); }, port_);
+}
+
+int any_port::descriptor_number() const noexcept
+{
+    return std::visit([](auto const& port) { return port.descriptor_number(); }, port_);
+}
+
+std::string const& any_port::device() const noexcept
+{
+    return std::visit([](auto const& port) -> std::string const& { return port.device(); }, port_);
+}
+
+std::string const& any_port::failure() const noexcept
+{
+    return not own_failure_.empty()
+               ? own_failure_
+               : std::visit([](auto const& port) -> std::string const& { return port.failure(); }, port_);
+}
+
+result<void> any_port::write(rtuwire::byte_view bytes, rtuwire::instant until)
+{
+    return std::visit([&](auto& port) { return port.write(bytes, until); }, port_);
+}
+
+result<rtuwire::byte_span> any_port::read(rtuwire::byte_span place, rtuwire::instant until)
+{
+    return std::visit([&](auto& port) { return port.read(place, until); }, port_);
+}
+
+bool any_port::take_receive_error() noexcept
+{
+    auto* const device = std::get_if<posix_serial>(&port_);
+    return device != nullptr and device->take_receive_error();
+}
+
+} // namespace tool

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// A port of whichever kind: a serial device, RTU over TCP, simulated drives. A `blocking_client`, `pump`, `serve_once` and
+// `receive_from` take it as they take a `posix_serial`.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include <rtuwire/port.hpp>
+
+#include "port/port_word.hpp"
+#include "port/simulated_drives.hpp"
+
+namespace tool {
+
+/// A port. Can be moved; its destructor closes it, and ends the drives that were simulated for it.
+class any_port {
+public:
+    /// Opens what was described; what was open before is closed. The settings are of a serial device. A serial device
+    /// server has its own; they tell how long the silence on its wire has to be. Simulated drives have none. On an error nothing is open and `failure()` says why:
+    /// those of `posix_serial::open` and of `tcp_stream::open`; `device_not_serial` for a capture file.
+    rtuwire::result<void> open(port_description const& described, rtuwire::serial_settings const& settings = {});
+
+    void close() noexcept;
+
+    [[nodiscard]] bool is_open() const noexcept;
+
+    /// Whether what answers here is simulated.
+    [[nodiscard]] bool is_simulated() const noexcept { return drives_.is_running(); }
+
+    /// The times that suit the port: of a wire with these settings, or of none.
+    [[nodiscard]] rtuwire::line_timing timing() const noexcept { return timing_; }
+
+    /// The system's number of it, for `poll`; -1 where none is open.
+    [[nodiscard]] int descriptor_number() const noexcept;
+
+    /// Its name: a device, "host:4001".
+    [[nodiscard]] std::string const& device() const noexcept;
+
+    /// The last failure in words, beginning with the port's name; empty before the first.
+    [[nodiscard]] std::string const& failure() const noexcept;
+
+    /// Sends all bytes. Errors: `transmit_stalled`, `device_not_open`, `device_vanished`, `device_failed`.
+    rtuwire::result<void> write(rtuwire::byte_view bytes, rtuwire::instant until);
+
+    /// Waits for at least one byte until the deadline and reads what is there; empty when there was none. Errors:
+    /// `device_not_open`, `device_vanished`, `device_failed`.
+    rtuwire::result<rtuwire::byte_span> read(rtuwire::byte_span place, rtuwire::instant until);
+
+    /// Whether a byte arrived damaged right behind the bytes read last; reported once. TCP does not tell.
+    [[nodiscard]] bool take_receive_error() noexcept;
+
+    /// Now, on the clock of the deadlines.
+    [[nodiscard]] static rtuwire::instant now() noexcept { return rtuwire::steady_now(); }
+
+private:
+    rtuwire::result<void> open_one(serial_device const& chosen, rtuwire::serial_settings const& settings);
+    rtuwire::result<void> open_one(tcp_address const& chosen, rtuwire::serial_settings const& settings);
+    rtuwire::result<void> open_one(simulated_drives_choice const& chosen, rtuwire::serial_settings const& settings);
+    rtuwire::result<void> open_one(capture_file const& chosen, rtuwire::serial_settings const& settings);
+
+    simulated_drives drives_{}; ///< outlives the port to them
+    std::variant<rtuwire::posix_serial, rtuwire::tcp_stream> port_{};
+    rtuwire::line_timing timing_{rtuwire::line_timing::without_wire()};
+    std::string own_failure_{}; ///< where it is not the port's
+};
+
+} // namespace tool

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "port/port_word.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <utility>
+
+#include <sys/stat.h>
+
+#include "port/simulated_words.hpp"
+#include "port/usage_error.hpp"
+
+namespace tool {
+
+namespace {
+
+constexpr std::string_view forms = "a port is /dev/ttyUSB0, tcp://host:4001, sim:atv320:7,atv12:3 or a capture file";
+
+/// What a word means; or what is wrong with it, and what may have been meant.
+struct meaning {
+    std::optional<port_description> port{};
+    std::string why{};
+    std::string nearest{};
+};
+
+meaning found(port_description port) { return {std::move(port)}; }
+
+meaning wrong(std::string why, std::string nearest = {}) { return {std::nullopt, std::move(why), std::move(nearest)}; }
+
+bool starts_with_word(std::string_view word, std::string_view start)
+{
+    return is_same_word(word.substr(0, start.size()), start);
+}
+
+/// Where the port of "host:4001" or "[::1]:4001" begins; behind the end where there is none.
+std::size_t colon_of(std::string_view place) noexcept
+{
+    if (not place.empty() and place.front() == '[') {
+        std::size_t const end = place.find(']');
+        return end != place.npos and end + 1 < place.size() and place[end + 1] == ':' ? end + 1 : place.npos;
+    }
+    return place.rfind(':');
+}
+
+std::string host_in(std::string_view host)
+{
+    bool const has_brackets = host.size() >= 2 and host.front() == '[' and host.back() == ']';
+    return std::string{has_brackets ? host.substr(1, host.size() - 2) : host};
+}
+
+/// "host:4001", behind "tcp://".
+meaning read_tcp(std::string_view place)
+{
+    std::string const start = "tcp://";
+    if (place.find('/') != place.npos) {
+        return wrong("nothing stands behind the port of a host", start + std::string{place.substr(0, place.find('/'))});
+    }
+    std::size_t const colon = colon_of(place);
+    if (colon == 0 or host_in(place.substr(0, colon)).empty()) {
+        return wrong("no host is named; it is like tcp://host:4001");
+    }
+    if (colon == place.npos) {
+        return wrong("no port is named, as the serial device server has it set: often 4001, 502 or 23",
+                     start + std::string{place} + ":4001");
+    }
+    std::string_view const host = place.substr(0, colon);
+    auto const port = number_in(std::string{place.substr(colon + 1)});
+    if (host.front() != '[' and host.find(':') != host.npos) {
+        return wrong("a number of IPv6 stands in brackets",
+                     start + "[" + std::string{host} + "]:" + std::string{place.substr(colon + 1)});
+    }
+    if (not port or *port == 0 or *port > 0xFFFF) {
+        return wrong("a port is a number from 1 to 65535", start + std::string{host} + ":4001");
+    }
+    return found(tcp_address{host_in(host), static_cast<std::uint16_t>(*port)});
+}
+
+/// A word with the wrong start, or the name of something that is not there.
+meaning unknown(std::string_view word)
+{
+    constexpr std::array<std::string_view, 2> starts{"tcp", "sim"};
+    std::size_t const colon = word.find(':');
+    std::string_view const nearest = nearest_word(word.substr(0, colon), starts);
+    if (colon != word.npos and not nearest.empty()) {
+        std::size_t const rest = nearest == "tcp" ? word.find_first_not_of("/", colon + 1) : colon + 1;
+        return wrong("there is no such kind of port",
+                     std::string{nearest} + (nearest == "tcp" ? "://" : ":") +
+                         std::string{word.substr(rest == word.npos ? word.size() : rest)});
+    }
+    struct stat info {};
+    if (std::string device = "/dev/" + std::string{word}; not word.empty() and ::stat(device.c_str(), &info) == 0) {
+        return wrong("there is no such file here", std::move(device));
+    }
+    return wrong(std::string{forms});
+}
+
+/// A file of frames begins with the block of a section.
+bool is_capture(std::string const& path)
+{
+    std::array<char, 4> first{};
+    std::ifstream file{path, std::ios::binary};
+    return file.read(first.data(), first.size()) and std::memcmp(first.data(), "\x0A\x0D\x0D\x0A", first.size()) == 0;
+}
+
+meaning read_path(std::string_view word)
+{
+    std::string const path{word};
+    struct stat info {};
+    if (::stat(path.c_str(), &info) != 0) {
+        return word.find('/') == word.npos ? unknown(word) : found(serial_device{path});
+    }
+    if (S_ISDIR(info.st_mode)) {
+        return wrong("a directory is no port");
+    }
+    if (not S_ISREG(info.st_mode)) {
+        return found(serial_device{path});
+    }
+    return is_capture(path) ? found(capture_file{path}) : wrong("a file that is no capture in the format pcapng");
+}
+
+meaning read_drives(std::string_view words)
+{
+    auto const drives = read_simulated_drives(words);
+    return drives.why.empty() ? found(simulated_drives_choice{drives.drives})
+                              : wrong(drives.why, drives.nearest.empty() ? "" : "sim:" + drives.nearest);
+}
+
+meaning read(std::string_view word)
+{
+    if (starts_with_word(word, "tcp://")) {
+        return read_tcp(word.substr(6));
+    }
+    if (starts_with_word(word, "sim:")) {
+        return read_drives(word.substr(4));
+    }
+    // The path of a device may hold colons; what another scheme begins with is none.
+    bool const has_scheme = word.find("://") != word.npos or starts_with_word(word, "tcp:");
+    return has_scheme and word.front() != '/' and word.front() != '.' ? unknown(word) : read_path(word);
+}
+
+} // namespace
+
+port_choice read_port_word(std::string_view word)
+{
+    meaning meant = read(word);
+    if (meant.port) {
+        return {std::move(*meant.port)};
+    }
+    std::string sentence = "port " + std::string{word} + ": " + meant.why;
+    // A word with two mistakes: what mends one of them is no help.
+    if (not meant.nearest.empty() and not read(meant.nearest).port) {
+        meant.nearest.clear();
+    }
+    if (not meant.nearest.empty()) {
+        sentence += "; did you mean " + meant.nearest + "?";
+    }
+    return {{}, refusal{"wrong_port", std::string{word}, std::move(sentence), std::move(meant.nearest)}};
+}
+
+} // namespace tool

@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "words/register_words.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace tool {
+
+namespace {
+
+using refusal_or_none = std::optional<refusal>;
+
+std::string with_nearest(std::string sentence, std::string_view nearest)
+{
+    return nearest.empty() ? std::move(sentence) : std::move(sentence) + "; did you mean " + std::string{nearest} + "?";
+}
+
+refusal unknown(std::string kind, std::string_view culprit, std::string_view what, std::string_view nearest)
+{
+    std::string const sentence = std::string{culprit} + ": " + std::string{what};
+    return {std::move(kind), std::string{culprit}, with_nearest(sentence, nearest), std::string{nearest}};
+}
+
+/// Collects registers, each once.
+class collector {
+public:
+    explicit collector(drive_catalog const* drive) noexcept : drive_{drive} {}
+
+    void add(std::uint16_t address, int bit = -1)
+    {
+        if (seen_.emplace(address, bit).second) {
+            found_.push_back({address, drive_ != nullptr ? drive_->at(address) : nullptr, bit});
+        }
+    }
+
+    [[nodiscard]] refusal_or_none add_word(std::string_view word);
+    [[nodiscard]] std::vector<chosen_register> take() noexcept { return std::move(found_); }
+
+private:
+    [[nodiscard]] refusal_or_none add_numbers(std::string_view word, std::size_t dash);
+    [[nodiscard]] refusal_or_none add_group(std::string_view word);
+    [[nodiscard]] refusal_or_none add_matches(std::string_view word);
+    [[nodiscard]] refusal_or_none add_bit(std::string_view word, std::size_t dot);
+    [[nodiscard]] refusal_or_none add_code(std::string_view word);
+
+    drive_catalog const* drive_;
+    std::vector<chosen_register> found_;
+    std::set<std::pair<std::uint16_t, int>> seen_;
+};
+
+bool is_digit(char c) noexcept { return c >= '0' and c <= '9'; }
+
+/// The codes of a drive's registers, for the search of the nearest.
+std::vector<std::string_view> codes_of(drive_catalog const& drive)
+{
+    std::vector<std::string_view> codes;
+    for (register_entry const& each : drive.registers) {
+        codes.push_back(each.code);
+    }
+    return codes;
+}
+
+refusal_or_none collector::add_word(std::string_view word)
+{
+    std::size_t const dot = word.find('.');
+    if (not word.empty() and is_digit(word[0]) and dot == word.npos) {
+        return add_numbers(word, word.find('-'));
+    }
+    if (drive_ == nullptr and not(not word.empty() and is_digit(word[0]))) {
+        return unknown("no_drive", word, "no drive is known, so there are only addresses; name one with --drive", "");
+    }
+    if (word.starts_with('@')) {
+        return add_group(word);
+    }
+    if (dot != word.npos) {
+        return add_bit(word, dot);
+    }
+    return word.find_first_of("*?") != word.npos ? add_matches(word) : add_code(word);
+}
+
+refusal_or_none collector::add_numbers(std::string_view word, std::size_t dash)
+{
+    auto const first = word_number(word.substr(0, dash));
+    auto const last = dash == word.npos ? first : word_number(word.substr(dash + 1));
+    if (not first or not last) {
+        return unknown("wrong_address", word, "an address is a number from 0 to 65535: 3202, 0x0C82, 3201-3205", "");
+    }
+    if (*last < *first) {
+        return unknown("wrong_address", word, "a range begins with its lower address", "");
+    }
+    for (std::uint32_t address = *first; address <= *last; ++address) {
+        add(static_cast<std::uint16_t>(address));
+    }
+    return {};
+}
+
+refusal_or_none collector::add_group(std::string_view word)
+{
+    std::vector<std::string_view> names;
+    for (register_group const& each : register_groups()) {
+        names.push_back(each.name);
+        if (not is_same_word(each.name, word.substr(1))) {
+            continue;
+        }
+        bool has_any = false;
+        for (std::string_view const code : each.codes) {
+            if (register_entry const* entry = drive_->by_code(code); entry != nullptr) {
+                add(entry->address);
+                has_any = true;
+            }
+        }
+        return has_any ? refusal_or_none{} : unknown("unknown_group", word, "this drive has nothing of the group", "");
+    }
+    std::string_view const nearest = nearest_word(word.substr(1), names);
+    std::string const shown = nearest.empty() ? std::string{} : "@" + std::string{nearest};
+    return unknown("unknown_group", word, "there is no such group", shown);
+}
+
+refusal_or_none collector::add_matches(std::string_view word)
+{
+    std::size_t matched = 0;
+    for (register_entry const& each : drive_->registers) {
+        if (matches(word, each.code)) {
+            add(each.address);
+            ++matched;
+        }
+    }
+    if (matched > 0) {
+        return {};
+    }
+    return unknown("unknown_register", word, "no register of " + std::string{drive_->name} + " matches it", "");
+}
+
+refusal_or_none collector::add_bit(std::string_view word, std::size_t dot)
+{
+    std::string_view const code = word.substr(0, dot);
+    std::string name = lower(word.substr(dot + 1));
+    std::replace(name.begin(), name.end(), '-', '_');
+    auto const plain = word_number(code);
+    register_entry const* entry = drive_ == nullptr ? nullptr : plain ? drive_->at(*plain) : drive_->by_code(code);
+    if (entry == nullptr and not plain) {
+        return unknown("unknown_register", word, std::string{code} + " is no register of " + std::string{drive_->name},
+                       nearest_word(code, codes_of(*drive_)));
+    }
+    std::uint16_t const address = plain ? *plain : entry->address;
+    if (auto const bit = word_number(name); bit and *bit < 16) {
+        add(address, *bit);
+        return {};
+    }
+    if (entry == nullptr or entry->kind != register_kind::bits) {
+        return unknown("unknown_bit", word, "it has no named bits; a bit has a number from 0 to 15", "");
+    }
+    for (std::size_t bit = 0; bit < entry->bits.size(); ++bit) {
+        if (not entry->bits[bit].empty() and entry->bits[bit] == name) {
+            add(address, static_cast<int>(bit));
+            return {};
+        }
+    }
+    std::string_view const nearest = nearest_word(name, entry->bits);
+    std::string const shown = nearest.empty() ? std::string{} : std::string{code} + "." + std::string{nearest};
+    return unknown("unknown_bit", word, std::string{entry->code} + " has no such bit", shown);
+}
+
+refusal_or_none collector::add_code(std::string_view word)
+{
+    if (register_entry const* entry = drive_->by_code(word); entry != nullptr) {
+        add(entry->address);
+        return {};
+    }
+    return unknown("unknown_register", word, "is no register of " + std::string{drive_->name},
+                   nearest_word(word, codes_of(*drive_)));
+}
+
+} // namespace
+
+register_selection select_registers(std::span<std::string_view const> words, drive_catalog const* drive)
+{
+    collector found{drive};
+    for (std::string_view word : words) {
+        while (true) {
+            std::size_t const comma = word.find(',');
+            std::string_view const part = word.substr(0, comma);
+            if (auto wrong = part.empty()
+                                 ? refusal_or_none{unknown("wrong_address", word, "a register is missing here", "")}
+                                 : found.add_word(part)) {
+                return {{}, std::move(wrong)};
+            }
+            if (comma == word.npos) {
+                break;
+            }
+            word.remove_prefix(comma + 1);
+        }
+    }
+    return {found.take(), {}};
+}
+
+std::vector<register_entry const*> search_registers(drive_catalog const& drive, std::string_view word)
+{
+    std::vector<register_entry const*> found;
+    for (register_entry const& each : drive.registers) {
+        bool holds = holds_word(each.code, word) or holds_word(each.name, word);
+        for (auto const& list : {each.names, each.meanings}) {
+            holds = holds or std::any_of(list.begin(), list.end(), [word](auto const& value) {
+                        return holds_word(std::string_view{value.name}, word);
+                    });
+        }
+        holds = holds or std::any_of(each.bits.begin(), each.bits.end(), [word](std::string_view bit) {
+                    std::string words{bit};
+                    std::replace(words.begin(), words.end(), '_', ' ');
+                    return holds_word(bit, word) or holds_word(words, word);
+                });
+        if (holds) {
+            found.push_back(&each);
+        }
+    }
+    return found;
+}
+
+} // namespace tool

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What a person types for registers: `RFR`, `'DP*'`, `@monitor`, `ETA.fault`, `3202`, `0x0C82`, `3201-3205`, several of
+// them in one word with commas between.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "catalog/catalog.hpp"
+#include "words/words.hpp"
+
+namespace tool {
+
+/// One register, or one bit of it, that was asked for.
+struct chosen_register {
+    std::uint16_t address;
+    register_entry const* entry; ///< null where no table knows the address
+    int bit{-1};                 ///< 0..15, or -1 for the whole word
+
+    friend bool operator==(chosen_register const&, chosen_register const&) = default;
+};
+
+/// All that were asked for, in the order in which they were typed, each once; or the first word that is wrong.
+struct register_selection {
+    std::vector<chosen_register> registers;
+    std::optional<refusal> refused;
+};
+
+/// A group of registers: "@monitor".
+struct register_group {
+    std::string_view name; ///< without the @
+    std::string_view what; ///< in words
+    std::span<std::string_view const> codes;
+};
+
+/// The groups. A drive has those of their registers that its table has.
+[[nodiscard]] std::span<register_group const> register_groups() noexcept;
+
+/// The registers that words name. Without a drive (null) there are only numbers.
+[[nodiscard]] register_selection select_registers(std::span<std::string_view const> words, drive_catalog const* drive);
+
+/// The registers whose mnemonic, name, or words of values or bits hold a word.
+[[nodiscard]] std::vector<register_entry const*> search_registers(drive_catalog const& drive, std::string_view word);
+
+} // namespace tool

@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "words/value_words.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "catalog/named_values.hpp"
+#include "catalog/register_limits.hpp"
+#include "catalog/value_text.hpp"
+#include "words/amount_words.hpp"
+#include "words/register_words.hpp"
+
+namespace tool {
+
+namespace {
+
+/// One check of one word. Each part refuses, or leaves a count behind.
+class value_check {
+public:
+    value_check(std::string_view word, drive_catalog const* drive, known_words const& known)
+        : word_{word}, drive_{drive}, known_{known}
+    {}
+
+    [[nodiscard]] value_to_write run()
+    {
+        std::size_t const equals = word_.find('=');
+        if (equals == word_.npos or equals + 1 == word_.size()) {
+            refuse("no_value", "a value is written as REG=VALUE: ACC=1.3s");
+        } else if (find_register(word_.substr(0, equals))) {
+            std::string_view const text = trimmed(word_.substr(equals + 1));
+            if (read_count(text) and count_) {
+                check_count();
+            }
+        }
+        return std::move(found_);
+    }
+
+private:
+    static std::string_view trimmed(std::string_view text) noexcept
+    {
+        text.remove_prefix((std::min)(text.find_first_not_of(' '), text.size()));
+        return text.substr(0, text.find_last_not_of(' ') + 1);
+    }
+
+    bool refuse(std::string kind, std::string const& sentence, std::string nearest = {})
+    {
+        std::string text = std::string{word_} + ": " + sentence;
+        text += nearest.empty() ? "" : "; did you mean " + nearest + "?";
+        found_.refused = refusal{std::move(kind), std::string{word_}, std::move(text), std::move(nearest)};
+        return false;
+    }
+
+    bool find_register(std::string_view name)
+    {
+        register_selection const chosen = select_registers(std::span{&name, 1}, drive_);
+        if (chosen.refused) {
+            found_.refused = chosen.refused;
+            return false;
+        }
+        if (chosen.registers.size() != 1) {
+            return refuse("several_registers", "a value goes to one register");
+        }
+        if (chosen.registers[0].bit >= 0) {
+            return refuse("single_bit", "a register is written as a whole: name all its bits that shall be 1, as in "
+                                        "CMD=switch_on+quick_stop");
+        }
+        found_.address = chosen.registers[0].address;
+        found_.entry = chosen.registers[0].entry;
+        if (found_.entry != nullptr and not found_.entry->is_writable()) {
+            return refuse("read_only", std::string{found_.entry->code} + " is read only");
+        }
+        return true;
+    }
+
+    /// Leaves the count that a text stands for, or refuses; or needs the register that sets the step.
+    bool read_count(std::string_view text)
+    {
+        register_entry const* const entry = found_.entry;
+        bool const is_hex = text.starts_with("0x") or text.starts_with("0X");
+        if (entry == nullptr or is_hex or text.starts_with('#')) {
+            return read_raw(text, is_hex);
+        }
+        if (entry->kind == register_kind::number or entry->kind == register_kind::signed_number) {
+            return read_steps(text);
+        }
+        named_reading const named = read_named(*entry, text);
+        count_ = named.word;
+        return named.word or refuse(named.kind, named.sentence, named.nearest);
+    }
+
+    bool read_raw(std::string_view text, bool is_hex)
+    {
+        std::string_view digits = text.substr(text.starts_with('#') ? 1 : 0);
+        auto const hex = is_hex ? word_number(digits) : std::nullopt;
+        std::int32_t number = 0;
+        auto const [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+        bool const is_whole = error == std::errc{} and end == digits.data() + digits.size();
+        if (is_hex ? not hex : not is_whole or number < -32'768 or number > 65'535) {
+            return refuse("not_a_number", found_.entry == nullptr
+                                              ? "no table knows this register, so its value is a whole number from "
+                                                "-32768 to 65535, or 0x0000 to 0xFFFF"
+                                              : "a raw count is a whole number from -32768 to 65535, or 0x0000 to "
+                                                "0xFFFF");
+        }
+        count_ = is_hex ? (found_.entry != nullptr ? found_.entry->count_of(*hex) : *hex) : number;
+        return true;
+    }
+
+    bool read_steps(std::string_view text)
+    {
+        register_entry const& entry = *found_.entry;
+        typed_amount const typed = read_amount(text, entry.unit);
+        switch (typed.fault) {
+        case amount_fault::none: break;
+        case amount_fault::decimal_comma:
+            return refuse("decimal_comma", "a number is written with a point: 1.3, not 1,3");
+        case amount_fault::too_many_digits: return refuse("not_a_number", "more than 15 digits");
+        case amount_fault::wrong_unit: return refuse_unit(typed.unit);
+        case amount_fault::not_a_number:
+            return refuse("not_a_number", std::string{entry.code} + " takes a number" +
+                                              (entry.unit.empty() ? "" : ", in " + units_for(entry.unit)) +
+                                              ", or 0x0000 to 0xFFFF");
+        }
+        auto const set_by = entry.steps_set_by.empty() ? nullptr : drive_->by_code(entry.steps_set_by);
+        auto const setting = set_by != nullptr and known_ ? known_(set_by->code) : std::nullopt;
+        auto const step = step_of(entry, *drive_, setting);
+        if (not step) {
+            if (setting) {
+                return refuse("unknown_step", std::string{set_by->code} + " holds " + text_of(*set_by, *setting) +
+                                                  ", which is no step that is known");
+            }
+            found_.needed.push_back(set_by);
+            return true;
+        }
+        step_ = *step;
+        std::int64_t const below = typed.amount.counts_below(*step);
+        std::int64_t const above = typed.amount.counts_above(*step);
+        count_ = below;
+        if (below != above and below >= entry.lowest_count() and above <= entry.highest_count()) {
+            return refuse("value_between_steps", "not a whole number of steps of " + amount_text(1, *step, entry.unit) +
+                                                     ": " + amount_text(below, *step, entry.unit) + " or " +
+                                                     amount_text(above, *step, entry.unit));
+        }
+        count_ = below < entry.lowest_count() ? below : above;
+        return true;
+    }
+
+    bool refuse_unit(std::string_view unit)
+    {
+        register_entry const& entry = *found_.entry;
+        if (entry.unit.empty()) {
+            return refuse("wrong_unit", std::string{entry.code} + " is a plain number and has no unit");
+        }
+        std::string sentence =
+            std::string{entry.code} + " is in " + units_for(entry.unit) + ", not in " + std::string{unit};
+        for (std::uint16_t const other : {drive_->speed_reference, drive_->frequency_reference}) {
+            register_entry const* const reference = drive_->at(other);
+            bool const is_reference =
+                entry.address == drive_->speed_reference or entry.address == drive_->frequency_reference;
+            if (is_reference and other != entry.address and reference != nullptr and
+                read_amount("1" + std::string{unit}, reference->unit).fault == amount_fault::none) {
+                return refuse("wrong_unit", sentence,
+                              std::string{reference->code} + word_.data()[word_.find('=')] +
+                                  std::string{word_.substr(word_.find('=') + 1)});
+            }
+        }
+        return refuse("wrong_unit", sentence);
+    }
+
+    void check_count();
+    bool check_limits(register_entry const& entry);
+
+    std::string_view word_;
+    drive_catalog const* drive_;
+    known_words const& known_;
+    value_to_write found_{};
+    std::optional<std::int64_t> count_{};
+    std::optional<step_size> step_{};
+};
+
+bool value_check::check_limits(register_entry const& entry)
+{
+    step_size const step = step_ ? *step_ : entry.step;
+    for (bool const is_highest : {false, true}) {
+        register_limit const limit =
+            is_highest ? highest_of(entry, *drive_, known_) : lowest_of(entry, *drive_, known_);
+        std::int64_t const widest = is_highest ? entry.highest_count() : entry.lowest_count();
+        for (std::int64_t const end : {widest, limit.count ? std::int64_t{*limit.count} : widest}) {
+            if (is_highest ? *count_ > end : *count_ < end) {
+                return refuse(is_highest ? "value_too_high" : "value_too_low",
+                              std::string{entry.code} + " takes " + limits_text(entry, step, known_, *drive_));
+            }
+        }
+        if (not limit.count) {
+            for (register_entry const* each : limit.needed) {
+                bool const is_listed =
+                    std::find(found_.needed.begin(), found_.needed.end(), each) != found_.needed.end();
+                found_.needed.insert(found_.needed.end(), is_listed ? 0 : 1, each);
+            }
+        }
+    }
+    return true;
+}
+
+void value_check::check_count()
+{
+    if (register_entry const* const entry = found_.entry; entry != nullptr) {
+        if (not check_limits(*entry)) {
+            return;
+        }
+        if (*count_ >= entry->gap_first and *count_ <= entry->gap_last) {
+            bool const is_one = entry->gap_first == entry->gap_last;
+            std::string const range = number_text(entry->gap_first, entry->step) + " to " +
+                                      amount_text(entry->gap_last, entry->step, entry->unit);
+            auto const only = static_cast<std::uint16_t>(entry->gap_first);
+            refuse("value_never_written",
+                   (is_one ? text_of(*entry, only) : range) + " is never written to " + std::string{entry->code});
+            return;
+        }
+        if (not has_meaning(*entry, static_cast<std::uint16_t>(*count_))) {
+            refuse("value_without_meaning", std::string{entry->code} + " takes " + list_of_values(*entry));
+            return;
+        }
+    }
+    found_.word = static_cast<std::uint16_t>(*count_);
+    found_.text = found_.entry == nullptr ? std::to_string(*count_)
+                                          : full_text(*found_.entry, found_.word, step_ ? *step_ : found_.entry->step);
+}
+
+} // namespace
+
+value_to_write check_value(std::string_view word, drive_catalog const* drive, known_words const& known)
+{
+    return value_check{word, drive, known}.run();
+}
+
+} // namespace tool

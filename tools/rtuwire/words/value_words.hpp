@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What a person types to write a register: `ACC=1.3s`, `CHCF=SEP`, `3104=60Hz`, `LFR=-50`, `CMI=save_to_eeprom`,
+// `HSP=0x01F4`. All that the table forbids is refused here, before a frame leaves.
+//
+// A number without a unit counts in the unit of its register: LFR=50 is 50 Hz. Raw counts are typed in hexadecimal or
+// with a mark: HSP=0x01F4, HSP=#500.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "catalog/catalog.hpp"
+#include "words/words.hpp"
+
+namespace tool {
+
+/// What the register of a mnemonic holds now, as a word; nothing where it has not been read.
+using known_words = std::function<std::optional<std::uint16_t>(std::string_view code)>;
+
+/// A value on its way to a register. It may be written where `is_ready()`.
+struct value_to_write {
+    std::uint16_t address{0};
+    register_entry const* entry{nullptr}; ///< null where no table knows the address
+    std::uint16_t word{0};                ///< what stands on the wire
+    std::string text{};                   ///< the same for people: "1.3 s"
+    /// Registers that set its limits or its step and have to be read first: read them, and check again.
+    std::vector<register_entry const*> needed{};
+    std::optional<refusal> refused{};
+
+    [[nodiscard]] bool is_ready() const noexcept { return not refused and needed.empty(); }
+};
+
+/// Checks a word "REG=VALUE". Whatever can be refused without a request is refused at the first call, which knows
+/// nothing; a second call has the words of the registers that the first one needed. Without a drive (null) there are
+/// only addresses and whole numbers.
+[[nodiscard]] value_to_write check_value(std::string_view word, drive_catalog const* drive,
+                                         known_words const& known = {});
+
+/// The limits of a register for people: "10.0 Hz to TFR, which is not known", "0.0 s to 999.9 s".
+[[nodiscard]] std::string limits_text(register_entry const& entry, step_size step, known_words const& known,
+                                      drive_catalog const& drive);
+
+} // namespace tool
