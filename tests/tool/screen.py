@@ -3,6 +3,7 @@
 """A program on a terminal of its own, whose screen can be read."""
 import fcntl
 import os
+import pathlib
 import pty
 import re
 import select
@@ -14,6 +15,7 @@ import time
 
 import pyte
 
+KEPT_BY_NCURSES = pathlib.Path(__file__).resolve().parent / "kept_by_ncurses.txt"
 LEAVES = b"\x1b[?1049l"  # the end of the whole screen
 FORM = {"TERM": "screen-256color", "LC_ALL": "C.UTF-8"}  # what pyte understands
 
@@ -28,7 +30,7 @@ class Screen:
         self.stream = pyte.ByteStream(self.shown)
         self.raw = b""
         self._set_size(width, height)
-        forms = {**os.environ, **FORM, **environment}
+        forms = {**os.environ, **FORM, "LSAN_OPTIONS": f"suppressions={KEPT_BY_NCURSES}", **environment}
         forms.pop("NO_COLOR", None)
         forms.pop("LINES", None)
         forms.pop("COLUMNS", None)

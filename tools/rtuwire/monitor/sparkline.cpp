@@ -16,7 +16,7 @@ constexpr std::string_view letters[heights]{"_", ".", "-", "~", "+", "*", "%", "
 
 std::size_t height_of(double sample, double lowest, double highest)
 {
-    if (not(highest > lowest)) {
+    if (not std::isfinite(sample) or not(highest > lowest)) {
         return 0;
     }
     double const part = (sample - lowest) / (highest - lowest);
