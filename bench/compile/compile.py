@@ -44,7 +44,7 @@ def text_of(name):
 
 def user_time(compiler, source):
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    subprocess.run([compiler, "-std=c++20", "-Os", f"-I{INCLUDE}", "-c", "-o", "/dev/null",
+    subprocess.run([compiler, "-std=c++20", "-Os", f"-I{INCLUDE}", f"-I{HERE}", "-c", "-o", "/dev/null",
                     "-x", "c++", "-"], input=text_of(source), text=True, check=True)
     return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
 
@@ -54,7 +54,7 @@ def instantiations(source):
     if not shutil.which("clang++"):
         return None
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run(["clang++", "-std=c++20", f"-I{INCLUDE}", "-c", "-o",
+        subprocess.run(["clang++", "-std=c++20", f"-I{INCLUDE}", f"-I{HERE}", "-c", "-o",
                         f"{folder}/made.o", "-ftime-trace", "-ftime-trace-granularity=0",
                         "-x", "c++", "-"], input=text_of(source), text=True, check=True)
         trace = pathlib.Path(folder, "made.json").read_text(encoding="utf-8")
