@@ -98,8 +98,8 @@ def kill_at(program, drive, name, moment):
         if status == "it does not end":
             return turned, status
         if is_killed:
-            limit = (7 if drive == "atv28" else QUICK / 10) + 0.5 + 1.0  # and the ramp, where it has one
-            return turned, None if soon(motor.has_stopped, limit) else f"turns on: {motor.shown()}"
+            # Without its time-out it would turn for ever; how long that is, tests in virtual time tell.
+            return turned, None if soon(motor.has_stopped, LIMIT) else f"turns on: {motor.shown()}"
         return turned, None if motor.stands() else f"{motor.shown()}, status {status}, {text}"
 
 
@@ -117,7 +117,7 @@ def moments(program, check, count=20):
         wrong = [(run, found[1]) for run, found in of_one if found[1]]
         check(not wrong, f"{name}: the motor stops in each of {len(of_one)} moments", wrong[:3])
     turned = sum(found[0] for found in ends)
-    check(turned > len(ends) / 4, "it turned in many of them", f"{turned} of {len(ends)}")
+    check(turned > len(ends) / 8, "it turned in many of them", f"{turned} of {len(ends)}")
 
 
 # Ways out.
@@ -157,7 +157,7 @@ def by_lost_line(motor, program, check):
     motor.suffer("cut")
     found, _, error = end(process)
     check(found == 3 and "the link is lost" in error, "lost line: it says so", (found, error))
-    check(soon(motor.has_stopped, QUICK / 10 + 2), "lost line: the drive stops by itself", motor.shown())
+    check(soon(motor.has_stopped, LIMIT), "lost line: the drive stops by itself", motor.shown())
 
 
 def by_deaf_line(motor, program, check):
