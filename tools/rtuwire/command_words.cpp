@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "command_words.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "help/tool_texts.hpp"
+
+namespace tool {
+
+namespace {
+
+constexpr char const* ends_with = "Exit status: 0 done, 1 differs or refused by the device, 2 usage, 3 no answer,\n"
+                                  "4 port, 5 refused for safety.";
+
+void add_line_options(CLI::App& app, line_choices& line)
+{
+    app.add_option("-p,--port", line.port, "/dev/ttyUSB0, tcp://host:4001, sim:atv320:7,atv12:3 or a capture file");
+    app.add_option("-u,--unit", line.unit, "the unit's address, or a name given by --name")->capture_default_str();
+    app.add_option("-b,--baud", line.baud, "bits a second")->capture_default_str();
+    app.add_option("-f,--format", line.format, "8E1, 8N1, 8O1 or 8N2")->capture_default_str();
+    app.add_option("-d,--drive", line.drive, "the drive's type, instead of asking it");
+    app.add_option("--name", line.names, "a unit's name: fan=7:atv320")->allow_extra_args(false);
+    app.add_option("--timeout", line.response_timeout, "seconds to wait for a response")
+        ->check(CLI::Range(0.001, 30.0));
+    app.add_option("--retries", line.retries, "how often a request is repeated")
+        ->check(CLI::Range(0, 10))
+        ->capture_default_str();
+    app.add_option("--listen", line.listen, "seconds to listen before the first frame")
+        ->check(CLI::Range(0.0, 3'600.0))
+        ->capture_default_str();
+    app.add_flag("--no-listen", line.must_not_listen, "speak at once, on a line in use, too");
+}
+
+void add_form_options(CLI::App& app, output_form& form)
+{
+    auto* const as_json = app.add_flag_callback(
+        "--json", [&form] { form = output_form::json; }, "one JSON object a line");
+    app.add_flag_callback(
+           "--csv", [&form] { form = output_form::csv; }, "comma-separated values")
+        ->excludes(as_json);
+}
+
+void add_permissions(CLI::App& app, permissions& allowed)
+{
+    app.add_flag("--write", allowed.may_write, "allow writes");
+    app.add_flag("--allow-run", allowed.may_run, "allow what moves a motor");
+    app.add_flag("-y,--yes", allowed.is_confirmed, "ask nothing back");
+}
+
+CLI::App& add_command(CLI::App& app, choices& chosen, char const* name, char const* what)
+{
+    CLI::App* const command = app.add_subcommand(name, what);
+    command->fallthrough();
+    command->footer("Example: " + example_of(name) + "\nOptions of every command: rtuwire --help\n" + ends_with);
+    command->callback([&chosen, name] { chosen.command = name; });
+    return *command;
+}
+
+void add_period(CLI::App& command, choices& chosen)
+{
+    command.add_option("--every", chosen.every, "the period: 200ms, 1s")
+        ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1.0}, {"ms", 0.001}, {"min", 60.0}}))
+        ->check(CLI::Range(0.0, 86'400.0));
+}
+
+void add_time_limit(CLI::App& command, choices& chosen)
+{
+    command.add_option("--for", chosen.last, "how long: 10s, 5min, 8h")
+        ->transform(CLI::AsNumberWithUnit(
+            std::map<std::string, double>{{"s", 1.0}, {"ms", 0.001}, {"min", 60.0}, {"h", 3'600.0}}));
+}
+
+void add_operands(CLI::App& command, choices& chosen, char const* name, char const* what, bool is_required = false)
+{
+    auto* const words = command.add_option(name, chosen.words, what);
+    if (is_required) {
+        words->required();
+    }
+}
+
+constexpr char const* register_words = "mnemonics (RFR), globs ('DP*'), groups (@monitor), addresses (3202)";
+
+void add_reading(CLI::App& app, choices& chosen)
+{
+    CLI::App& scan = add_command(app, chosen, "scan", "find the units of a line");
+    scan.add_option("--units", chosen.scan.units, "1-247 or 1,3,7-9")->capture_default_str();
+    scan.add_option("--bauds", chosen.scan.bauds, "bit rates to try, such as 9600,19200")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    scan.add_option("--formats", chosen.scan.formats, "formats to try, such as 8E1,8N1")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    scan.add_option("--resume", chosen.scan.resume_file, "keeps what was found here, and goes on from there");
+    add_command(app, chosen, "identify", "who is it?");
+    add_operands(add_command(app, chosen, "read", "read registers"), chosen, "REG", register_words, true);
+    CLI::App& watch = add_command(app, chosen, "watch", "read registers again and again, a line each time");
+    add_operands(watch, chosen, "REG", register_words, true);
+    add_period(watch, chosen);
+    add_time_limit(watch, chosen);
+    CLI::App& monitor = add_command(app, chosen, "monitor", "several drives on a full screen");
+    add_operands(monitor, chosen, "REG", register_words);
+    add_period(monitor, chosen);
+    CLI::App& list = add_command(app, chosen, "list", "the registers of a drive, or the drives");
+    add_operands(list, chosen, "PATTERN", "mnemonics, globs, groups, addresses");
+    list.add_option("--search", chosen.search, "a word in the registers' names");
+}
+
+void add_writing(CLI::App& app, choices& chosen)
+{
+    CLI::App& write = add_command(app, chosen, "write", "write registers, and read them back (--write)");
+    add_operands(write, chosen, "REG=VALUE", "ACC=1.3s, SLL=YES, 3104=60Hz", true);
+    CLI::App& start = add_command(app, chosen, "start", "run a motor until somebody ends this program (--allow-run)");
+    auto* const speed = start.add_option("--speed", chosen.motion.speed, "such as 1200rpm");
+    start.add_option("--frequency", chosen.motion.frequency, "such as 40Hz")->excludes(speed);
+    start.add_flag("--reverse", chosen.motion.is_reverse, "the other direction");
+    start.add_option("--for", chosen.motion.seconds, "how long: 10s")
+        ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}}));
+    CLI::App& stop = add_command(app, chosen, "stop", "stop a motor");
+    auto* const ramp = stop.add_flag_callback(
+        "--ramp", [&chosen] { chosen.motion.stop_by = "ramp"; }, "by its ramp (as without a word)");
+    auto* const freewheel = stop.add_flag_callback(
+        "--freewheel", [&chosen] { chosen.motion.stop_by = "freewheel"; }, "without power");
+    stop.add_flag_callback(
+            "--quick", [&chosen] { chosen.motion.stop_by = "quick"; }, "by its quick stop")
+        ->excludes(ramp)
+        ->excludes(freewheel);
+    ramp->excludes(freewheel);
+    add_command(app, chosen, "reset", "reset a fault (--write)");
+}
+
+void add_line_tools(CLI::App& app, choices& chosen)
+{
+    CLI::App& sniff = add_command(app, chosen, "sniff", "show what others say on the line");
+    sniff.add_option("-o,--output", chosen.file, "a file that keeps what is shown, as capture writes it");
+    add_time_limit(sniff, chosen);
+    CLI::App& capture = add_command(app, chosen, "capture", "write what passes to a file for Wireshark");
+    capture.add_option("-o,--output", chosen.file, "the file, - for standard output")->required();
+    capture.add_option("--as", chosen.capture_form, "udp, user0, rtac or upper-pdu")
+        ->check(CLI::IsMember({"udp", "user0", "rtac", "upper-pdu"}))
+        ->capture_default_str();
+    add_time_limit(capture, chosen);
+    add_command(app, chosen, "replay", "show a capture as sniff showed its line")
+        .add_option("FILE", chosen.file, "a capture; without one, --port names it");
+    CLI::App& timing = add_command(app, chosen, "timing", "silences, response times, load and errors of a line");
+    timing.add_option("FILE", chosen.file,
+                      "a capture; without one, the port is listened to, or the capture that it names");
+    add_time_limit(timing, chosen);
+    add_operands(add_command(app, chosen, "decode", "explain bytes"), chosen, "HEX",
+                 "bytes, or - to read them from standard input; none with a capture as --port");
+    CLI::App& simulate = add_command(app, chosen, "simulate", "simulated drives on a pseudo-terminal or a port");
+    add_operands(simulate, chosen, "DRIVE:UNIT", "such as atv320:1", true);
+    simulate.add_option("--vendor", chosen.vendor, "who made them, instead of what their manuals print");
+}
+
+/// What the program says of itself.
+void add_own_texts(CLI::App& app, choices& chosen)
+{
+    add_operands(add_command(app, chosen, "completion", "print a completion script: put it where your shell finds it"),
+                 chosen, "SHELL", "bash or zsh", true);
+    add_command(app, chosen, "man", "print a page for man(1)");
+}
+
+} // namespace
+
+void add_words(CLI::App& app, choices& chosen)
+{
+    app.footer(ends_with);
+    app.require_subcommand(1);
+    add_line_options(app, chosen.line);
+    add_form_options(app, chosen.form);
+    add_permissions(app, chosen.allowed);
+    add_reading(app, chosen);
+    add_writing(app, chosen);
+    add_line_tools(app, chosen);
+    add_own_texts(app, chosen);
+}
+
+} // namespace tool
