@@ -71,6 +71,32 @@ def check_no_drive(tool, check, what, how):
     check(ended.status in (DIFFERS, NO_ANSWER) and "unit 1" in ended.errors, f"{what}: no name without a drive", ended)
 
 
+def registers_of(tool, drive):
+    return {int(row["address"]): 0 for row in tool.run("--csv", "list", "--drive", drive).rows()}
+
+
+def check_no_identity(tool, check):
+    """Units that do not say who they are: function 43 is ignored, as by something between that does not let it pass."""
+    for drive in ("atv320", "atv12", "atv28"):
+        with Units({7: registers_of(tool, drive)}, ignored=(43,)) as line:
+            ended = tool.run("--port", line.name, "--no-listen", "--timeout", 0.2, "--retries", 0, "--json", "-u", 7, "read", "RFR")
+            check(ended.status == DONE and ended.objects()[0]["raw"] == 0, f"an {drive} is known by its registers", ended)
+            check({request[1] for request in line.requests} == {3, 43}, "by reads only")
+    everything = dict.fromkeys(range(65_536), 0)
+    for what, registers, ignored in (("few registers", {100: 5}, (43,)), ("any register", everything, (43,)),
+                                     ("any register, and refuses function 43", everything, ())):
+        with Units({7: registers}, ignored=ignored) as line:
+            how = ["--port", line.name, "--no-listen", "--timeout", 0.2, "--retries", 0, "-u", 7]
+            ended = tool.run(*how, "read", "RFR")
+            check(ended.status == DIFFERS and "unit 7: answers" in ended.errors and "--drive" in ended.errors,
+                  f"a unit with {what} is no drive, and --drive is named", ended)
+            check(tool.run(*how, "read", "100").status == DONE, "its registers have numbers all the same")
+    with Units({}) as line:
+        ended = tool.run("--port", line.name, "--no-listen", "--timeout", 0.1, "--retries", 0, "-u", 7, "read", "RFR")
+        check(ended.status == NO_ANSWER and "no response" in ended.errors and len(line.requests) == 2,
+              "a silent unit is asked once more, not for each register", (ended, line.requests))
+
+
 def others_servers(tool, check, libmodbus_server, folder, processes):
     servers = {"libmodbus": [libmodbus_server, "@"],
                "pymodbus": [sys.executable, "-B", str(HERE.parent / "interop" / "pymodbus_server.py"), "@"]}
@@ -116,6 +142,7 @@ def main(check, program, libmodbus_server):
     processes = []
     with Tool(program) as tool, tempfile.TemporaryDirectory(prefix="line-") as folder:
         check_ports(tool, check, program)
+        check_no_identity(tool, check)
         try:
             others_servers(tool, check, libmodbus_server, folder, processes)
         finally:

@@ -71,15 +71,15 @@ class Tool:
         how = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, **how}
         return subprocess.Popen(self.command(words, port), cwd=self.place, env=self.environment, **how)
 
-    def run(self, *words, port=None, given=None):
+    def run(self, *words, port=None, given=None, limit=LIMIT):
         how = {"stdin": subprocess.PIPE} if given is not None else {}
         process = self.start(*words, port=port, **how)
         try:
-            output, errors = process.communicate(given, timeout=LIMIT)
+            output, errors = process.communicate(given, timeout=limit)
         except subprocess.TimeoutExpired:
             process.kill()
             output, errors = process.communicate()
-            errors += f"\n(ended after {LIMIT} s by the test)"
+            errors += f"\n(ended after {limit} s by the test)"
         return Ended(process.returncode, output, errors)
 
     def on_terminal(self, *words, keys=(), port=None):
@@ -105,11 +105,12 @@ class Tool:
 
 class Units(Line):
     """with Units({7: {100: 5}}) as line: units with holding registers on a line of their own; `line.name` is its device.
-    They know functions 3, 6 and 16. With a bit rate each answers after the time that the wire takes for both frames."""
+    They know functions 3, 6 and 16, and say nothing to those that they ignore. With a bit rate each answers after the
+    time that the wire takes for both frames."""
 
-    def __init__(self, units, bits_per_second=None, bits=11):
+    def __init__(self, units, bits_per_second=None, bits=11, ignored=()):
         super().__init__()
-        self.units, self.requests = units, []
+        self.units, self.requests, self.ignored = units, [], ignored
         self.character = bits / bits_per_second if bits_per_second else 0
         self.silence = (1.75e-3 if (bits_per_second or 0) > 19200 else 3.5 * self.character)
         self.waiting = b""
@@ -144,7 +145,7 @@ class Units(Line):
 
     def answer(self, request):
         unit, function = request[0], request[1]
-        if unit not in self.units or crc(request) != 0:
+        if unit not in self.units or crc(request) != 0 or function in self.ignored:
             return None
         registers = self.units[unit]
         start = int.from_bytes(request[2:4], "big")

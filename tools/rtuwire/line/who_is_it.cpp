@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "words/suggestion.hpp"
@@ -117,24 +119,90 @@ candidates of_family(std::string const& product)
     return found;
 }
 
-/// Those without identification, if the unit has what only they have.
-candidates without_identity(open_line& line, rtuwire::unit_id unit)
-{
-    candidates found;
-    for (drive_catalog const* const each : all_catalogs()) {
-        if (each->functions.contains(rtuwire::function_code::encapsulated_interface)) {
-            continue;
+/// Drives that a unit may be by the registers that it has: what one has and another has not is read, once each.
+class fingerprint {
+public:
+    fingerprint(open_line& line, rtuwire::unit_id unit) : line_{line}, unit_{unit} {}
+
+    /// Those whose own registers the unit has, while it refuses what only others have: a device that has any register
+    /// is none of them.
+    candidates among(candidates const& all)
+    {
+        candidates found;
+        for (drive_catalog const* const each : all) {
+            bool fits = true;
+            for (drive_catalog const* const other : all) {
+                fits = fits and (other == each or (has(only_in(*each, *other), errc::none) and
+                                                   has(only_in(*other, *each), errc::illegal_data_address)));
+            }
+            if (fits) {
+                found.push_back(each);
+            }
         }
-        bool fits = true;
-        for (drive_catalog const* const other : all_catalogs()) {
-            auto const address = other == each ? std::nullopt : only_in(*each, *other);
-            fits = fits and (not address or read_one(line, unit, *address) == errc::none);
-        }
-        if (fits) {
-            found.push_back(each);
-        }
+        return found;
     }
-    return found;
+
+    /// Whether anything but silence was heard.
+    bool is_there() const { return is_there_; }
+
+private:
+    /// Whether reading it ends so. Nobody asks a silent unit twice.
+    bool has(std::optional<std::uint16_t> address, errc expected)
+    {
+        if (not address) {
+            return true;
+        }
+        auto const known = outcomes_.find(*address);
+        if (known != outcomes_.end()) {
+            return known->second == expected;
+        }
+        if (is_silent_) {
+            return false;
+        }
+        errc const outcome = read_one(line_, unit_, *address);
+        is_there_ = is_there_ or outcome == errc::none or rtuwire::is_exception(outcome);
+        is_silent_ = not is_there_;
+        outcomes_.emplace(*address, outcome);
+        return outcome == expected;
+    }
+
+    open_line& line_;
+    rtuwire::unit_id unit_;
+    std::map<std::uint16_t, errc> outcomes_{};
+    bool is_there_{false};
+    bool is_silent_{false};
+};
+
+candidates all_drives() { return {all_catalogs().begin(), all_catalogs().end()}; }
+
+/// Drives that do not answer function 43: they refuse it, or say nothing to it.
+candidates without_identity(candidates all)
+{
+    std::erase_if(all, [](drive_catalog const* each) {
+        return each->functions.contains(rtuwire::function_code::encapsulated_interface);
+    });
+    return all;
+}
+
+/// Of a unit that says nothing of itself. One that refuses to is a drive that cannot; one that is silent may be any,
+/// behind something that does not let function 43 pass.
+void recognise_by_registers(open_line& line, rtuwire::unit_id unit, errc outcome, identity_words& who)
+{
+    fingerprint marks{line, unit};
+    candidates found = marks.among(all_drives());
+    if (rtuwire::is_exception(outcome)) {
+        found = without_identity(std::move(found));
+    }
+    if (found.size() == 1) {
+        who.drive = std::string{found.front()->name};
+    } else if (rtuwire::is_exception(outcome) or marks.is_there()) {
+        who.note = "answers, but does not say who it is (" + words_of(outcome) +
+                   "), and its registers are those of no drive of this program, or of several";
+        who.outcome = exit_status::differs;
+    } else {
+        who.note = words_of(outcome);
+        who.outcome = status_of(outcome);
+    }
 }
 
 } // namespace
@@ -143,18 +211,15 @@ identity_words who_is_it(open_line& line, rtuwire::unit_id unit)
 {
     identity_words who;
     errc const outcome = read_identity(line, unit, who);
-    if (outcome != errc::none and not rtuwire::is_exception(outcome)) {
+    if (status_of(outcome) == exit_status::port) {
         who.note = words_of(outcome);
-        who.outcome = status_of(outcome);
-        return who;
-    }
-    candidates left = outcome == errc::none ? of_family(who.product) : without_identity(line, unit);
-    tell_apart(line, unit, left);
-    if (left.size() == 1) {
-        who.drive = std::string{left.front()->name};
+        who.outcome = exit_status::port;
     } else if (outcome != errc::none) {
-        who.note = "does not identify itself: " + words_of(outcome);
-        who.outcome = exit_status::differs;
+        recognise_by_registers(line, unit, outcome, who);
+    } else {
+        candidates left = of_family(who.product);
+        tell_apart(line, unit, left);
+        who.drive = left.size() == 1 ? std::string{left.front()->name} : std::string{};
     }
     return who;
 }
@@ -184,7 +249,8 @@ drive_catalog const& catalog_of(open_line& line, rtuwire::unit_id unit, std::str
     }
     std::string const number = "unit " + std::to_string(unit.byte());
     if (who.product.empty() and not who.note.empty()) {
-        throw ended{who.outcome, number + ": " + who.note};
+        bool const helps = who.outcome == exit_status::differs;
+        throw ended{who.outcome, number + ": " + who.note + (helps ? "; say --drive" : "")};
     }
     throw ended{exit_status::differs,
                 number + " is a '" + who.vendor + " " + who.product + "', no drive of this program; say --drive"};
