@@ -23,9 +23,17 @@ REFUSALS = [
     ("LFRD=100rpm", REFUSED, ["LFRD", "start"]),
     ("CMI=1", REFUSED, ["CMI"]),
     ("12345=1", REFUSED, ["12345", "--allow-run"]),
+    ("NC1=15", REFUSED, ["NC1", "start"]),
+    ("NCA1=8501", REFUSED, ["NCA1", "scanner", "--allow-run"]),
+    ("12722=0", REFUSED, ["NCA2", "scanner", "--allow-run"]),
+    ("CHCF=SEP", REFUSED, ["CHCF", "a motor may turn", "--allow-run"]),
+    ("CD1=TER", REFUSED, ["CD1", "a motor may turn", "--allow-run"]),
+    ("FR1=MDB", REFUSED, ["FR1", "a motor may turn", "--allow-run"]),
+    ("FLO=1", REFUSED, ["FLO", "a motor may turn", "--allow-run"]),
+    ("ATR=YES", REFUSED, ["ATR", "a motor may turn", "--allow-run"]),
 ]
 REGISTERS = {3104: 500, 3103: 600, 3105: 0, 9001: 30, 9020: 1, 8401: 1, 3202: 0, 8501: 0, 8502: 0, 8504: 0, 8602: 0,
-             12345: 7}
+             12345: 7, 12721: 8501, 12722: 8602, 12761: 0, 8413: 164, 8423: 10, 8431: 0, 7122: 0}
 
 
 def check_refusals(tool, check):
@@ -43,6 +51,19 @@ def check_refusals(tool, check):
         check(line.units[7] == REGISTERS, "all is as it was")
 
 
+def check_together(tool, check):
+    """Registers that limit each other are checked as they will be when each is written, in the order that was typed."""
+    for words, refused, written in ((["LSP=40Hz", "HSP=45Hz"], "", (400, 450)),
+                                    (["HSP=58Hz", "LSP=55Hz"], "", (550, 580)),
+                                    (["LSP=55Hz", "HSP=58Hz"], "LSP takes 0.0 Hz to 50.0 Hz (HSP)", (0, 500)),
+                                    (["LSP=40Hz", "HSP=30Hz"], "HSP takes 40.0 Hz (LSP) to 60.0 Hz (TFR)", (0, 500)),
+                                    (["HSP=30Hz", "LSP=40Hz"], "LSP takes 0.0 Hz to 30.0 Hz (HSP)", (0, 500))):
+        with Units({7: dict(REGISTERS)}) as line:
+            ended = tool.run("--port", line.name, "--no-listen", "-u", 7, "-d", "atv320", "--write", "write", *words)
+            is_told = ended.status == (USAGE if refused else DONE) and refused in ended.errors
+            check(is_told and (line.units[7][3105], line.units[7][3104]) == written, f"{words} together", ended)
+
+
 def check_write(tool, check):
     with Units({7: dict(REGISTERS)}) as line:
         how = ["--port", line.name, "--no-listen", "-u", 7, "-d", "atv320", "--write"]
@@ -51,7 +72,9 @@ def check_write(tool, check):
         check(line.units[7][9001] == 13 and [each[1] for each in line.requests[-2:]] == [6, 3], "written, and read back")
         log = (tool.place / "state" / "rtuwire" / "writes.log").read_text().splitlines()
         is_whole = re.fullmatch(rf"\S+\t\S+\t{line.name}\t7\tACC\t3\.0 s\t1\.3 s", log[-1])
-        check(len(log) == 1 and is_whole, "noted: when, who, where, what", log)
+        check(is_whole, "noted: when, who, where, what", log)
+        ended = tool.run(*how, "--allow-run", "write", "NCA1=8602")
+        check(ended.status == DONE and line.units[7][12721] == 8602, "--allow-run allows what may move a motor", ended)
     with Forgetful({7: dict(REGISTERS)}) as line:
         ended = tool.run("--port", line.name, "--no-listen", "-u", 7, "-d", "atv320", "--write", "write", "ACC=1.3s")
         check(ended.status == DIFFERS and "another value" in ended.output, "a unit that holds another value", ended)
@@ -85,6 +108,7 @@ def check_terminal(program, tool, check):
 def main(check, program):
     with Tool(program) as tool:
         check_refusals(tool, check)
+        check_together(tool, check)
         check_write(tool, check)
         check_terminal(program, tool, check)
 

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // Writes registers, and reads them back. All words are checked before the first frame leaves; what commands a motor is
 // refused: `start` and `stop` do that.
+#include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "line/reading.hpp"
 #include "line/who_is_it.hpp"
 #include "line/write_log.hpp"
+#include "motion/moving_registers.hpp"
 #include "words/value_words.hpp"
 
 namespace tool {
@@ -22,16 +25,7 @@ namespace {
 
 using rtuwire::errc;
 
-constexpr std::uint16_t first_scanner_output = 12'761; ///< NC1: what the scanner writes to the command
-constexpr std::uint16_t save_to_eeprom = 2;            ///< the order in CMI
-
-bool commands_a_motor(std::uint16_t address, drive_catalog const& drive)
-{
-    bool const is_scanner_output =
-        drive.at(address) != nullptr and drive.at(address)->code.starts_with("NC") and address >= first_scanner_output;
-    return address == drive.layout.cmd or address == drive.speed_reference or address == drive.frequency_reference or
-           is_scanner_output;
-}
+constexpr std::uint16_t save_to_eeprom = 2; ///< the order in CMI
 
 class writing {
 public:
@@ -59,22 +53,21 @@ public:
     }
 
 private:
-    /// All values, with the registers that limit them read first.
+    /// All values, with the registers that limit them read first. Each is checked with what the ones before it will
+    /// have written.
     std::vector<value_to_write> checked(open_line& line)
     {
-        std::vector<chosen_register> needed;
-        for (std::string const& word : chosen_.words) {
-            value_to_write const value = check_value(word, drive_);
-            refuse_if_wrong(value);
-            for (register_entry const* const each : value.needed) {
-                needed.push_back({each->address, each});
-            }
-        }
-        register_reader limits{needed, drive_};
+        register_reader limits{registers_that_limit(), drive_};
         limits.read(line, unit_.unit);
         std::vector<value_to_write> values;
+        known_words const known = [&](std::string_view code) -> std::optional<std::uint16_t> {
+            auto const written = std::find_if(values.rbegin(), values.rend(), [code](value_to_write const& each) {
+                return each.entry != nullptr and each.entry->code == code;
+            });
+            return written != values.rend() ? std::optional{written->word} : limits.known()(code);
+        };
         for (std::string const& word : chosen_.words) {
-            value_to_write value = check_value(word, drive_, limits.known());
+            value_to_write value = check_value(word, drive_, known);
             refuse_if_wrong(value);
             if (not value.is_ready()) {
                 throw ended{status_of(limits.first_error()),
@@ -86,6 +79,20 @@ private:
         return values;
     }
 
+    /// Refuses what needs no request to be refused.
+    std::vector<chosen_register> registers_that_limit() const
+    {
+        std::vector<chosen_register> needed;
+        for (std::string const& word : chosen_.words) {
+            value_to_write const value = check_value(word, drive_);
+            refuse_if_wrong(value);
+            for (register_entry const* const each : value.needed) {
+                needed.push_back({each->address, each});
+            }
+        }
+        return needed;
+    }
+
     void refuse_if_wrong(value_to_write const& value) const
     {
         if (value.refused) {
@@ -94,6 +101,10 @@ private:
         std::string const label = label_of({value.address, value.entry});
         if (commands_a_motor(value.address, *drive_)) {
             refuse_for_safety(label + " commands the motor: use `rtuwire start` and `rtuwire stop`");
+        }
+        std::string const why = value.entry == nullptr ? std::string{} : why_it_may_move(value.entry->code);
+        if (not why.empty() and not chosen_.allowed.may_run) {
+            refuse_for_safety(label + " " + why + ": a motor may turn after it; to write it, say --allow-run besides");
         }
         if (value.entry == nullptr and not chosen_.allowed.may_run) {
             refuse_for_safety("register " + label + " is not in the table of an " + std::string{drive_->name} +
