@@ -12,7 +12,7 @@ packages_of() {
         build) echo cmake ninja-build g++ ;;
         tests) echo catch2 libfmt-dev python3 binutils spin ;;
         interop) echo pkg-config libmodbus-dev mbpoll python3 python3-pymodbus python3-serial python3-serial-asyncio socat tshark ;;
-        tool) echo pkg-config libcli11-dev libfmt-dev nlohmann-json3-dev libncurses-dev tmux python3 python3-pyte ;;
+        tool) echo pkg-config libcli11-dev libfmt-dev nlohmann-json3-dev libncurses-dev tmux python3 python3-pyte zsh ;;
         arm) echo gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib ;;
         emulator) echo qemu-system-arm ;;
         clang) echo clang libclang-rt-dev ;;
@@ -31,7 +31,7 @@ packages_of() {
 # A tool counts however it came here; a library only counts as the package the build will look for.
 present() {
     case $1 in
-        cmake | make | c++ | g++ | clang | mbpoll | socat | tshark | pkg-config | qemu-system-arm | valgrind | strace | tmux | clang-format | clang-tidy | spin)
+        cmake | make | c++ | g++ | clang | mbpoll | socat | tshark | pkg-config | qemu-system-arm | valgrind | strace | tmux | zsh | clang-format | clang-tidy | spin)
             command -v "$1" >/dev/null ;;
         ninja-build) command -v ninja >/dev/null ;;
         # Only the distribution's interpreter sees the distribution's modules.
