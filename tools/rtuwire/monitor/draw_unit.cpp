@@ -97,7 +97,8 @@ std::string title_of(shown_unit const& unit)
 {
     std::string const number = "unit " + std::to_string(unit.address);
     std::string text = unit.name.empty() ? number : unit.name + ": " + number;
-    text += ", " + (unit.drive.empty() ? "not known yet which device" : unit.drive);
+    bool const is_asked = unit.link == link_state::linked;
+    text += ", " + (not unit.drive.empty() ? unit.drive : is_asked ? "no drive" : "not known yet which device");
     return unit.state.empty() or unit.link == link_state::lost ? text : text + ", " + unit.state;
 }
 
