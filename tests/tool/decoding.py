@@ -12,6 +12,7 @@ import subprocess
 from support import DIFFERS, DONE, USAGE, Tool, runs, with_crc
 
 COUNT = 10_000
+LONG = 100  # s, for that many under the sanitizers on a busy machine
 WORDS = {1: "read coils", 2: "read discrete inputs", 3: "read holding registers", 4: "read input registers",
          5: "write single coil", 6: "write single register", 15: "write multiple coils", 16: "write multiple registers",
          22: "mask write register", 23: "read/write multiple registers"}
@@ -96,7 +97,7 @@ def dissected(place, frames, are_requests=True):
 
 def decoded(tool, frames, but="response"):
     """What the tool says of each frame, read as one or the other: its fields by name."""
-    found = tool.run("--json", "decode", "-", given="".join(frame.hex(" ") + "\n" for frame in frames))
+    found = tool.run("--json", "decode", "-", given="".join(frame.hex(" ") + "\n" for frame in frames), limit=LONG)
     by_frame = {}
     for line in found.output.splitlines():
         each = json.loads(line)
@@ -167,7 +168,7 @@ def damaged_ones(tool, check):
 def random_ones(tool, check):
     chance = random.Random(11)
     frames = [chance.randbytes(chance.randrange(1, 300)) for _ in range(COUNT)]
-    found = tool.run("--json", "decode", "-", given="".join(frame.hex() + "\n" for frame in frames))
+    found = tool.run("--json", "decode", "-", given="".join(frame.hex() + "\n" for frame in frames), limit=LONG)
     check(found.status == DIFFERS and not found.errors, "ten thousand random runs are explained as far as they go",
           (found.status, found.errors[:200]))
     for line in found.output.splitlines():

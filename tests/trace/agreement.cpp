@@ -12,11 +12,8 @@
 #include <array>
 #include <vector>
 
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
-
 #include "support/catch.hpp"
-#include "support/random.hpp"
+#include "trace/asked_at_random.hpp"
 
 using namespace rtuwire;
 
@@ -104,73 +101,6 @@ private:
     instant last_{0};
 };
 
-/// A server that now and then is slow.
-class slow_unit {
-public:
-    slow_unit(record_list& trace, std::uint32_t seed) : node_{unit_id{7}, timing}, random_{seed}
-    {
-        node_.trace_to(trace);
-    }
-    void receive(byte_view bytes, instant now) noexcept { node_.receive(bytes, now); }
-    void receive_error(instant now) noexcept { node_.receive_error(now); }
-    void sent(instant now) noexcept { node_.sent(now); }
-    void advance(instant now) noexcept
-    {
-        node_.advance(now);
-        if (not node_.is_asked()) {
-            due_ = {};
-            return;
-        }
-        if (not due_) {
-            due_ = now + milliseconds(random_.below(4) == 0 ? random_.below(70) : 0);
-        }
-        if (reached(now, *due_)) {
-            node_.serve(bank_, now);
-        }
-    }
-    byte_view poll_transmit() noexcept { return node_.poll_transmit(); }
-    deadline poll_deadline() const noexcept
-    {
-        auto const own = node_.poll_deadline();
-        return due_ and own ? earlier(own, *due_) : due_ ? due_ : own;
-    }
-
-private:
-    server::traced_by<record_list> node_;
-    word_bank<100> bank_{};
-    test::random random_;
-    deadline due_{};
-};
-
-/// Asks unit 7, or unit 8, which is not there, without end.
-class asks_anything : public asker {
-public:
-    explicit asks_anything(std::uint32_t seed) : random_{seed} { choose(); }
-    std::optional<request_frame> next() const { return request_frame{byte_view{frame_}}; }
-    void accept(result<response> const&) { choose(); }
-    static bool settled() { return false; }
-
-private:
-    void choose()
-    {
-        unit_id const unit = random_.below(8) == 0 ? unit_id{8} : unit_id{7};
-        auto const start = static_cast<std::uint16_t>(random_.below(90));
-        if (random_.below(2) != 0) {
-            auto const count = static_cast<std::uint16_t>(1 + random_.below(9));
-            auto const frame = *encode(unit, read_holding_registers{.start = start, .count = count});
-            keep(frame);
-        } else {
-            auto const value = static_cast<std::uint16_t>(random_.next());
-            auto const frame = *encode(unit, write_single_register{.address = start, .value = value});
-            keep(frame);
-        }
-    }
-    void keep(byte_view bytes) { frame_.assign(bytes.begin(), bytes.end()); }
-
-    test::random random_;
-    byte_list frame_;
-};
-
 /// Looks for a frame in a trace from `from` on: as one record, or as the pieces of one that nobody waited for.
 bool find(std::vector<record> const& trace, byte_list const& frame, std::size_t& from)
 {
@@ -211,10 +141,11 @@ void check_run(std::uint32_t seed, sim::line_faults const& faults, totals& sum)
     using traced_client = client::traced_by<record_list>;
     sim::line wire{timing, seed};
     wire.set_faults(faults);
-    sim::basic_bench<traced_client, sim::line, slow_unit, tap> bench{timing, wire, traced_client{timing, options},
-                                                                     slow_unit{at_server, seed}, tap{bursts, whole}};
+    sim::basic_bench<traced_client, sim::line, test::slow_unit<record_list>, tap> bench{
+        timing, wire, traced_client{timing, options}, test::slow_unit{unit_id{7}, timing, seed, at_server},
+        tap{bursts, whole}};
     bench.link().trace_to(at_client);
-    asks_anything asking{seed};
+    test::asks_anything asking{seed};
     bench.run_for(milliseconds(20'000), asking);
 
     CHECK_FALSE(at_client.goes_back);

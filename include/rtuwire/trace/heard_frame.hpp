@@ -28,7 +28,8 @@ struct heard_frame {
     /// The request that this answers, or that was not answered: address to CRC. Empty otherwise. Damaged bytes that
     /// came in the place of a response have it, too.
     byte_view request{};
-    /// From the end of that request to the start of the response, or until it was given up.
+    /// From the end of that request to the start of the response; or until it was given up, in time or at the end of
+    /// the next frame.
     duration response_time{};
     /// Whether the request got no undamaged response in time, or before the next request.
     bool is_unanswered{false};

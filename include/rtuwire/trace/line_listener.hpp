@@ -139,7 +139,7 @@ private:
         heard_frame it{{bytes, held_.time(found.size - 1), found.role}, held_.time(0)};
         if (found.role == frame_role::request) {
             if (pending_.is_any()) {
-                give_up(it.first_byte, take);
+                give_up(it.frame.at, take);
             }
             take(it);
             pending_.note(to_u8(bytes[0]) == 0 ? byte_view{} : bytes, it.frame.at);

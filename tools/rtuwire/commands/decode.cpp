@@ -9,6 +9,7 @@
 #include "frame/decode.hpp"
 #include "frame/hex_lines.hpp"
 #include "frame/hex_text.hpp"
+#include "line/played_capture.hpp"
 #include "line/who_is_it.hpp"
 
 namespace tool {
@@ -67,31 +68,59 @@ std::string joined(std::vector<std::string> const& words)
     return text;
 }
 
+/// Explains runs of bytes; its status.
+class explaining {
+public:
+    explicit explaining(choices const& chosen)
+        : decoder_{chosen.line.drive.empty() ? nullptr : &catalog_chosen(chosen.line.drive)}, printer_{chosen.form}
+    {}
+
+    void put(rtuwire::byte_view run)
+    {
+        has_bytes_ = true;
+        for (decoded_frame const& frame : decoder_.decode(run)) {
+            printer_.put(frame);
+            status_ = frame.is_good() ? status_ : exit_status::differs;
+        }
+        printer_.finish_run();
+    }
+    bool is_open() const { return printer_.is_open(); }
+    exit_status finish() const
+    {
+        if (not has_bytes_) {
+            refuse_word("there are no bytes to explain");
+        }
+        return status_;
+    }
+
+private:
+    frame_decoder decoder_;
+    frame_printer printer_;
+    exit_status status_{exit_status::done};
+    bool has_bytes_{false};
+};
+
 } // namespace
 
 exit_status run_decode(choices const& chosen)
 {
-    drive_catalog const* const drive = chosen.line.drive.empty() ? nullptr : &catalog_chosen(chosen.line.drive);
+    explaining explain{chosen};
+    if (chosen.words.empty() and is_capture(chosen)) {
+        play_capture(capture_in(chosen), setting_in(chosen.line), [&explain](tapped_frame const& it) {
+            if (not it.heard.is_unanswered and explain.is_open()) {
+                explain.put(it.heard.frame.bytes);
+            }
+        });
+        return explain.finish();
+    }
     bool const is_piped = chosen.words == std::vector<std::string>{"-"};
     std::istringstream words{joined(chosen.words)};
     hex_lines lines{is_piped ? std::cin : words};
-    frame_decoder decoder{drive};
-    frame_printer printer{chosen.form};
-    exit_status status = exit_status::done;
     std::vector<std::byte> run;
-    bool has_bytes = false;
-    while (printer.is_open() and lines.next(run)) {
-        has_bytes = true;
-        for (decoded_frame const& frame : decoder.decode(run)) {
-            printer.put(frame);
-            status = frame.is_good() ? status : exit_status::differs;
-        }
-        printer.finish_run();
+    while (explain.is_open() and lines.next(run)) {
+        explain.put(run);
     }
-    if (not has_bytes) {
-        refuse_word("there are no bytes to explain");
-    }
-    return status;
+    return explain.finish();
 }
 
 } // namespace tool

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Listens to a capture again: what `sniff` would have shown of its line.
+// Shows a capture as `sniff` showed its line.
 #include "commands/commands.hpp"
 #include "frame/frame_record.hpp"
 #include "line/played_capture.hpp"
@@ -10,7 +10,7 @@ namespace tool {
 exit_status run_replay(choices const& chosen)
 {
     frame_records show{chosen};
-    play_capture(chosen.file, setting_in(chosen.line), [&show](tapped_frame const& it) { show.put(it); });
+    play_capture(capture_in(chosen), setting_in(chosen.line), [&show](tapped_frame const& it) { show.put(it); });
     return show.finish();
 }
 

@@ -10,6 +10,7 @@
 #include "line/open_line.hpp"
 #include "line/played_capture.hpp"
 #include "line/tap.hpp"
+#include "line/time_text.hpp"
 
 namespace tool {
 
@@ -29,11 +30,16 @@ record of_line(line_figures const& line)
 
 record of_unit(std::uint8_t number, unit_figures const& unit)
 {
-    return {{"unit", std::int64_t{number}},         {"requests", whole(unit.requests)},
-            {"answered", whole(unit.answered)},     {"refused", whole(unit.refused)},
-            {"unanswered", whole(unit.unanswered)}, {"damaged", whole(unit.damaged)},
-            {"shortest ms", unit.quantile(0)},      {"median ms", unit.quantile(0.5)},
-            {"99 % ms", unit.quantile(0.99)},       {"longest ms", unit.quantile(1)}};
+    return {{"unit", std::int64_t{number}},
+            {"requests", whole(unit.requests)},
+            {"answered", whole(unit.answered)},
+            {"refused", whole(unit.refused)},
+            {"unanswered", whole(unit.unanswered)},
+            {"damaged", whole(unit.damaged)},
+            {"shortest ms", unit.response_times.quantile(0)},
+            {"median ms", unit.response_times.quantile(0.5)},
+            {"99 % ms", unit.response_times.quantile(0.99)},
+            {"longest ms", unit.response_times.quantile(1)}};
 }
 
 void show_histogram(line_figures const& line, output& results)
@@ -55,14 +61,14 @@ void show_histogram(line_figures const& line, output& results)
 exit_status run_timing(choices const& chosen)
 {
     note_signals();
-    line_setting const how = setting_in(chosen.line);
-    line_figures line{rtuwire::line_timing{how.baud, how.format}};
-    auto const take = [&line](tapped_frame const& it) { line.take(it.heard, it.unix_microseconds); };
-    if (chosen.file.empty()) {
+    line_figures line;
+    auto const take = [&line](tapped_frame const& it) { line.take(it); };
+    if (chosen.file.empty() and not is_capture(chosen)) {
         any_port port = open_to_listen(chosen);
-        listen(port, chosen.last, take, [] { return true; });
+        line_calendar calendar{port.now(), unix_now()};
+        listen(port, chosen, calendar, take, [] { return true; });
     } else {
-        play_capture(chosen.file, how, take);
+        play_capture(capture_in(chosen), setting_in(chosen.line), take);
     }
     output results{chosen.form, false};
     results.put(of_line(line));

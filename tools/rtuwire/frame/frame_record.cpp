@@ -6,7 +6,6 @@
 
 #include "frame/hex_text.hpp"
 #include "frame/summary.hpp"
-#include "line/open_line.hpp"
 #include "line/time_text.hpp"
 
 namespace tool {
@@ -26,18 +25,11 @@ std::string verdict_of(rtuwire::heard_frame const& heard)
     return heard.is_unanswered ? std::string{"unanswered"} : std::string{name(heard.frame.verdict)};
 }
 
-rtuwire::line_timing timing_of(line_setting const& how) { return {how.baud, how.format}; }
-
-} // namespace
-
-frame_records::frame_records(choices const& chosen)
-    : timing_{timing_of(setting_in(chosen.line))}, units_{chosen.line}, results_{chosen.form, true}
-{}
-
 /// From the last byte of the request to the first of the response, which is computed from its last one: an adapter hands
 /// over all at once.
-cell frame_records::response_milliseconds(rtuwire::heard_frame const& heard) const
+cell response_milliseconds(tapped_frame const& it)
 {
+    rtuwire::heard_frame const& heard = it.heard;
     if (heard.is_unanswered) {
         return static_cast<double>(heard.response_time.microseconds) / 1'000.0;
     }
@@ -45,18 +37,31 @@ cell frame_records::response_milliseconds(rtuwire::heard_frame const& heard) con
         return {};
     }
     rtuwire::duration const whole = heard.response_time + (heard.frame.at - heard.first_byte);
-    rtuwire::duration const itself = timing_.characters(heard.frame.bytes.size());
+    rtuwire::duration const itself = it.wire.characters(heard.frame.bytes.size());
     auto const left = static_cast<std::int64_t>(whole.microseconds) - static_cast<std::int64_t>(itself.microseconds);
     return static_cast<double>(left > 0 ? left : 0) / 1'000.0;
 }
 
+} // namespace
+
+frame_records::frame_records(choices const& chosen)
+    : units_{chosen.line}, is_table_{chosen.form == output_form::table}, results_{chosen.form, true}
+{}
+
 record frame_records::record_of(tapped_frame const& it) const
 {
     auto const& heard = it.heard;
-    return {{"time", time_text(it.unix_microseconds)}, {"role", role_of(heard)},
-            {"unit", std::int64_t{heard.unit()}},      {"verdict", verdict_of(heard)},
-            {"ms", response_milliseconds(heard)},      {"text", summary_of(heard, units_.drive_of(heard.unit()))},
-            {"bytes", hex_of(heard.frame.bytes)}};
+    record line{{"time", exact_time_text(it.unix_microseconds)},
+                {"role", role_of(heard)},
+                {"unit", std::int64_t{heard.unit()}},
+                {"verdict", verdict_of(heard)},
+                {"ms", response_milliseconds(it)},
+                {"text", summary_of(heard, units_.drive_of(heard.unit()))},
+                {"bytes", hex_of(heard.frame.bytes)}};
+    if (not is_table_) {
+        line.add("own", heard.frame.is_own);
+    }
+    return line;
 }
 
 void frame_records::put(tapped_frame const& it)

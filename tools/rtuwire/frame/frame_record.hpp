@@ -3,8 +3,6 @@
 // Frames that passed, as results: when, who, what it was, and what it says.
 #pragma once
 
-#include <rtuwire/client.hpp>
-
 #include "choices.hpp"
 #include "exit_status.hpp"
 #include "frame/known_units.hpp"
@@ -25,10 +23,9 @@ public:
 
 private:
     record record_of(tapped_frame const& it) const;
-    cell response_milliseconds(rtuwire::heard_frame const& heard) const;
 
-    rtuwire::line_timing timing_;
     known_units units_;
+    bool is_table_;
     output results_;
     bool has_any_{false};
 };

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// What a line does with its time: response times and errors by unit, silences between frames, load.
+// What a line does with its time: response times and errors by unit, silences between frames, load. For days: what it
+// keeps does not grow with them.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <map>
-#include <vector>
 
-#include <rtuwire/client.hpp>
-#include <rtuwire/trace.hpp>
+#include "frame/time_counts.hpp"
+#include "line/tap.hpp"
 
 namespace tool {
 
@@ -20,17 +20,12 @@ struct unit_figures {
     std::uint64_t refused{0};
     std::uint64_t unanswered{0};
     std::uint64_t damaged{0};
-    std::vector<std::uint32_t> response_times{}; ///< microseconds
-
-    /// A share of the response times is at most this, in milliseconds; 0 where there is none.
-    double quantile(double share) const;
+    time_counts response_times{};
 };
 
 class line_figures {
 public:
-    explicit line_figures(rtuwire::line_timing const& timing) : timing_{timing} {}
-
-    void take(rtuwire::heard_frame const& heard, std::uint64_t unix_microseconds);
+    void take(tapped_frame const& it);
 
     std::map<std::uint8_t, unit_figures> const& units() const { return units_; }
     std::uint64_t frames() const { return frames_; }
@@ -45,19 +40,20 @@ public:
     double seconds() const;
     /// How many response times are in each: below 1, 2, 5, 10, 20, 50, 100, 200, 500 ms, and above.
     static constexpr std::array<unsigned, 9> limits{1, 2, 5, 10, 20, 50, 100, 200, 500};
-    std::array<std::uint64_t, limits.size() + 1> histogram() const;
+    std::array<std::uint64_t, limits.size() + 1> const& histogram() const { return histogram_; }
 
 private:
-    void note_silence(std::uint64_t begin);
+    void note_silence(std::uint64_t begin, rtuwire::line_timing const& wire);
+    void note_response(unit_figures& unit, rtuwire::heard_frame const& heard);
 
-    rtuwire::line_timing timing_;
     std::map<std::uint8_t, unit_figures> units_{};
+    std::array<std::uint64_t, limits.size() + 1> histogram_{};
     std::uint64_t frames_{0};
-    std::uint64_t bytes_{0};
     std::uint64_t stray_bytes_{0};
     std::uint64_t too_close_{0};
     std::uint64_t first_{0};
     std::uint64_t last_{0};
+    std::uint64_t busy_{0}; ///< microseconds
     double shortest_silence_{0};
 };
 

@@ -46,6 +46,10 @@ any_port open_port(line_choices const& chosen, line_setting const& how)
     if (which.refused) {
         refuse_word(which.refused->sentence);
     }
+    if (auto const* const file = std::get_if<capture_file>(&which.port)) {
+        refuse_word(file->path +
+                    " is a capture, in which nobody answers: sniff, replay, timing and decode show what it holds");
+    }
     any_port port;
     if (not port.open(which.port, {.bits_per_second = how.baud, .format = how.format})) {
         throw ended{exit_status::port, port.failure()};

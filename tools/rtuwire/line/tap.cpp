@@ -8,28 +8,23 @@
 #include "exit_status.hpp"
 #include "line/end_wish.hpp"
 #include "line/open_line.hpp"
-#include "line/time_text.hpp"
 
 namespace tool {
-
-namespace {
 
 using rtuwire::instant;
 using std::chrono::steady_clock;
 
-/// The calendar's time of instants that are not far from now.
-std::uint64_t unix_time(instant at, instant now) { return unix_now() - (now - at).microseconds; }
-
-} // namespace
-
 any_port open_to_listen(choices const& chosen) { return open_port(chosen.line, setting_in(chosen.line)); }
 
-void listen(any_port& port, std::optional<double> seconds, take_frame const& take, std::function<bool()> const& goes_on)
+void listen(any_port& port, choices const& chosen, line_calendar& calendar, take_frame const& take,
+            std::function<bool()> const& goes_on)
 {
+    line_setting const how = setting_in(chosen.line);
+    rtuwire::line_timing const wire{how.baud, how.format};
     rtuwire::line_listener tap{port.timing()};
     auto const began = steady_clock::now();
     auto const is_over = [&] {
-        return seconds and steady_clock::now() - began >= std::chrono::duration<double>{*seconds};
+        return chosen.last and steady_clock::now() - began >= std::chrono::duration<double>{*chosen.last};
     };
     std::array<std::byte, 512> place;
     while (noted_signal() == 0 and goes_on() and not is_over()) {
@@ -38,7 +33,8 @@ void listen(any_port& port, std::optional<double> seconds, take_frame const& tak
             throw ended{exit_status::port, port.failure()};
         }
         instant const now = port.now();
-        auto const hand_on = [&](rtuwire::heard_frame const& it) { take({it, unix_time(it.frame.at, now)}); };
+        calendar.advance(now);
+        auto const hand_on = [&](rtuwire::heard_frame const& it) { take({it, calendar.of(it.frame.at), wire}); };
         tap.receive(*bytes, now, hand_on);
         if (port.take_receive_error()) {
             tap.receive_error(now, hand_on);

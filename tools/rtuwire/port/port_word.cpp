@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "port/port_word.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <utility>
 
@@ -97,12 +97,16 @@ meaning unknown(std::string_view word)
     return wrong(std::string{forms});
 }
 
-/// A file of frames begins with the block of a section.
+/// A file of frames begins with the block of a section (pcapng), or with one of two numbers in one of two orders (pcap).
 bool is_capture(std::string const& path)
 {
+    using namespace std::string_view_literals;
+    constexpr std::array<std::string_view, 5> starts{"\x0A\x0D\x0D\x0A"sv, "\xD4\xC3\xB2\xA1"sv, "\xA1\xB2\xC3\xD4"sv,
+                                                     "\x4D\x3C\xB2\xA1"sv, "\xA1\xB2\x3C\x4D"sv};
     std::array<char, 4> first{};
     std::ifstream file{path, std::ios::binary};
-    return file.read(first.data(), first.size()) and std::memcmp(first.data(), "\x0A\x0D\x0D\x0A", first.size()) == 0;
+    std::string_view const found{first.data(), first.size()};
+    return file.read(first.data(), first.size()) and std::find(starts.begin(), starts.end(), found) != starts.end();
 }
 
 meaning read_path(std::string_view word)
@@ -118,7 +122,7 @@ meaning read_path(std::string_view word)
     if (not S_ISREG(info.st_mode)) {
         return found(serial_device{path});
     }
-    return is_capture(path) ? found(capture_file{path}) : wrong("a file that is no capture in the format pcapng");
+    return is_capture(path) ? found(capture_file{path}) : wrong("a file that is no capture: neither pcapng nor pcap");
 }
 
 meaning read_drives(std::string_view words)

@@ -46,7 +46,7 @@ struct simulated_drives_choice {
     friend bool operator==(simulated_drives_choice const&, simulated_drives_choice const&) = default;
 };
 
-/// A file of frames that have passed: pcapng.
+/// A file of frames that have passed: pcapng or pcap.
 struct capture_file {
     std::string path;
 

@@ -1,0 +1,114 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""What the tool does with units that nobody here wrote, servers of libmodbus and pymodbus: found, named, read, written,
+watched, shown on a full screen, and refused while others talk to them.
+
+    python3 others_servers.py TOOL LIBMODBUS_SERVER
+"""
+import os
+import subprocess
+import sys
+import tempfile
+
+from line_between import LineBetween
+from screen import Screen
+from support import DIFFERS, DONE, HERE, REFUSED, USAGE, Tool, runs
+
+from pair import wait_for_line, wait_for_server  # noqa: I100
+
+QUIET = ["--listen", "0.05"]
+
+
+def serve(command, folder, processes):
+    """A line with that server at its end; the other end."""
+    ends = [os.path.join(folder, name) for name in ("server", "client")]
+    processes.append(subprocess.Popen(["socat", *[f"pty,raw,echo=0,link={end}" for end in ends]]))
+    wait_for_line(processes[-1], ends)
+    processes.append(subprocess.Popen([ends[0] if word == "@" else word for word in command], stdout=subprocess.PIPE,
+                                      stderr=subprocess.DEVNULL, text=True))
+    wait_for_server(processes[-1])
+    return ends[1]
+
+
+def finds(tool, check, what, identity):
+    ended = tool.run(*QUIET, "--json", "scan", "--units", "1-4")
+    found = [(each["unit"], each["vendor"], each["drive"]) for each in ended.objects()]
+    check(ended.status == DONE and found == [(1, identity, "")], f"{what}: a scan finds the unit, and no other", ended)
+    ended = tool.run(*QUIET, "--json", "identify")
+    check(ended.objects()[0]["vendor"] == identity and ended.objects()[0]["drive"] == "", f"{what}: who it is", ended)
+    check(ended.status == (DONE if identity else DIFFERS), f"{what}: and the status says whether it told", ended)
+
+
+def reads(tool, check, what):
+    """The same in each form; a glob has nothing to match without a drive."""
+    ended = tool.run(*QUIET, "--json", "read", "100-103", "0x006E")
+    check([each["raw"] for each in ended.objects()] == [100, 101, 102, 103, 110], f"{what}: reads", ended)
+    rows = tool.run(*QUIET, "--csv", "read", "100-103", "0x006E").rows()
+    check([row["raw"] for row in rows] == ["100", "101", "102", "103", "110"], f"{what}: as CSV", rows)
+    table = tool.run(*QUIET, "read", "100-103", "0x006E").table()
+    check([row[1] for row in table] == ["100", "101", "102", "103", "110"], f"{what}: as a table", table)
+    ended = tool.run(*QUIET, "read", "'DP*'")
+    check(ended.status in (DIFFERS, USAGE) and "unit 1" in ended.errors, f"{what}: no patterns without a drive", ended)
+    ended = tool.run(*QUIET, "--csv", "watch", "100", "--every", "50ms", "--for", "0.22s")
+    check(ended.status == DONE and [row["100"] for row in ended.rows()] == ["100"] * len(ended.rows()) != [],
+          f"{what}: watches", ended)
+
+
+def writes(tool, check, what):
+    """A table that does not know a register is no reason to write it: two permissions are, and it is read back."""
+    how = [*QUIET, "-d", "atv320", "--json", "--write"]
+    ended = tool.run(*how, "write", "120=77")
+    check(ended.status == REFUSED and "--allow-run" in ended.errors, f"{what}: a register of no table is refused", ended)
+    ended = tool.run(*how, "--allow-run", "write", "120=77")
+    check(ended.status == DONE and ended.objects()[0]["note"] == "", f"{what}: is written and read back", ended)
+    check(tool.run(*QUIET, "--json", "read", "120").objects()[0]["raw"] == 77, f"{what}: holds it")
+    ended = tool.run(*how, "--allow-run", "write", "5000=1")
+    check(ended.status == DIFFERS and "address" in ended.objects()[0]["note"], f"{what}: refuses what it lacks", ended)
+
+
+def shows(tool, check, what, port):
+    words = [tool.program, "--port", port, "--no-listen", "--name", "rack=1", "monitor", "100", "110", "--every", "100ms"]
+    for width, height in ((80, 24), (120, 40)):
+        with Screen(words, width, height) as page:
+            check(page.until_shown(r"^rack: unit 1, no drive$"), f"{what}: monitor at {width}x{height}", page.text)
+            check(page.until_shown(r"^ 100 .*100 \(0x0064\)") and page.until_shown(r"^ 110 .*110 \(0x006E\)"),
+                  f"{what}: its registers", page.text)
+            page.type("q")
+            check(page.end() == DONE and page.is_restored(), f"{what}: q", page.raw[-80:])
+
+
+def refuses(tool, check, what, port):
+    """Another client reads; the tool hears it first."""
+    with LineBetween(port) as line:
+        other = tool.start("--no-listen", "watch", "100", "--every", "50ms", port=line.name)
+        other.stdout.readline()
+        line.is_tapped = True
+        for words in (["scan"], ["read", "100"], ["identify"]):
+            ended = tool.run(*words, port=line.tap_name)
+            check(ended.status == REFUSED and "unit 1" in ended.errors and "--no-listen" in ended.errors,
+                  f"{what}: {words[0]} refuses a line in use", ended)
+        other.kill()
+        other.communicate()
+
+
+def main(check, program, libmodbus_server):
+    servers = {"libmodbus": ([libmodbus_server, "@"], ""),
+               "pymodbus": ([sys.executable, "-B", str(HERE.parent / "interop" / "pymodbus_server.py"), "@"], "pymodbus")}
+    for what, (command, identity) in servers.items():
+        processes = []
+        with Tool(program) as tool, tempfile.TemporaryDirectory(prefix="line-") as folder:
+            try:
+                tool.port = serve(command, folder, processes)
+                finds(tool, check, what, identity)
+                reads(tool, check, what)
+                writes(tool, check, what)
+                shows(tool, check, what, tool.port)
+                refuses(tool, check, what, tool.port)
+            finally:
+                for process in reversed(processes):
+                    process.kill()
+                    process.wait()
+
+
+if __name__ == "__main__":
+    runs(main)

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "line/capture_output.hpp"
+
+#include <cerrno>
+#include <cstring>
+
+#include "exit_status.hpp"
+
+namespace tool {
+
+capture_output::capture_output(std::string const& file, rtuwire::capture_options options, any_port const& port,
+                               line_calendar const& calendar)
+    : name_{file}, file_{file == "-" ? stdout : std::fopen(file.c_str(), "wb"), &std::fclose}
+{
+    if (not file_) {
+        fail();
+    }
+    options.interface_name = port.device();
+    write(blocks_.begin(options, {.unix_microseconds = calendar.of(calendar.last()), .at = calendar.last()}));
+}
+
+void capture_output::put(rtuwire::traced_frame const& frame)
+{
+    write(blocks_.packet(frame));
+    ++frames_;
+}
+
+void capture_output::write(rtuwire::byte_view bytes)
+{
+    if (is_open_ and
+        (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size() or std::fflush(file_.get()) != 0)) {
+        if (errno != EPIPE) {
+            fail();
+        }
+        is_open_ = false;
+    }
+}
+
+void capture_output::fail() const { throw ended{exit_status::port, name_ + ": " + std::strerror(errno)}; }
+
+rtuwire::capture_form capture_form_in(std::string const& word)
+{
+    using rtuwire::capture_form;
+    return word == "user0"       ? capture_form::user0
+           : word == "rtac"      ? capture_form::rtac_serial
+           : word == "upper-pdu" ? capture_form::upper_pdu
+                                 : capture_form::udp;
+}
+
+} // namespace tool

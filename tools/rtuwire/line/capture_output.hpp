@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A capture that is being written: a file, a pipe or standard output, that gets whole blocks of pcapng. Each leaves at
+// once, so that whatever ends the program leaves a file that can be read.
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include <rtuwire/trace.hpp>
+
+#include "line/line_calendar.hpp"
+#include "port/any_port.hpp"
+
+namespace tool {
+
+class capture_output {
+public:
+    /// Opens the file ("-": standard output) and says which line it is of. The bit rate is in `options`. Ends where the
+    /// file cannot be written, as do all others.
+    capture_output(std::string const& file, rtuwire::capture_options options, any_port const& port,
+                   line_calendar const& calendar);
+
+    void put(rtuwire::traced_frame const& frame);
+    /// The line was silent until then: at least every 35 minutes.
+    void advance(rtuwire::instant now) { blocks_.advance(now); }
+
+    /// False once the reader of a pipe has gone.
+    bool is_open() const { return is_open_; }
+    std::size_t frames() const { return frames_; }
+
+private:
+    void write(rtuwire::byte_view bytes);
+    [[noreturn]] void fail() const;
+
+    std::string name_;
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+    rtuwire::pcapng_blocks blocks_{};
+    std::size_t frames_{0};
+    bool is_open_{true};
+};
+
+/// "udp", "user0", "rtac", "upper-pdu".
+rtuwire::capture_form capture_form_in(std::string const& word);
+
+} // namespace tool
