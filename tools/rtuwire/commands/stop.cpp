@@ -30,7 +30,7 @@ using rtuwire::errc;
 using rtuwire::altivar::outcome_kind;
 using rtuwire::altivar::stop_by;
 
-constexpr double quick_response = 0.3;    ///< seconds: a word that was lost is sent again soon
+constexpr double stop_response = 0.3;     ///< seconds: a word that was lost is sent again soon
 constexpr std::uint32_t one_stop = 3'000; ///< ms: longer than the library tries to reach a drive
 constexpr int most_stops = 40;            ///< while the motor slows: two minutes
 constexpr int most_unobeyed = 10;         ///< while it does not: a long ramp takes its time to be seen
@@ -70,7 +70,7 @@ private:
     static line_choices line_to_stop(line_choices line)
     {
         line.must_not_listen = true;
-        line.response_timeout = line.response_timeout.value_or(quick_response);
+        line.response_timeout = line.response_timeout.value_or(stop_response);
         return line;
     }
 

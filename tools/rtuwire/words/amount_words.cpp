@@ -66,8 +66,6 @@ typed_unit const* unit_typed(std::string_view unit, std::string_view text) noexc
     return nullptr;
 }
 
-bool is_digit(char c) noexcept { return c >= '0' and c <= '9'; }
-
 /// Takes a sign, digits and a point from the front of a text.
 typed_amount take_number(std::string_view& text) noexcept
 {

@@ -51,8 +51,6 @@ private:
     std::set<std::pair<std::uint16_t, int>> seen_;
 };
 
-bool is_digit(char c) noexcept { return c >= '0' and c <= '9'; }
-
 /// The codes of a drive's registers, for the search of the nearest.
 std::vector<std::string_view> codes_of(drive_catalog const& drive)
 {

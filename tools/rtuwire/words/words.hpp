@@ -22,6 +22,8 @@ struct refusal {
     std::string nearest{}; ///< the right word that is most like it, where there is one
 };
 
+[[nodiscard]] constexpr bool is_digit(char c) noexcept { return c >= '0' and c <= '9'; }
+
 [[nodiscard]] std::string lower(std::string_view text);
 [[nodiscard]] std::string upper(std::string_view text);
 
