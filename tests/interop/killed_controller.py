@@ -18,8 +18,7 @@ from simulator import Checks, Registers, Simulator, asked
 
 UNIT = 3
 TTO = 10  # in 0.1 s
-LIMIT = 30  # in seconds, for a controller that only reads
-MARGIN = 2.5  # this machine may be busy
+LIMIT = 30  # in seconds, for what has to happen
 
 
 def open_line(device):
@@ -52,6 +51,12 @@ def kill_at(controller, moment):
     return False
 
 
+def stands(simulator):
+    """Without a request, which would keep a drive running."""
+    state, frequency, _ = simulator.shown(UNIT)
+    return frequency == 0 and state != "operation enabled"
+
+
 def is_stopped(device, at):
     frequency, status = words_of(device, at.rfr, at.eta)
     return frequency == 0 and status & 0x6F != 0x27
@@ -61,7 +66,8 @@ def main(simulate, program, drive, *moments):
     check = Checks()
     at = Registers(drive)
     for moment in moments:
-        with Simulator(simulate, f"{drive}:{UNIT}") as device:
+        simulator = Simulator(simulate, f"{drive}:{UNIT}")
+        with simulator as device:
             line = open_line(device)
             if at.tto:
                 asked(lambda: line.write_register(at.tto, TTO, slave=UNIT))
@@ -69,7 +75,8 @@ def main(simulate, program, drive, *moments):
             controller = demo(program, device, drive, "--allow-run")
             check(kill_at(controller, moment), f"killed at {moment}")
             controller.wait()
-            time.sleep((TTO / 10 if at.tto else 7) + MARGIN)
+            time.sleep(TTO / 10 if at.tto else 7)
+            check.soon(lambda: stands(simulator), "the drive stops by itself", LIMIT)
             check(is_stopped(device, at), "the motor stands")
             again = demo(program, device, drive)
             again.communicate(timeout=LIMIT)

@@ -5,7 +5,7 @@ import subprocess
 import sys
 
 # Verbose: it shows the bytes it sends.
-LINE = ["-v", "-m", "rtu", "-b", "19200", "-P", "even", "-0", "-1", "-o", "0.5"]
+LINE = ["-v", "-m", "rtu", "-b", "19200", "-P", "even", "-0", "-1", "-o", "2"]
 failures = 0
 
 

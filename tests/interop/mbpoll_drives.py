@@ -11,7 +11,7 @@ import sys
 
 from simulator import DRIVES, Checks, Registers, Simulator
 
-LINE = ["-m", "rtu", "-b", "19200", "-P", "even", "-0", "-1", "-o", "0.5"]
+LINE = ["-m", "rtu", "-b", "19200", "-P", "even", "-0", "-1", "-o", "2"]
 ROUNDS = 3
 
 

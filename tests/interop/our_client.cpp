@@ -98,7 +98,7 @@ template <typename Line> void check_identification(Line& line)
 
 template <typename Port> int check_all(Port& port, line_timing const& timing, bool identifies)
 {
-    blocking_client line{port, timing, {.response_timeout = milliseconds(700), .retries = 0}};
+    blocking_client line{port, timing, {.response_timeout = milliseconds(2000), .retries = 0}};
     check_registers(line);
     check_exceptions(line);
     // pymodbus is silent on functions it does not know, libmodbus has no identification.

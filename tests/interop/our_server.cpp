@@ -38,7 +38,7 @@ int main(int argc, char** argv)
         static_cast<void>(bank.set(address, address));
     }
     // Short: the clients under test send nothing to other units between whose frames gaps would count.
-    auto const line = line_timing::host(19'200, character_format::even_8_1, milliseconds(20));
+    auto const line = line_timing::host(19'200, character_format::even_8_1);
     server node{unit_id{1}, line, profile};
     // Nothing is heard before the line was silent once.
     instant const silent = port.now() + milliseconds(40);

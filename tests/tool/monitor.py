@@ -90,8 +90,8 @@ def alarms(tool, check):
 def keys(tool, check):
     drives = Simulator(tool, "atv320:7")
     silent = ["--name", "ghost=9:atv12", "--name", "fan=7", "--name", "spirit=10:atv12"]
-    with drives as device, Screen(monitor(tool, device, *silent, "--timeout", "1", "monitor", "RFR")) as page:
-        check(page.until_shown(r"^ fan +7 +atv320 +switch on disabled"), "a silent unit delays no other for good")
+    with drives as device, Screen(monitor(tool, device, *silent, "--timeout", "2", "monitor", "RFR")) as page:
+        check(page.until_shown(r"^ fan +7 +atv320 +switch on disabled", 30), "a silent unit delays no other for good")
         check(page.until_shown(r"^ghost: unit 9"), "the first is chosen", page.text)
         page.type(DOWN)
         check(page.until_shown(r"^fan: unit 7"), "down", page.text)
@@ -107,7 +107,8 @@ def keys(tool, check):
             page.type("?")
             check(page.until(lambda: ("It writes nothing" in page.text) == (i % 2 == 0)), "the help comes and goes")
             times.append(time.monotonic() - began)
-        check(statistics.median(times) < 0.2, "keys react within 0.2 s while units are silent", times)
+        # Keys that wait for a silent unit would take a second, half of its time-out.
+        check(statistics.median(times) < 0.6, "keys do not wait for units that are silent", times)
         page.type("?p")
         check(page.until_shown("PAUSED"), "p", page.lines[0])
         page.type("q")

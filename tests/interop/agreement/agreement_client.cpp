@@ -48,7 +48,7 @@ class our_client {
 public:
     explicit our_client(posix_serial& port)
         : line_{port,
-                line_timing::host(115'200, character_format::none_8_1, milliseconds(10)),
+                line_timing::host(115'200, character_format::none_8_1),
                 {.response_timeout = milliseconds(1000), .retries = 0}}
     {}
 

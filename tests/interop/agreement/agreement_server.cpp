@@ -89,7 +89,7 @@ int main(int argc, char** argv)
     }
     static device bank;
     // Function 08 ends by silence; socat and the system deliver a frame in one piece, or nearly so.
-    auto const line = line_timing::host(115'200, character_format::none_8_1, milliseconds(10));
+    auto const line = line_timing::host(115'200, character_format::none_8_1);
     basic_server<serial_diagnostics, public_functions> node{unit_id{1}, line, profile};
     instant const silent = port.now() + milliseconds(40);
     while (not reached(port.now(), silent)) {
