@@ -13,6 +13,7 @@ from simulator import DRIVES, Checks, Registers, Simulator
 
 LINE = ["-m", "rtu", "-b", "19200", "-P", "even", "-0", "-1", "-o", "2"]
 ROUNDS = 3
+LONG = 300  # in 0.1 s: a drive's own time-out, which must not end between two processes of a busy machine
 
 
 def mbpoll(device, unit, start, count):
@@ -42,7 +43,11 @@ def goes_up_and_down(device, unit, name, check):
 def main(program):
     check = Checks()
     drives = {unit: name for unit, name in enumerate(DRIVES, 1)}
-    with Simulator(program, *(f"{name}:{unit}" for unit, name in drives.items())) as device:
+    simulator = Simulator(program, *(f"{name}:{unit}" for unit, name in drives.items()))
+    with simulator as device:
+        for unit, name in drives.items():
+            if Registers(name).tto:
+                simulator.suffer(f"{unit} write {Registers(name).tto} {LONG}")
         for _ in range(ROUNDS):
             for unit, name in drives.items():
                 at = Registers(name)
@@ -52,6 +57,9 @@ def main(program):
                 is_right = is_whole and status[at.eta] & 0x4F == 0x40
                 check(is_right, f"{name} at unit {unit}", words)
         for unit, name in drives.items():
+            # Others were asked meanwhile: a drive that is switched on again expects nobody yet.
+            simulator.suffer(f"{unit} cycle")
+            check.soon(lambda at=unit: simulator.shown(at)[0] == "switch on disabled", f"{name} is ready for a start", 20)
             goes_up_and_down(device, unit, name, check)
         check(mbpoll(device, 9, 3201, 1) == {}, "nobody at unit 9")
     return check.status()
