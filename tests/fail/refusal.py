@@ -2,13 +2,11 @@
 # SPDX-License-Identifier: BSL-1.0
 """Compiles a file as it is, then with -DREFUSED, which must fail and say what the file expects.
 
-    python3 refusal.py [--precompiled HEADERS] COMPILER INCLUDE_DIR FILE
-    python3 refusal.py --precompile COMPILER INCLUDE_DIR HEADERS       for all files
+    python3 refusal.py COMPILER INCLUDE_DIR FILE
 
 The file names its sentences on lines that start with `// EXPECT:`; each must be in the output. A file with a line
 `// CASES: 6` is compiled with -DREFUSED=1 to 6, and must fail so each time. Where `likeliest.txt` beside the file
-names it, a reader must find the sentences at once: see `hidden`. Such a file is compiled as a reader's is, without
-precompiled headers, as is one that defines something for the headers.
+names it, a reader must find the sentences at once: see `hidden`.
 """
 import os
 import re
@@ -28,15 +26,6 @@ def compiles(compiler, include_dir, file, *more):
     done = subprocess.run([compiler, *FLAGS, "-I", include_dir, *more, file], text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     return done.returncode == 0, done.stdout
-
-
-def precompile(compiler, include_dir, headers):
-    """Those of the umbrella; what the compiler says, or an empty string."""
-    how = [each for each in FLAGS if each not in ("-c", "-o", os.devnull)]
-    done = subprocess.run([compiler, *how, "-I", include_dir, "-x", "c++-header", "-o", headers,
-                           os.path.join(include_dir, "rtuwire", "rtuwire.hpp")], text=True, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, check=False)
-    return "" if done.returncode == 0 else done.stdout or "the compiler fails"
 
 
 def no_echo(compiler):
@@ -63,7 +52,7 @@ def hidden(sentence, output):
     return "it stands in no message"
 
 
-def complaint(compiler, include_dir, file, precompiled=None):
+def complaint(compiler, include_dir, file):
     """What is wrong with this file as a compile-fail test, or an empty string."""
     with open(file, encoding="utf-8") as source:
         text = source.read()
@@ -72,15 +61,13 @@ def complaint(compiler, include_dir, file, precompiled=None):
     if not expected:
         return "no line starts with `// EXPECT:`"
     is_likely = os.path.splitext(os.path.basename(file))[0] in likeliest(os.path.dirname(file))
-    is_plain = not precompiled or is_likely or re.search(r"^#define", text.partition("#include")[0], re.MULTILINE)
-    headers = [] if is_plain else ["-include-pch", precompiled]
-    accepted, output = compiles(compiler, include_dir, file, *headers)
+    accepted, output = compiles(compiler, include_dir, file)
     if not accepted:
         return f"does not compile as it is:\n{output}"
     for case in range(1, int(cases[1]) + 1 if cases else 2):
         # A sentence that a reader finds stands in a message, so that echoes do not matter there.
         echo = [] if is_likely else [no_echo(compiler)]
-        accepted, output = compiles(compiler, include_dir, file, f"-DREFUSED={case}", *echo, *headers)
+        accepted, output = compiles(compiler, include_dir, file, f"-DREFUSED={case}", *echo)
         if accepted:
             return f"is accepted with -DREFUSED={case}"
         for sentence in expected:
@@ -93,11 +80,6 @@ def complaint(compiler, include_dir, file, precompiled=None):
 
 
 if __name__ == "__main__":
-    if sys.argv[1] == "--precompile":
-        found = precompile(*sys.argv[2:])
-    elif sys.argv[1] == "--precompiled":
-        found = complaint(*sys.argv[3:], precompiled=sys.argv[2])
-    else:
-        found = complaint(*sys.argv[1:])
-    print(f"{sys.argv[-1]}: {found or 'as expected'}")
+    found = complaint(*sys.argv[1:])
+    print(f"{sys.argv[-1]}: {found or 'refused as expected'}")
     sys.exit(1 if found else 0)
