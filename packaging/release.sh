@@ -76,7 +76,7 @@ if [ "${without#* debian }" = "$without" ]; then
     # No symbols for a debugger: they would double what is built and kept.
     (
         cd "$work/$name"
-        export DEB_BUILD_OPTIONS="noautodbgsym parallel=$(nproc) ${DEB_BUILD_OPTIONS:-}" DEB_CXXFLAGS_STRIP=-g
+        export DEB_BUILD_OPTIONS="noautodbgsym ${DEB_BUILD_OPTIONS:-parallel=$(nproc)}" DEB_CXXFLAGS_STRIP=-g
         quietly dpkg-buildpackage --unsigned-source --unsigned-changes
     )
     for file in "$work"/*.deb "$work"/*.dsc "$work"/*.debian.tar.xz "$work"/*.orig.tar.gz; do
