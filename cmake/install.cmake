@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-# Installs the headers and the package that find_package(rtuwire) reads.
+# Installs the headers, their licence, and what find_package(rtuwire) and pkg-config read: the component
+# `rtuwire_development`. The tool is a component of its own, see cmake/install_tool.cmake.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -11,10 +12,31 @@ write_basic_package_version_file(
     COMPATIBILITY SameMinorVersion
     ARCH_INDEPENDENT)
 
-install(TARGETS rtuwire EXPORT rtuwire FILE_SET HEADERS)
+if(CMAKE_VERSION VERSION_LESS 3.23)
+    install(TARGETS rtuwire EXPORT rtuwire INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+    install(DIRECTORY "${RTUWIRE_INCLUDE_DIR}/rtuwire" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+        COMPONENT rtuwire_development
+        FILES_MATCHING PATTERN "*.hpp" PATTERN "*.cppm")
+else()
+    install(TARGETS rtuwire EXPORT rtuwire
+        FILE_SET HEADERS COMPONENT rtuwire_development
+        INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+endif()
 install(EXPORT rtuwire
     NAMESPACE rtuwire::
     FILE rtuwire-config.cmake
-    DESTINATION "${rtuwire_package_dir}")
+    DESTINATION "${rtuwire_package_dir}" COMPONENT rtuwire_development)
 install(FILES "${PROJECT_BINARY_DIR}/rtuwire-config-version.cmake"
-    DESTINATION "${rtuwire_package_dir}")
+    DESTINATION "${rtuwire_package_dir}" COMPONENT rtuwire_development)
+
+set(rtuwire_pc_includedir "${CMAKE_INSTALL_INCLUDEDIR}")
+if(NOT IS_ABSOLUTE "${rtuwire_pc_includedir}")
+    set(rtuwire_pc_includedir "\${prefix}/${rtuwire_pc_includedir}")
+endif()
+file(RELATIVE_PATH rtuwire_pc_to_prefix "${CMAKE_INSTALL_FULL_DATADIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
+string(REGEX REPLACE "/$" "" rtuwire_pc_to_prefix "${rtuwire_pc_to_prefix}")
+configure_file("${PROJECT_SOURCE_DIR}/packaging/pkg-config/rtuwire.pc.in" "${PROJECT_BINARY_DIR}/rtuwire.pc" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/rtuwire.pc"
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/pkgconfig" COMPONENT rtuwire_development)
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE"
+    DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT rtuwire_development)

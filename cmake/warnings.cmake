@@ -3,7 +3,12 @@
 # The warnings our own programs are built with; users of the library never inherit them.
 add_library(rtuwire_warnings INTERFACE)
 set(rtuwire_warning_flags
-    -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wswitch-enum -Werror)
+    -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wswitch-enum)
+# For packages, which later compilers build again.
+option(RTUWIRE_WARNINGS_ARE_ERRORS "Refuse what the compiler warns of" ON)
+if(RTUWIRE_WARNINGS_ARE_ERRORS)
+    list(APPEND rtuwire_warning_flags -Werror)
+endif()
 target_compile_options(rtuwire_warnings INTERFACE
     "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:${rtuwire_warning_flags}>")
 

@@ -20,9 +20,10 @@ packages_of() {
         bench) echo pkg-config libbenchmark-dev libmodbus-dev valgrind strace ;;
         portability) echo gcc-riscv64-unknown-elf g++-s390x-linux-gnu g++-arm-linux-gnueabihf g++-aarch64-linux-gnu qemu-user-static clang-19 libc++-19-dev libc++abi-19-dev ;;
         avr) echo clang-19 gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib ;;
+        packaging) echo git cmake ninja-build g++ pkg-config python3 python3-yaml meson debhelper dpkg-dev lintian mmdebstrap ;;
         style) echo clang-format clang-tidy ;;
         *)
-            echo "packages.sh: no group '$1'; the groups are examples build tests interop tool arm emulator clang afl bench portability avr style" >&2
+            echo "packages.sh: no group '$1'; the groups are examples build tests interop tool arm emulator clang afl bench portability avr packaging style" >&2
             return 1
             ;;
     esac
@@ -31,7 +32,7 @@ packages_of() {
 # A tool counts however it came here; a library only counts as the package the build will look for.
 present() {
     case $1 in
-        cmake | make | c++ | g++ | clang | mbpoll | socat | tshark | pkg-config | qemu-system-arm | valgrind | strace | tmux | zsh | clang-format | clang-tidy | spin)
+        cmake | make | c++ | g++ | clang | mbpoll | socat | tshark | pkg-config | qemu-system-arm | valgrind | strace | tmux | zsh | clang-format | clang-tidy | spin | git)
             command -v "$1" >/dev/null ;;
         ninja-build) command -v ninja >/dev/null ;;
         # Only the distribution's interpreter sees the distribution's modules.

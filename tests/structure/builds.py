@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
 """Checks that everything is in the namespace that names the build: each header opens it, and no other of ours, and
-includes core/version.hpp first; and that CMake names the version that core/version.hpp names.
+includes core/version.hpp first. The version itself, tests/packaging/versions.py checks.
 
     python3 builds.py PROJECT
 """
@@ -33,23 +33,10 @@ def complaints_of(header, text):
         yield f"{header}: does not include {VERSION} before it opens the namespace"
 
 
-def complaints_of_version(cmake, text):
-    named = re.search(r"\bVERSION[ \t]+(\d+)\.(\d+)\.(\d+)\b", cmake)
-    built = re.search(r"^#define RTUWIRE_VERSION (\d+)$", text, re.MULTILINE)
-    if not named or not built:
-        yield "no version in CMakeLists.txt, or no RTUWIRE_VERSION"
-        return
-    major, minor, patch = map(int, named.groups())
-    if int(built[1]) != major * 10000 + minor * 100 + patch:
-        yield f"RTUWIRE_VERSION is {built[1]}, CMakeLists.txt says {major}.{minor}.{patch}"
-
-
 def main(project):
     root = pathlib.Path(project, "include", "rtuwire")
     texts = {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8") for path in root.rglob("*.hpp")}
     found = [complaint for header, text in sorted(texts.items()) for complaint in complaints_of(header, text)]
-    found += complaints_of_version(pathlib.Path(project, "CMakeLists.txt").read_text(encoding="utf-8"),
-                                   texts.get(VERSION, ""))
     print("\n".join(found) or f"{len(texts)} headers are in the namespace of their build")
     return 1 if found else 0
 

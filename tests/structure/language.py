@@ -3,7 +3,7 @@
 """Compiles the doors and a header of each folder for an older language: the first error is our sentence, with the
 flag that the tool takes. That every header includes core/version.hpp before its own text, builds.py checks.
 
-    python3 language.py PROJECT COMPILER
+    python3 language.py INCLUDE COMPILER
 """
 import concurrent.futures
 import os
@@ -68,8 +68,8 @@ def sample(include):
     return doors + [header for room in rooms.values() for header in dict.fromkeys((room[0], room[-1]))]
 
 
-def main(project, compiler):
-    include = pathlib.Path(project, "include")
+def main(include, compiler):
+    include = pathlib.Path(include)
     headers = sample(include)
     found = [*complaints(compiler, include, headers), *complaints_of_tools(compiler, include, headers[0])]
     print("\n".join(found) or f"{len(headers)} headers say first: {SENTENCE}")

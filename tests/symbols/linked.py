@@ -35,11 +35,14 @@ def without_builds(include, place):
     """A copy of the headers in a namespace with one name for all builds."""
     copy = pathlib.Path(place, "include")
     shutil.copytree(include, copy)
-    version = copy / "rtuwire/core/version.hpp"
-    text, count = re.subn(r"^#define RTUWIRE_BUILD .*$", "#define RTUWIRE_BUILD one", version.read_text(encoding="utf-8"),
-                          flags=re.MULTILINE)
-    version.write_text(text, encoding="utf-8")
-    return copy if count else None
+    changed = False
+    for header in copy.rglob("*.hpp"):
+        text, count = re.subn(r"^#define RTUWIRE_BUILD .*$", "#define RTUWIRE_BUILD one",
+                              header.read_text(encoding="utf-8"), flags=re.MULTILINE)
+        if count:
+            header.write_text(text, encoding="utf-8")
+            changed = True
+    return copy if changed else None
 
 
 def main(include, compiler, *flags):

@@ -1,0 +1,101 @@
+#!/bin/sh
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+# Makes a release of the commit that is checked out: sh packaging/release.sh [OUTPUT]. OUTPUT is build/release unless given:
+# the archive, the single header, the manifests laid out for each registry, Debian's packages, the documentation,
+# checksums. The version stands in include/rtuwire/core/version.hpp. The same commit gives the same bytes.
+#
+# RTUWIRE_URL is the address of the folder that the archive will be downloaded from; vcpkg, Conan and Meson get to know it.
+# RTUWIRE_RELEASE_WITHOUT leaves out parts (debian docs), for a look at the others.
+set -eu
+project=$(cd "$(dirname "$0")/.." && pwd)
+output=${1:-$project/build/release}
+url=${RTUWIRE_URL:-https://rtuwire.invalid/releases}
+without=" ${RTUWIRE_RELEASE_WITHOUT:-} "
+cd "$project"
+
+fail() {
+    echo "release.sh: $*" >&2
+    exit 1
+}
+
+if ! git diff --quiet HEAD --; then
+    fail "there are changes that no commit has; a release is made of a commit"
+fi
+if [ -e "$output" ] && [ ! -f "$output/SHA256SUMS" ]; then
+    fail "$output is there and is no release; name another folder"
+fi
+number=$(sed -n 's/^#define RTUWIRE_VERSION \([0-9][0-9]*\)$/\1/p' include/rtuwire/core/version.hpp)
+[ -n "$number" ] || fail "include/rtuwire/core/version.hpp defines no RTUWIRE_VERSION"
+version=$((number / 10000)).$((number / 100 % 100)).$((number % 100))
+SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
+export SOURCE_DATE_EPOCH LC_ALL=C TZ=UTC
+umask 022
+sh tests/packages.sh build tool packaging
+
+# Nothing half-made stands under the name of the release: it is put there whole, at the end.
+made=$output.made
+work=$output.work
+trap 'rm -rf "$made" "$work"' EXIT
+rm -rf "$made" "$work"
+mkdir -p "$made" "$work"
+name=rtuwire-$version
+
+step() {
+    echo "release $version: $*"
+}
+
+# The output of a step is shown where it fails.
+quietly() {
+    "$@" >"$work/log" 2>&1 </dev/null && return
+    cat "$work/log" >&2
+    fail "'$*' failed"
+}
+
+# A folder as an archive that differs only where its files do.
+pack() {
+    tar --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner --mode=a+rX,u+w,go-w \
+        --format=ustar -C "$1" -cf - "$2" | gzip -9n
+}
+
+step "archive"
+git archive --format=tar --prefix="$name/" HEAD | gzip -9n >"$made/$name.tar.gz"
+tar -xzf "$made/$name.tar.gz" -C "$work"
+
+step "single header"
+/usr/bin/python3 -B "$work/$name/packaging/single_header.py" "$made/rtuwire.hpp"
+
+step "manifests"
+/usr/bin/python3 -B "$work/$name/packaging/lay_out.py" "$work/$name" "$made/$name.tar.gz" "$made" \
+    --url "$url" --epoch "$SOURCE_DATE_EPOCH"
+
+if [ "${without#* debian }" = "$without" ]; then
+    step "Debian packages"
+    cp "$made/$name.tar.gz" "$work/rtuwire_$version.orig.tar.gz"
+    cp -R "$work/$name/packaging/debian" "$work/$name/debian"
+    # No symbols for a debugger: they would double what is built and kept.
+    (
+        cd "$work/$name"
+        export DEB_BUILD_OPTIONS="noautodbgsym ${DEB_BUILD_OPTIONS:-parallel=$(nproc)}" DEB_CXXFLAGS_STRIP=-g
+        quietly dpkg-buildpackage --unsigned-source --unsigned-changes
+    )
+    for file in "$work"/*.deb "$work"/*.dsc "$work"/*.debian.tar.xz "$work"/*.orig.tar.gz; do
+        cp "$file" "$made/"
+    done
+fi
+
+if [ "${without#* docs }" = "$without" ] && [ -f docs/build.sh ]; then
+    step "documentation"
+    mkdir "$work/docs"
+    quietly sh docs/build.sh "$work/docs/$name-docs"
+    pack "$work/docs" "$name-docs" >"$made/$name-docs.tar.gz"
+fi
+
+(
+    cd "$made"
+    sha256sum -- * >"$work/sums"
+    mv "$work/sums" SHA256SUMS
+)
+rm -rf "$output"
+mv "$made" "$output"
+step "$output"

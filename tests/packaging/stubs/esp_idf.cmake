@@ -1,0 +1,30 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+# ESP-IDF's two passes over a component, as its documentation describes them: a script that asks what it needs (PASS=1), and
+# a build in which idf_component_register makes the target COMPONENT_LIB (a project's CMakeLists.txt includes this file).
+macro(idf_component_register)
+    cmake_parse_arguments(registered "" "" "SRCS;INCLUDE_DIRS;REQUIRES;PRIV_REQUIRES" ${ARGN})
+    if(registered_UNPARSED_ARGUMENTS)
+        message(FATAL_ERROR "idf_component_register: ${registered_UNPARSED_ARGUMENTS}")
+    endif()
+    if(CMAKE_SCRIPT_MODE_FILE)
+        message(STATUS "component registered, include ${registered_INCLUDE_DIRS}")
+        return()
+    endif()
+    set(COMPONENT_LIB __idf_rtuwire)
+    add_library(${COMPONENT_LIB} INTERFACE)
+    foreach(folder IN LISTS registered_INCLUDE_DIRS)
+        get_filename_component(folder "${folder}" ABSOLUTE BASE_DIR "${CMAKE_CURRENT_SOURCE_DIR}")
+        if(NOT IS_DIRECTORY "${folder}")
+            message(FATAL_ERROR "Include directory '${folder}' is not a directory.")
+        endif()
+        target_include_directories(${COMPONENT_LIB} INTERFACE "${folder}")
+    endforeach()
+endmacro()
+
+if(CMAKE_SCRIPT_MODE_FILE)
+    function(ask)
+        include("${COMPONENT}/CMakeLists.txt")
+    endfunction()
+    ask()
+endif()

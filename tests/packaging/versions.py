@@ -1,0 +1,58 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Compares each place that names the version with include/rtuwire/core/version.hpp, where it is decided.
+
+    python3 -B versions.py [PROJECT]
+"""
+import json
+import pathlib
+import re
+import sys
+
+import yaml
+
+DECIDED = "include/rtuwire/core/version.hpp"
+# Filled in where a release lays them out, so none of these may name a version itself.
+FILLED = ("packaging/conan/conandata.yml", "packaging/conan/config.yml", "packaging/meson/meson.build",
+          "packaging/meson/rtuwire.wrap", "packaging/vcpkg/portfile.cmake", "packaging/vcpkg/vcpkg.json",
+          "packaging/pkg-config/rtuwire.pc.in")
+
+
+def decided(root):
+    number = int(re.search(r"^#define RTUWIRE_VERSION (\d+)$", (root / DECIDED).read_text(encoding="utf-8"), re.MULTILINE)[1])
+    return f"{number // 10000}.{number // 100 % 100}.{number % 100}"
+
+
+def named(root):
+    """What names the version, and what it says."""
+    yield "library.json", json.loads((root / "library.json").read_text(encoding="utf-8"))["version"]
+    yield "idf_component.yml", yaml.safe_load((root / "idf_component.yml").read_text(encoding="utf-8"))["version"]
+    newest = (root / "packaging/debian/changelog").read_text(encoding="utf-8").partition("\n")[0]
+    yield "packaging/debian/changelog", re.match(r"rtuwire \(([\d.]+)-\d+\)", newest)[1]
+
+
+def complaints(root):
+    version = decided(root)
+    for place, says in named(root):
+        if says != version:
+            yield f"{place}: says {says}, and {DECIDED} {version}"
+    for place in FILLED:
+        text = (root / place).read_text(encoding="utf-8")
+        if "@VERSION@" not in text and "@PROJECT_VERSION@" not in text:
+            yield f"{place}: has no place for the version"
+        if version in text:
+            yield f"{place}: names {version} itself"
+    cmake = (root / "CMakeLists.txt").read_text(encoding="utf-8")
+    if re.search(r"\bVERSION\s+\"?\d+\.\d+\.\d+\b", cmake):
+        yield "CMakeLists.txt: names a version itself"
+
+
+def main(project=pathlib.Path(__file__).resolve().parent.parent.parent):
+    root = pathlib.Path(project)
+    found = list(complaints(root))
+    print("\n".join(found) or f"{len(list(named(root)))} places say {decided(root)}, {len(FILLED)} are filled in")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
