@@ -5,9 +5,16 @@
 #include <algorithm>
 
 #include "catalog/catalog_drives.hpp"
+#include "catalog/catalog_of.hpp"
 #include "words/words.hpp"
 
 namespace tool {
+
+void sort_by_address(std::span<register_entry> registers) noexcept
+{
+    std::sort(registers.begin(), registers.end(),
+              [](auto const& left, auto const& right) { return left.address < right.address; });
+}
 
 std::int32_t register_entry::lowest_count() const noexcept
 {
