@@ -34,7 +34,7 @@ done | xargs -P "$(nproc)" -L 1 $compile
 
 # What would need a system is not linked: the module imports nothing.
 # shellcheck disable=SC2086 # lists of words
-clang++-19 $target -mexec-model=reactor -Wl,--gc-sections,--strip-all,-z,stack-size=262144 \
+clang++-19 $target -mexec-model=reactor -Wl,--gc-sections,--strip-all,-O2,-z,stack-size=262144 \
     -Wl,-mllvm,-enable-merge-functions "$objects"/*.o -o "$objects/playground.wasm"
 
 # A page from a file may fetch nothing and import nothing: style, module and scripts go into it.

@@ -4,10 +4,10 @@
 // and the size that it may have.
 "use strict";
 const assert = require("node:assert/strict");
+const { execFileSync } = require("node:child_process");
 const fs = require("node:fs");
 const path = require("node:path");
 const test = require("node:test");
-const zlib = require("node:zlib");
 const { loadModule } = require("../../docs/playground/page/module.js");
 
 const bytes = fs.readFileSync(process.argv[2]);
@@ -25,7 +25,7 @@ const newest = (engine) => engine.state().orders.at(-1);
 
 test("it imports nothing, and is small", () => {
   assert.deepEqual(WebAssembly.Module.imports(new WebAssembly.Module(bytes)), []);
-  const size = zlib.gzipSync(bytes, { level: 9 }).length;
+  const size = execFileSync("gzip", ["-9", "-c"], { input: bytes }).length;
   console.log(`module: ${bytes.length} bytes, ${size} with gzip`);
   assert.ok(size <= 80000, `${size} bytes with gzip`);
 });
@@ -77,7 +77,6 @@ for (const name of ["atv12", "atv28", "atv310", "atv310_2026", "atv320"]) {
     assert.ok(["fault", "switch on disabled"].includes(cut.drive.state), cut.drive.state);
     assert.equal(cut.drive.frequency, 0);
     assert.equal(cut.client.linked, false);
-    assert.equal(cut.client.ordered, false);
 
     engine.cable(0);
     engine.run(30 * toSeconds);
@@ -139,4 +138,45 @@ test("typed bytes reach the drive as they are, and a wrong CRC gets no answer", 
   const damaged = seen.findIndex((each) => each.verdict === "damaged");
   assert.ok(damaged >= 0);
   assert.notEqual(seen[damaged + 1].from, "drive");
+});
+
+/// A small generator, so that each run presses the same.
+function presses(seed) {
+  let state = seed;
+  return (below) => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return (state >>> 16) % below;
+  };
+}
+
+function press(engine, next) {
+  const acts = [
+    () => engine.mains(next(4) !== 0), () => engine.cable(next(4)), () => engine.fault(next(2) !== 0),
+    () => engine.local(next(2) !== 0), () => engine.stopKey(), () => engine.supervised(next(2) !== 0),
+    () => engine.start(next(9000) - 4500), () => engine.start(next(600) - 300), () => engine.change(next(600) - 300),
+    () => engine.stop(next(5)), () => engine.reset(), () => engine.send("01 03 0C 81 00 01 D7 72"), () => engine.send("FF 00"),
+  ];
+  acts[next(acts.length)]();
+}
+
+test("whatever is pressed, each state has its transition, and a stop over a whole line ends with a motor that stands", async () => {
+  const engine = await load();
+  for (const name of engine.drives()) {
+    opened(engine, name);
+    const next = presses(7);
+    const ways = new Set(engine.machine().transitions.map((each) => `${each.number} to ${each.to}`));
+    for (let i = 0; i < 150; ++i) {
+      press(engine, next);
+      engine.run(next(900) * 1000);
+      const { drive } = engine.state();
+      assert.ok(!drive.on || ways.has(`${drive.last} to ${drive.state}`), `${name}: ${drive.last} to ${drive.state}`);
+    }
+    engine.cable(0);
+    engine.mains(true);
+    engine.run(40 * toSeconds);
+    engine.stop(0);
+    engine.run(40 * toSeconds);
+    assert.equal(engine.state().drive.frequency, 0, `${name}: ${JSON.stringify(engine.state())}`);
+    assert.ok(!["operation enabled", "quick stop active"].includes(engine.state().drive.state), name);
+  }
 });

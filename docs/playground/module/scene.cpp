@@ -51,14 +51,15 @@ scene::scene(std::unique_ptr<any_drive> drive)
 
 void scene::run(rtuwire::duration length)
 {
-    bench_.run_for(length < longest_run ? length : longest_run, [this](rtuwire::instant now) { visit(now); });
-    keep_time(bench_.now());
+    constexpr std::uint32_t never = ~std::uint32_t{0};
+    run_until(never, length < longest_run ? length : longest_run);
 }
 
-void scene::run_to_next_frame()
+void scene::run_to_next_frame() { run_until(frames_.end() + 1, longest_run); }
+
+void scene::run_until(std::uint32_t frames, rtuwire::duration longest)
 {
-    std::uint32_t const before = frames_.end();
-    static_cast<void>(bench_.run_until([&] { return frames_.end() != before; }, longest_run,
+    static_cast<void>(bench_.run_until([&] { return frames_.end() >= frames; }, longest,
                                        [this](rtuwire::instant now) { visit(now); }));
     keep_time(bench_.now());
 }
@@ -124,6 +125,13 @@ void scene::keep_time(rtuwire::instant now) noexcept
 {
     now_us_ += (now - last_).microseconds;
     last_ = now;
+}
+
+/// A time of the line: a byte may have ended since the last pass.
+std::uint64_t scene::us_of(rtuwire::instant at) const noexcept
+{
+    bool const is_past = reached(last_, at);
+    return is_past ? now_us_ - (last_ - at).microseconds : now_us_ + (at - last_).microseconds;
 }
 
 /// One pass of everything that is no end of the line.

@@ -74,8 +74,9 @@ private:
     typed_frames& typed() noexcept { return bench_.unit<2>(); }
 
     rtuwire::altivar::drive_layout const& layout() const noexcept { return catalog().layout; }
-    std::uint64_t us_of(rtuwire::instant at) const noexcept { return now_us_ - (last_ - at).microseconds; }
+    std::uint64_t us_of(rtuwire::instant at) const noexcept;
 
+    void run_until(std::uint32_t frames, rtuwire::duration longest);
     void keep_time(rtuwire::instant now) noexcept;
     void visit(rtuwire::instant now);
     void take(rtuwire::heard_frame const& heard) override;

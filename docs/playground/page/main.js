@@ -3,7 +3,8 @@
 // Joins the parts: time, controls, views.
 "use strict";
 
-(async () => {
+/// The page is seen before the module is made.
+requestAnimationFrame(() => setTimeout(async () => {
   let engine;
   try {
     engine = await loadModule(moduleText);
@@ -98,11 +99,17 @@
   toggle("pause", (isOn) => { isPaused = isOn; });
   on("speed", "change", (event) => { speed = Number(event.target.value); });
   on("frame", "click", () => { pause(); engine.nextFrame(); });
-  on("second", "click", () => engine.run(1000000));
+  on("second", "click", () => {
+    const step = 20000;
+    for (let passed = 0; passed < 1000000; passed += step) {
+      engine.run(step);
+      curves.note(engine.state());
+    }
+  });
   function pause() { isPaused = true; byId("pause").setAttribute("aria-pressed", "true"); }
   addEventListener("resize", () => show());
 
   open(engine.drives().length - 1);
   document.documentElement.dataset.ready = "yes";
   requestAnimationFrame(tick);
-})();
+}));

@@ -23,7 +23,8 @@ class SceneView {
     const isWatching = client.rounds > 0;
     setText("p-client", client.linked ? client.state : isWatching ? "no link" : "knows nothing");
     setText("p-client-2", client.linked ? `reads ${(client.frequency / 10).toFixed(1)} Hz` : client.error && client.error !== "busy" ? client.error : "");
-    setText("p-order", client.ordered ? "ordered it to run" : "no order");
+    const runs = client.state === "operation enabled" ? "ordered it to run" : "had ordered it to run";
+    setText("p-order", !client.ordered ? "no order" : client.linked ? runs : "it may still run");
   }
 
   showDrive(drive) {
@@ -72,8 +73,9 @@ class SceneView {
     meter.max = limit || 1;
     meter.high = limit * 0.6;
     meter.value = passed;
-    setText("silence-text", drive.on ? `${passed.toFixed(1)} s of ${limit.toFixed(1)} s until it trips` : "–");
-    if (!drive.supervised) setText("silence-text", "its time-out is switched off");
+    const count = passed < limit ? `${passed.toFixed(1)} s of ${limit.toFixed(1)} s until it trips`
+      : `longer than its time-out of ${limit.toFixed(1)} s`;
+    setText("silence-text", !drive.on ? "–" : drive.supervised ? count : "its time-out is switched off");
   }
 
   showOrders(orders) {
