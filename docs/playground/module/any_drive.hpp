@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include <rtuwire/client.hpp>
 #include <rtuwire/drives.hpp>
@@ -63,11 +64,12 @@ public:
     // At its client.
     virtual void watch(link& line, std::size_t slot, rtuwire::instant now) noexcept = 0;
     [[nodiscard]] virtual client_sight sight() const noexcept = 0;
-    [[nodiscard]] virtual rtuwire::result<rtuwire::altivar::start> start(std::int16_t decihertz) const noexcept = 0;
-    [[nodiscard]] virtual rtuwire::result<rtuwire::altivar::change_reference>
-    change(std::int16_t decihertz) const noexcept = 0;
-    [[nodiscard]] virtual rtuwire::altivar::stop stop(rtuwire::altivar::stop_by how) const noexcept = 0;
-    [[nodiscard]] virtual rtuwire::altivar::reset_fault reset() const noexcept = 0;
+    /// Make an order; those with a reference tell why it is none for this drive.
+    virtual rtuwire::errc make(std::optional<rtuwire::altivar::start>& order, std::int16_t decihertz) const = 0;
+    virtual rtuwire::errc make(std::optional<rtuwire::altivar::change_reference>& order,
+                               std::int16_t decihertz) const = 0;
+    virtual void make(std::optional<rtuwire::altivar::stop>& order, rtuwire::altivar::stop_by how) const = 0;
+    virtual void make(std::optional<rtuwire::altivar::reset_fault>& order) const = 0;
 };
 
 inline constexpr rtuwire::unit_id unit{1};

@@ -42,21 +42,21 @@ void client_orders::begin(std::uint64_t now_us)
 void client_orders::start(std::int16_t decihertz, std::uint64_t now_us)
 {
     if (is_free(start_, "start at " + hertz(decihertz), now_us)) {
-        give(start_, drive_->start(decihertz), now_us);
+        give(start_, decihertz, now_us);
     }
 }
 
 void client_orders::change(std::int16_t decihertz, std::uint64_t now_us)
 {
     if (is_free(change_, "change to " + hertz(decihertz), now_us)) {
-        give(change_, drive_->change(decihertz), now_us);
+        give(change_, decihertz, now_us);
     }
 }
 
 void client_orders::reset_fault(std::uint64_t now_us)
 {
     if (is_free(reset_, "reset the fault", now_us)) {
-        reset_.conversation.emplace(drive_->reset());
+        drive_->make(reset_.conversation);
     }
 }
 
@@ -66,7 +66,7 @@ void client_orders::stop(rtuwire::altivar::stop_by how, std::string const& what,
         log_.end(stop_.number, "a later stop took its place", false, now_us);
     }
     stop_.number = log_.add("stop: " + what, now_us);
-    stop_.conversation.emplace(drive_->stop(how));
+    drive_->make(stop_.conversation, how);
 }
 
 void client_orders::converse(link& line, rtuwire::instant now, std::uint64_t now_us)
@@ -95,12 +95,10 @@ bool client_orders::is_free(given_order<Order>& order, std::string const& what, 
 }
 
 template <typename Order>
-void client_orders::give(given_order<Order>& order, rtuwire::result<Order> const& made, std::uint64_t now_us)
+void client_orders::give(given_order<Order>& order, std::int16_t decihertz, std::uint64_t now_us)
 {
-    if (made) {
-        order.conversation.emplace(*made);
-    } else {
-        log_.end(order.number, "not given: " + std::string{name(made.error())}, false, now_us);
+    if (auto const wrong = drive_->make(order.conversation, decihertz); wrong != rtuwire::errc::none) {
+        log_.end(order.number, "not given: " + std::string{name(wrong)}, false, now_us);
     }
 }
 

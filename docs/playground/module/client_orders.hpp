@@ -49,8 +49,7 @@ private:
     using request = rtuwire::single_request<rtuwire::write_single_register>;
 
     template <typename Order> bool is_free(given_order<Order>& order, std::string const& what, std::uint64_t now_us);
-    template <typename Order>
-    void give(given_order<Order>& order, rtuwire::result<Order> const& made, std::uint64_t now_us);
+    template <typename Order> void give(given_order<Order>& order, std::int16_t decihertz, std::uint64_t now_us);
     template <typename Order>
     void attend(link& line, std::size_t slot, given_order<Order>& order, rtuwire::instant now, std::uint64_t now_us);
 

@@ -53,24 +53,32 @@ public:
                 watch_.frequency().count(), watch_.fault()};
     }
 
-    rtuwire::result<rtuwire::altivar::start> start(std::int16_t decihertz) const noexcept override
+    rtuwire::errc make(std::optional<rtuwire::altivar::start>& order, std::int16_t decihertz) const override
     {
-        auto const at = hertz::checked(typename hertz::value_type{decihertz});
-        return at ? rtuwire::result<rtuwire::altivar::start>{rtuwire::altivar::start{station, *at}} : at.error();
+        return make_with_reference(order, decihertz);
     }
-    rtuwire::result<rtuwire::altivar::change_reference> change(std::int16_t decihertz) const noexcept override
+    rtuwire::errc make(std::optional<rtuwire::altivar::change_reference>& order, std::int16_t decihertz) const override
     {
-        using order = rtuwire::altivar::change_reference;
-        auto const to = hertz::checked(typename hertz::value_type{decihertz});
-        return to ? rtuwire::result<order>{order{station, *to}} : to.error();
+        return make_with_reference(order, decihertz);
     }
-    rtuwire::altivar::stop stop(rtuwire::altivar::stop_by how) const noexcept override
+    void make(std::optional<rtuwire::altivar::stop>& order, rtuwire::altivar::stop_by how) const override
     {
-        return rtuwire::altivar::stop{station, how};
+        order.emplace(station, how);
     }
-    rtuwire::altivar::reset_fault reset() const noexcept override { return rtuwire::altivar::reset_fault{station}; }
+    void make(std::optional<rtuwire::altivar::reset_fault>& order) const override { order.emplace(station); }
 
 private:
+    template <typename Order>
+    static rtuwire::errc make_with_reference(std::optional<Order>& order, std::int16_t decihertz)
+    {
+        auto const checked = hertz::checked(typename hertz::value_type{decihertz});
+        if (not checked) {
+            return checked.error();
+        }
+        order.emplace(station, *checked);
+        return rtuwire::errc::none;
+    }
+
     static constexpr rtuwire::station<Device> station{playground::unit};
 
     tool::drive_catalog const& catalog_;
