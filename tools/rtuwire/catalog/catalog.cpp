@@ -5,9 +5,19 @@
 #include <algorithm>
 
 #include "catalog/catalog_drives.hpp"
+#include "catalog/catalog_of.hpp"
 #include "words/words.hpp"
 
 namespace tool {
+
+/// By insertion: the tables are nearly in this order, and it is a quarter of what std::sort takes of a program.
+void sort_by_address(std::span<register_entry> registers) noexcept
+{
+    auto const is_before = [](auto const& left, auto const& right) { return left.address < right.address; };
+    for (auto each = registers.begin(); each != registers.end(); ++each) {
+        std::rotate(std::upper_bound(registers.begin(), each, *each, is_before), each, each + 1);
+    }
+}
 
 std::int32_t register_entry::lowest_count() const noexcept
 {

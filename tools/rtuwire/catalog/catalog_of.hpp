@@ -4,7 +4,6 @@
 // Makes a drive's catalog of its table. Included by one file a drive, so that no file compiles for long.
 #pragma once
 
-#include <algorithm>
 #include <limits>
 #include <type_traits>
 
@@ -80,12 +79,15 @@ template <typename T> [[nodiscard]] constexpr register_entry entry_of(rtuwire::r
             .bits = type.bits};
 }
 
+/// Compiled once, not for each drive.
+void sort_by_address(std::span<register_entry> registers) noexcept;
+
 /// The registers of a table, by address.
 template <auto const&... Registers>
 [[nodiscard]] std::array<register_entry, sizeof...(Registers)> entries_of(rtuwire::table<Registers...>) noexcept
 {
     std::array<register_entry, sizeof...(Registers)> all{entry_of(Registers)...};
-    std::sort(all.begin(), all.end(), [](auto const& left, auto const& right) { return left.address < right.address; });
+    sort_by_address(all);
     return all;
 }
 

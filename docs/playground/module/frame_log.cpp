@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "frame_log.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "explained.hpp"
+#include "frame/hex_text.hpp"
+
+namespace playground {
+
+namespace {
+
+std::string_view name_of(sender from)
+{
+    switch (from) {
+    case sender::client: return "client";
+    case sender::drive: return "drive";
+    case sender::person: return "you";
+    }
+    return "";
+}
+
+std::string_view name_of(rtuwire::frame_role role)
+{
+    switch (role) {
+    case rtuwire::frame_role::request: return "request";
+    case rtuwire::frame_role::response: return "response";
+    case rtuwire::frame_role::unknown: break;
+    }
+    return "unknown";
+}
+
+std::string_view name_of(rtuwire::frame_verdict verdict)
+{
+    switch (verdict) {
+    case rtuwire::frame_verdict::good: return "good";
+    case rtuwire::frame_verdict::damaged: return "damaged";
+    case rtuwire::frame_verdict::late: return "late";
+    case rtuwire::frame_verdict::foreign: return "foreign";
+    case rtuwire::frame_verdict::echo: return "echo";
+    case rtuwire::frame_verdict::stray: break;
+    }
+    return "stray";
+}
+
+void put_line(json_text& out, std::uint32_t number, seen_frame const& frame)
+{
+    out.open_object();
+    out.put("number", number);
+    out.put("begin", frame.begin_us);
+    out.put("end", frame.end_us);
+    out.put("from", name_of(frame.from));
+    out.put("role", name_of(frame.role));
+    out.put("verdict", name_of(frame.verdict));
+    out.put("unanswered", frame.is_unanswered);
+    out.put("lost", frame.is_lost);
+    out.put("exception", frame.is_exception);
+    out.put("response", frame.response_us);
+    out.put("hex", tool::hex_of(frame.bytes));
+    out.put("summary", frame.summary);
+    out.close_object();
+}
+
+} // namespace
+
+void frame_log::add(seen_frame frame)
+{
+    frames_.push_back(std::move(frame));
+    if (frames_.size() > most) {
+        frames_.erase(frames_.begin());
+        ++first_;
+    }
+}
+
+std::string frame_log::list(std::uint32_t from) const
+{
+    json_text out;
+    out.open_list();
+    for (std::uint32_t number = std::max(from, first_); number < end(); ++number) {
+        put_line(out, number, frames_[number - first_]);
+    }
+    out.close_list();
+    return out.text();
+}
+
+std::string frame_log::explain(std::uint32_t number) const
+{
+    json_text out;
+    out.open_object();
+    out.open_list("frames");
+    if (number >= first_ and number < end()) {
+        seen_frame const& frame = frames_[number - first_];
+        tool::frame_decoder decoder{drive_};
+        // A response is told by the request it answers, which a decoder remembers.
+        static_cast<void>(decoder.decode(frame.request));
+        for (auto const& each : decoder.decode(frame.is_unanswered ? frame.request : frame.bytes)) {
+            put_frame(out, each);
+        }
+    }
+    out.close_list();
+    out.close_object();
+    return out.text();
+}
+
+} // namespace playground

@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "scene.hpp"
+
+#include <array>
+#include <utility>
+
+#include "catalog/value_text.hpp"
+#include "frame/summary.hpp"
+
+namespace playground {
+
+namespace {
+
+using rtuwire::altivar::stop_by;
+
+struct way_to_stop {
+    stop_by how;
+    std::string_view name;
+};
+constexpr std::array ways_to_stop{
+    way_to_stop{stop_by::ramp, "on the ramp"},          way_to_stop{stop_by::quick_stop, "quick stop"},
+    way_to_stop{stop_by::freewheel, "freewheel"},       way_to_stop{stop_by::halt, "halt"},
+    way_to_stop{stop_by::dc_injection, "DC injection"},
+};
+
+bool has(rtuwire::altivar::drive_layout const& drive, stop_by how)
+{
+    return (how != stop_by::dc_injection or drive.dc_injection != 0) and (how != stop_by::halt or drive.halt != 0);
+}
+
+std::string named(tool::drive_catalog const& drive, std::string_view code, std::uint16_t word)
+{
+    auto const* const entry = drive.by_code(code);
+    return entry == nullptr ? std::string{} : tool::text_of(*entry, word);
+}
+
+constexpr rtuwire::duration longest_run = rtuwire::milliseconds(1'000);
+
+} // namespace
+
+scene::scene(std::unique_ptr<any_drive> drive)
+    : drive_{std::move(drive)}, frames_{catalog()}, orders_{*drive_}, bench_{link{line_speed, client_orders::options},
+                                                                             cabled_drive{*drive_},
+                                                                             line_tap{line_speed,
+                                                                                      rtuwire::milliseconds(150)},
+                                                                             typed_frames{}}
+{
+    tap().hand_to(*this);
+}
+
+void scene::run(rtuwire::duration length)
+{
+    constexpr std::uint32_t never = ~std::uint32_t{0};
+    run_until(never, length < longest_run ? length : longest_run);
+}
+
+void scene::run_to_next_frame() { run_until(frames_.end() + 1, longest_run); }
+
+void scene::run_until(std::uint32_t frames, rtuwire::duration longest)
+{
+    static_cast<void>(bench_.run_until([&] { return frames_.end() >= frames; }, longest,
+                                       [this](rtuwire::instant now) { visit(now); }));
+    keep_time(bench_.now());
+}
+
+void scene::switch_mains(bool on)
+{
+    bool const comes_on = on and not end().is_on();
+    end().switch_mains(on, bench_.now());
+    if (comes_on) {
+        orders_.begin(now_us_);
+    }
+}
+
+void scene::cut(cable where)
+{
+    constexpr unsigned drive_as_sender = 1;
+    bool const towards = where == cable::cut or where == cable::towards_drive;
+    bool const from = where == cable::cut or where == cable::from_drive;
+    end().cut(towards, from);
+    bench_.wire().set_faults(drive_as_sender, {.is_cut = from});
+    cable_ = where;
+}
+
+void scene::make_fault(bool present)
+{
+    constexpr std::uint16_t overcurrent = 9; // LFT
+    if (present and end().is_on()) {
+        drive_->inject_fault(overcurrent);
+    } else if (not present) {
+        drive_->clear_cause();
+    }
+    has_cause_ = present and end().is_on();
+}
+
+void scene::set_local(bool is_local)
+{
+    is_local_ = is_local;
+    drive_->set_local(is_local);
+}
+
+void scene::set_supervised(bool is_supervised)
+{
+    auto const& guards = layout().safeguards;
+    bool const has_reaction = guards.sll != 0;
+    if (is_supervised != is_supervised_) {
+        reaction_ = is_supervised ? reaction_ : drive_->word(has_reaction ? "SLL" : "CMI");
+        std::uint16_t const off = has_reaction ? std::uint16_t{0} : guards.nto;
+        drive_->write(has_reaction ? guards.sll : layout().cmi, is_supervised ? reaction_ : off);
+        is_supervised_ = is_supervised;
+    }
+}
+
+void scene::stop(stop_by how)
+{
+    for (way_to_stop const& each : ways_to_stop) {
+        if (each.how == how and has(layout(), how)) {
+            orders_.stop(how, std::string{each.name}, now_us_);
+        }
+    }
+}
+
+void scene::keep_time(rtuwire::instant now) noexcept
+{
+    now_us_ += (now - last_).microseconds;
+    last_ = now;
+}
+
+/// A time of the line: a byte may have ended since the last pass.
+std::uint64_t scene::us_of(rtuwire::instant at) const noexcept
+{
+    bool const is_past = reached(last_, at);
+    return is_past ? now_us_ - (last_ - at).microseconds : now_us_ + (at - last_).microseconds;
+}
+
+/// One pass of everything that is no end of the line.
+void scene::visit(rtuwire::instant now)
+{
+    keep_time(now);
+    typed().note_line(tap().is_free(now));
+    orders_.converse(bench_.link(), now, now_us_);
+    if (auto const bytes = end().take_unheard(); not bytes.empty()) {
+        note_unheard(bytes, now);
+    }
+}
+
+void scene::take(rtuwire::heard_frame const& heard)
+{
+    bool const is_request = heard.frame.role == rtuwire::frame_role::request;
+    bool const is_typed = is_request and typed().take_sent(heard.frame.bytes);
+    seen_frame seen{.begin_us = us_of(heard.first_byte),
+                    .end_us = us_of(heard.frame.at),
+                    .from = is_typed     ? sender::person
+                            : is_request ? sender::client
+                                         : sender::drive,
+                    .role = heard.frame.role,
+                    .verdict = heard.frame.verdict,
+                    .is_unanswered = heard.is_unanswered,
+                    .is_lost = is_request and not end().hears(),
+                    .is_exception = heard.is_exception(),
+                    .response_us = heard.response_time.microseconds,
+                    .bytes = {heard.frame.bytes.begin(), heard.frame.bytes.end()},
+                    .request = {heard.request.begin(), heard.request.end()},
+                    .summary = tool::summary_of(heard, &catalog())};
+    if (is_request) {
+        last_request_ = seen.bytes;
+    }
+    frames_.add(std::move(seen));
+}
+
+/// A response that is sent into a cut cable from now on.
+void scene::note_unheard(std::vector<std::byte> const& bytes, rtuwire::instant now)
+{
+    rtuwire::heard_frame heard{{bytes, now, rtuwire::frame_role::response}, now};
+    heard.request = last_request_;
+    frames_.add({.begin_us = us_of(now),
+                 .end_us = us_of(now) + line_speed.characters(bytes.size()).microseconds,
+                 .from = sender::drive,
+                 .role = rtuwire::frame_role::response,
+                 .is_lost = true,
+                 .is_exception = heard.is_exception(),
+                 .bytes = bytes,
+                 .request = last_request_,
+                 .summary = tool::summary_of(heard, &catalog())});
+}
+
+std::uint32_t scene::time_out_us() const noexcept
+{
+    constexpr std::uint32_t step = 100'000; // of TTO
+    auto const& guards = layout().safeguards;
+    return guards.tto != 0 ? drive_->word("TTO") * step : guards.fixed_timeout.microseconds;
+}
+
+std::string scene::state()
+{
+    json_text out;
+    out.open_object();
+    out.put("time", now_us_);
+    put_line(out);
+    put_drive(out);
+    put_client(out);
+    orders_.log().put(out);
+    out.put("frames", frames_.end());
+    out.close_object();
+    return out.text();
+}
+
+void scene::put_line(json_text& out)
+{
+    out.put("cable", static_cast<unsigned>(cable_));
+    out.put("arriving", tap().arriving().size());
+    out.put("asked", tap().is_asked());
+    out.put("waiting", typed().is_waiting());
+}
+
+void scene::put_drive(json_text& out)
+{
+    bool const is_on = end().is_on();
+    out.open_object("drive");
+    out.put("on", is_on);
+    out.put("state", is_on ? std::string_view{name_of(drive_->state())} : std::string_view{});
+    out.put("last", is_on ? std::string_view{name_of(drive_->last_transition())} : std::string_view{});
+    out.put("frequency", is_on ? drive_->frequency() : 0);
+    out.put("reference", is_on ? static_cast<std::int16_t>(drive_->word("LFR")) : std::int16_t{0});
+    out.put("command", tool::hex_word(drive_->word("CMD")));
+    out.put("status", tool::hex_word(drive_->word("ETA")));
+    out.put("statusText", tool::bits_text(*catalog().by_code("ETA"), drive_->word("ETA")));
+    out.put("current", named(catalog(), "LCR", drive_->word("LCR")));
+    out.put("fault", is_on and drive_->fault() != 0 ? named(catalog(), "LFT", drive_->fault()) : std::string{});
+    out.put("cause", has_cause_);
+    out.put("local", is_local_);
+    out.put("supervised", is_supervised_);
+    out.put("timeout", time_out_us());
+    out.put("silence", is_on and end().has_heard() ? end().silence(bench_.now()).microseconds : 0U);
+    out.close_object();
+}
+
+void scene::put_client(json_text& out)
+{
+    client_sight const seen = drive_->sight();
+    out.open_object("client");
+    out.put("linked", seen.is_linked);
+    out.put("rounds", seen.rounds);
+    out.put("error", seen.error == rtuwire::errc::none ? std::string_view{} : name(seen.error));
+    out.put("state", std::string_view{name_of(seen.state)});
+    out.put("frequency", seen.frequency);
+    out.put("fault", seen.fault == 0 ? std::string{} : named(catalog(), "LFT", seen.fault));
+    out.put("ordered", bench_.link().is_ordered(unit));
+    out.close_object();
+}
+
+std::string scene::description() const
+{
+    json_text out;
+    out.open_object();
+    out.put("name", catalog().name);
+    out.put("unit", unit.byte());
+    out.put("reference", catalog().reference);
+    out.put("highest", drive_->word("HSP"));
+    out.put("cmd", layout().cmd);
+    out.put("eta", layout().eta);
+    out.open_list("stops");
+    for (way_to_stop const& each : ways_to_stop) {
+        if (has(layout(), each.how)) {
+            out.open_object();
+            out.put("id", static_cast<unsigned>(each.how));
+            out.put("name", each.name);
+            out.close_object();
+        }
+    }
+    out.close_list();
+    out.close_object();
+    return out.text();
+}
+
+} // namespace playground

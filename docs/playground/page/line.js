@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The frames as a table, the fields of a frame, and bytes that a person types.
+"use strict";
+
+/// Fields as the decoder of the library gives them.
+function fieldsOf(frame) {
+  const parts = [];
+  frame.readings.forEach((reading) => {
+    const list = make("dl");
+    const bytes = frame.hex.split(" ");
+    for (const field of reading.fields) {
+      const hex = bytes.slice(field.offset, field.offset + field.length).join(" ");
+      list.append(make("dt", { class: "mono" }, hex), make("dd", {}, field.name), make("dd", {}, field.value));
+    }
+    parts.push(make("p", {}, make("b", {}, `As a ${reading.as}`)), list);
+    if (reading.flaw) parts.push(make("p", { class: "flaw" }, reading.flaw));
+  });
+  return parts;
+}
+
+class LogView {
+  constructor(engine) {
+    this.engine = engine;
+    this.body = byId("frames").tBodies[0];
+    byId("hide").checked = true;
+    byId("hide").addEventListener("change", () => this.redraw());
+    this.clear();
+  }
+
+  clear() {
+    this.frames = [];
+    this.next = 0;
+    this.chosen = null;
+    this.body.replaceChildren();
+    byId("detail").replaceChildren(make("p", { class: "quiet" }, "Choose a frame in the table."));
+  }
+
+  /// Whether the like of it was among the last frames: a drive that is watched says the same again and again.
+  isNews(frame, at) {
+    const alike = (other) => other.summary === frame.summary && other.from === frame.from && other.lost === frame.lost;
+    return !this.frames.slice(Math.max(0, at - 14), at).some(alike);
+  }
+
+  take() {
+    const fresh = this.engine.frames(this.next);
+    if (fresh.length === 0) return;
+    this.next = fresh[fresh.length - 1].number + 1;
+    for (const frame of fresh) {
+      this.frames.push(frame);
+      this.showRow(frame, this.frames.length - 1);
+    }
+    this.frames.splice(0, Math.max(0, this.frames.length - 400));
+  }
+
+  redraw() {
+    this.body.replaceChildren();
+    this.frames.forEach((frame, at) => this.showRow(frame, at));
+  }
+
+  showRow(frame, at) {
+    if (byId("hide").checked && !this.isNews(frame, at)) return;
+    const note = frame.lost ? (frame.from === "drive" ? "lost in the cable: " : "does not reach the drive: ") : "";
+    const choose = make("button", { type: "button" }, note + (frame.summary || frame.verdict));
+    const kind = frame.unanswered || frame.lost ? "none" : frame.exception || frame.verdict === "damaged" ? "bad" : "";
+    const row = make("tr", { class: kind, "data-number": frame.number },
+      make("td", { class: "t mono" }, seconds(frame.end)),
+      make("td", { class: "from " + frame.from }, frame.unanswered ? "" : frame.from),
+      make("td", { class: "hex" }, frame.hex), make("td", {}, choose));
+    choose.addEventListener("click", () => this.choose(frame.number, row));
+    this.body.prepend(row);
+    while (this.body.rows.length > 150) this.body.lastElementChild.remove();
+  }
+
+  choose(number, row) {
+    for (const each of this.body.querySelectorAll(".chosen")) each.classList.remove("chosen");
+    row.classList.add("chosen");
+    const frames = this.engine.explain(number).frames;
+    byId("detail").replaceChildren(...frames.flatMap(fieldsOf));
+  }
+}
+
+const judgements = {
+  "good": ["good", "A whole frame, and its CRC is right."],
+  "crc missing": ["open", "A whole request but for its CRC, which would be "],
+  "crc wrong": ["bad", "The CRC is wrong; right is "],
+  "not a frame": ["open", "No whole frame yet."],
+};
+
+class DecodeView {
+  constructor(engine) {
+    this.engine = engine;
+    byId("bytes").addEventListener("input", () => this.show());
+    byId("offer").addEventListener("click", () => { byId("bytes").value = this.offer; this.show(); byId("bytes").focus(); });
+    byId("send").addEventListener("click", () => {
+      if (this.engine.send(byId("bytes").value)) say("Your bytes leave as soon as the line is free.");
+    });
+    byId("example").addEventListener("change", (event) => {
+      if (event.target.value) { byId("bytes").value = event.target.value; this.show(); }
+      event.target.value = "";
+    });
+  }
+
+  /// Requests without a CRC, for the addresses of this drive.
+  setExamples(drive) {
+    const word = (value) => [value >> 8, value & 255].map((each) => each.toString(16).padStart(2, "0").toUpperCase()).join(" ");
+    const examples = [
+      ["read the status word", `01 03 ${word(drive.eta)} 00 01`],
+      ["write the control word: shutdown", `01 06 ${word(drive.cmd)} 00 06`],
+      ["a register that is not there", "01 03 FF F0 00 01"],
+      ["a wrong CRC", `01 03 ${word(drive.eta)} 00 01 00 00`],
+      ["identify yourself", "01 2B 0E 01 00"],
+    ];
+    byId("example").replaceChildren(make("option", { value: "" }, "Examples…"),
+      ...examples.map(([name, hex]) => make("option", { value: hex }, name)));
+    this.show();
+  }
+
+  show() {
+    const found = this.engine.decode(byId("bytes").value);
+    this.offer = found.offer;
+    const [kind, text] = judgements[found.kind];
+    const judged = byId("judged");
+    judged.className = "judged " + (found.flaw ? "bad" : found.size ? kind : "");
+    judged.textContent = found.flaw || (found.size === 0 ? "Nothing typed yet." : text + (found.offer && found.offer.split(" ").slice(-2).join(" ")));
+    byId("offer").disabled = found.offer === "";
+    byId("send").disabled = found.size === 0 || found.flaw !== "";
+    byId("typed").replaceChildren(...(found.size ? found.frames.flatMap(fieldsOf) : []));
+  }
+}

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Joins the parts: time, controls, views.
+"use strict";
+
+/// The page is seen before the module is made.
+requestAnimationFrame(() => setTimeout(async () => {
+  let engine;
+  try {
+    engine = await loadModule(moduleText);
+  } catch (problem) {
+    document.body.prepend(make("p", { class: "trap", role: "alert" }, `The module does not start here: ${problem.message}`));
+    return;
+  }
+  const machine = new MachineView(), curves = new CurvesView(), scene = new SceneView();
+  const log = new LogView(engine), decode = new DecodeView(engine);
+  let isPaused = false, speed = 1, last = null, owed = 0;
+
+  function show() {
+    const state = engine.state();
+    log.take();
+    const recent = log.frames.slice(-60);
+    scene.turn(state);
+    scene.show(state, recent);
+    machine.show(state.drive);
+    curves.note(state);
+    curves.draw(state.time);
+    drawStrip(recent, state, speed);
+    setText("time", seconds(state.time));
+    setText("v-frequency", hertz(state.drive.frequency));
+    setText("v-reference", (state.drive.reference / 10).toFixed(1) + " Hz");
+    setText("v-client", state.client.linked ? (state.client.frequency / 10).toFixed(1) + " Hz" : "–");
+    setText("v-current", state.drive.on ? state.drive.current : "–");
+    setText("v-status", state.drive.on ? state.drive.status : "–");
+    setText("v-command", state.drive.on ? state.drive.command : "–");
+    setText("v-bits", state.drive.on ? `Status: ${state.drive.statusText}` : "");
+  }
+
+  function trapped(problem) {
+    isPaused = true;
+    document.body.prepend(make("p", { class: "trap", role: "alert" }, `The module stopped: ${problem.message}. Reload the page.`));
+  }
+
+  function tick(now) {
+    const passed = last === null ? 0 : Math.min(now - last, 100);
+    last = now;
+    try {
+      if (!isPaused) {
+        owed += passed * 1000 * speed;
+        const whole = Math.floor(owed);
+        owed -= whole;
+        engine.run(whole);
+        show();
+      }
+      requestAnimationFrame(tick);
+    } catch (problem) { trapped(problem); }
+  }
+
+  /// Something a person does; shown at once, even while time stands.
+  const on = (id, event, act) => byId(id).addEventListener(event, (how) => { act(how); show(); });
+  const toggle = (id, act) => on(id, "click", () => {
+    const isOn = byId(id).getAttribute("aria-pressed") !== "true";
+    byId(id).setAttribute("aria-pressed", String(isOn));
+    act(isOn);
+  });
+  const decihertz = () => Math.round(Number(byId("hertz").value) * 10);
+  const setHertz = (value) => { byId("hertz").value = value; byId("slider").value = value; };
+
+  function open(index) {
+    engine.open(index);
+    for (const id of ["mains", "fault", "local"]) byId(id).setAttribute("aria-pressed", "false");
+    byId("supervised").checked = true;
+    document.querySelector("input[name=cable][value='0']").checked = true;
+    const drive = engine.describe();
+    setText("p-name", drive.name.toUpperCase().replace("_", " "));
+    byId("how").replaceChildren(...drive.stops.map((each) => make("option", { value: each.id }, each.name)));
+    for (const view of [curves, scene, log]) view.clear();
+    machine.draw(engine.machine());
+    decode.setExamples(drive);
+    show();
+  }
+
+  byId("drive").replaceChildren(...engine.drives().map((name, at) => make("option", { value: at }, name.toUpperCase().replace("_", " "))));
+  byId("drive").value = String(engine.drives().length - 1);
+  on("drive", "change", (event) => open(Number(event.target.value)));
+  toggle("mains", (isOn) => engine.mains(isOn));
+  toggle("fault", (isOn) => engine.fault(isOn));
+  toggle("local", (isOn) => engine.local(isOn));
+  on("key", "click", () => engine.stopKey());
+  on("supervised", "change", (event) => engine.supervised(event.target.checked));
+  on("start", "click", () => engine.start(decihertz()));
+  on("change", "click", () => engine.change(decihertz()));
+  on("reverse", "click", () => { setHertz(-Number(byId("hertz").value)); engine.change(decihertz()); });
+  on("stop", "click", () => engine.stop(Number(byId("how").value)));
+  on("reset", "click", () => engine.reset());
+  on("cable", "change", (event) => engine.cable(Number(event.target.value)));
+  on("slider", "input", (event) => { byId("hertz").value = event.target.value; });
+  on("hertz", "input", (event) => { byId("slider").value = event.target.value; });
+  toggle("pause", (isOn) => { isPaused = isOn; });
+  on("speed", "change", (event) => { speed = Number(event.target.value); });
+  on("frame", "click", () => { pause(); engine.nextFrame(); });
+  on("second", "click", () => {
+    const step = 20000;
+    for (let passed = 0; passed < 1000000; passed += step) {
+      engine.run(step);
+      curves.note(engine.state());
+    }
+  });
+  function pause() { isPaused = true; byId("pause").setAttribute("aria-pressed", "true"); }
+  addEventListener("resize", () => show());
+
+  open(engine.drives().length - 1);
+  document.documentElement.dataset.ready = "yes";
+  requestAnimationFrame(tick);
+}));

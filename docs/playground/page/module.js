@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The module as functions of the page: texts go in and come out as JavaScript's. `moduleText` is the module in base64.
+"use strict";
+
+async function loadModule(moduleText) {
+  const bytes = Uint8Array.from(atob(moduleText), (each) => each.charCodeAt(0));
+  const { instance } = await WebAssembly.instantiate(bytes, {});
+  const api = instance.exports;
+  api._initialize();
+  const textAt = (place) => {
+    const memory = new Uint8Array(api.memory.buffer);
+    return new TextDecoder("latin1").decode(memory.subarray(place, memory.indexOf(0, place)));
+  };
+  const parsed = (place) => JSON.parse(textAt(place));
+  const put = (text) => {
+    const input = api.playground_input();
+    const bytes = new TextEncoder().encode(text).subarray(0, api.playground_input_size());
+    new Uint8Array(api.memory.buffer).set(bytes, input);
+    return bytes.length;
+  };
+  return {
+    drives: () => parsed(api.playground_drives()),
+    open: (drive) => api.playground_open(drive) === 1,
+    describe: () => parsed(api.playground_describe()),
+    machine: () => parsed(api.playground_machine()),
+    run(microseconds) {
+      const longest = 1000000;
+      for (let left = microseconds; left > 0; left -= longest) api.playground_run(Math.min(left, longest));
+    },
+    nextFrame: () => api.playground_next_frame(),
+    state: () => parsed(api.playground_state()),
+    frames: (from) => parsed(api.playground_frames(from)),
+    explain: (frame) => parsed(api.playground_explain(frame)),
+    mains: (on) => api.playground_mains(on ? 1 : 0),
+    cable: (where) => api.playground_cable(where),
+    fault: (present) => api.playground_fault(present ? 1 : 0),
+    local: (isLocal) => api.playground_local(isLocal ? 1 : 0),
+    stopKey: () => api.playground_stop_key(),
+    supervised: (is) => api.playground_supervised(is ? 1 : 0),
+    start: (decihertz) => api.playground_start(decihertz),
+    change: (decihertz) => api.playground_change(decihertz),
+    stop: (how) => api.playground_stop(how),
+    reset: () => api.playground_reset(),
+    decode: (text) => parsed(api.playground_decode(put(text))),
+    send: (text) => api.playground_send(put(text)) === 1,
+  };
+}
+
+if (typeof module !== "undefined") module.exports = { loadModule };
