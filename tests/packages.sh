@@ -21,8 +21,11 @@ packages_of() {
         portability) echo gcc-riscv64-unknown-elf g++-s390x-linux-gnu g++-arm-linux-gnueabihf g++-aarch64-linux-gnu qemu-user-static clang-19 libc++-19-dev libc++abi-19-dev ;;
         avr) echo clang-19 gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib ;;
         style) echo clang-format clang-tidy ;;
+        docs) echo doxygen doxygen-awesome-css graphviz g++ clang python3 ;;
+        browser) echo chromium nodejs npm ;;
+        newcomer) echo debootstrap ;;
         *)
-            echo "packages.sh: no group '$1'; the groups are examples build tests interop tool arm emulator clang afl bench portability avr style" >&2
+            echo "packages.sh: no group '$1'; the groups are examples build tests interop tool arm emulator clang afl bench portability avr style docs browser newcomer" >&2
             return 1
             ;;
     esac
@@ -31,9 +34,11 @@ packages_of() {
 # A tool counts however it came here; a library only counts as the package the build will look for.
 present() {
     case $1 in
-        cmake | make | c++ | g++ | clang | mbpoll | socat | tshark | pkg-config | qemu-system-arm | valgrind | strace | tmux | zsh | clang-format | clang-tidy | spin)
+        cmake | make | c++ | g++ | clang | mbpoll | socat | tshark | pkg-config | qemu-system-arm | valgrind | strace | tmux | zsh | clang-format | clang-tidy | spin | doxygen | chromium | npm | debootstrap)
             command -v "$1" >/dev/null ;;
         ninja-build) command -v ninja >/dev/null ;;
+        graphviz) command -v dot >/dev/null ;;
+        nodejs) command -v node >/dev/null ;;
         # Only the distribution's interpreter sees the distribution's modules.
         python3) [ -x /usr/bin/python3 ] ;;
         *) [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ] ;;
