@@ -15,6 +15,7 @@ HEADING = re.compile(r"^(#{1,4}) +(.*?)\s*$")
 LINK = re.compile(r"(?<!!)\[([^\]]*)\]\(([^)\s]+)\)")
 SNIPPET = re.compile(r"^ *<!-- snippet: (\S+) (\S+) -->$")
 GENERATED = re.compile(r"^<!-- generated: (.+?) -->$")
+FILE_NAME = re.compile(r"[\w/.-]+\.md|docs/")
 NEEDS_CONTENTS = 5
 
 
@@ -94,6 +95,12 @@ class Pages:
             raise BrokenLink(f"{page}: {link}: there is no {whole}")
         return None
 
+    def named(self, words, reference):
+        """What a link shows: where it shows a file's name here, the title of the page there."""
+        if not FILE_NAME.fullmatch(words):
+            return words
+        return next(title_of(text) for page, text in self.texts.items() if identifier(page) == reference.partition("-")[0])
+
     @staticmethod
     def anchor(page, heading):
         return f"{identifier(page)}-{heading}" if heading else identifier(page)
@@ -110,7 +117,7 @@ class Pages:
                 return words if words.startswith("`") else f"`{words}`"
             # Doxygen's references take plain words only.
             if to.startswith("@ref "):
-                shown = re.sub(r"`([^`]*)`", r"<code>\1</code>", words)
+                shown = re.sub(r"`([^`]*)`", r"<code>\1</code>", self.named(words, to[5:]))
                 return f'<a href="{html_place(to[5:])}">{shown}</a>'
             return f"[{words}]({to})"
         return spelled(LINK.sub(swap, line))
@@ -151,7 +158,7 @@ class Pages:
         """Leaves out a block of code that Doxygen takes from its file; the end of it gives the command."""
         fence = FENCE.match(line)
         if fence and not fence[3].strip():
-            out.append(f"\\snippet {snippet[0]} {snippet[1]}")
+            out.append(f"\\snippet{{trimleft}} {snippet[0]} {snippet[1]}")
             return None
         return snippet
 

@@ -4,6 +4,7 @@
 // it has no transceiver, so that the port that demands one is refused.
 #include <atomic>
 #include <iostream>
+#include <string>
 #include <thread>
 
 #include <rtuwire/client.hpp>
@@ -16,7 +17,7 @@ using namespace rtuwire;
 namespace {
 
 //! [open]
-result<std::uint16_t> first_register(char const* device)
+result<std::uint16_t> first_register(std::string const& device)
 {
     posix_serial port;
     serial_settings settings{.bits_per_second = 19'200, .format = character_format::even_8_1};

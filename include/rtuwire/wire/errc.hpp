@@ -115,7 +115,7 @@ enum class errc : std::uint8_t {
     /// Remedy: Another protocol, another bit rate, or a unit that babbles: listen to the line.
     frame_too_long = 0x8D,
     /// The size contradicts the frame's own header.
-    /// Remedy: Bytes were lost or added: check wiring and receive buffers, and that no second client talks.
+    /// Remedy: Bytes were lost or added: check wiring and receive buffers, and that no second client sends.
     wrong_length = 0x8E,
     /// The CRC is wrong: bytes were damaged.
     /// Remedy: Check termination, bias, ground and the routing beside motor cables; the same frame damaged each
@@ -125,10 +125,10 @@ enum class errc : std::uint8_t {
     /// Remedy: Check bit rate and character format at both ends; an overrun means that bytes are taken too late.
     uart_error = 0x90,
     /// Another unit answered.
-    /// Remedy: Two units may have one address, or a second client talks on this line.
+    /// Remedy: Two units may have one address, or a second client sends on this line.
     wrong_unit = 0x91,
     /// The response is to another function.
-    /// Remedy: A late response or a second client: lengthen the response time-out, and listen who talks.
+    /// Remedy: A late response or a second client: lengthen the response time-out, and listen who sends.
     wrong_function = 0x92,
     /// Address, quantity or value of the response are not those of the request.
     /// Remedy: A late response, a second client, or a unit that does not repeat what it took: listen to the line.
@@ -140,7 +140,7 @@ enum class errc : std::uint8_t {
     /// Remedy: Set `.has_line_echo`, or disable the receiver while sending.
     line_echo = 0x95,
     /// What was sent came back as something else.
-    /// Remedy: Somebody else talks at the same time: there must be one client on the line.
+    /// Remedy: Somebody else sends at the same time: there must be one client on the line.
     collision = 0x96,
 
     // The transaction ended without a response.
