@@ -17,7 +17,7 @@ const sizes = {phone: {width: 390, height: 844}, desktop: {width: 1280, height: 
 // One of each kind of page; all of the guides are visited on the phone.
 const shown = ["index", "start_two_commands", "start_wiring", "drives_atv320", "concepts", "errors", "names", "figures",
     "classrtuwire_1_1basic__client"];
-const patience = 60_000; // of a busy machine; no result depends on it
+const limit = 60_000; // of a busy machine; no result depends on it
 const wanted = {"crc mismatch": null, "blocking_client": "blocking_client", "wiring": "Wiring", "start": "start"};
 
 const address = (page) => pathToFileURL(path.join(site, `${page}.html`)).href;
@@ -48,7 +48,7 @@ const measured = () => {
 async function visit(browser, name, scheme, size, take) {
     const context = await browser.newContext({viewport: sizes[size], colorScheme: scheme});
     const page = await context.newPage();
-    page.setDefaultTimeout(patience);
+    page.setDefaultTimeout(limit);
     const complaints = [];
     page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
     page.on("pageerror", (error) => complaints.push(String(error)));
@@ -70,7 +70,7 @@ async function visit(browser, name, scheme, size, take) {
 /// Types into the search, and follows what it finds.
 async function search(browser, words, expected) {
     const page = await browser.newPage({viewport: sizes.desktop});
-    page.setDefaultTimeout(patience);
+    page.setDefaultTimeout(limit);
     await page.goto(address("index"), {waitUntil: "load"});
     await page.click("#MSearchField");
     await page.type("#MSearchField", words);
@@ -93,7 +93,7 @@ async function search(browser, words, expected) {
 async function toggle(browser) {
     const context = await browser.newContext({viewport: sizes.desktop, colorScheme: "light"});
     const page = await context.newPage();
-    page.setDefaultTimeout(patience);
+    page.setDefaultTimeout(limit);
     await page.goto(address("index"), {waitUntil: "load"});
     await page.click("doxygen-awesome-dark-mode-toggle");
     assert.ok((await page.evaluate(measured)).ground < 0.2, "the switch does not make the page dark");
