@@ -13,6 +13,7 @@ import sys
 import diagrams
 import gallery
 import headers
+import mutation
 import registers
 import tables
 from pages import BrokenLink, Pages, headings, identifier, lines_with_code, title_of
@@ -117,7 +118,8 @@ def main(project, build, theme):
         shutil.rmtree(build / each, ignore_errors=True)
     build.mkdir(parents=True, exist_ok=True)
     facts = tables.facts(project, build)
-    made = {**registers.pages(facts), **diagrams.pages(facts, build), **gallery.pages(project, build)}
+    made = {**registers.pages(facts), **diagrams.pages(facts, build), **gallery.pages(project, build),
+            **mutation.pages(project)}
     pages = Pages(project, made)
     menu = contents(pages)
     check_contents(pages, menu)

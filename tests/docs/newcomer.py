@@ -51,11 +51,11 @@ def matches(shown, printed):
 
 def mirror():
     """The address of bookworm's packages that apt takes here."""
-    done = subprocess.run(["apt-get", "indextargets", "--format", "$(SITE) $(SUITE) $(COMPONENT)", "Created-By: Packages"],
+    done = subprocess.run(["apt-get", "indextargets", "--format", "$(SITE) $(CODENAME) $(COMPONENT)", "Created-By: Packages"],
                           check=True, capture_output=True, text=True)
     for line in done.stdout.splitlines():
-        site, suite, component = line.split()
-        if suite == "bookworm" and component == "main":
+        site, codename, component = line.split()
+        if codename == "bookworm" and component == "main":
             return site
     raise SystemExit("newcomer: apt knows no packages of bookworm here")
 
