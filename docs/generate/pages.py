@@ -72,6 +72,7 @@ class Pages:
         self.project = project
         self.made = made  # what the build makes, by the words of its mark
         self.used = set()
+        self.regions = set()  # of programs, as (file, name)
         paths = [project / "README.md", project / "CHANGELOG.md", *sorted((project / "docs").rglob("*.md"))]
         self.texts = {path.relative_to(project).as_posix(): path.read_text(encoding="utf-8")
                       for path in paths if path.exists()}
@@ -137,6 +138,7 @@ class Pages:
             mark = SNIPPET.match(line)
             if mark:
                 snippet = mark.groups()
+                self.regions.add(snippet)
                 continue
             made = GENERATED.match(line)
             if made:
@@ -158,7 +160,7 @@ class Pages:
         """Leaves out a block of code that Doxygen takes from its file; the end of it gives the command."""
         fence = FENCE.match(line)
         if fence and not fence[3].strip():
-            out.append(f"\\snippet{{trimleft}} {snippet[0]} {snippet[1]}")
+            out.append(f"\\snippet regions/{snippet[0]} {snippet[1]}")
             return None
         return snippet
 

@@ -15,6 +15,7 @@ import gallery
 import headers
 import mutation
 import registers
+import snippets
 import tables
 from pages import BrokenLink, Pages, headings, identifier, lines_with_code, title_of
 
@@ -83,7 +84,7 @@ def write_settings(project, build, theme):
     files = [theme / f"doxygen-awesome-{name}.js" for name in SCRIPTS] + [site / "site.js"]
     settings = {
         "OUTPUT_DIRECTORY": build, "INPUT": f"{build}/pages {build}/include", "STRIP_FROM_PATH": f"{build}/include",
-        "STRIP_FROM_INC_PATH": f"{build}/include", "EXAMPLE_PATH": f"{project} {build}/diagrams", "GENERATE_TAGFILE": build / "tags.xml", "LAYOUT_FILE": build / "layout.xml",
+        "STRIP_FROM_INC_PATH": f"{build}/include", "EXAMPLE_PATH": f"{project} {build} {build}/diagrams", "GENERATE_TAGFILE": build / "tags.xml", "LAYOUT_FILE": build / "layout.xml",
         "HTML_HEADER": build / "header.html", "HTML_EXTRA_STYLESHEET": " ".join(map(str, styles)),
         "HTML_EXTRA_FILES": " ".join(map(str, files)), "PROJECT_NUMBER": version(project),
         "USE_MDFILE_AS_MAINPAGE": f"{build}/pages/README.md", "INCLUDE_PATH": f"{build}/include"}
@@ -107,9 +108,22 @@ def write_pages(project, build, pages):
         (place / f"{identifier(program)}.md").write_text(
             f"# {name} {{#{identifier(program)}}}\n\n`sh examples/run.sh {name}` builds this program and runs it.\n\n"
             f"\\include {program}\n", encoding="utf-8")
+    write_regions(project, build / "regions", pages)
     unused = set(pages.made) - pages.used
     if unused:
         raise BrokenLink(f"no page shows {', '.join(sorted(unused))}")
+
+
+def write_regions(project, place, pages):
+    """The regions that pages show, without the indentation that Doxygen 1.9.4 would keep."""
+    shutil.rmtree(place, ignore_errors=True)
+    texts = {}
+    for file, name in sorted(pages.regions):
+        mark = f"//! [{name}]\n"
+        texts[file] = texts.get(file, "") + mark + snippets.region(project, file, name) + mark
+    for file, text in texts.items():
+        (place / file).parent.mkdir(parents=True, exist_ok=True)
+        (place / file).write_text(text, encoding="utf-8")
 
 
 def main(project, build, theme):

@@ -84,7 +84,7 @@ class Pages(Folder):
 
     def test_a_region_is_taken_from_its_program(self):
         out = self.staged("# One\n\n<!-- snippet: examples/a.cpp part -->\n```cpp\nold\n```\nend\n")
-        self.assertIn("\\snippet{trimleft} examples/a.cpp part", out)
+        self.assertIn("\\snippet regions/examples/a.cpp part", out)
         self.assertNotIn("old", out)
 
 
