@@ -9,10 +9,12 @@ using namespace rtuwire;
 
 namespace {
 
+//! [frame]
 constexpr auto request = encode(unit_id{2}, read_holding_registers{.start = 3102, .count = 4});
 static_assert(request == "02 03 0C 1E 00 04 27 6C"_hex);
 
 constexpr auto received = "02 03 08 00 28 02 58 01 F4 00 00 52 B0"_hex;
+//! [frame]
 
 } // namespace
 

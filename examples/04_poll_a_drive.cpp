@@ -13,8 +13,10 @@
 using namespace rtuwire;
 using namespace rtuwire::altivar;
 
+//! [plan]
 // Status word, output frequency, motor current, and the acceleration ramp: four registers in two requests.
 using monitor = read_plan<atv12::device, atv12::eta, atv12::rfr, atv12::lcr, atv12::acc>;
+//! [plan]
 
 int main()
 {
@@ -28,7 +30,8 @@ int main()
     poller<monitor> panel{drive};
     int rounds = 0;
     for (signed_decihertz const speed : {signed_decihertz{-52}, signed_decihertz{0}, signed_decihertz{487}}) {
-        registers.set<atv12::rfr>(speed);                     // the motor speeds up
+        registers.set<atv12::rfr>(speed); // the motor speeds up
+        //! [round]
         if (auto const round = bench.run(panel); not round) { // each run is a new round
             std::cout << "no values: " << round.error() << '\n';
             return 1;
@@ -37,6 +40,7 @@ int main()
         bool const runs = seen.get<atv12::eta>().has(status_bit::operation_enabled);
         std::cout << (runs ? "running" : "stopped") << " at " << seen.get<atv12::rfr>() << ", "
                   << seen.get<atv12::lcr>() << ", ramp " << seen.get<atv12::acc>() << '\n';
+        //! [round]
         rounds += runs and seen.get<atv12::rfr>() == speed and seen.get<atv12::acc>() == 1.3_s ? 1 : 0;
     }
     std::cout << "each round took " << monitor::request_count << " requests\n";

@@ -13,6 +13,7 @@ using namespace rtuwire;
 
 namespace {
 
+//! [function]
 constexpr auto starts_code = static_cast<function_code>(65);
 
 /// The response: the code, and a word.
@@ -64,6 +65,7 @@ struct device_bank : word_bank<4> {
         return errc::none;
     }
 };
+//! [function]
 
 } // namespace
 

@@ -22,10 +22,12 @@ packages_of() {
         avr) echo clang-19 gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib ;;
         packaging) echo git cmake ninja-build g++ pkg-config python3 python3-yaml meson debhelper dpkg-dev lintian mmdebstrap ;;
         style) echo clang-format clang-tidy ;;
+        docs) echo doxygen doxygen-awesome-css graphviz g++ clang python3 ;;
         playground) echo clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 ;;
         browser) echo chromium nodejs npm ;;
+        newcomer) echo debootstrap ;;
         *)
-            echo "packages.sh: no group '$1'; the groups are examples build tests interop tool arm emulator clang afl bench portability avr packaging style playground browser" >&2
+            echo "packages.sh: no group '$1'; the groups are examples build tests interop tool arm emulator clang afl bench portability avr packaging style docs playground browser newcomer" >&2
             return 1
             ;;
     esac
@@ -34,9 +36,10 @@ packages_of() {
 # A tool counts however it came here; a library only counts as the package the build will look for.
 present() {
     case $1 in
-        cmake | make | c++ | g++ | clang | mbpoll | socat | tshark | pkg-config | qemu-system-arm | valgrind | strace | tmux | zsh | clang-format | clang-tidy | spin | git | chromium | npm)
+        cmake | make | c++ | g++ | clang | mbpoll | socat | tshark | pkg-config | qemu-system-arm | valgrind | strace | tmux | zsh | clang-format | clang-tidy | spin | git | doxygen | chromium | npm | debootstrap)
             command -v "$1" >/dev/null ;;
         ninja-build) command -v ninja >/dev/null ;;
+        graphviz) command -v dot >/dev/null ;;
         nodejs) command -v node >/dev/null ;;
         # Only the distribution's interpreter sees the distribution's modules.
         python3) [ -x /usr/bin/python3 ] ;;

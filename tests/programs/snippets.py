@@ -13,7 +13,8 @@ the page calls the reader's own. A frame is a file in `snippets/` that says whic
     // REST FROM: client link     from this line on it stands where `// REST` does
     // FOR: /* ... */ => a, b,    what the page leaves out
 
-A block without a frame of its own has `plain.cpp`. A frame without a block is an error, as is a page without any.
+A block without a frame of its own has `plain.cpp`. A frame without a block is an error, as is a page without any. A block that is
+the region of a program (docs/generate/snippets.py holds it to that) is compiled there.
 """
 import concurrent.futures
 import os
@@ -30,11 +31,13 @@ ALLOWED = ["-Wno-unused-variable", "-Wno-unused-but-set-variable", "-Wno-unused-
 # Clang 14 fails at some constructors only where it makes code.
 HOW = {"clang": ["-O0", "-c", "-o", os.devnull], "gcc": ["-fsyntax-only"]}
 BLOCK = re.compile(r"^```cpp\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+REGION = re.compile(r"^<!-- snippet: \S+ \S+ -->\n\Z", re.MULTILINE)
 
 
 def blocks(text):
     """The line number and the text of each block."""
-    return [(text.count("\n", 0, found.start(1)) + 1, found[1]) for found in BLOCK.finditer(text)]
+    return [(text.count("\n", 0, found.start(1)) + 1, found[1]) for found in BLOCK.finditer(text)
+            if not REGION.search(text[max(0, found.start() - 200):found.start()])]
 
 
 def marks(frame, mark):
@@ -97,7 +100,7 @@ def complaint(compiler, project, page, line, program):
 def main(project, *compilers):
     root = pathlib.Path(project)
     pages = {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8")
-             for path in [root / "README.md", *sorted((root / "docs").glob("*.md"))]}
+             for path in [root / "README.md", *sorted((root / "docs").rglob("*.md"))]}
     blocks = list(programs(pages, read_frames(FRAMES)))
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         jobs = [pool.submit(complaint, compiler, root, *each) for compiler in compilers for each in blocks]

@@ -3,13 +3,13 @@
 // The framer's table of states, each with each input. States are told apart by what a framer does next.
 #include <rtuwire/rtu/framer.hpp>
 
-#include <array>
-
+#include "rtu/framer_table.hpp"
 #include "support/proof.hpp"
 
 #include <rtuwire/core/hex.hpp>
 
 using namespace rtuwire;
+using namespace test::framer_table;
 
 namespace {
 
@@ -19,24 +19,6 @@ constexpr instant start{0xFFFF'FFFFU - 100'000U};
 constexpr auto request = "02 03 0C 1E 00 04 27 6C"_hex;
 constexpr auto reply_of_one = "02 03 02 12 00 F0 E4"_hex;
 constexpr auto other_byte = "55"_hex;
-
-enum class state { synchronising, idle, receiving, open_end, done };
-enum class input { byte, last_byte, open_last_byte, damaged_byte, t3_5, frame_end, poll_frame, restart, resynchronise };
-constexpr std::size_t states = 5;
-constexpr std::size_t inputs = 9;
-
-/// The next state, by state and input, in the order of the enumerations.
-constexpr auto table = [] {
-    using enum state;
-    return std::array<std::array<state, inputs>, states>{{
-        {synchronising, synchronising, synchronising, synchronising, synchronising, idle, synchronising, idle,
-         synchronising},
-        {receiving, receiving, receiving, receiving, idle, idle, idle, idle, synchronising},
-        {receiving, done, open_end, receiving, receiving, done, receiving, idle, synchronising},
-        {done, done, done, receiving, done, done, open_end, idle, synchronising},
-        {receiving, receiving, receiving, receiving, done, done, idle, idle, synchronising},
-    }};
-}();
 
 using listener = framer<direction::request>;
 
@@ -102,7 +84,7 @@ constexpr bool holds(state from, input what)
     bring(it, from, frame);
     apply(it, what);
     return take_state(before) == from and
-           take_state(it) == table[static_cast<std::size_t>(from)][static_cast<std::size_t>(what)];
+           take_state(it) == next[static_cast<std::size_t>(from)][static_cast<std::size_t>(what)];
 }
 
 template <std::size_t From> constexpr bool row_holds()

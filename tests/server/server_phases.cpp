@@ -3,47 +3,20 @@
 // The server's table of phases, each with each event. Phases are told apart by what a server does next.
 #include <rtuwire/server/server.hpp>
 
-#include <array>
-
+#include "server/phase_table.hpp"
 #include "support/proof.hpp"
 #include "support/server_on_a_line.hpp"
 
 #include <rtuwire/core/hex.hpp>
 
 using namespace rtuwire;
+using namespace test::server_table;
 
 namespace {
 
 constexpr auto read_1 = "01 03 00 01 00 01 D5 CA"_hex;
 constexpr auto everyone_writes_3 = "00 06 00 01 00 03 99 DA"_hex;
 constexpr auto noise = "55"_hex;
-
-enum class phase { listening, asked, responding, transmitting };
-enum class event {
-    request,
-    byte,
-    damaged_byte,
-    serve,
-    serve_broadcast,
-    poll_after_t3_5,
-    poll_before,
-    sent,
-    time_limit
-};
-constexpr std::size_t phases = 4;
-constexpr std::size_t events = 9;
-
-/// The next phase, by phase and event, in the order of the enumerations. A broadcast waits in `asked` only.
-constexpr auto table = [] {
-    using enum phase;
-    return std::array<std::array<phase, events>, phases>{{
-        {asked, listening, listening, listening, listening, listening, listening, listening, listening},
-        {asked, listening, asked, responding, listening, asked, asked, asked, listening},
-        {asked, listening, responding, responding, responding, transmitting, responding, responding, listening},
-        {transmitting, transmitting, transmitting, transmitting, transmitting, transmitting, transmitting, listening,
-         listening},
-    }};
-}();
 
 using unit_1 = test::server_on_a_line<>;
 
@@ -103,7 +76,7 @@ constexpr bool holds(phase from, event what)
     bring(it, from, asked);
     apply(it, what);
     return take_phase(before) == from and
-           take_phase(it) == table[static_cast<std::size_t>(from)][static_cast<std::size_t>(what)];
+           take_phase(it) == next[static_cast<std::size_t>(from)][static_cast<std::size_t>(what)];
 }
 
 template <std::size_t From> constexpr bool row_holds()

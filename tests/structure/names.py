@@ -13,13 +13,13 @@ import rules
 
 PAGE = "docs/names.md"
 # Who uses public names only.
-PROGRAMS, PAGES = ("examples", "tools"), ("README.md", "docs/*.md")
+PROGRAMS, PAGES = ("examples", "tools", "docs/snippets"), ("README.md", "docs/**/*.md")
 # A program with many names of its own, in a namespace of its own: the library's stand behind `rtuwire::` there.
 OWN_NAMES = {"tools"}
 USES_ALL = re.compile(r"\busing\s+namespace\s+rtuwire\b")
 QUALIFIED = re.compile(r"\brtuwire(::\w+)*::\Z")
 # Pages about the inside of the library.
-LEFT_OUT = {"changes.md", "engine-rules.md", "size-notes.md"}
+LEFT_OUT = {"engine-rules.md", "size-notes.md"}
 # The five main doors have this many names: enough for the work, few enough to be read.
 FEWEST, MOST = 70, 132
 MAIN_DOORS = ("client.hpp", "server.hpp", "drives.hpp", "sim.hpp", "port.hpp")
@@ -38,7 +38,7 @@ ROW = re.compile(r"^\|(?P<names>[^|]*`[^|]*)\|", re.MULTILINE)
 NAME = re.compile(r'`([\w:]+(?:"")?\w*)`')
 WORD = re.compile(r"(?<![\w.])(?<!->)[A-Za-z_]\w*")
 CODE = re.compile(r"```.*?```", re.DOTALL)
-TRANSCRIPT = re.compile(r"```\n\$ ")  # what a terminal shows
+TRANSCRIPT = re.compile(r"```(console)?\n\$ ")  # what a terminal shows
 INCLUDE = re.compile(r"#\s*include\s*<rtuwire/([^>]+)>")
 
 

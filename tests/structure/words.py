@@ -9,8 +9,8 @@ import re
 import sys
 
 FOLDERS = ("include", "tests", "examples", "bench", "fuzz")
-# Pages, of which what stands in code is read; the one that lists old names beside new ones is left out.
-PAGES, LEFT_OUT = ("README.md", "docs/*.md"), "changes.md"
+# Pages, of which what stands in code is read; CHANGELOG.md, which lists old names beside new ones, is none of them.
+PAGES = ("README.md", "docs/**/*.md")
 CODE = re.compile(r"```.*?```|`[^`\n]+`", re.DOTALL)
 
 # Parts of an identifier, between underscores, in any letters: what to take instead.
@@ -87,7 +87,7 @@ def complaints_of_page(path, text):
 def main(project):
     root = pathlib.Path(project)
     found, files = [], 0
-    for page in (page for pattern in PAGES for page in sorted(root.glob(pattern)) if page.name != LEFT_OUT):
+    for page in (page for pattern in PAGES for page in sorted(root.glob(pattern))):
         found += complaints_of_page(page.relative_to(root), page.read_text(encoding="utf-8"))
     for folder in FOLDERS:
         for path in sorted((root / folder).rglob("*.[ch]pp")):

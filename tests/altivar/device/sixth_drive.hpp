@@ -12,6 +12,7 @@ namespace atv99 {
 using namespace rtuwire;
 using namespace rtuwire::altivar;
 
+//! [registers]
 inline constexpr reg<command_word> cmd{.code = "CMD", .address = 52'000, .factory = 0};
 inline constexpr reg<signed_decihertz> lfr{.code = "LFR", .address = 52'001, .min = {-4000}, .max = {4000}};
 inline constexpr reg<signed_rpm> lfrd{.code = "LFRD", .address = 52'010};
@@ -42,7 +43,9 @@ inline constexpr reg<count16> iw3{.code = "IW3", .address = 1'122, .mode = acces
 inline constexpr reg<count16> ow1{.code = "OW1", .address = 1'130};
 inline constexpr reg<count16> ow2{.code = "OW2", .address = 1'131};
 inline constexpr reg<count16> ow3{.code = "OW3", .address = 1'132};
+//! [registers]
 
+//! [device]
 /// With a scanner of three words.
 struct device {
     static constexpr literal name{"atv99"};
@@ -77,6 +80,7 @@ struct device {
     using registers = table<cmd, lfr, lfrd, cmi, rfrd, eta, eti, rfr, lft, hsp, acc, dec, nsp, frs, add, tto, sll, fr1,
                             in1, in2, in3, out1, out2, out3, iw1, iw2, iw3, ow1, ow2, ow3>;
 };
+//! [device]
 
 /// Without it: the cycle reads and writes the registers themselves, by one request or by two.
 struct plain_device : device {

@@ -6,64 +6,21 @@
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/core/hex.hpp>
 
-#include <array>
 #include <cstddef>
 #include <sstream>
 #include <string>
 
+#include "client/line/phase_table.hpp"
 #include "support/asking.hpp"
 #include "support/catch.hpp"
 
 using namespace rtuwire;
 using enum rtuwire::client_phase;
+using namespace test::client_table;
 
 namespace {
 
-enum input : std::size_t {
-    visits,
-    transmit,
-    sent,
-    bytes,
-    response_taken,
-    busy,
-    damaged,
-    advance,
-    time_over,
-    cancel,
-    inputs
-};
-constexpr std::array<char const*, inputs> names{"visits", "transmit", "sent",    "bytes",     "response",
-                                                "busy",   "damaged",  "advance", "time_over", "cancel"};
-constexpr std::array<char const*, 9> phases{"idle",     "waiting", "ready",      "handed_out", "transmitting",
-                                            "awaiting", "pausing", "turnaround", "settled"};
-
-/// As in the header; without the names of the inputs, and without the phase that this request does not reach.
-constexpr char const* of_several_sendings = R"(
-idle         ready  .          .          .        .        .       .       .            .            .
-waiting      ready  .          .          .        .        .       .       .            settled      settled
-ready        .      handed_out .          waiting  waiting  waiting waiting .            settled      settled
-handed_out   .      .          awaiting   .        .        .       .       transmitting transmitting .
-transmitting .      .          awaiting   .        .        .       .       .            settled      .
-awaiting     .      .          .          .        settled  pausing waiting .            waiting      settled
-pausing      .      .          .          .        .        .       .       .            waiting      settled
-settled      idle   .          .          .        .        .       .       .            .            .
-)";
-constexpr char const* of_one_sending = R"(
-waiting      ready  .          .          .        .        .       .       .            settled      settled
-ready        .      handed_out .          settled  settled  settled settled .            settled      settled
-handed_out   .      .          awaiting   .        .        .       .       transmitting transmitting .
-transmitting .      .          awaiting   .        .        .       .       .            settled      .
-awaiting     .      .          .          .        settled  settled settled .            settled      settled
-settled      idle   .          .          .        .        .       .       .            .            .
-)";
-constexpr char const* of_a_broadcast = R"(
-waiting      ready  .          .          .        .        .       .       .            settled      settled
-ready        .      handed_out .          waiting  waiting  waiting waiting .            settled      settled
-handed_out   .      .          turnaround .        .        .       .       transmitting transmitting .
-transmitting .      .          turnaround .        .        .       .       .            turnaround   .
-turnaround   .      .          .          .        .        .       .       .            settled      .
-settled      idle   .          .          .        .        .       .       .            .            .
-)";
+enum input : std::size_t { visits, transmit, sent, bytes, response_taken, busy, damaged, advance, time_over, cancel };
 
 constexpr line_timing timing{19'200, character_format::even_8_1};
 constexpr auto to_unit = "01 03 0C 81 00 01 D7 72"_hex;
@@ -111,7 +68,6 @@ struct desk {
         case advance: return link.advance(now);
         case time_over: return pass(milliseconds(5'000));
         case cancel: return link.cancel(now);
-        case inputs: break;
         }
     }
 
@@ -167,7 +123,7 @@ void check(char const* table, request_frame const& request, retry_policy const& 
         for (std::size_t i = 0; i < inputs; ++i) {
             std::string to;
             REQUIRE(words >> to);
-            INFO(from << ", " << names[i]);
+            INFO(from << ", " << input_names[i]);
             desk it{request, policy};
             it.go_to(phase_of(from));
             REQUIRE(it.link.phase_now() == phase_of(from));
@@ -198,7 +154,7 @@ TEST_CASE("every phase with every input: a broadcast") { check(of_a_broadcast, r
 TEST_CASE("where no repetition is left, the end of awaiting is the end of the request")
 {
     for (input const what : {response_taken, busy, damaged, time_over, cancel}) {
-        INFO(names[what]);
+        INFO(input_names[what]);
         desk it{request_frame{to_unit}, without_retries};
         it.go_to(awaiting);
         it.take(what);

@@ -1,0 +1,25 @@
+#!/bin/sh
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+# Builds the documentation, with all it needs: sh docs/build.sh [OUTPUT]. Without OUTPUT it is build/docs/html/index.html.
+# A warning, a broken link, a refusal that a compiler does not make, an error without a remedy: each ends it.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+project=$(dirname "$here")
+build=$project/build/docs
+output=${1:-$build/html}
+
+began=$(date +%s)
+sh "$project/tests/packages.sh" docs
+/usr/bin/python3 -B "$here/generate/stage.py" "$project" "$build" /usr/share/doxygen-awesome-css
+doxygen "$build/Doxyfile"
+if [ -f "$here/playground/build.sh" ]; then
+    sh "$here/playground/build.sh" "$build/html/playground"
+fi
+/usr/bin/python3 -B "$here/generate/reference.py" "$build/html" "$build/tags.xml"
+/usr/bin/python3 -B "$here/generate/links.py" "$build/html"
+if [ "$output" != "$build/html" ]; then
+    mkdir -p "$output"
+    cp -R "$build/html/." "$output/"
+fi
+echo "documentation: $output/index.html, in $(($(date +%s) - began)) s"

@@ -1,0 +1,83 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""The headers as the reference shows them: the public names, without the namespace of the build and without what is marked
+internal."""
+import pathlib
+import re
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parents[1] / "tests" / "structure"))
+import declarations  # noqa: E402  (the reader that holds docs/names.md to the headers)
+
+INTERNAL = re.compile(r"\bInternal\b")
+INTERNAL_HEADER = re.compile(r"^// Internal\b", re.MULTILINE)
+
+
+NAMESPACES = {
+    "rtuwire": "All names of the library; docs/names.md sorts them by what they are for.",
+    "rtuwire::altivar": "Altivar drives: orders, set-up, what all of them share.",
+    "rtuwire::altivar::atv12": "The registers and words of an ATV12, by the mnemonics of its manual.",
+    "rtuwire::altivar::atv28": "The registers and words of an ATV28, and what only this drive has.",
+    "rtuwire::altivar::atv310": "The registers and words of an ATV310, by both revisions of its manual.",
+    "rtuwire::altivar::atv320": "The registers and words of an ATV320.",
+    "rtuwire::cia402": "The drive profile: states, commands, transitions.",
+    "rtuwire::sim": "Simulated drives and lines, in virtual time.",
+    "rtuwire::units": "Amounts whose short name has another meaning.",
+    "rtuwire::literals": "Amounts as they are written: 50_Hz.",
+}
+
+
+def is_internal_header(text):
+    return INTERNAL_HEADER.search(text.partition("#pragma once")[0]) is not None
+
+
+def blanked(piece):
+    """The same lines with nothing on them: what Doxygen reports keeps its line."""
+    return re.sub(r"[^\n]", "", piece)
+
+
+def comment_begin(text, begin):
+    """Where the `///` lines right before a place begin."""
+    at = text.rfind("\n", 0, begin) + 1
+    while at > 0:
+        before = text.rfind("\n", 0, at - 1) + 1
+        if not text[before:at].strip().startswith("///"):
+            break
+        at = before
+    return at
+
+
+def specialises(words, names):
+    """Whether a declaration is a special case, or a part, of one of these."""
+    return any(re.search(rf"\b{name}\s*<", re.split(r"[{=;]", words, maxsplit=1)[0]) for name in names)
+
+
+def without_internal(text):
+    code = declarations.code_of(text)
+    pieces, done, hidden = [], 0, set()
+    for _, begin, end in declarations.statements(code):
+        first = begin + len(code[begin:end]) - len(code[begin:end].lstrip())
+        start = text.rfind("\n", 0, first) + 1
+        comment = declarations.comment_before(text, start)
+        if INTERNAL.search(comment) or (not comment and specialises(code[first:end], hidden)):
+            named = declarations.name_of(code[first:end])
+            hidden.update(named[1:] if named else ())
+            cut = comment_begin(text, first)
+            pieces += [text[done:cut], blanked(text[cut:end])]
+            done = end
+    return "".join(pieces) + text[done:]
+
+
+def stage(project, target):
+    """Writes the headers that a program may know of."""
+    for path in sorted((project / "include").rglob("*.hpp")):
+        text = path.read_text(encoding="utf-8")
+        if is_internal_header(text):
+            continue
+        shown = without_internal(text).replace("namespace rtuwire::inline RTUWIRE_BUILD", "namespace rtuwire")
+        place = target / path.relative_to(project / "include")
+        place.parent.mkdir(parents=True, exist_ok=True)
+        place.write_text(shown, encoding="utf-8")
+    described = "".join(f"/** \\namespace {name}\n {words} */\n" for name, words in NAMESPACES.items())
+    (target / "namespaces.hpp").write_text(described, encoding="utf-8")

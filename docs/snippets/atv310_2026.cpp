@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// What the page of the ATV310 by its manual of 2026 shows, run against a simulated one: connect, look, start, stop, cycle, reset.
+#include <iostream>
+
+#include <rtuwire/altivar/atv310.hpp>
+#include <rtuwire/client.hpp>
+#include <rtuwire/drives.hpp>
+#include <rtuwire/print.hpp>
+#include <rtuwire/sim.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+
+int main()
+{
+    //! [connect]
+    constexpr station<atv310::device_2026> drive{unit_id{7}};
+    constexpr line_timing timing{19'200, character_format::even_8_1};
+    sim::bench line{timing, drive}; // a simulated one; on a host a blocking_client takes its place
+    auto const volts = line.run(read<atv310::uln>(drive));
+    if (not volts) {
+        std::cout << "no line voltage: " << volts.error() << '\n';
+        return 1;
+    }
+    std::cout << "line voltage " << *volts << '\n'; // the keypad has to show the same
+    //! [connect]
+
+    //! [limits]
+    // One plan, as many requests as this drive needs for it.
+    using monitor = read_plan<atv310::device_2026, atv310::eta, atv310::rfr, atv310::lcr, atv310::hsp>;
+    poller<monitor> panel{drive};
+    if (auto const round = line.run(panel); not round) {
+        std::cout << "no values: " << round.error() << '\n';
+        return 1;
+    }
+    std::cout << panel.latest().get<atv310::rfr>() << " by " << monitor::request_count << " requests\n";
+    //! [limits]
+
+    //! [start]
+    start go{drive, 30_Hz}; // checks the drive first
+    std::cout << "start: " << line.run(go) << '\n';
+    change_reference faster{drive, 40_Hz};
+    std::cout << "faster: " << line.run(faster) << '\n';
+    stop rest{drive, stop_by::ramp};
+    std::cout << "stop: " << line.run(rest) << '\n';
+    //! [start]
+
+    line.drive().inject_fault(9);
+    //! [fault]
+    go = start{drive, 30_Hz};
+    std::cout << "start in a fault: " << line.run(go) << '\n';
+    std::cout << name_of(static_cast<atv310::fault_code>(go.reason().fault)) << '\n';
+    //! [fault]
+    line.drive().clear_cause();
+    //! [reset]
+    reset_fault clear{drive};
+    std::cout << "reset: " << line.run(clear) << '\n';
+    //! [reset]
+
+    //! [cycle]
+    cyclic loop{drive, {.period = milliseconds(100)}};
+    auto const runs = [&] {
+        static_cast<void>(loop.run(900_rpm)); // no effect until the drive was checked, nor while it stands so
+        return loop.control().is_ordered() and loop.speed() > 600;
+    };
+    bool const has_run = line.run_until(runs, milliseconds(20'000), loop);
+    loop.stop();
+    bool const has_stopped =
+        line.run_until([&] { return line.drive().motor().is_at_rest(); }, milliseconds(20'000), loop);
+    //! [cycle]
+
+    bool const is_right = faster.succeeded() and rest.succeeded() and has_run and has_stopped and
+                          go.reason().kind == outcome_kind::in_fault and clear.succeeded();
+    return is_right and monitor::request_count == 2 ? 0 : 1;
+}

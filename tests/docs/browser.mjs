@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Opens the built site from the disk in Chromium, as a phone and as a desktop, in light and in dark: nothing on a page may
+// complain, be wider than the screen or be illegible, and the search has to find what is there.
+//
+//     node browser.mjs SITE SCREENS
+import {strict as assert} from "node:assert";
+import fs from "node:fs";
+import path from "node:path";
+import {pathToFileURL} from "node:url";
+import {chromium} from "playwright-core";
+
+const [site, screens] = process.argv.slice(2);
+const flags = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+    "--disable-component-update", "--disable-sync"];
+const sizes = {phone: {width: 390, height: 844}, desktop: {width: 1280, height: 900}};
+// One of each kind of page; all of the guides are visited on the phone.
+const shown = ["index", "start_two_commands", "start_wiring", "drives_atv320", "concepts", "errors", "names", "figures",
+    "classrtuwire_1_1basic__client"];
+const limit = 60_000; // of a busy machine; no result depends on it
+const wanted = {"crc mismatch": null, "blocking_client": "blocking_client", "wiring": "Wiring", "start": "start"};
+
+const address = (page) => pathToFileURL(path.join(site, `${page}.html`)).href;
+const guides = fs.readdirSync(site).filter((name) => /^[a-z][a-z0-9_]*\.html$/.test(name))
+    .map((name) => name.replace(/\.html$/, ""))
+    .filter((name) => !/^(class|struct|namespace|concept|functions|globals|files|annotated|classes|hierarchy)/.test(name) &&
+        !/_8(hpp|md)/.test(name) && !/^dir_/.test(name));
+
+/// What a page says of itself.
+const measured = () => {
+    const luminance = (colour) => {
+        const [r, g, b] = colour.match(/[\d.]+/g).map((part) => {
+            const value = part / 255;
+            return value <= 0.03928 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+        });
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    };
+    const text = document.querySelector(".contents p, .contents td, .contents li") ?? document.querySelector(".contents");
+    const [one, other] = [getComputedStyle(text).color, getComputedStyle(document.body).backgroundColor].map(luminance);
+    return {
+        wide: document.documentElement.scrollWidth - document.documentElement.clientWidth,
+        contrast: (Math.max(one, other) + 0.05) / (Math.min(one, other) + 0.05),
+        ground: other,
+        title: document.title,
+    };
+};
+
+async function visit(browser, name, scheme, size, take) {
+    const context = await browser.newContext({viewport: sizes[size], colorScheme: scheme});
+    const page = await context.newPage();
+    page.setDefaultTimeout(limit);
+    const complaints = [];
+    page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
+    page.on("pageerror", (error) => complaints.push(String(error)));
+    page.on("request", (request) => !/^(file|data):/.test(request.url()) && complaints.push(`asks for ${request.url()}`));
+    await page.goto(address(name), {waitUntil: "load"});
+    const seen = await page.evaluate(measured);
+    if (take) {
+        await page.screenshot({path: path.join(screens, `${name}-${size}-${scheme}.png`)});
+    }
+    await context.close();
+    const where = `${name} on a ${size} in ${scheme}`;
+    assert.deepEqual(complaints, [], `${where} complains`);
+    assert.ok(seen.wide <= 0, `${where} is ${seen.wide} pixels wider than the screen`);
+    assert.ok(seen.contrast >= 4.5, `${where} has text of a contrast of ${seen.contrast}`);
+    assert.ok(scheme === "dark" ? seen.ground < 0.2 : seen.ground > 0.8, `${where} has a ground of ${seen.ground}`);
+    assert.match(seen.title, /rtuwire/, `${where} has the title '${seen.title}'`);
+}
+
+/// Types into the search, and follows what it finds.
+async function search(browser, words, expected) {
+    const page = await browser.newPage({viewport: sizes.desktop});
+    page.setDefaultTimeout(limit);
+    await page.goto(address("index"), {waitUntil: "load"});
+    await page.click("#MSearchField");
+    await page.type("#MSearchField", words);
+    const frame = page.frameLocator("#MSearchResults");
+    const results = frame.locator(".SRResult:visible");
+    if (expected === null) {
+        await frame.locator("#NoMatches:visible").waitFor();
+        await page.close();
+        return;
+    }
+    await results.first().waitFor();
+    const texts = await results.allInnerTexts();
+    assert.ok(texts.some((text) => text.includes(expected)), `'${words}' finds ${texts.join(", ")}`);
+    await results.filter({hasText: expected}).first().locator("a").first().click();
+    await page.waitForURL(/\.html/);
+    await page.close();
+}
+
+/// The switch turns a page dark, and the next page keeps it.
+async function toggle(browser) {
+    const context = await browser.newContext({viewport: sizes.desktop, colorScheme: "light"});
+    const page = await context.newPage();
+    page.setDefaultTimeout(limit);
+    await page.goto(address("index"), {waitUntil: "load"});
+    await page.click("doxygen-awesome-dark-mode-toggle");
+    assert.ok((await page.evaluate(measured)).ground < 0.2, "the switch does not make the page dark");
+    await page.goto(address("figures"), {waitUntil: "load"});
+    assert.ok((await page.evaluate(measured)).ground < 0.2, "the next page is light again");
+    await context.close();
+}
+
+fs.mkdirSync(screens, {recursive: true});
+assert.ok(guides.length >= 40, `the site has only ${guides.length} guides`);
+const browser = await chromium.launch({executablePath: "/usr/bin/chromium", args: flags});
+try {
+    let pages = 0;
+    for (const size of Object.keys(sizes)) {
+        for (const scheme of ["light", "dark"]) {
+            for (const name of shown) {
+                await visit(browser, name, scheme, size, true);
+                ++pages;
+            }
+        }
+    }
+    for (const name of guides.filter((guide) => !shown.includes(guide))) {
+        await visit(browser, name, "dark", "phone", false);
+        ++pages;
+    }
+    for (const [words, expected] of Object.entries(wanted)) {
+        await search(browser, words, expected);
+    }
+    await toggle(browser);
+    console.log(`${pages} pages looked at, ${Object.keys(wanted).length} searches, screens in ${screens}`);
+} finally {
+    await browser.close();
+}

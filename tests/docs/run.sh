@@ -1,0 +1,20 @@
+#!/bin/sh
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+# Builds the documentation with all it needs, follows its links, and looks at it in Chromium. Screens are kept in
+# build/docs/screens.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+project=$(cd "$here/../.." && pwd)
+build=$project/build/docs
+
+/usr/bin/python3 -B "$here/test_generate.py"
+/usr/bin/python3 -B "$project/docs/generate/snippets.py" "$project"
+sh "$project/docs/build.sh"
+
+sh "$project/tests/packages.sh" browser
+mkdir -p "$build/browser"
+cp "$here/browser.mjs" "$build/browser/"
+# Chromium is Debian's: the package brings none.
+(cd "$build/browser" && PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD=1 npm install --no-audit --no-fund --no-save --silent playwright-core@1)
+(cd "$build/browser" && node browser.mjs "$build/html" "$build/screens")

@@ -1,0 +1,163 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""What makes the site refuses what is wrong: a dead link, an unlisted page, a block that differs from its program, an error
+without a remedy, a refusal without its sentence."""
+import pathlib
+import sys
+import tempfile
+import unittest
+
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(PROJECT / "docs" / "generate"))
+import diagrams  # noqa: E402
+import gallery  # noqa: E402
+import headers  # noqa: E402
+import links  # noqa: E402
+import pages  # noqa: E402
+import snippets  # noqa: E402
+
+
+class Folder(unittest.TestCase):
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.place = pathlib.Path(place.name)
+
+    def write(self, name, text):
+        path = self.place / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+
+class Links(Folder):
+    def found(self):
+        return list(links.broken(self.place.resolve(), links.read(self.place.resolve())))
+
+    def test_a_link_that_leads_somewhere(self):
+        self.write("a.html", '<a href="b.html#there">b</a> <a href="https://nobody.invalid/">out</a>')
+        self.write("b.html", '<p id="there">x</p><a href="#there">up</a>')
+        self.assertEqual(self.found(), [])
+
+    def test_a_file_that_is_not_there(self):
+        self.write("a.html", '<a href="b.html">b</a>')
+        self.assertEqual(self.found(), ["a.html:1: b.html: no such file"])
+
+    def test_a_place_that_is_not_there(self):
+        self.write("a.html", '<a href="#nowhere">b</a>')
+        self.assertEqual(self.found(), ["a.html:1: #nowhere: no such place"])
+
+    def test_a_picture_and_a_script(self):
+        self.write("a.html", '<img src="p.png"><script src="s.js"></script>')
+        self.assertEqual(len(self.found()), 2)
+
+    def test_a_link_out_of_the_site(self):
+        self.write("outside.html", "x")
+        self.write("site/a.html", '<a href="../outside.html">b</a>')
+        site = (self.place / "site").resolve()
+        self.assertEqual(list(links.broken(site, links.read(site))), ["a.html:1: ../outside.html leads out of the site"])
+
+
+class Pages(Folder):
+    def staged(self, text, **made):
+        self.write("README.md", text)
+        self.write("docs/other.md", "# Other\n\n## A part, with `code`\n")
+        return pages.Pages(self.place, made).staged("README.md")
+
+    def test_a_link_becomes_one_of_the_site(self):
+        out = self.staged("# One\n\nSee [there](docs/other.md#a-part-with-code).\n")
+        self.assertIn('<a href="other.html#other-a-part-with-code">there</a>', out)
+
+    def test_a_file_name_becomes_a_title(self):
+        self.assertIn('<a href="other.html">Other</a>', self.staged("# One\n\n[docs/other.md](docs/other.md)\n"))
+
+    def test_a_link_in_code_stays(self):
+        self.assertIn("[x](docs/none.md)", self.staged("# One\n\n```\n[x](docs/none.md)\n```\n"))
+
+    def test_a_dead_link(self):
+        for link in ("docs/none.md", "docs/other.md#none", "#none"):
+            with self.assertRaises(pages.BrokenLink):
+                self.staged(f"# One\n\n[x]({link})\n")
+
+    def test_what_nothing_makes(self):
+        with self.assertRaises(pages.BrokenLink):
+            self.staged("# One\n\n<!-- generated: nothing -->\n")
+
+    def test_a_region_is_taken_from_its_program(self):
+        out = self.staged("# One\n\n<!-- snippet: examples/a.cpp part -->\n```cpp\nold\n```\nend\n")
+        self.assertIn("\\snippet regions/examples/a.cpp part", out)
+        self.assertNotIn("old", out)
+
+
+class Snippets(Folder):
+    def found(self, block):
+        self.write("README.md", f"<!-- snippet: a.cpp part -->\n```cpp\n{block}```\n")
+        self.write("a.cpp", "int a;\n    //! [part]\n    int b;\n    //! [part]\n")
+        return list(snippets.check(self.place, self.place / "README.md"))
+
+    def test_the_same(self):
+        self.assertEqual(self.found("int b;\n"), [])
+
+    def test_another(self):
+        self.assertIn("is not what a.cpp has", self.found("int c;\n")[0])
+
+    def test_a_region_that_is_not_there(self):
+        self.write("README.md", "<!-- snippet: a.cpp none -->\n```cpp\n```\n")
+        self.write("a.cpp", "int a;\n")
+        self.assertIn("0 regions [none]", list(snippets.check(self.place, self.place / "README.md"))[0])
+
+
+class Gallery(Folder):
+    def errors(self, comment, names='case errc::none: return "no";\ncase errc::bad: return "bad";\n'):
+        self.write("include/rtuwire/wire/errc.hpp", f"    /// No error.\n    none = 0x00,\n{comment}    bad = 0x01,\n")
+        self.write("include/rtuwire/wire/errc_name.hpp", names)
+        return gallery.errors(self.place)
+
+    def test_cause_and_remedy(self):
+        found = self.errors("    /// It is bad.\n    /// Remedy: Make it\n    /// good.\n")
+        self.assertEqual(found[1], ("0x01", "bad", "bad", "It is bad.", "Make it good."))
+
+    def test_no_remedy_and_no_comment(self):
+        for comment in ("    /// It is bad.\n", ""):
+            with self.assertRaises(ValueError):
+                self.errors(comment)
+
+    def test_a_name_that_is_missing(self):
+        with self.assertRaises((ValueError, KeyError)):
+            self.errors("    /// Bad.\n    /// Remedy: Good.\n", 'case errc::none: return "no";\n')
+
+    def test_a_refusal_that_says_something_else(self):
+        self.write("x.cpp", "// EXPECT: never said\nint main() {\n#ifdef REFUSED\nstatic_assert(false, \"said\");\n#endif\n}\n")
+        refusal = gallery.Refusal(self.place / "x.cpp")
+        with self.assertRaises(ValueError):
+            gallery.refused(self.place, refusal, "g++", ())
+
+    def test_an_act_that_is_accepted(self):
+        self.write("x.cpp", "// EXPECT: said\nint main() {}\n")
+        with self.assertRaises(ValueError):
+            gallery.refused(self.place, gallery.Refusal(self.place / "x.cpp"), "g++", ())
+
+    def test_long_output_keeps_the_sentence(self):
+        text = "\n".join(["x"] * 40 + ["error: said"] + ["y"] * 3)
+        self.assertEqual(gallery.shortened(text, ["said"]).split("\n"), ["x"] * gallery.MOST_LINES + ["...", "error: said", "..."])
+
+
+class Headers(unittest.TestCase):
+    def test_what_is_internal_is_left_out(self):
+        text = "#pragma once\nnamespace a {\n/// Shown.\nstruct b {};\n/// Hidden.\n/// Internal.\nstruct c {\n  int d;\n};\n} // namespace a\n"
+        out = headers.without_internal(text)
+        self.assertIn("struct b", out)
+        self.assertNotIn("struct c", out)
+        self.assertEqual(out.count("\n"), text.count("\n"))
+
+
+class Diagrams(unittest.TestCase):
+    def test_arrows_are_joined_and_loops_left_out(self):
+        self.assertEqual(diagrams.joined([("a", "x", "b"), ("a", "y", "b"), ("a", "z", "a")]), [("a", "b", "x\\ny")])
+
+    def test_a_picture_takes_the_colours_of_its_page(self):
+        out = diagrams.recoloured('<path stroke="black"/><text x="1">w</text>')
+        self.assertEqual(out, '<path stroke="currentColor"/><text fill="currentColor" x="1">w</text>')
+
+
+if __name__ == "__main__":
+    unittest.main()
