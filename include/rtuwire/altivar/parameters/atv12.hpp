@@ -191,80 +191,81 @@ inline constexpr reg<signed_count16> ao1c{.code = "AO1C", .address = 5271, .mode
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv12::groups {
 
 /// What the drive shows.
-using monitoring =
-    parameter_list<eta, rfr, frh, lcr, eti, uln, thd, opr, rthi, pth, tac, pet, fth, hmis, tac2, crc, ccc, thr>;
+struct monitoring
+    : parameter_list<eta, rfr, frh, lcr, eti, uln, thd, opr, rthi, pth, tac, pet, fth, hmis, tac2, crc, ccc, thr> {};
 
 /// Words that command the drive, and its speed mode.
-using control = parameter_list<rpr, cmd, lfr, pisp, cmi, cmdd, lfrd, etad, rfrd>;
+struct control : parameter_list<rpr, cmd, lfr, pisp, cmi, cmdd, lfrd, etad, rfrd> {};
 
 /// Where commands and references come from.
-using command = parameter_list<rin, chcf, fr1, cd1, flo, floc, tcc, tct, rrs, pst>;
+struct command : parameter_list<rin, chcf, fr1, cd1, flo, floc, tcc, tct, rrs, pst> {};
 
 /// Everyday settings.
-using settings = parameter_list<hsp, lsp, acc, dec, ith, ctd, ftd>;
+struct settings : parameter_list<hsp, lsp, acc, dec, ith, ctd, ftd> {};
 
 /// The motor and its control.
-using motor_control = parameter_list<bfr, sft, sfr, tfr, nrd, sfc, uns, frs, ncr, nsp, cos, ctt, tun, npr, stun, flg,
-                                     sta, ufr, pfl, slp, spgu, rsm, rsmi>;
+struct motor_control : parameter_list<bfr, sft, sfr, tfr, nrd, sfc, uns, frs, ncr, nsp, cos, ctt, tun, npr, stun, flg,
+                                      sta, ufr, pfl, slp, spgu, rsm, rsmi> {};
 
 /// Analog inputs and outputs.
-using analog_io = parameter_list<ai1t, crl1, crh1, ao1t, ao1, ai1i, ai1r, ao1r, aiv1>;
+struct analog_io : parameter_list<ai1t, crl1, crh1, ao1t, ao1, ai1i, ai1r, ao1r, aiv1> {};
 
 /// Logic inputs and outputs, and relays.
-using logic_io = parameter_list<npl, r1s, lo1s, r1, lo1, il1i, ol1r>;
+struct logic_io : parameter_list<npl, r1s, lo1s, r1, lo1, il1i, ol1r> {};
 
 /// Lines and networks.
-using communication = parameter_list<add, tbr, tfo, tto>;
+struct communication : parameter_list<add, tbr, tfo, tto> {};
 
 /// The scanner: words that one request moves.
-using scanner = parameter_list<nma1, nma2, nma3, nma4, nca1, nca2, nca3, nca4, nm1, nm2, nm3, nm4, nc1, nc2, nc3, nc4>;
+struct scanner
+    : parameter_list<nma1, nma2, nma3, nma4, nca1, nca2, nca3, nca4, nm1, nm2, nm3, nm4, nc1, nc2, nc3, nc4> {};
 
 /// Reactions to faults.
-using faults = parameter_list<epl, sll, lfl1, lff, lft, inh, cic, etf, mtm>;
+struct faults : parameter_list<epl, sll, lfl1, lff, lft, inh, cic, etf, mtm> {};
 
 /// Load monitoring.
-using process_monitoring = parameter_list<ult, ftu, lul, tol, fto, loc>;
+struct process_monitoring : parameter_list<ult, ftu, lul, tol, fto, loc> {};
 
 /// What drive this is.
-using identification = parameter_list<ncv, vcal, inv, spn, vdp>;
+struct identification : parameter_list<ncv, vcal, inv, spn, vdp> {};
 
 /// Saving and recalling configurations.
-using configuration = parameter_list<cfg, scs, fcs>;
+struct configuration : parameter_list<cfg, scs, fcs> {};
 
 /// States at past faults.
-using history_state = parameter_list<dp0, dp1, dp2, dp3, dp4, ep0, ep1, ep2, ep3, ep4>;
+struct history_state : parameter_list<dp0, dp1, dp2, dp3, dp4, ep0, ep1, ep2, ep3, ep4> {};
 
 /// Measurements at past faults.
-using history_values =
-    parameter_list<lcp1, lcp2, lcp3, lcp4, rfp1, rfp2, rfp3, rfp4, rtp1, rtp2, rtp3, rtp4, ulp1, ulp2, ulp3, ulp4, otp1,
-                   otp2, otp3, otp4, tdp1, tdp2, tdp3, tdp4, tjp1, tjp2, tjp3, tjp4, sfp1, sfp2, sfp3, sfp4>;
+struct history_values
+    : parameter_list<lcp1, lcp2, lcp3, lcp4, rfp1, rfp2, rfp3, rfp4, rtp1, rtp2, rtp3, rtp4, ulp1, ulp2, ulp3, ulp4,
+                     otp1, otp2, otp3, otp4, tdp1, tdp2, tdp3, tdp4, tjp1, tjp2, tjp3, tjp4, sfp1, sfp2, sfp3, sfp4> {};
 
 /// Preset speeds, jogging and other references.
-using functions_speed = parameter_list<jog, jgf, jpf, ps2, ps4, ps8, sp2, sp3, sp4, sp5, sp6, sp7, sp8, tls, sle, sh2,
-                                       sh4, hsu, hsp2, hsp3, hsp4>;
+struct functions_speed : parameter_list<jog, jgf, jpf, ps2, ps4, ps8, sp2, sp3, sp4, sp5, sp6, sp7, sp8, tls, sle, sh2,
+                                        sh4, hsu, hsp2, hsp3, hsp4> {};
 
 /// Ramps.
-using functions_ramp = parameter_list<bra, rpt, rps, ac2, de2>;
+struct functions_ramp : parameter_list<bra, rpt, rps, ac2, de2> {};
 
 /// Stopping and DC injection.
-using functions_stop = parameter_list<adc, tdc1, sdc1, stt, nst, fst, dcf>;
+struct functions_stop : parameter_list<adc, tdc1, sdc1, stt, nst, fst, dcf> {};
 
 /// The PID regulator.
-using functions_pid = parameter_list<pif, fbs, pii, pr2, pr4, rpl, rph, rpi, rp2, rp3, rp4, pic, rpg, rig, rdg, pim,
-                                     sfs, rsl, upp, lpi, tpi, mpi, pau, rpe, rpf, rpc, prp>;
+struct functions_pid : parameter_list<pif, fbs, pii, pr2, pr4, rpl, rph, rpi, rp2, rp3, rp4, pic, rpg, rig, rdg, pim,
+                                      sfs, rsl, upp, lpi, tpi, mpi, pau, rpe, rpf, rpc, prp> {};
 
 /// Pumps and fans.
-using functions_pump = parameter_list<nfd, ffd, lfd, mde, fon, fof, ton, tof, ron, rof>;
+struct functions_pump : parameter_list<nfd, ffd, lfd, mde, fon, fof, ton, tof, ron, rof> {};
 
 /// Torque and current limits.
-using functions_limits = parameter_list<cli>;
+struct functions_limits : parameter_list<cli> {};
 
 } // namespace rtuwire::altivar::atv12::groups
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv12::unverified {
 
 /// Analog inputs and outputs.
-using analog_io = parameter_list<ai1c, ao1c>;
+struct analog_io : parameter_list<ai1c, ao1c> {};
 
 } // namespace rtuwire::altivar::atv12::unverified
 

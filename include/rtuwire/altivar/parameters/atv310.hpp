@@ -33,47 +33,48 @@ inline constexpr reg<configuration_recall> fcs{.code = "FCS", .address = 8002, .
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv310::groups {
 
 /// What the drive shows.
-using monitoring = parameter_list<eta, rfr, frh, lcr, eti, uln, thd, opr, rthi, pth, hmis, crc, ccc, thr>;
+struct monitoring : parameter_list<eta, rfr, frh, lcr, eti, uln, thd, opr, rthi, pth, hmis, crc, ccc, thr> {};
 
 /// Words that command the drive, and its speed mode.
-using control = parameter_list<rpr, cmd, lfr, pisp, cmi, cmdd, lfrd, etad, rfrd>;
+struct control : parameter_list<rpr, cmd, lfr, pisp, cmi, cmdd, lfrd, etad, rfrd> {};
 
 /// Where commands and references come from.
-using command = parameter_list<chcf, fr1, cd1, flo>;
+struct command : parameter_list<chcf, fr1, cd1, flo> {};
 
 /// Everyday settings.
-using settings = parameter_list<hsp, lsp, acc, dec, ith>;
+struct settings : parameter_list<hsp, lsp, acc, dec, ith> {};
 
 /// The motor and its control.
-using motor_control = parameter_list<bfr, sfr, tfr, uns, frs, ncr, nsp, cos, ctt, tun, npr>;
+struct motor_control : parameter_list<bfr, sfr, tfr, uns, frs, ncr, nsp, cos, ctt, tun, npr> {};
 
 /// Analog inputs and outputs.
-using analog_io = parameter_list<aiv1>;
+struct analog_io : parameter_list<aiv1> {};
 
 /// Lines and networks.
-using communication = parameter_list<add, tbr, tfo, tto>;
+struct communication : parameter_list<add, tbr, tfo, tto> {};
 
 /// The scanner: words that one request moves.
-using scanner = parameter_list<nma1, nma2, nma3, nma4, nma5, nma6, nma7, nma8, nca1, nca2, nca3, nca4, nca5, nca6, nca7,
-                               nca8, nm1, nm2, nm3, nm4, nm5, nm6, nm7, nm8, nc1, nc2, nc3, nc4, nc5, nc6, nc7, nc8>;
+struct scanner
+    : parameter_list<nma1, nma2, nma3, nma4, nma5, nma6, nma7, nma8, nca1, nca2, nca3, nca4, nca5, nca6, nca7, nca8,
+                     nm1, nm2, nm3, nm4, nm5, nm6, nm7, nm8, nc1, nc2, nc3, nc4, nc5, nc6, nc7, nc8> {};
 
 /// Reactions to faults.
-using faults = parameter_list<sll, lft, cic>;
+struct faults : parameter_list<sll, lft, cic> {};
 
 /// What drive this is.
-using identification = parameter_list<ncv, vcal, inv, vdp>;
+struct identification : parameter_list<ncv, vcal, inv, vdp> {};
 
 /// Saving and recalling configurations.
-using configuration = parameter_list<scs, fcs>;
+struct configuration : parameter_list<scs, fcs> {};
 
 /// States at past faults.
-using history_state = parameter_list<dp0, dp1, dp2, dp3, dp4>;
+struct history_state : parameter_list<dp0, dp1, dp2, dp3, dp4> {};
 
 /// Ramps.
-using functions_ramp = parameter_list<ac2, de2>;
+struct functions_ramp : parameter_list<ac2, de2> {};
 
 /// Stopping and DC injection.
-using functions_stop = parameter_list<stt>;
+struct functions_stop : parameter_list<stt> {};
 
 } // namespace rtuwire::altivar::atv310::groups
 

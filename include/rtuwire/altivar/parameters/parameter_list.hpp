@@ -17,26 +17,40 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
-/// Registers of one group.
+/// Registers of one group; a group is a class of its own that derives from its list, for the sake of short names.
 template <auto const&... Registers> struct parameter_list {
     static constexpr std::size_t size = sizeof...(Registers);
     using registers = table<Registers...>;
 
     /// The same as rows.
-    static constexpr std::array<parameter, size> rows{parameter_of(Registers)...};
+    [[nodiscard]] static consteval std::array<parameter, size> made_rows() noexcept
+    {
+        return {parameter_of(Registers)...};
+    }
 };
 
-/// The registers of some lists as those of a device. Not one table of a thousand registers: the compiler then makes what
-/// it asks for only, and a register's name in a message stays short. That no register is in two lists, a test sees to.
-template <typename... Lists> class grouped_table {
+/// The rows of a group.
+template <typename Group> inline constexpr auto rows_of = Group::made_rows();
+
+/// The registers of some groups as those of a device. Not one table of a thousand registers: the compiler then makes what
+/// it asks for only, and a message names the groups. That no register is in two of them, a test sees to.
+template <typename... Groups> class grouped_table {
 public:
-    static constexpr std::size_t size = (Lists::size + ... + 0);
+    static constexpr std::size_t size = (Groups::size + ... + 0);
 
     /// Whether there is a register at an address.
     [[nodiscard]] static constexpr bool has_address(std::uint16_t address,
                                                     register_space space = register_space::holding) noexcept
     {
-        return (Lists::registers::has_address(address, space) or ...);
+        return (Groups::registers::has_address(address, space) or ...);
+    }
+
+    /// Whether a register is this device's.
+    [[nodiscard]] static constexpr bool holds(asked_register const& asked) noexcept
+    {
+        return ((Groups::registers::has_address(asked.address, asked.space) and
+                 Groups::registers::holds_all(std::array{asked})) or
+                ...);
     }
 
     /// Whether all of some registers are this device's.
@@ -44,20 +58,22 @@ public:
     [[nodiscard]] static constexpr bool holds_all(std::array<asked_register, Count> const& all_asked) noexcept
     {
         for (asked_register const& asked : all_asked) {
-            if (not(Lists::registers::holds_all(std::array{asked}) or ...)) {
+            if (not holds(asked)) {
                 return false;
             }
         }
         return true;
     }
 
-    /// Whether a register is one of this device's, or one of them counted in other steps.
-    template <auto const& R> static constexpr bool contains = (Lists::registers::template contains<R> or ...);
+    /// Whether a register is one of this device's, or one of them counted in other steps. Asked of a function: a constant
+    /// of each group would be one more template for each register and group.
+    template <auto const& R>
+    static constexpr bool contains = holds({R.address, R.space, &R, R.counted_as, R.is_restepped});
 
     /// Calls `visit.template operator()<R>()` for each register.
     template <typename Visit> static constexpr void for_each(Visit&& visit)
     {
-        (Lists::registers::for_each(visit), ...);
+        (Groups::registers::for_each(visit), ...);
     }
 };
 

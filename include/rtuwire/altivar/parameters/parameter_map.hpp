@@ -21,11 +21,11 @@ struct parameter_group {
     std::span<parameter const> rows;
 };
 
-/// A list as a group.
+/// A group as rows.
 /// Internal.
-template <typename List> [[nodiscard]] constexpr parameter_group group_of(literal name) noexcept
+template <typename Group> [[nodiscard]] constexpr parameter_group group_of(literal name) noexcept
 {
-    return {name, List::rows};
+    return {name, rows_of<Group>};
 }
 
 /// The groups of a drive.

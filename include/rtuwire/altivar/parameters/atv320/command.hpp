@@ -34,6 +34,7 @@ inline constexpr reg<logic_input> rrs{.code = "RRS", .address = 11105, .mode = a
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Where commands and references come from.
-using command = parameter_list<rin, chcf, cop, rfc, rcb, fr1, fr2, fr1b, ccs, cd1, cd2, flo, floc, flot, tcc, tct, rrs>;
+struct command
+    : parameter_list<rin, chcf, cop, rfc, rcb, fr1, fr2, fr1b, ccs, cd1, cd2, flo, floc, flot, tcc, tct, rrs> {};
 
 } // namespace rtuwire::altivar::atv320::groups

@@ -39,7 +39,7 @@ inline constexpr reg<count16> btpi{.code = "BTPI", .address = 6673, .mode = acce
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Lines and networks.
-using communication = parameter_list<add, tbr, tfo, tto, adco, bdco, adrc, bdr, prc, glb, amoc, bdru, prfl, dpma, cioa,
-                                     cio2, btua, btuc, btpi>;
+struct communication : parameter_list<add, tbr, tfo, tto, adco, bdco, adrc, bdr, prc, glb, amoc, bdru, prfl, dpma, cioa,
+                                      cio2, btua, btuc, btpi> {};
 
 } // namespace rtuwire::altivar::atv320::groups

@@ -31,6 +31,6 @@ inline constexpr reg<no_yes> chm{.code = "CHM", .address = 8025, .mode = access:
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Saving and recalling configurations.
-using configuration = parameter_list<cfg, ccfg, scs, fcs, cnf1, cnf2, chm>;
+struct configuration : parameter_list<cfg, ccfg, scs, fcs, cnf1, cnf2, chm> {};
 
 } // namespace rtuwire::altivar::atv320::groups

@@ -33,7 +33,7 @@ inline constexpr reg<quick_stop_end> qstd{.code = "QSTD", .address = 8651, .mode
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Words that command the drive, and its speed mode.
-using control = parameter_list<rpr, cmd, lfr, pisp, cmi, lfrd, etad, rfrd, frhd, errd, smil, smal, spal, spat, spdl,
-                               spdt, spfn, spfd, qstd, dotd>;
+struct control : parameter_list<rpr, cmd, lfr, pisp, cmi, lfrd, etad, rfrd, frhd, errd, smil, smal, spal, spat, spdl,
+                                spdt, spfn, spfd, qstd, dotd> {};
 
 } // namespace rtuwire::altivar::atv320::groups

@@ -30,6 +30,6 @@ inline constexpr reg<count16> ppi{.code = "PPI", .address = 14001, .mode = acces
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// The display and its access.
-using display = parameter_list<brh, fn1, fn2, fn3, fn4, bmp, ppi>;
+struct display : parameter_list<brh, fn1, fn2, fn3, fn4, bmp, ppi> {};
 
 } // namespace rtuwire::altivar::atv320::groups

@@ -64,8 +64,8 @@ inline constexpr reg<centiseconds> stm{.code = "STM", .address = 13814, .min = {
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Reactions to faults.
-using faults = parameter_list<flr, strt, erco, ipl, stp, epl, ohl, oll, sll, col, tnl, lfl3, cll, lff, odt, let, lft,
-                              atr, tar, rsf, inh, rp, rpa, cic, etf, cnf, ilf1, opl, tht, sat, dld, tld, dlb, ptcl,
-                              ures, usl, usb, ust, upl, tbs, tsm, stm>;
+struct faults : parameter_list<flr, strt, erco, ipl, stp, epl, ohl, oll, sll, col, tnl, lfl3, cll, lff, odt, let, lft,
+                               atr, tar, rsf, inh, rp, rpa, cic, etf, cnf, ilf1, opl, tht, sat, dld, tld, dlb, ptcl,
+                               ures, usl, usb, ust, upl, tbs, tsm, stm> {};
 
 } // namespace rtuwire::altivar::atv320::groups

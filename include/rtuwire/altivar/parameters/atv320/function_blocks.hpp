@@ -74,9 +74,9 @@ inline constexpr reg<count16> bver{.code = "BVER", .address = 14993, .mode = acc
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Function blocks.
-using function_blocks =
-    parameter_list<ia01, ia02, ia03, ia04, ia05, ia06, ia07, ia08, ia09, ia10, il01, il02, il03, il04, il05, il06, il07,
-                   il08, il09, il10, la01, la02, la03, la04, la05, la06, la07, la08, fbst, fbft, fbcd, fbrm, fbsm, fbdf,
-                   m001, m002, m003, m004, m005, m006, m007, m008, s001, s002, s006, bnv, ctv, bns, bver>;
+struct function_blocks : parameter_list<ia01, ia02, ia03, ia04, ia05, ia06, ia07, ia08, ia09, ia10, il01, il02, il03,
+                                        il04, il05, il06, il07, il08, il09, il10, la01, la02, la03, la04, la05, la06,
+                                        la07, la08, fbst, fbft, fbcd, fbrm, fbsm, fbdf, m001, m002, m003, m004, m005,
+                                        m006, m007, m008, s001, s002, s006, bnv, ctv, bns, bver> {};
 
 } // namespace rtuwire::altivar::atv320::groups

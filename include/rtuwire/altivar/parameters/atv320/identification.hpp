@@ -30,6 +30,6 @@ inline constexpr reg<count16> pan7{.code = "PAN7", .address = 3347, .min = {0}, 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// What drive this is.
-using identification = parameter_list<ncv, vcal, inv, vdp, pan0, pan1, pan2, pan3, pan4, pan5, pan6, pan7>;
+struct identification : parameter_list<ncv, vcal, inv, vdp, pan0, pan1, pan2, pan3, pan4, pan5, pan6, pan7> {};
 
 } // namespace rtuwire::altivar::atv320::groups

@@ -43,8 +43,8 @@ inline constexpr reg<hertz> fqs{.code = "FQS", .address = 14603, .mode = access:
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// What the drive shows.
-using monitoring =
-    parameter_list<eta, rfr, frh, lcr, otr, eti, uln, uop, thd, opr, slcr, srfr, sotr, suln, rth, pth, tac, hmis, tac2,
-                   lrs1, lrs2, lrs3, lrs4, lrs5, lrs6, lrs7, lrs8, sopr, cnfs, crc, ccc, thr, cfps, fqs>;
+struct monitoring
+    : parameter_list<eta, rfr, frh, lcr, otr, eti, uln, uop, thd, opr, slcr, srfr, sotr, suln, rth, pth, tac, hmis,
+                     tac2, lrs1, lrs2, lrs3, lrs4, lrs5, lrs6, lrs7, lrs8, sopr, cnfs, crc, ccc, thr, cfps, fqs> {};
 
 } // namespace rtuwire::altivar::atv320::groups

@@ -81,9 +81,10 @@ inline constexpr reg<percent> pec{.code = "PEC", .address = 15608, .mode = acces
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// The motor and its control.
-using motor_control = parameter_list<bfr, sft, sfr, tfr, bsp, nrd, spg, sit, sfc, ffh, crtf, uns, frs, ncr, nsp, cos,
-                                     ctt, tun, tus, tul, npr, aut, stun, ppn, tunu, ufr, slp, spgu, rsa, smot, ida, lfa,
-                                     tra, nsps, ppns, phs, lds, lqs, frss, rsas, tqs, u1, f1, u2, f2, u3, f3, u4, f4,
-                                     u5, f5, svl, sop, fli, flu, boa, ast, vbr, hfi, hir, spb, ilr, sir, mcr, pec>;
+struct motor_control
+    : parameter_list<bfr, sft, sfr, tfr, bsp, nrd, spg, sit, sfc, ffh, crtf, uns, frs, ncr, nsp, cos, ctt, tun, tus,
+                     tul, npr, aut, stun, ppn, tunu, ufr, slp, spgu, rsa, smot, ida, lfa, tra, nsps, ppns, phs, lds,
+                     lqs, frss, rsas, tqs, u1, f1, u2, f2, u3, f3, u4, f4, u5, f5, svl, sop, fli, flu, boa, ast, vbr,
+                     hfi, hir, spb, ilr, sir, mcr, pec> {};
 
 } // namespace rtuwire::altivar::atv320::groups

@@ -38,6 +38,7 @@ inline constexpr reg<hertz> fql{.code = "FQL", .address = 14609, .mode = access:
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Load monitoring.
-using process_monitoring = parameter_list<ult, udl, rmud, lul, lun, tol, odl, fqf, fqc, fqa, tds, fdt, fqt, tqb, fql>;
+struct process_monitoring : parameter_list<ult, udl, rmud, lul, lun, tol, odl, fqf, fqc, fqa, tds, fdt, fqt, tqb, fql> {
+};
 
 } // namespace rtuwire::altivar::atv320::groups

@@ -40,7 +40,7 @@ inline constexpr reg<safety_state> sfty{.code = "SFTY", .address = 15344, .mode 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Safety functions, as far as the line shows them.
-using safety =
-    parameter_list<slsa, slt, slsp, sltt, slss, ss1a, ssrt, ssru, sssl, sstt, ss1s, stoa, pwrm, stos, lidt, lirt, sfty>;
+struct safety : parameter_list<slsa, slt, slsp, sltt, slss, ss1a, ssrt, ssru, sssl, sstt, ss1s, stoa, pwrm, stos, lidt,
+                               lirt, sfty> {};
 
 } // namespace rtuwire::altivar::atv320::groups

@@ -34,8 +34,8 @@ inline constexpr reg<count16> oca6{.code = "OCA6", .address = 15426, .mode = acc
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// The scanner: words that one request moves.
-using scanner = parameter_list<nma1, nma2, nma3, nma4, nma5, nma6, nma7, nma8, nca1, nca2, nca3, nca4, nca5, nca6, nca7,
-                               nca8, nm1, nm2, nm3, nm4, nm5, nm6, nm7, nm8, nc1, nc2, nc3, nc4, nc5, nc6, nc7, nc8,
-                               oma1, oma2, oma3, oma4, oma5, oma6, oca1, oca2, oca3, oca4, oca5, oca6>;
+struct scanner : parameter_list<nma1, nma2, nma3, nma4, nma5, nma6, nma7, nma8, nca1, nca2, nca3, nca4, nca5, nca6,
+                                nca7, nca8, nm1, nm2, nm3, nm4, nm5, nm6, nm7, nm8, nc1, nc2, nc3, nc4, nc5, nc6, nc7,
+                                nc8, oma1, oma2, oma3, oma4, oma5, oma6, oca1, oca2, oca3, oca4, oca5, oca6> {};
 
 } // namespace rtuwire::altivar::atv320::groups

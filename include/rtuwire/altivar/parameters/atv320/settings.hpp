@@ -34,6 +34,6 @@ inline constexpr reg<decihertz> srb{.code = "SRB", .address = 14401, .min = {3},
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Everyday settings.
-using settings = parameter_list<hsp, lsp, ffm, acc, dec, ith, ctd, ttd, ftd, f2d, ttd2, ttd3, tha, ttl, tth, srb>;
+struct settings : parameter_list<hsp, lsp, ffm, acc, dec, ith, ctd, ttd, ftd, f2d, ttd2, ttd3, tha, ttl, tth, srb> {};
 
 } // namespace rtuwire::altivar::atv320::groups

@@ -43,7 +43,7 @@ inline constexpr reg<signed_deciamperes> cp2{.code = "CP2", .address = 10074, .m
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Brake control.
-using functions_brake =
-    parameter_list<blc, ben, brt, bet, bip, bst, bci, tbe, bir, jdc, brr, bed, ttr, pes, lp1, cp1, lp2, cp2>;
+struct functions_brake
+    : parameter_list<blc, ben, brt, bet, bip, bst, bci, tbe, bir, jdc, brr, bed, ttr, pes, lp1, cp1, lp2, cp2> {};
 
 } // namespace rtuwire::altivar::atv320::groups

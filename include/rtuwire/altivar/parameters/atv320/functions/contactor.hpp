@@ -31,6 +31,6 @@ inline constexpr reg<seconds> lct{.code = "LCT", .address = 13603, .mode = acces
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Contactors.
-using functions_contactor = parameter_list<dbs, das, rca, occ, les, llc, lct>;
+struct functions_contactor : parameter_list<dbs, das, rca, occ, les, llc, lct> {};
 
 } // namespace rtuwire::altivar::atv320::groups

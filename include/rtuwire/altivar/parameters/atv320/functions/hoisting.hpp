@@ -37,6 +37,6 @@ inline constexpr reg<units::milliseconds> lbf{.code = "LBF", .address = 14306, .
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// High-speed hoisting and load sharing.
-using functions_hoisting = parameter_list<hso, cof, cor, osp, scl, tos, rsd, rstl, lba, lbc, lbc1, lbc2, lbc3, lbf>;
+struct functions_hoisting : parameter_list<hso, cof, cor, osp, scl, tos, rsd, rstl, lba, lbc, lbc1, lbc2, lbc3, lbf> {};
 
 } // namespace rtuwire::altivar::atv320::groups

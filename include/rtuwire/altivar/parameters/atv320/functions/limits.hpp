@@ -32,6 +32,6 @@ inline constexpr reg<units::milliseconds> sto{.code = "STO", .address = 9241, .m
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Torque and current limits.
-using functions_limits = parameter_list<lc2, tla, tlc, taa, intp, ssb, sto>;
+struct functions_limits : parameter_list<lc2, tla, tlc, taa, intp, ssb, sto> {};
 
 } // namespace rtuwire::altivar::atv320::groups

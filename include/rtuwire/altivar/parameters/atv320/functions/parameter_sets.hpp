@@ -86,10 +86,10 @@ inline constexpr reg<count16> s315{.code = "S315", .address = 12985, .min = {0},
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Parameter sets.
-using functions_parameter_sets =
-    parameter_list<val, cha1, cha2, ad01, ad02, ad03, ad04, ad05, ad06, ad07, ad08, ad09, ad10, ad11, ad12, ad13, ad14,
-                   ad15, s101, s102, s103, s104, s105, s106, s107, s108, s109, s110, s111, s112, s113, s114, s115, s201,
-                   s202, s203, s204, s205, s206, s207, s208, s209, s210, s211, s212, s213, s214, s215, s301, s302, s303,
-                   s304, s305, s306, s307, s308, s309, s310, s311, s312, s313, s314, s315>;
+struct functions_parameter_sets
+    : parameter_list<val, cha1, cha2, ad01, ad02, ad03, ad04, ad05, ad06, ad07, ad08, ad09, ad10, ad11, ad12, ad13,
+                     ad14, ad15, s101, s102, s103, s104, s105, s106, s107, s108, s109, s110, s111, s112, s113, s114,
+                     s115, s201, s202, s203, s204, s205, s206, s207, s208, s209, s210, s211, s212, s213, s214, s215,
+                     s301, s302, s303, s304, s305, s306, s307, s308, s309, s310, s311, s312, s313, s314, s315> {};
 
 } // namespace rtuwire::altivar::atv320::groups

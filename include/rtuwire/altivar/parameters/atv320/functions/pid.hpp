@@ -53,7 +53,7 @@ inline constexpr reg<deciseconds> prp{.code = "PRP", .address = 11984, .min = {0
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// The PID regulator.
-using functions_pid = parameter_list<pif, pif1, pif2, pip1, pip2, pii, pr2, pr4, rpi, rp2, rp3, rp4, pic, rpg, rig, rdg,
-                                     pis, fpi, psr, pol, poh, pim, rsl, pau, rpe, rpf, rpc, rpo, prp>;
+struct functions_pid : parameter_list<pif, pif1, pif2, pip1, pip2, pii, pr2, pr4, rpi, rp2, rp3, rp4, pic, rpg, rig,
+                                      rdg, pis, fpi, psr, pol, poh, pim, rsl, pau, rpe, rpf, rpc, rpo, prp> {};
 
 } // namespace rtuwire::altivar::atv320::groups

@@ -32,6 +32,6 @@ inline constexpr reg<decihertz> frt{.code = "FRT", .address = 9011, .mode = acce
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Ramps.
-using functions_ramp = parameter_list<bra, rpt, ta1, ta2, ta3, ta4, rps, frt, ac2, de2, inr>;
+struct functions_ramp : parameter_list<bra, rpt, ta1, ta2, ta3, ta4, rps, frt, ac2, de2, inr> {};
 
 } // namespace rtuwire::altivar::atv320::groups

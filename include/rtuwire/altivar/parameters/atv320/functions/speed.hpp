@@ -71,8 +71,9 @@ inline constexpr reg<decihertz> hsp4{.code = "HSP4", .address = 15112, .min = {0
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Preset speeds, jogging and other references.
-using functions_speed = parameter_list<spm, jog, jgf, jgt, jpf, jf2, jf3, jfh, ps2, ps4, ps8, ps16, sp2, sp3, sp4, sp5,
-                                       sp6, sp7, sp8, sp9, sp10, sp11, sp12, sp13, sp14, sp15, sp16, usp, dsp, str, srp,
-                                       usi, dsi, tls, sa2, sa3, da2, da3, ma2, ma3, mfr, sh2, sh4, hsp2, hsp3, hsp4>;
+struct functions_speed
+    : parameter_list<spm, jog, jgf, jgt, jpf, jf2, jf3, jfh, ps2, ps4, ps8, ps16, sp2, sp3, sp4, sp5, sp6, sp7, sp8,
+                     sp9, sp10, sp11, sp12, sp13, sp14, sp15, sp16, usp, dsp, str, srp, usi, dsi, tls, sa2, sa3, da2,
+                     da3, ma2, ma3, mfr, sh2, sh4, hsp2, hsp3, hsp4> {};
 
 } // namespace rtuwire::altivar::atv320::groups

@@ -46,7 +46,7 @@ inline constexpr reg<percent> sfd{.code = "SFD", .address = 12522, .mode = acces
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Stopping and DC injection.
-using functions_stop = parameter_list<adc, tdc1, tdc2, stt, nst, dci, fst, tdc, tdi, fft, dcf, saf, sar, daf, dar, dsf,
-                                      pas, cls, sal, dal, nls, std, sfd>;
+struct functions_stop : parameter_list<adc, tdc1, tdc2, stt, nst, dci, fst, tdc, tdi, fft, dcf, saf, sar, daf, dar, dsf,
+                                       pas, cls, sal, dal, nls, std, sfd> {};
 
 } // namespace rtuwire::altivar::atv320::groups

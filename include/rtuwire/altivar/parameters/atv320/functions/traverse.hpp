@@ -37,6 +37,6 @@ inline constexpr reg<contactor_output> tsy{.code = "TSY", .address = 12214, .mod
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Traverse control.
-using functions_traverse = parameter_list<trc, trh, trl, qsh, qsl, tup, tdn, tbo, rtr, dtf, snc, ebo, tsy>;
+struct functions_traverse : parameter_list<trc, trh, trl, qsh, qsl, tup, tdn, tbo, rtr, dtf, snc, ebo, tsy> {};
 
 } // namespace rtuwire::altivar::atv320::groups

@@ -50,8 +50,8 @@ inline constexpr reg<count16> fnb{.code = "FNB", .address = 7393, .mode = access
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// States at past faults.
-using history_state =
-    parameter_list<dp0, dp1, dp2, dp3, dp4, dp5, dp6, dp7, dp8, ep0, ep1, ep2, ep3, ep4, ep5, ep6, ep7, ep8, ip0, ip1,
-                   ip2, ip3, ip4, ip5, ip6, ip7, ip8, cmp0, cmp1, cmp2, cmp3, cmp4, cmp5, cmp6, cmp7, cmp8, fnb>;
+struct history_state
+    : parameter_list<dp0, dp1, dp2, dp3, dp4, dp5, dp6, dp7, dp8, ep0, ep1, ep2, ep3, ep4, ep5, ep6, ep7, ep8, ip0, ip1,
+                     ip2, ip3, ip4, ip5, ip6, ip7, ip8, cmp0, cmp1, cmp2, cmp3, cmp4, cmp5, cmp6, cmp7, cmp8, fnb> {};
 
 } // namespace rtuwire::altivar::atv320::groups

@@ -103,11 +103,12 @@ inline constexpr reg<hertz> sfp8{.code = "SFP8", .address = 7368, .mode = access
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Measurements at past faults.
-using history_values =
-    parameter_list<lcp0, lcp1, lcp2, lcp3, lcp4, lcp5, lcp6, lcp7, lcp8, rfp0, rfp1, rfp2, rfp3, rfp4, rfp5, rfp6, rfp7,
-                   rfp8, rtp0, rtp1, rtp2, rtp3, rtp4, rtp5, rtp6, rtp7, rtp8, ulp0, ulp1, ulp2, ulp3, ulp4, ulp5, ulp6,
-                   ulp7, ulp8, thp0, thp1, thp2, thp3, thp4, thp5, thp6, thp7, thp8, otp0, otp1, otp2, otp3, otp4, otp5,
-                   otp6, otp7, otp8, tdp0, tdp1, tdp2, tdp3, tdp4, tdp5, tdp6, tdp7, tdp8, tjp0, tjp1, tjp2, tjp3, tjp4,
-                   tjp5, tjp6, tjp7, tjp8, sfp0, sfp1, sfp2, sfp3, sfp4, sfp5, sfp6, sfp7, sfp8>;
+struct history_values
+    : parameter_list<lcp0, lcp1, lcp2, lcp3, lcp4, lcp5, lcp6, lcp7, lcp8, rfp0, rfp1, rfp2, rfp3, rfp4, rfp5, rfp6,
+                     rfp7, rfp8, rtp0, rtp1, rtp2, rtp3, rtp4, rtp5, rtp6, rtp7, rtp8, ulp0, ulp1, ulp2, ulp3, ulp4,
+                     ulp5, ulp6, ulp7, ulp8, thp0, thp1, thp2, thp3, thp4, thp5, thp6, thp7, thp8, otp0, otp1, otp2,
+                     otp3, otp4, otp5, otp6, otp7, otp8, tdp0, tdp1, tdp2, tdp3, tdp4, tdp5, tdp6, tdp7, tdp8, tjp0,
+                     tjp1, tjp2, tjp3, tjp4, tjp5, tjp6, tjp7, tjp8, sfp0, sfp1, sfp2, sfp3, sfp4, sfp5, sfp6, sfp7,
+                     sfp8> {};
 
 } // namespace rtuwire::altivar::atv320::groups

@@ -57,8 +57,8 @@ inline constexpr reg<signal_source> aic2{.code = "AIC2", .address = 5284, .mode 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Analog inputs and outputs.
-using analog_io =
-    parameter_list<ai1t, ai2t, ai3t, uil1, uil2, uih1, uih2, crl3, crh3, ai1f, ai2f, ai3f, ai1e, ai2e, ai3e, ai1s, ai2s,
-                   ai3s, ai1l, ai2l, ai3l, ao1t, ao1f, uol1, uoh1, aol1, aoh1, asl1, ash1, ao1, aiv1, aiv2, aic2>;
+struct analog_io : parameter_list<ai1t, ai2t, ai3t, uil1, uil2, uih1, uih2, crl3, crh3, ai1f, ai2f, ai3f, ai1e, ai2e,
+                                  ai3e, ai1s, ai2s, ai3s, ai1l, ai2l, ai3l, ao1t, ao1f, uol1, uoh1, aol1, aoh1, asl1,
+                                  ash1, ao1, aiv1, aiv2, aic2> {};
 
 } // namespace rtuwire::altivar::atv320::groups

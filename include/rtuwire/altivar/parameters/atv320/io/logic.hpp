@@ -52,7 +52,7 @@ inline constexpr reg<units::milliseconds> pfi{.code = "PFI", .address = 13304, .
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::groups {
 
 /// Logic inputs and outputs, and relays.
-using logic_io = parameter_list<l1d, l2d, l3d, l4d, l5d, l6d, la1d, la2d, r1s, r2s, lo1s, r1h, r2h, lo1h, r1d, r2d,
-                                lo1d, do1s, do1h, do1d, r1, r2, lo1, do1, il1r, ol1r, pil, pfr, pfi>;
+struct logic_io : parameter_list<l1d, l2d, l3d, l4d, l5d, l6d, la1d, la2d, r1s, r2s, lo1s, r1h, r2h, lo1h, r1d, r2d,
+                                 lo1d, do1s, do1h, do1d, r1, r2, lo1, do1, il1r, ol1r, pil, pfr, pfi> {};
 
 } // namespace rtuwire::altivar::atv320::groups

@@ -44,18 +44,18 @@ inline constexpr reg<deciamperes> clo{.code = "CLO", .address = 12302, .mode = a
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::unverified {
 
 /// Stopping and DC injection.
-using functions_stop = parameter_list<sdc1, sdc2, idc, idc2, mstp, prst>;
+struct functions_stop : parameter_list<sdc1, sdc2, idc, idc2, mstp, prst> {};
 
 /// The PID regulator.
-using functions_pid = parameter_list<pal, pah, per>;
+struct functions_pid : parameter_list<pal, pah, per> {};
 
 /// Torque and current limits.
-using functions_limits = parameter_list<cli, cl2, tlim, tlig, i2ta, i2ti, i2tt, i2tm>;
+struct functions_limits : parameter_list<cli, cl2, tlim, tlig, i2ta, i2ti, i2tt, i2tm> {};
 
 /// Brake control.
-using functions_brake = parameter_list<ibr, ird, ibra>;
+struct functions_brake : parameter_list<ibr, ird, ibra> {};
 
 /// High-speed hoisting and load sharing.
-using functions_hoisting = parameter_list<clo>;
+struct functions_hoisting : parameter_list<clo> {};
 
 } // namespace rtuwire::altivar::atv320::unverified

@@ -49,10 +49,10 @@ inline constexpr reg<count16> puc{.code = "PUC", .address = 5611, .mode = access
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::unverified {
 
 /// Analog inputs and outputs.
-using analog_io = parameter_list<aof1, ai1i, ai2i, ai3i, ai1r, ai2r, ai3r, ai1c, ai2c, ai3c, ao1i, ao1r, ao1c, sai1,
-                                 sai2, sai3, sao1>;
+struct analog_io : parameter_list<aof1, ai1i, ai2i, ai3i, ai1r, ai2r, ai3r, ai1c, ai2c, ai3c, ao1i, ao1r, ao1c, sai1,
+                                  sai2, sai3, sao1> {};
 
 /// Logic inputs and outputs, and relays.
-using logic_io = parameter_list<r1f, r2f, lo1f, il1i, pgi, enu, ens, puc>;
+struct logic_io : parameter_list<r1f, r2f, lo1f, il1i, pgi, enu, ens, puc> {};
 
 } // namespace rtuwire::altivar::atv320::unverified

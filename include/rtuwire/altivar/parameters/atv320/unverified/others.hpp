@@ -109,38 +109,38 @@ inline constexpr reg<product_state> hs8{.code = "HS8", .address = 7328, .mode = 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::unverified {
 
 /// What the drive shows.
-using monitoring = parameter_list<mmf, frht, aph, unt, ntj, stfr, fro, hsc>;
+struct monitoring : parameter_list<mmf, frht, aph, unt, ntj, stfr, fro, hsc> {};
 
 /// Words that command the drive, and its speed mode.
-using control = parameter_list<frod>;
+struct control : parameter_list<frod> {};
 
 /// The motor and its control.
-using motor_control = parameter_list<mpc, pfl, ncrs, rdae, fab, boo, fri>;
+struct motor_control : parameter_list<mpc, pfl, ncrs, rdae, fab, boo, fri> {};
 
 /// Lines and networks.
-using communication = parameter_list<ecss, ecsa, ecaa>;
+struct communication : parameter_list<ecss, ecsa, ecaa> {};
 
 /// Reactions to faults.
-using faults = parameter_list<inf6, lanf, tanf, fanf, danf, sdd, scl3, hrfc, dccm, dccc>;
+struct faults : parameter_list<inf6, lanf, tanf, fanf, danf, sdd, scl3, hrfc, dccm, dccc> {};
 
 /// Load monitoring.
-using process_monitoring = parameter_list<ftu, fto, loc>;
+struct process_monitoring : parameter_list<ftu, fto, loc> {};
 
 /// What drive this is.
-using identification = parameter_list<ebht>;
+struct identification : parameter_list<ebht> {};
 
 /// Saving and recalling configurations.
-using configuration = parameter_list<fry, ntid>;
+struct configuration : parameter_list<fry, ntid> {};
 
 /// The display and its access.
-using display = parameter_list<sds, spd, spd1, spd2, spd3>;
+struct display : parameter_list<sds, spd, spd1, spd2, spd3> {};
 
 /// Safety functions, as far as the line shows them.
-using safety = parameter_list<slwt, saf1, sf00, sf01, sf02, sf03, sf04, sf05, sf06, sf07, saf2, sf08, sf09, sf10, sf11,
-                              smsa, smll, smlh, smls, smss, gdla, glld, glsd, gdls>;
+struct safety : parameter_list<slwt, saf1, sf00, sf01, sf02, sf03, sf04, sf05, sf06, sf07, saf2, sf08, sf09, sf10, sf11,
+                               smsa, smll, smlh, smls, smss, gdla, glld, glsd, gdls> {};
 
 /// States at past faults.
-using history_state =
-    parameter_list<crp0, crp1, crp2, crp3, crp4, crp5, crp6, crp7, crp8, hs1, hs2, hs3, hs4, hs5, hs6, hs7, hs8>;
+struct history_state
+    : parameter_list<crp0, crp1, crp2, crp3, crp4, crp5, crp6, crp7, crp8, hs1, hs2, hs3, hs4, hs5, hs6, hs7, hs8> {};
 
 } // namespace rtuwire::altivar::atv320::unverified

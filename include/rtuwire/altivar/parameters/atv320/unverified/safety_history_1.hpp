@@ -79,10 +79,10 @@ inline constexpr reg<count16> sre8{.code = "SRE8", .address = 7468, .mode = acce
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::unverified {
 
 /// Records of the safety functions, first part.
-using history_safety_1 =
-    parameter_list<sr11, sr12, sr13, sr14, sr15, sr16, sr17, sr18, sr21, sr22, sr23, sr24, sr25, sr26, sr27, sr28, sra1,
-                   sra2, sra3, sra4, sra5, sra6, sra7, sra8, srb1, srb2, srb3, srb4, srb5, srb6, srb7, srb8, src1, src2,
-                   src3, src4, src5, src6, src7, src8, srd1, srd2, srd3, srd4, srd5, srd6, srd7, srd8, sre1, sre2, sre3,
-                   sre4, sre5, sre6, sre7, sre8>;
+struct history_safety_1
+    : parameter_list<sr11, sr12, sr13, sr14, sr15, sr16, sr17, sr18, sr21, sr22, sr23, sr24, sr25, sr26, sr27, sr28,
+                     sra1, sra2, sra3, sra4, sra5, sra6, sra7, sra8, srb1, srb2, srb3, srb4, srb5, srb6, srb7, srb8,
+                     src1, src2, src3, src4, src5, src6, src7, src8, srd1, srd2, srd3, srd4, srd5, srd6, srd7, srd8,
+                     sre1, sre2, sre3, sre4, sre5, sre6, sre7, sre8> {};
 
 } // namespace rtuwire::altivar::atv320::unverified

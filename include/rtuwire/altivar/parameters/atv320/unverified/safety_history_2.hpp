@@ -79,10 +79,10 @@ inline constexpr reg<count16> srl8{.code = "SRL8", .address = 7538, .mode = acce
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320::unverified {
 
 /// Records of the safety functions, second part.
-using history_safety_2 =
-    parameter_list<srf1, srf2, srf3, srf4, srf5, srf6, srf7, srf8, srg1, srg2, srg3, srg4, srg5, srg6, srg7, srg8, srh1,
-                   srh2, srh3, srh4, srh5, srh6, srh7, srh8, sri1, sri2, sri3, sri4, sri5, sri6, sri7, sri8, srj1, srj2,
-                   srj3, srj4, srj5, srj6, srj7, srj8, srk1, srk2, srk3, srk4, srk5, srk6, srk7, srk8, srl1, srl2, srl3,
-                   srl4, srl5, srl6, srl7, srl8>;
+struct history_safety_2
+    : parameter_list<srf1, srf2, srf3, srf4, srf5, srf6, srf7, srf8, srg1, srg2, srg3, srg4, srg5, srg6, srg7, srg8,
+                     srh1, srh2, srh3, srh4, srh5, srh6, srh7, srh8, sri1, sri2, sri3, sri4, sri5, sri6, sri7, sri8,
+                     srj1, srj2, srj3, srj4, srj5, srj6, srj7, srj8, srk1, srk2, srk3, srk4, srk5, srk6, srk7, srk8,
+                     srl1, srl2, srl3, srl4, srl5, srl6, srl7, srl8> {};
 
 } // namespace rtuwire::altivar::atv320::unverified
