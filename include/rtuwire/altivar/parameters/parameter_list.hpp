@@ -19,21 +19,54 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// Registers of one group; a group is a class of its own that derives from its list, for the sake of short names.
 template <auto const&... Registers> struct parameter_list {
+    static_assert(are_all<Registers.is_plain...>, "a parameter is a holding register of one word");
+
     static constexpr std::size_t size = sizeof...(Registers);
-    using registers = table<Registers...>;
+    static constexpr std::array<std::uint16_t, size> addresses{Registers.address...};
 
     /// The same as rows.
     [[nodiscard]] static consteval std::array<parameter, size> made_rows() noexcept
     {
         return {parameter_of(Registers)...};
     }
+
+    [[nodiscard]] static constexpr bool has_address(std::uint16_t address) noexcept
+    {
+        for (std::uint16_t const each : addresses) {
+            if (each == address) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// Whether an object is one of these registers. Only those of its address are compared: GCC with
+    /// -fsanitize=undefined does not compare the addresses of two objects in a constant expression.
+    [[nodiscard]] static constexpr bool holds(std::uint16_t address, void const* object) noexcept
+    {
+        if (not has_address(address)) {
+            return false;
+        }
+        std::array<void const*, size> const objects{&Registers...};
+        bool is_held = false;
+        for (std::size_t i = 0; i < size; ++i) {
+            is_held = is_held or (addresses[i] == address and objects[i] == object);
+        }
+        return is_held;
+    }
+
+    /// Calls `visit.template operator()<R>()` for each.
+    template <typename Visit> static constexpr void for_each(Visit&& visit)
+    {
+        (visit.template operator()<Registers>(), ...);
+    }
 };
 
 /// The rows of a group.
 template <typename Group> inline constexpr auto rows_of = Group::made_rows();
 
-/// The registers of some groups as those of a device. Not one table of a thousand registers: the compiler then makes what
-/// it asks for only, and a message names the groups. That no register is in two of them, a test sees to.
+/// The registers of some groups as those of a device. Not a `table` of a thousand registers, which costs the compiler a
+/// second: a message names the groups, and that no register is in two of them, a test sees to.
 template <typename... Groups> class grouped_table {
 public:
     static constexpr std::size_t size = (Groups::size + ... + 0);
@@ -42,15 +75,14 @@ public:
     [[nodiscard]] static constexpr bool has_address(std::uint16_t address,
                                                     register_space space = register_space::holding) noexcept
     {
-        return (Groups::registers::has_address(address, space) or ...);
+        return space == register_space::holding and (Groups::has_address(address) or ...);
     }
 
     /// Whether a register is this device's.
     [[nodiscard]] static constexpr bool holds(asked_register const& asked) noexcept
     {
-        return ((Groups::registers::has_address(asked.address, asked.space) and
-                 Groups::registers::holds_all(std::array{asked})) or
-                ...);
+        void const* const object = asked.is_restepped ? asked.counted_as : asked.itself;
+        return asked.space == register_space::holding and (Groups::holds(asked.address, object) or ...);
     }
 
     /// Whether all of some registers are this device's.
@@ -71,10 +103,7 @@ public:
     static constexpr bool contains = holds({R.address, R.space, &R, R.counted_as, R.is_restepped});
 
     /// Calls `visit.template operator()<R>()` for each register.
-    template <typename Visit> static constexpr void for_each(Visit&& visit)
-    {
-        (Groups::registers::for_each(visit), ...);
-    }
+    template <typename Visit> static constexpr void for_each(Visit&& visit) { (Groups::for_each(visit), ...); }
 };
 
 } // namespace rtuwire::altivar
