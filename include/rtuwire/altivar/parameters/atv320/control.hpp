@@ -17,8 +17,8 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv320 {
 
 // clang-format off
 inline constexpr reg<counter_reset> rpr{.code = "RPR", .address = 3120, .factory = 0, .name = "Counter reset", .source = provenance::inferred};
-inline constexpr reg<rpm> smil{.code = "SMIL", .address = 8607, .min = {0}, .max = {65535}, .name = "Lowest speed of the drive profile", .source = provenance::inferred};
-inline constexpr reg<rpm> smal{.code = "SMAL", .address = 8609, .min = {0}, .max = {65535}, .name = "Highest speed of the drive profile", .source = provenance::inferred};
+inline constexpr reg<rpm> smil{.code = "SMIL", .address = 8607, .min = {0}, .max = {65535}, .name = "Lowest speed of the drive profile", .source = provenance::doubtful};
+inline constexpr reg<rpm> smal{.code = "SMAL", .address = 8609, .min = {0}, .max = {65535}, .name = "Highest speed of the drive profile", .source = provenance::doubtful};
 inline constexpr reg<rpm> spal{.code = "SPAL", .address = 8611, .min = {1}, .max = {65535}, .name = "Speed step that defines the acceleration", .source = provenance::inferred};
 inline constexpr reg<seconds> spat{.code = "SPAT", .address = 8613, .min = {0}, .max = {65535}, .name = "Time step that defines the acceleration", .source = provenance::inferred};
 inline constexpr reg<rpm> spdl{.code = "SPDL", .address = 8614, .min = {1}, .max = {65535}, .name = "Speed step that defines the deceleration", .source = provenance::inferred};

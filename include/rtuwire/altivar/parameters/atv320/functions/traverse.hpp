@@ -28,8 +28,8 @@ inline constexpr reg<minutes> tbo{.code = "TBO", .address = 12208, .min = {0}, .
 inline constexpr reg<logic_input> rtr{.code = "RTR", .address = 12210, .mode = access::configuration, .factory = 0, .name = "Input that restarts traverse control", .source = provenance::inferred};
 inline constexpr reg<decihertz> dtf{.code = "DTF", .address = 12211, .min = {0}, .max = {5990}, .factory = 0, .name = "Decrease of the reference during winding", .source = provenance::inferred};
 inline constexpr reg<logic_input> snc{.code = "SNC", .address = 12212, .mode = access::configuration, .factory = 0, .name = "Input for counter wobble", .source = provenance::inferred};
-inline constexpr reg<contactor_output> ebo{.code = "EBO", .address = 12213, .mode = access::configuration, .name = "Output for end of reel", .source = provenance::inferred};
-inline constexpr reg<contactor_output> tsy{.code = "TSY", .address = 12214, .mode = access::configuration, .name = "Output that synchronises the wobble", .source = provenance::inferred};
+inline constexpr reg<contactor_output> ebo{.code = "EBO", .address = 12213, .mode = access::configuration, .name = "Output for end of reel", .source = provenance::doubtful};
+inline constexpr reg<contactor_output> tsy{.code = "TSY", .address = 12214, .mode = access::configuration, .name = "Output that synchronises the wobble", .source = provenance::doubtful};
 // clang-format on
 
 } // namespace rtuwire::altivar::atv320
