@@ -19,6 +19,8 @@ import names  # noqa: E402
 MODULE = "include/rtuwire/rtuwire.cppm"
 # Needs an operating system: a program includes this door beside the module.
 LEFT_OUT = {"port.hpp"}
+# Nor does it have the full maps of the drives: a program includes their doors beside it, too.
+OF_A_MAP = re.compile(r"_parameters\.hpp|^altivar/parameters/")
 # The page leaves out operators; those that no class has as a friend are found only where they are exported.
 OPERATOR = re.compile(r"\boperator\s*(<=>|==|[-+*/])\s*\(")
 LIST = re.compile(r"^export namespace (?P<space>[\w:]+) \{\n(?P<body>.*?)^\} //", re.MULTILINE | re.DOTALL)
@@ -46,8 +48,9 @@ def free_operators(house):
 def public_names(house, page):
     """What the module has to export, by full path."""
     listed = names.sections(page)
-    found = {f"rtuwire::{name}" for heading, each in listed.items() if heading not in LEFT_OUT for name in each}
-    of_drives = {each.path() for header, held in house.held.items() for each in held
+    found = {f"rtuwire::{name}" for heading, each in listed.items()
+             if heading not in LEFT_OUT and not OF_A_MAP.search(heading) for name in each}
+    of_drives = {each.path() for header, held in house.held.items() if not OF_A_MAP.search(header) for each in held
                  if names.is_of_a_drive(header, each) and not house.is_marked(header, each)}
     return found | of_drives | set(free_operators(house))
 

@@ -35,7 +35,8 @@ import switches
 
 HEADERS = PROJECT / "include" / "rtuwire"
 # What stands for a machine or for a drive's manual: the simulated devices, the host's port, the register tables.
-LEFT_OUT = ("sim/", "port/", "altivar/device/atv", "altivar/device/compact_values", "altivar/atv")
+LEFT_OUT = ("sim/", "port/", "altivar/device/atv", "altivar/device/compact_values", "altivar/atv", "altivar/parameters/atv",
+            "altivar/parameters/compact_values", "altivar/parameters/family_words")
 LIKELIEST = 12
 # A start value that the compiler needs where it evaluates a table (GCC 12 fails to).
 NO_SWITCH = {("core/literal.hpp", "std::size_t size_{1};")}

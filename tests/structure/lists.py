@@ -17,7 +17,7 @@ DEVICES_OF, PDUS_OF = "include/rtuwire/altivar", "include/rtuwire/wire/pdu"
 ALL_DRIVES, ALL_FUNCTIONS = "all_drives", "public_functions"
 
 # Headers of single drives, by where they are or by their namespace; others know no drive. An include of one is no code.
-OWN = ("include/rtuwire/altivar/device/", "include/rtuwire/altivar/atv")
+OWN = ("include/rtuwire/altivar/device/", "include/rtuwire/altivar/parameters/", "include/rtuwire/altivar/atv")
 # A header that knows the drives, and why.
 KNOWS = {"include/rtuwire/port/show.hpp": "an operator is looked for in the namespace of its operand"}
 OF_ONE_DRIVE = re.compile(r"\bnamespace rtuwire::[\w: ]*\batv\d+\w* *\{")

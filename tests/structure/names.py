@@ -33,7 +33,7 @@ INTERNAL_HEADER = re.compile(r"^// Internal\b", re.MULTILINE)
 INTERNAL = re.compile(r"\bInternal\b")
 # A refused act: a function or type whose name is a sentence that the compiler shows.
 SENTENCE = re.compile(r"[^\W_]+(_[^\W_]+){4,}")
-DOOR = re.compile(r"\w+\.hpp")
+DOOR = re.compile(r"[\w/]+\.hpp")
 ROW = re.compile(r"^\|(?P<names>[^|]*`[^|]*)\|", re.MULTILINE)
 NAME = re.compile(r'`([\w:]+(?:"")?\w*)`')
 WORD = re.compile(r"(?<![\w.])(?<!->)[A-Za-z_]\w*")
@@ -86,7 +86,7 @@ class House:
 
 
 def is_of_a_drive(header, declaration):
-    return header.startswith("altivar/device/") and OF_A_DRIVE.match(declaration.space) is not None
+    return header.startswith(("altivar/device/", "altivar/parameters/")) and OF_A_DRIVE.match(declaration.space) is not None
 
 
 def unlisted(house, public):

@@ -115,6 +115,8 @@ class Others(unittest.TestCase):
         self.assertEqual(count(rtuwire="core/a.hpp", core__a="", core__b=""), 1)
         self.assertEqual(count(rtuwire="port/a.hpp", port__a=""), 1)
         self.assertEqual(count(rtuwire="", port="port/a.hpp", port__a=""), 0)
+        self.assertEqual(count(rtuwire="", altivar__parameters__a="", altivar__atv1_parameters=""), 0)
+        self.assertEqual(count(rtuwire="altivar/parameters/a.hpp", altivar__parameters__a=""), 1)
 
     def test_folders(self):
         def count(folder, headers):

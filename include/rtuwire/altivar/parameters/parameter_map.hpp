@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// The parameters of a drive by the groups of its menus, for a program that walks them or looks for one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <rtuwire/altivar/parameters/parameter.hpp>
+#include <rtuwire/altivar/parameters/parameter_list.hpp>
+#include <rtuwire/core/literal.hpp>
+#include <rtuwire/core/version.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// Some parameters that belong together, in the order of their addresses.
+struct parameter_group {
+    literal name; ///< one word, "motor_control"
+    std::span<parameter const> rows;
+};
+
+/// A group as rows.
+/// Internal.
+template <typename Group> [[nodiscard]] constexpr parameter_group group_of(literal name) noexcept
+{
+    return {name, rows_of<Group>};
+}
+
+/// The groups of a drive.
+class parameter_map {
+public:
+    /// The groups live as long as the map.
+    explicit constexpr parameter_map(std::span<parameter_group const> groups) noexcept : groups_{groups} {}
+
+    [[nodiscard]] constexpr std::span<parameter_group const> groups() const noexcept { return groups_; }
+
+    /// How many parameters there are.
+    [[nodiscard]] constexpr std::size_t size() const noexcept
+    {
+        std::size_t count = 0;
+        for (parameter_group const& group : groups_) {
+            count += group.rows.size();
+        }
+        return count;
+    }
+
+    /// Calls `visit(parameter, group)` for each.
+    template <typename Visit> constexpr void for_each(Visit&& visit) const
+    {
+        for (parameter_group const& group : groups_) {
+            for (parameter const& each : group.rows) {
+                visit(each, group);
+            }
+        }
+    }
+
+    /// The parameter at an address; null where there is none.
+    [[nodiscard]] constexpr parameter const* at(std::uint16_t address) const noexcept
+    {
+        parameter const* found = nullptr;
+        for_each(
+            [&](parameter const& each, parameter_group const&) { found = each.address == address ? &each : found; });
+        return found;
+    }
+
+    /// The parameter of a mnemonic in upper case; null where there is none.
+    [[nodiscard]] constexpr parameter const* by_code(literal code) const noexcept
+    {
+        parameter const* found = nullptr;
+        for_each([&](parameter const& each, parameter_group const&) { found = each.code == code ? &each : found; });
+        return found;
+    }
+
+private:
+    std::span<parameter_group const> groups_;
+};
+
+} // namespace rtuwire::altivar

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The full map of the ATV320: descriptors and rows agree, and a program reads and writes any of them typed.
+#include <rtuwire/altivar/parameters/atv320.hpp>
+
+#include "altivar/parameters/agreement.hpp"
+
+#include <rtuwire/ask/access.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+
+namespace {
+
+STATIC_CHECK(atv320::parameters.size() == 775 and atv320::unverified_parameters.size() == 239);
+
+TEST_CASE("parameters of the ATV320: each descriptor is a row, and takes what the row takes")
+{
+    test::check_agreement<atv320::full_device>(atv320::parameters, atv320::unverified_parameters);
+}
+
+TEST_CASE("parameters of the ATV320: the registers for driving are the same objects")
+{
+    CHECK(test::has_all_of<atv320::full_device, atv320::device>());
+}
+
+// A register of the map is none of the device for driving.
+STATIC_CHECK(has_register<atv320::full_device, atv320::sp2> and not has_register<atv320::device, atv320::sp2>);
+
+constexpr station<atv320::full_device> drive{unit_id{2}};
+STATIC_CHECK(setting<atv320::sp2>{12.5_Hz}.word() == 125);
+STATIC_CHECK(setting<atv320::sp2>::checked(decihertz{5991}).error() == errc::value_too_high);
+STATIC_CHECK(atv320::full_device::registers::has_address(11410) and
+             not atv320::full_device::registers::has_address(11409));
+
+TEST_CASE("parameters of the ATV320: a row is found by its mnemonic and by its address")
+{
+    parameter const* const row = atv320::parameters.by_code("SP2");
+    REQUIRE(row != nullptr);
+    CHECK(row == atv320::parameters.at(11410));
+    CHECK(row->type->unit == literal{"Hz"});
+    CHECK(row->type->step_denominator == 10);
+    CHECK(row->max.raw() == 5990);
+    CHECK(row->takes(5990));
+    CHECK_FALSE(row->takes(5991));
+    CHECK(atv320::parameters.by_code("SRA1") == nullptr);
+    CHECK(atv320::parameters.at(1) == nullptr);
+    parameter const* const record = atv320::unverified_parameters.by_code("SRA1");
+    REQUIRE(record != nullptr);
+    CHECK_FALSE(record->is_writable());
+}
+
+} // namespace
