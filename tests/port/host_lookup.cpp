@@ -18,6 +18,7 @@ using namespace rtuwire;
 namespace {
 
 std::atomic<int> ended{0};
+std::atomic<bool> is_held{false}; // the name server answers when it is let go
 std::atomic<bool> takes_signals{false};
 
 } // namespace
@@ -33,7 +34,9 @@ extern "C" int getaddrinfo(char const* host, char const* port, addrinfo const* w
     sigset_t blocked{};
     ::pthread_sigmask(SIG_SETMASK, nullptr, &blocked);
     takes_signals = ::sigismember(&blocked, SIGINT) == 0;
-    ::usleep(200'000);
+    for (int i = 0; i == 0 or (is_held and i < 1'000); ++i) {
+        ::usleep(20'000);
+    }
     int const status = next("127.0.0.1", port, wanted, found);
     ++ended;
     return status;
@@ -42,16 +45,16 @@ extern "C" int getaddrinfo(char const* host, char const* port, addrinfo const* w
 TEST_CASE("a name server that is slow holds nobody up")
 {
     ended = 0;
+    is_held = true;
     tcp_stream port;
     instant const start = steady_now();
     CHECK(port.open("slow.example", 9, milliseconds(50)) == errc::timed_out);
-    duration const took = steady_now() - start;
-    CHECK(took >= milliseconds(50));
-    CHECK(took < milliseconds(180));
+    CHECK(steady_now() - start >= milliseconds(50));
     CHECK(port.failure() == "slow.example:9: no such host (not found in time)");
     CHECK(ended == 0);
     // What was left behind ends by itself.
-    for (int i = 0; i < 100 and ended == 0; ++i) {
+    is_held = false;
+    for (int i = 0; i < 1'000 and ended == 0; ++i) {
         ::usleep(20'000);
     }
     CHECK(ended == 1);
@@ -63,7 +66,7 @@ TEST_CASE("a name that is found late, but in time, is connected to")
     ended = 0;
     tcp_stream port;
     // Nobody listens there: the look-up is over, and connecting is refused.
-    CHECK(port.open("slow.example", 9, milliseconds(2'000)) == errc::device_not_found);
+    CHECK(port.open("slow.example", 9, milliseconds(20'000)) == errc::device_not_found);
     CHECK(port.failure() == "slow.example:9: no connection (Connection refused)");
     CHECK(ended == 1);
 }
