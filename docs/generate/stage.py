@@ -94,7 +94,9 @@ def write_settings(project, build, theme):
 
 
 def version(project):
-    return re.search(r"^    VERSION (\S+)", (project / "CMakeLists.txt").read_text(encoding="utf-8"), re.MULTILINE)[1]
+    header = (project / "include/rtuwire/core/version.hpp").read_text(encoding="utf-8")
+    number = int(re.search(r"^#define RTUWIRE_VERSION (\d+)$", header, re.MULTILINE)[1])
+    return f"{number // 10000}.{number // 100 % 100}.{number % 100}"
 
 
 def write_pages(project, build, pages):

@@ -61,7 +61,9 @@ class SingleHeader(unittest.TestCase):
         self.assertEqual(run(self.place / "program"), "no response in time\n")
 
     def test_a_part_that_is_not_asked_for_is_not_there(self):
-        for name, code in {"RTUWIRE_PORT": "rtuwire::posix_serial port;", "RTUWIRE_PRINT": "std::ostream* out = nullptr;"}.items():
+        uses = {"RTUWIRE_PORT": "rtuwire::posix_serial port;",
+                "RTUWIRE_PRINT": "void show(std::ostream& out) { out << rtuwire::errc::timed_out; }"}
+        for name, code in uses.items():
             asked = self.file("asked.cpp", f"#define {name}\n#include <rtuwire.hpp>\n{code}\n")
             plain = self.file("plain.cpp", f"#include <rtuwire.hpp>\n{code}\n")
             with self.subTest(name):
