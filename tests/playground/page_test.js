@@ -12,11 +12,13 @@ const { chromium } = require("playwright-core");
 
 const [page_file, shots] = process.argv.slice(2);
 const flags = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-  "--disable-background-networking", "--disable-component-update", "--disable-sync"];
+  "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage"];
+const patience = 120000; // of a busy machine, in ms
 const axe = fs.readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 
 async function open(browser, options) {
   const page = await (await browser.newContext(options)).newPage();
+  page.setDefaultTimeout(patience);
   page.problems = [];
   page.on("console", (message) => message.type() === "error" && page.problems.push(message.text()));
   page.on("pageerror", (problem) => page.problems.push(String(problem)));
@@ -160,7 +162,7 @@ async function eachDrive(page) {
 
 async function main() {
   fs.mkdirSync(shots, { recursive: true });
-  const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: flags });
+  const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: flags, timeout: patience });
   try {
     const page = await open(browser, { viewport: { width: 1400, height: 900 }, colorScheme: "light" });
     const paint = await page.evaluate(() => performance.getEntriesByType("paint").map((each) => `${each.name} ${each.startTime.toFixed(0)} ms`));
