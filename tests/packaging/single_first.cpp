@@ -7,22 +7,11 @@
 
 #include <iostream>
 
-rtuwire::byte_view frame_of_the_other();
+bool frame_is_right();
 
 int main()
 {
-    using namespace rtuwire;
-    constexpr auto expected = "02 03 0C 1E 00 04 27 6C"_hex;
-    auto const frame = frame_of_the_other();
-    if (frame.size() != expected.size()) {
-        return 1;
-    }
-    for (std::size_t at = 0; at < expected.size(); ++at) {
-        if (frame[at] != expected[at]) {
-            return 2;
-        }
-    }
-    posix_serial closed;
-    std::cout << errc::timed_out << '\n';
-    return closed.is_open() ? 3 : 0;
+    rtuwire::posix_serial const closed;
+    std::cout << rtuwire::errc::timed_out << '\n';
+    return frame_is_right() and not closed.is_open() ? 0 : 1;
 }

@@ -54,7 +54,7 @@ class SingleHeader(unittest.TestCase):
             run("g++", "-std=c++20", "-fsyntax-only", "-I", self.place, *WARNINGS, program)
 
     def test_two_files_of_a_program(self):
-        flags = ["-std=c++20", "-I", self.place, *WARNINGS]
+        flags = ["-std=c++20", "-I", self.place, "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror"]
         first = self.file("first.cpp", (HERE / "single_first.cpp").read_text(encoding="utf-8"))
         second = self.file("second.cpp", (HERE / "single_second.cpp").read_text(encoding="utf-8"))
         run("g++", *flags, first, second, "-o", self.place / "program")
