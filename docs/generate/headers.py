@@ -50,12 +50,19 @@ def comment_begin(text, begin):
 
 def specialises(words, names):
     """Whether a declaration is a special case, or a part, of one of these."""
-    return any(re.search(rf"\b{name}\s*<", re.split(r"[{=;]", words, maxsplit=1)[0]) for name in names)
+    head = re.split(r"[{=;]", words, maxsplit=1)[0]
+    return words.startswith("template") and not names.isdisjoint(re.findall(r"\b(\w+)\s*<", head))
 
 
-def without_internal(text):
+def internal_names(texts):
+    """What headers declare and mark internal, or declare in an internal header."""
+    return {each.name for text in texts for each in declarations.declarations(text)
+            if is_internal_header(text) or INTERNAL.search(each.comment)}
+
+
+def without_internal(text, names=()):
     code = declarations.code_of(text)
-    pieces, done, hidden = [], 0, set()
+    pieces, done, hidden = [], 0, set(names)
     for _, begin, end in declarations.statements(code):
         first = begin + len(code[begin:end]) - len(code[begin:end].lstrip())
         start = text.rfind("\n", 0, first) + 1
@@ -71,11 +78,12 @@ def without_internal(text):
 
 def stage(project, target):
     """Writes the headers that a program may know of."""
-    for path in sorted((project / "include").rglob("*.hpp")):
-        text = path.read_text(encoding="utf-8")
+    texts = {path: path.read_text(encoding="utf-8") for path in sorted((project / "include").rglob("*.hpp"))}
+    internal = internal_names(texts.values())
+    for path, text in texts.items():
         if is_internal_header(text):
             continue
-        shown = without_internal(text).replace("namespace rtuwire::inline RTUWIRE_BUILD", "namespace rtuwire")
+        shown = without_internal(text, internal).replace("namespace rtuwire::inline RTUWIRE_BUILD", "namespace rtuwire")
         place = target / path.relative_to(project / "include")
         place.parent.mkdir(parents=True, exist_ok=True)
         place.write_text(shown, encoding="utf-8")

@@ -150,6 +150,14 @@ class Headers(unittest.TestCase):
         self.assertEqual(out.count("\n"), text.count("\n"))
 
 
+    def test_what_completes_an_internal_name_is_left_out(self):
+        first = "#pragma once\nnamespace a {\n/// Internal.\ntemplate <typename T> inline constexpr int b = 1;\n} // namespace a\n"
+        second = "#pragma once\nnamespace a {\ntemplate <> inline constexpr int b<int> = 2;\n/// Shown.\ntemplate <typename T> struct c {};\n}\n"
+        out = headers.without_internal(second, headers.internal_names([first, second]))
+        self.assertNotIn("b<int>", out)
+        self.assertIn("struct c", out)
+
+
 class Diagrams(unittest.TestCase):
     def test_arrows_are_joined_and_loops_left_out(self):
         self.assertEqual(diagrams.joined([("a", "x", "b"), ("a", "y", "b"), ("a", "z", "a")]), [("a", "b", "x\\ny")])
