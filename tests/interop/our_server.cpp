@@ -41,7 +41,7 @@ int main(int argc, char** argv)
     auto const line = line_timing::host(19'200, character_format::even_8_1);
     server node{unit_id{1}, line, profile};
     // Nothing is heard before the line was silent once.
-    instant const silent = port.now() + milliseconds(40);
+    instant const silent = port.now() + line.frame_end() + milliseconds(10);
     while (not reached(port.now(), silent)) {
         static_cast<void>(serve_once(node, port, bank, milliseconds(10)));
     }

@@ -61,8 +61,8 @@ class Motor(Drive):
         how = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE,
                "preexec_fn": own_group, **how}
         self.controllers.append(subprocess.Popen(
-            [program, "--port", device or self.device, "--unit", str(UNIT), "--no-listen", "--timeout", "0.2",
-             *(("--retries", "0") if self.tto == QUICK else ()), *words], **how))
+            [program, "--port", device or self.device, "--unit", str(UNIT), "--no-listen",
+             *(("--timeout", "0.2", "--retries", "0") if self.tto == QUICK else ("--timeout", "0.4")), *words], **how))
         return self.controllers[-1]
 
     def start(self, program, *words, **how):
@@ -173,9 +173,7 @@ def by_deaf_line(motor, program, check):
 def by_another_master(motor, program, check):
     process = motor.start(program)
     check(soon(motor.turns), "another master: it turns")
-    for _ in range(40):
-        motor.write(8502, 100)
-        time.sleep(0.05)
+    soon(lambda: motor.write(8502, 100) or process.poll() is not None)
     ends_with(process, motor, check, "another master", 1, "another master commands the drive")
 
 
@@ -355,7 +353,7 @@ def stops(program, check):
 
     def one(case):
         name, words, is_named, state = case
-        with Motor(program, name) as motor:
+        with Motor(program, name, ramp=30) as motor:  # long enough to be seen on its way
             what = f"stop {' '.join(words)} of {name}{' by its name' if is_named else ''}"
             runs = runs_by_another(motor, Registers(name))
             refusal = end(motor.start(program))
@@ -364,6 +362,7 @@ def stops(program, check):
             while process.poll() is None:
                 seen.add(motor.shown()[0])
             found, out, error = end(process)
+            seen.add(motor.shown()[0])
             with checks_lock:
                 check(runs, f"{what}: another runs it")
                 check(refusal[0] == 5 and "somebody else" in refusal[2], f"{what}: a start is refused", refusal)

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "motion/question.hpp"
 
-#include <cstdio>
+#include <chrono>
 
 #include <poll.h>
 #include <unistd.h>
 
+#include "../support/say.hpp"
 #include "../support/signals.hpp"
 
 namespace tool {
@@ -15,7 +16,9 @@ bool may_go_on(permissions const& allowed, std::string const& what, char const* 
 {
     constexpr int look_every = 100; // ms
     bool const asks = not allowed.is_confirmed and ::isatty(STDIN_FILENO) == 1;
-    std::fprintf(stderr, asks ? "%s\n%s (y/n) " : "%s\n", what.c_str(), question);
+    // A terminal that was stopped (Ctrl-S) must not keep this program from ending.
+    error_output.put(what + "\n" + (asks ? std::string{question} + " (y/n) " : std::string{}));
+    error_output.finish(std::chrono::milliseconds{300});
     if (not asks) {
         return noted.end == 0;
     }
