@@ -27,16 +27,31 @@ template <typename Request>
     requires requires { Request::response::max_size; }
 inline constexpr std::size_t largest_response<Request> = Request::response::max_size;
 
-/// A request that knows more of its response than the client compares: its conversation asks `check_response` of it.
+/// A request says itself whether a response fits it.
 /// Internal.
 template <typename Request>
-concept checks_response = requires(byte_view bytes)
+concept has_response_check = requires(byte_view bytes)
 {
     {
         Request::check_response(bytes, bytes)
         } -> std::same_as<errc>;
-}
-and not requires { requires Request::rules.answers == answer_rule::own; };
+};
+
+/// A request that knows more of its response than the client compares: its conversation asks `check_response` of it.
+/// Internal.
+template <typename Request>
+concept checks_response = has_response_check<Request> and not requires
+{
+    requires Request::rules.answers == answer_rule::own;
+};
+
+/// A request has something of that name, which nobody would ask where it is no static function.
+/// Internal.
+template <typename Request>
+concept names_response_check = requires
+{
+    &Request::check_response;
+};
 
 /// One request in a frame of at most `FrameSize` bytes, and room for a response PDU of `ResponseSize`.
 /// Internal.
@@ -113,6 +128,10 @@ private:
 /// The conversation of one request of a type: `single_request ask{unit_id{7}, read_holding_registers{...}}`.
 template <pdu Request>
 class single_request : public sized_request<Request::max_size + adu_overhead, largest_response<Request>> {
+    static_assert(has_response_check<Request> or not names_response_check<Request>,
+                  "check_response of a request is a static function: errc (byte_view request_pdu, byte_view "
+                  "response_pdu)");
+
     using base = sized_request<Request::max_size + adu_overhead, largest_response<Request>>;
 
 public:

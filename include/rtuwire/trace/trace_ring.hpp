@@ -26,7 +26,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// traced by one ring run in it. One context reads, by `poll_frame`.
 ///
 /// What does not fit is dropped, and counted in `lost`: what is kept already stays, for only the reader may move it.
-/// More than 256 bytes that belong to no frame are kept as several records, the last of which may be dropped alone.
+/// More than 256 bytes that belong to no frame are kept as several records, each of which may be dropped alone.
 ///
 ///     constinit trace_ring<4096> frames;              // some 250 requests and responses of 4 registers
 ///     client::traced_by<trace_ring<4096>> link{timing};
