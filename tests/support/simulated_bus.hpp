@@ -20,7 +20,7 @@ using frame_bytes = std::vector<std::byte>;
 /// Simulated drives at one end of a line: they hear the others' frames, and each other's.
 template <typename Device> class crowd {
 public:
-    explicit crowd(line_timing const& line) : line_{line} {}
+    explicit crowd(line_timing const& timing) : line_{timing} {}
 
     void add(unit_id address, instant now)
     {
