@@ -26,8 +26,9 @@ packages_of() {
         playground) echo clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 ;;
         browser) echo chromium nodejs npm ;;
         newcomer) echo debootstrap ;;
+        cache) echo ccache ;;
         *)
-            echo "packages.sh: no group '$1'; the groups are examples build tests interop tool arm emulator clang afl bench portability avr packaging style docs playground browser newcomer" >&2
+            echo "packages.sh: no group '$1'; the groups are examples build tests interop tool arm emulator clang afl bench portability avr packaging style docs playground browser newcomer cache" >&2
             return 1
             ;;
     esac
@@ -36,7 +37,7 @@ packages_of() {
 # A tool counts however it came here; a library only counts as the package the build will look for.
 present() {
     case $1 in
-        cmake | make | c++ | g++ | clang | mbpoll | socat | tshark | pkg-config | qemu-system-arm | valgrind | strace | tmux | zsh | clang-format | clang-tidy | spin | git | doxygen | chromium | npm | debootstrap)
+        cmake | make | c++ | g++ | clang | mbpoll | socat | tshark | pkg-config | qemu-system-arm | valgrind | strace | tmux | zsh | clang-format | clang-tidy | spin | git | doxygen | chromium | npm | debootstrap | ccache)
             command -v "$1" >/dev/null ;;
         ninja-build) command -v ninja >/dev/null ;;
         graphviz) command -v dot >/dev/null ;;
