@@ -10,6 +10,10 @@
 set -eu
 project=$(cd "$(dirname "$0")/.." && pwd)
 output=${1:-$project/build/release}
+case $output in
+    /*) ;;
+    *) output=$PWD/$output ;;
+esac
 url=${RTUWIRE_URL:-https://rtuwire.invalid/releases}
 without=" ${RTUWIRE_RELEASE_WITHOUT:-} "
 cd "$project"

@@ -4,9 +4,10 @@
 
     python3 -B packaging/single_header.py OUTPUT [--shim DIRECTORY]
 
-The header has a part for each door that stands for itself: what needs no operating system comes always, `port.hpp` and
-`print.hpp` where the program defines RTUWIRE_PORT or RTUWIRE_PRINT before the include. Including it again, with another
-of these defined, adds that part. The shim is for the tests: they include the headers by their names and get the one.
+The header has a part for what needs no operating system, which comes always, and one for each of `port.hpp`, `print.hpp`
+and the doors to all parameters, where the program defines RTUWIRE_PORT, RTUWIRE_PRINT or RTUWIRE_PARAMETERS before the
+include. Including it again, with another of these defined, adds that part. The shim is for the tests: they include the
+headers by their names and get the one.
 """
 import argparse
 import pathlib
@@ -16,8 +17,11 @@ import sys
 PROJECT = pathlib.Path(__file__).resolve().parent.parent
 HEADERS = PROJECT / "include"
 MODULE = "rtuwire/rtuwire.cppm"
-# A door and the macro that asks for it; the first part has no condition.
-PARTS = (("rtuwire/rtuwire.hpp", None), ("rtuwire/port.hpp", "RTUWIRE_PORT"), ("rtuwire/print.hpp", "RTUWIRE_PRINT"))
+# The macro that asks for a part, and its doors; the first part has no condition.
+PARTS = ((None, ("rtuwire/rtuwire.hpp",)),
+         ("RTUWIRE_PORT", ("rtuwire/port.hpp",)),
+         ("RTUWIRE_PRINT", ("rtuwire/print.hpp",)),
+         ("RTUWIRE_PARAMETERS", tuple(f"rtuwire/altivar/{drive}_parameters.hpp" for drive in ("atv12", "atv310", "atv320"))))
 OWN = re.compile(r"#include <(rtuwire/[\w/.]+)>\n")
 STANDARD = re.compile(r"#include <([\w/.]+)>\n")
 CONDITION = re.compile(r"\s*#\s*(if|endif)")
@@ -28,7 +32,8 @@ HEAD = """\
 //
 // rtuwire {version} in one file, made by packaging/single_header.py from the headers of that version. Needs C++20. What
 // needs an operating system (rtuwire/port.hpp) comes with RTUWIRE_PORT defined before the include, streams
-// (rtuwire/print.hpp) with RTUWIRE_PRINT. The file may be included again with more of these defined.
+// (rtuwire/print.hpp) with RTUWIRE_PRINT, all parameters of the drives (rtuwire/altivar/atv320_parameters.hpp and the
+// like) with RTUWIRE_PARAMETERS. The file may be included again with more of these defined.
 """
 
 
@@ -49,16 +54,19 @@ class Expansion:
     def __init__(self, headers):
         self.headers = headers
         self.seen = {}
-        self.standard = set()
+        self.standard = {}
 
-    def part(self, door, owner):
-        """What a door adds to what was written before: the standard's headers, and the text."""
-        before = set(self.standard)
-        text = "".join(self._lines(door, owner))
-        return sorted(self.standard - before), text
+    def part(self, doors, owner):
+        """What doors add to what is always there: the standard's headers, and the text."""
+        text = "".join(line for door in doors for line in self._lines(door, owner))
+        # A program may ask for this part alone: what another of them includes does not count.
+        always = {name for name, parts in self.standard.items() if owner and None in parts}
+        return sorted(name for name, parts in self.standard.items() if owner in parts and name not in always), text
 
     def _lines(self, name, owner):
         if name in self.seen:
+            if self.seen[name] not in (None, owner):
+                raise Refused(f"{name}: {owner} needs it, and only {self.seen[name]} brings it")
             return
         self.seen[name] = owner
         depth = 0
@@ -73,7 +81,7 @@ class Expansion:
             if own:
                 yield from self._lines(own[1], owner)
             elif standard and not depth:
-                self.standard.add(standard[1])
+                self.standard.setdefault(standard[1], set()).add(owner)
             elif "#include" in line and not standard:
                 raise Refused(f"{name}: {line.strip()} is in no form of this program's")
             elif line != "#pragma once\n":
@@ -89,11 +97,11 @@ def single(headers):
     """The text of the one header, and which part each of the headers is in."""
     whole, expansion = [HEAD.format(version=version_of(headers))], Expansion(headers)
     # Says what an older language lacks before one of the standard's headers does.
-    language = expansion.part("rtuwire/core/version.hpp", None)[1]
-    for door, wanted in PARTS:
-        guard = "RTUWIRE_HAS_" + pathlib.PurePosixPath(door).stem.upper()
+    language = expansion.part(("rtuwire/core/version.hpp",), None)[1]
+    for wanted, doors in PARTS:
+        guard = "RTUWIRE_HAS_" + (wanted or "RTUWIRE").removeprefix("RTUWIRE_")
         condition = f"!defined({guard})" + (f" && defined({wanted})" if wanted else "")
-        standard, text = expansion.part(door, wanted)
+        standard, text = expansion.part(doors, wanted)
         includes = "".join(f"#include <{name}>\n" for name in standard)
         whole.append(f"\n#if {condition}\n#define {guard}\n{compact(language)}\n{includes}{compact(text)}\n#endif // {guard}\n")
         language = ""

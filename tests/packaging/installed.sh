@@ -18,7 +18,7 @@ echo "lintian"
 
 echo "a root with apt and little else"
 [ -f "$place/root.tar" ] || {
-    mmdebstrap --quiet --variant=minbase bookworm "$place/root.tar.part"
+    mmdebstrap --quiet --format=tar --variant=minbase bookworm "$place/root.tar.part"
     mv "$place/root.tar.part" "$place/root.tar"
 }
 rm -rf "$root"
@@ -32,7 +32,7 @@ cp -R "$project/packaging/debian/tests" "$root/packages/tests"
 # The mounts end with the program.
 unshare --mount --propagation private sh -euc '
     mount -t proc proc "$1/proc"
-    mount --bind /dev "$1/dev"
+    mount --rbind /dev "$1/dev"
     exec env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive LC_ALL=C \
         chroot "$1" sh -eu /packages/installed_inside.sh' sh "$root"
 rm -rf "$root"

@@ -16,9 +16,10 @@ apt() {
     fail "apt-get $* failed"
 }
 
-# Of ours, outside of what apt and dpkg write of their own acts.
+# Of ours, outside of what apt, dpkg and man write of their own acts.
 ours() {
-    find / -xdev \( -path /packages -o -path /proc -o -path /dev -o -path /var/log \) -prune -o -iname '*rtuwire*' -print
+    find / -xdev \( -path /packages -o -path /proc -o -path /dev -o -path /var/log -o -path /var/cache/man \) -prune \
+        -o -iname '*rtuwire*' -print
 }
 
 apt update

@@ -3,6 +3,7 @@
 // One of two files of a program that include the single header: this one with all its parts.
 #define RTUWIRE_PORT
 #define RTUWIRE_PRINT
+#define RTUWIRE_PARAMETERS
 #include <rtuwire.hpp>
 
 #include <iostream>

@@ -16,7 +16,7 @@ MAKER = PROJECT / "packaging" / "single_header.py"
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion", "-Wshadow", "-Wswitch-enum", "-Weffc++",
             "-Wold-style-cast", "-Werror"]
 COMPILERS = {"g++": ["-Wuseless-cast"], "clang++": ["-Wcomma"], "clang++-19": ["-Wcomma"]}
-EVERYTHING = "#define RTUWIRE_PORT\n#define RTUWIRE_PRINT\n#include <rtuwire.hpp>\n"
+EVERYTHING = "#define RTUWIRE_PORT\n#define RTUWIRE_PRINT\n#define RTUWIRE_PARAMETERS\n#include <rtuwire.hpp>\n"
 
 
 def make(output, *options):
@@ -62,7 +62,8 @@ class SingleHeader(unittest.TestCase):
 
     def test_a_part_that_is_not_asked_for_is_not_there(self):
         uses = {"RTUWIRE_PORT": "rtuwire::posix_serial port;",
-                "RTUWIRE_PRINT": "void show(std::ostream& out) { out << rtuwire::errc::timed_out; }"}
+                "RTUWIRE_PRINT": "void show(std::ostream& out) { out << rtuwire::errc::timed_out; }",
+                "RTUWIRE_PARAMETERS": "auto const& rows = rtuwire::altivar::atv320::parameters;"}
         for name, code in uses.items():
             asked = self.file("asked.cpp", f"#define {name}\n#include <rtuwire.hpp>\n{code}\n")
             plain = self.file("plain.cpp", f"#include <rtuwire.hpp>\n{code}\n")
@@ -76,11 +77,22 @@ class SingleHeader(unittest.TestCase):
                           "rtuwire::posix_serial port;\n")
         run("g++", "-std=c++20", "-fsyntax-only", "-I", self.place, later)
 
-    def refused(self, name, change):
-        """What the maker says of headers of which one is changed."""
+    def changed(self, name, change):
+        """The headers, of which one is changed."""
         copy = self.place / "include"
         shutil.copytree(PROJECT / "include", copy)
         (copy / name).write_text(change((copy / name).read_text(encoding="utf-8")), encoding="utf-8")
+        return copy
+
+    def test_a_part_includes_what_another_that_may_be_missing_includes_too(self):
+        copy = self.changed("rtuwire/print.hpp", lambda text: text.replace("#pragma once", "#pragma once\n#include <fcntl.h>", 1))
+        make(self.one, "--headers", copy)
+        parts = re.split(r"#define RTUWIRE_HAS_", self.one.read_text(encoding="utf-8"))
+        self.assertEqual([part.partition("\n")[0] for part in parts if "#include <fcntl.h>" in part], ["PORT", "PRINT"])
+
+    def refused(self, name, change):
+        """What the maker says of headers of which one is changed."""
+        copy = self.changed(name, change)
         output = self.place / "refused.hpp"
         done = subprocess.run([sys.executable, "-B", MAKER, output, "--headers", copy], text=True, stderr=subprocess.PIPE,
                               check=False)
@@ -95,8 +107,12 @@ class SingleHeader(unittest.TestCase):
         def quoted(text):
             return text.replace("#pragma once", '#pragma once\n#include "bytes.hpp"', 1)
 
+        def of_another_part(text):
+            return text.replace("#pragma once", "#pragma once\n#include <rtuwire/port/descriptor.hpp>", 1)
+
         self.assertRegex(self.refused("rtuwire/core/hex.hpp", conditional), r"core/hex\.hpp: .* under a condition")
         self.assertRegex(self.refused("rtuwire/core/hex.hpp", quoted), r"core/hex\.hpp: #include \"bytes\.hpp\"")
+        self.assertRegex(self.refused("rtuwire/print.hpp", of_another_part), "RTUWIRE_PRINT needs it, and only RTUWIRE_PORT")
         self.assertRegex(self.refused("rtuwire/port.hpp", lambda text: re.sub(r".*posix_serial.*\n", "", text)),
                          r"no door reaches rtuwire/port/posix_serial\.hpp")
 
