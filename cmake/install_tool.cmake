@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-# Installs the tool with its page and its completions, which it prints itself: the component `rtuwire_tool`.
+# Installs the tool with its page and its completions, which it prints itself: the component `rtuwire_tool`. Who configures
+# and installs, without a build between, gets the headers, and is told so; who asks for this component has to build it.
 include(GNUInstallDirs)
 
 set(rtuwire_tool_texts)
@@ -17,10 +18,17 @@ rtuwire_print(rtuwire completion bash)
 rtuwire_print(zsh/_rtuwire completion zsh)
 add_custom_target(rtuwire_tool_texts ALL DEPENDS ${rtuwire_tool_texts})
 
-install(TARGETS rtuwire_tool RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT rtuwire_tool)
+install(CODE "if(NOT EXISTS \"$<TARGET_FILE:rtuwire_tool>\")
+    set(level STATUS)
+    if(CMAKE_INSTALL_COMPONENT STREQUAL \"rtuwire_tool\")
+        set(level FATAL_ERROR)
+    endif()
+    message(\${level} \"The tool is not installed: it was not built (cmake --build)\")
+endif()" COMPONENT rtuwire_tool)
+install(TARGETS rtuwire_tool RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT rtuwire_tool OPTIONAL)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/texts/rtuwire.1"
-    DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT rtuwire_tool)
+    DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT rtuwire_tool OPTIONAL)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/texts/rtuwire"
-    DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT rtuwire_tool)
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT rtuwire_tool OPTIONAL)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/texts/zsh/_rtuwire"
-    DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions" COMPONENT rtuwire_tool)
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions" COMPONENT rtuwire_tool OPTIONAL)

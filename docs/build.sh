@@ -17,6 +17,7 @@ if [ -f "$here/playground/build.sh" ]; then
     sh "$here/playground/build.sh" "$build/html/playground"
 fi
 /usr/bin/python3 -B "$here/generate/reference.py" "$build/html" "$build/tags.xml"
+/usr/bin/python3 -B "$here/generate/search.py" "$build/html"
 /usr/bin/python3 -B "$here/generate/links.py" "$build/html"
 if [ "$output" != "$build/html" ]; then
     mkdir -p "$output"

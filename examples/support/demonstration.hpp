@@ -70,7 +70,7 @@ public:
     /// One round of the monitor plan, in its units.
     bool read_panel()
     {
-        panel_.begin();
+        ask();
         if (not run(panel_)) {
             return false;
         }
@@ -252,7 +252,7 @@ private:
             }
             if (panel_.settled()) {
                 look();
-                panel_.begin();
+                ask();
             }
             if (not pass(panel_)) {
                 return false;
@@ -291,13 +291,21 @@ private:
     double time() const { return double((port_.now() - begin_).microseconds) / 1e6; }
     panel_reading<Device> read() const { return panel_reading<Device>{panel_.latest()}; }
 
+    /// Begins the next round of the panel.
+    void ask()
+    {
+        panel_.begin();
+        asked_at_ = time();
+    }
+
     /// Takes a sample.
     void look()
     {
         auto const now = read();
         bool const is_reverse = way_ == rtuwire::altivar::run_direction::reverse;
-        seen_.add({time(), now.reference(is_reverse), now.output(), now.current(), now.state(),
-                   panel_.outcome().has_value()});
+        seen_.add(
+            {time(), now.reference(is_reverse), now.output(), now.current(), now.state(), panel_.outcome().has_value()},
+            asked_at_);
     }
 
     rtuwire::posix_serial& port_;
@@ -310,6 +318,7 @@ private:
     reason_to_end must_end_;
     logbook seen_{};
     rtuwire::altivar::run_direction way_{rtuwire::altivar::run_direction::forward};
+    double asked_at_{0};
     int steps_{0};
     std::sig_atomic_t interrupts_before_{0}; ///< the stop
     bool is_commanding_{false};

@@ -21,8 +21,13 @@ class logbook {
 public:
     using state = rtuwire::cia402::state;
 
-    void add(sample const& at)
+    /// A sample whose state was asked for at a time. Where another one was noted since, the sample has that: the answers of
+    /// its other registers came later, and a row must not show an older state below a newer one.
+    void add(sample at, double asked_at)
     {
+        if (noted_at_ >= asked_at) {
+            at.state = last_state_;
+        }
         samples_.push_back(at);
         if (at.time >= next_row_) {
             next_row_ = at.time + 0.5;
@@ -35,6 +40,7 @@ public:
     {
         if (at != last_state_) {
             last_state_ = at;
+            noted_at_ = time;
             states_.push_back(at);
             say("  %6.2f s  -> %s\n", time, words(name_of(at)).c_str());
         }
@@ -75,6 +81,7 @@ private:
     history samples_{};
     std::vector<state> states_{};
     state last_state_{state::unknown};
+    double noted_at_{-1};
     double next_row_{0};
     int rows_{0};
 };

@@ -18,7 +18,8 @@ const sizes = {phone: {width: 390, height: 844}, desktop: {width: 1280, height: 
 const shown = ["index", "start_two_commands", "start_wiring", "drives_atv320", "concepts", "errors", "names", "figures",
     "classrtuwire_1_1basic__client"];
 const limit = 60_000; // of a busy machine; no result depends on it
-const wanted = {"crc mismatch": null, "blocking_client": "blocking_client", "wiring": "Wiring", "start": "start"};
+const wanted = {"crc mismatch": null, "blocking_client": "blocking_client", "wiring": "Wiring", "start": "start",
+    "crc_mismatch": "cause and remedy", "late answer": "Late answer"};
 
 const address = (page) => pathToFileURL(path.join(site, `${page}.html`)).href;
 const guides = fs.readdirSync(site).filter((name) => /^[a-z][a-z0-9_]*\.html$/.test(name))

@@ -14,6 +14,7 @@ import gallery  # noqa: E402
 import headers  # noqa: E402
 import links  # noqa: E402
 import pages  # noqa: E402
+import search  # noqa: E402
 import snippets  # noqa: E402
 
 
@@ -55,6 +56,34 @@ class Links(Folder):
         self.write("site/a.html", '<a href="../outside.html">b</a>')
         site = (self.place / "site").resolve()
         self.assertEqual(list(links.broken(site, links.read(site))), ["a.html:1: ../outside.html leads out of the site"])
+
+
+class Search(Folder):
+    def test_an_error_leads_to_the_gallery(self):
+        self.write("search/searchdata.js", 'var indexSectionsWithContent =\n{\n  0: "abc",\n  1: "b"\n};\n')
+        self.write("search/all_2.js", "var searchData=\n[\n  ['crc_0',['crc',['../x.html',1,'rtuwire']]]\n];\n")
+        search.add(self.place / "search", 7, "errors-errc-crc_mismatch", "crc_mismatch")
+        self.assertEqual((self.place / "search/all_2.js").read_text(encoding="utf-8"),
+                         'var searchData=\n[\n  ["crc_5fmismatch_e7", ["crc_mismatch", ["../errors.html#errors-errc-crc_mismatch", 1, '
+                         "\"cause and remedy\"]]],\n  ['crc_0',['crc',['../x.html',1,'rtuwire']]]\n];\n")
+
+    def test_what_the_page_explains(self):
+        page = ('<h2><a class="anchor" id="errors-late-answer"></a>\nLate answer</h2><h3><a class="anchor" id="errors-errc-busy"></a>\n'
+                'busy (0x86)</h3><h3><a class="anchor" id="errors-read_only"></a>\nread only</h3>')
+        self.assertEqual(list(search.entries(page)), [("errors-late-answer", "Late answer"), ("errors-errc-busy", "busy")])
+
+    def test_words_as_the_search_spells_them(self):
+        self.assertEqual(search.spelled("Late answer"), "late_20answer")
+
+    def test_a_list_that_is_none(self):
+        self.write("search/searchdata.js", '0: "b"')
+        self.write("search/all_0.js", "nothing")
+        with self.assertRaises(ValueError):
+            search.add(self.place / "search", 0, "errors-errc-busy", "busy")
+
+    def test_a_site_without_errors_fails(self):
+        self.write("errors.html", "<h1>Gallery</h1>")
+        self.assertEqual(search.main(self.place), 1)
 
 
 class Pages(Folder):

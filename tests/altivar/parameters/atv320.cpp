@@ -5,6 +5,9 @@
 
 #include "altivar/parameters/agreement.hpp"
 
+#include <string>
+#include <string_view>
+
 #include <rtuwire/ask/access.hpp>
 
 using namespace rtuwire;
@@ -49,5 +52,19 @@ TEST_CASE("parameters of the ATV320: a row is found by its mnemonic and by its a
     REQUIRE(record != nullptr);
     CHECK_FALSE(record->is_writable());
 }
+
+TEST_CASE("parameters of the ATV320: a row is found by a text that is known only when the program runs")
+{
+    std::string entered{"SP2 and more"};
+    CHECK(atv320::parameters.by_code(entered) == nullptr);
+    CHECK(atv320::parameters.by_code(std::string_view{entered}.substr(0, 3)) == atv320::parameters.at(11410));
+    entered.resize(3);
+    CHECK(atv320::parameters.by_code(entered) == atv320::parameters.at(11410));
+    CHECK(atv320::parameters.by_code(literal{"SP2"}) == atv320::parameters.at(11410));
+    for (std::string_view const unknown : {"", "S", "SP", "sp2", "SP22", "NONE"}) {
+        CHECK(atv320::parameters.by_code(unknown) == nullptr);
+    }
+}
+STATIC_CHECK(atv320::parameters.by_code(std::string_view{"SP2"}) == atv320::parameters.by_code("SP2"));
 
 } // namespace

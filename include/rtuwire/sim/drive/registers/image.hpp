@@ -66,6 +66,10 @@ template <auto const&... Registers> struct rules_of<table<Registers...>> {
     static constexpr std::array<std::uint16_t, count> addresses{Registers.address...};
 };
 
+/// Whether an image can be made of the registers: not of those in the groups of all parameters.
+template <typename Table> inline constexpr bool is_whole_table = false;
+template <auto const&... Registers> inline constexpr bool is_whole_table<table<Registers...>> = true;
+
 /// The words of all registers of a device, initially as commissioned.
 template <device_type Device> class image {
     using rules = rules_of<typename Device::registers>;
