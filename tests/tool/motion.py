@@ -292,7 +292,7 @@ def with_nothing_open(motor, program, check):
 WAYS = (by_its_time, by_speed, by_fault, by_lost_line, by_deaf_line, by_another_master, by_local, by_two_interrupts,
         by_suspension, by_stop, by_sleep, by_abort, by_a_full_disk, by_its_reader, behind_a_full_pipe,
         by_its_terminal, with_nothing_open)
-TIMES = {by_lost_line: QUICK, by_deaf_line: 300, by_stop: 60, by_sleep: 60}
+TIMES = {by_lost_line: 60, by_deaf_line: 300, by_stop: 60, by_sleep: 60}
 RAMPS = {by_two_interrupts: 100}
 
 
