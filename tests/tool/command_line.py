@@ -10,6 +10,8 @@ import subprocess
 
 from support import DONE, PORT, USAGE, Tool, runs
 
+CABINET = "sim:atv320:7,atv12:3"
+
 WRONG = [
     (["raed", "RFR"], ["'raed' is no command", "'read'"]),
     (["read", "RFR", "--baudd", "9600"], ["'--baudd' is no option", "'--baud'"]),
@@ -28,7 +30,23 @@ WRONG = [
     (["simulate", "atv320:"], ["unit", "atv320"]),
     (["simulate", "atv320", "--vendor", 64 * "x"], ["--vendor", "63"]),
     (["simulate", "atv320", "--port", "tcp://host:4001"], ["tcp://host:4001", "/dev/"]),
+    (["--port", CABINET, "--name", "fan=7", "--name", "fan=3", "-u", "fan", "identify"], ["'fan'", "unit 7", "unit 3"]),
+    (["--port", CABINET, "--name", "fan=3", "--name", "fan=7", "-u", "fan", "identify"], ["'fan'", "unit 7", "unit 3"]),
+    (["--port", CABINET, "--name", "fan=7:atv320", "--name", "mixer=7:atv12", "-u", "7", "identify"], ["7", "two types"]),
+    (["--port", CABINET, "--name", "3=7", "-u", "3", "identify"], ["'3=7'", "digit"]),
+    (["--port", CABINET, "--name", "3-7=7", "-u", "3", "identify"], ["'3-7=7'", "digit"]),
+    (["--port", CABINET, "--name", "a,b=7", "identify"], ["'a,b=7'", "comma"]),
+    # What changes something takes no unit by itself.
+    (["--port", CABINET, "--write", "write", "ACC=1s"], ["which unit?", "--unit"]),
+    (["--port", CABINET, "--write", "reset"], ["which unit?", "--unit"]),
+    (["--port", CABINET, "--allow-run", "start", "--frequency", "10Hz"], ["which unit?", "--unit"]),
 ]
+
+# A command that lasts, and lengths of time that are none: no zero is "without end".
+LASTING = [["watch", "RFR"], ["sniff"], ["capture", "-o", "x"], ["timing"], ["--allow-run", "start", "--frequency", "9Hz"]]
+NO_LENGTHS = ["0", "0s", "0.0min", "-1s", "-5min", "1e10s", "99999999999999999999s", "9000h", "", "s", "1m", "1,5s", "nan",
+              "inf", "0x10s", "1us"]
+LENGTHS = ["300ms", "0.3s", "0.005min", "0.0001h", "0.3"]
 
 # A file, the line that is wrong, and what is said of it.
 WRONG_FILES = [
@@ -45,6 +63,8 @@ WRONG_FILES = [
     ("[line]\nbaud = 9600", 1, ["[line]"]),
     ("write = true", 1, ["write", "typed"]),
     ("retries = 11", 1, ["retries", "11"]),
+    ('name = ["fan=7:atv320", "fan=3:atv12"]', 1, ["'fan'", "unit 7", "unit 3"]),
+    ('name = ["3=7"]', 1, ["'3=7'", "digit"]),
 ]
 
 COMPLETED = [
@@ -120,6 +140,10 @@ def check_configuration(tool, check):
     check(ended.status == DONE and ended.objects()[0]["unit"] == 3, "and one of the command line beside it", ended)
     check(tool.run("--config", "cabinet.toml", "--unit", "3", "--json", "read", "RFR").objects()[0]["unit"] == 3,
           "the command line overrides the file")
+    ended = tool.run("--config=cabinet.toml", "--json", "--name", "fan=3", "-u", "fan", "read", "RFR")
+    check(ended.status == DONE and ended.objects()[0]["unit"] == 3, "a name of the command line replaces the file's", ended)
+    ended = tool.run("--config", "cabinet.toml", "--write", "--json", "write", "ACC=1s")
+    check(ended.status == DONE and ended.objects()[0]["unit"] == 7, "a unit of the file is one that was named", ended)
     (tool.place / "config").mkdir()
     (tool.place / "config" / "rtuwire.toml").write_text('port = "sim:atv12:9"\nunit = 9\n')
     check(tool.run("--json", "read", "RFR").objects()[0]["unit"] == 9, "$XDG_CONFIG_HOME is looked into")
@@ -127,6 +151,23 @@ def check_configuration(tool, check):
     check(tool.run("--json", "read", "RFR").objects()[0]["unit"] == 7, "./rtuwire.toml goes before it")
     (tool.place / "rtuwire.toml").unlink()
     (tool.place / "config" / "rtuwire.toml").unlink()
+
+
+def check_times(tool, check):
+    """The same lengths of time for every command that has some; zero, and what is none, are refused by each."""
+    for words in LASTING:
+        for each in NO_LENGTHS:
+            ended = tool.run("--port", CABINET, "-u", "7", "-y", *words, f"--for={each}", limit=5)
+            check(ended.status == USAGE and "--for" in ended.errors and not ended.output,
+                  f"{words} --for={each} is refused", ended)
+    for each in LENGTHS:
+        ended = tool.run("--port", CABINET, "-u", "7", "watch", "RFR", "--every", "0.00001h", "--for", each, limit=5)
+        check(ended.status == DONE, f"--for {each}", ended)
+    ended = tool.run("--port", CABINET, "-u", "7", "-y", "--allow-run", "start", "--frequency", "9Hz", "--for", "300ms")
+    check(ended.status == DONE and "for 0.3 s" in ended.errors and "the time is over" in ended.errors, "start --for 300ms", ended)
+    for each in ("-1s", "1m", "fast", "1e10s"):
+        ended = tool.run("--port", CABINET, "-u", "7", "watch", "RFR", f"--every={each}", limit=5)
+        check(ended.status == USAGE and "--every" in ended.errors, f"--every={each} is refused", ended)
 
 
 def main(check, program):
@@ -138,6 +179,7 @@ def main(check, program):
         check_help(tool, check)
         check_completion(tool, check)
         check_configuration(tool, check)
+        check_times(tool, check)
 
 
 runs(main)

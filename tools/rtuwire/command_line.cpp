@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "command_line.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +10,7 @@
 #include "command_words.hpp"
 #include "configuration.hpp"
 #include "help/tool_texts.hpp"
+#include "line/line_words.hpp"
 #include "words/suggestion.hpp"
 
 namespace tool {
@@ -106,14 +108,24 @@ std::string configure(int argc, char** argv, line_choices& line)
     return {};
 }
 
-/// Names of the command line stand beside those of the file; drives are never simulated on the port of the file.
+/// Names of the command line stand beside those of the file, and in the place of the same name there; drives are never
+/// simulated on the port of the file.
 void mend(CLI::App const& app, choices& chosen, line_choices const& of_file)
 {
+    line_choices& line = chosen.line;
     if (app.get_option("--name")->count() > 0) {
-        chosen.line.names.insert(chosen.line.names.begin(), of_file.names.begin(), of_file.names.end());
+        std::vector<named_unit> const typed = names_in(line);
+        std::vector<named_unit> const kept = names_in(of_file);
+        for (std::size_t i = kept.size(); i-- > 0;) {
+            if (not std::ranges::count(typed, kept[i].name, &named_unit::name)) {
+                line.names.insert(line.names.begin(), of_file.names[i]);
+            }
+        }
     }
+    static_cast<void>(names_in(line)); // refuses what is wrong together
+    line.is_unit_named = line.is_unit_named or app.get_option("--unit")->count() > 0;
     if (chosen.command == "simulate" and app.get_option("--port")->count() == 0) {
-        chosen.line.port.clear();
+        line.port.clear();
     }
 }
 

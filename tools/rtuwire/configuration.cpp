@@ -187,7 +187,11 @@ struct option {
 
 constexpr option options[] = {
     {"port", [](line_choices& line, std::string const& word) { line.port = port_in(word); }},
-    {"unit", [](line_choices& line, std::string const& word) { line.unit = word; }},
+    {"unit",
+     [](line_choices& line, std::string const& word) {
+         line.unit = word;
+         line.is_unit_named = true;
+     }},
     {"baud",
      [](line_choices& line, std::string const& word) {
          line.baud = baud_in(static_cast<unsigned>(number_in(word, 1, 10'000'000)));

@@ -24,8 +24,8 @@ using rtuwire::altivar::outcome_kind;
 class resetting {
 public:
     explicit resetting(choices const& chosen)
-        : chosen_{chosen}, who_{unit_in(chosen.line)}, line_{chosen.line}, drive_{
-                                                                               catalog_of(line_, who_.unit, who_.drive)}
+        : chosen_{chosen}, who_{unit_to_change(chosen)}, line_{chosen.line}, drive_{catalog_of(line_, who_.unit,
+                                                                                               who_.drive)}
     {}
 
     exit_status run()

@@ -60,13 +60,18 @@ public:
         ending const end = judge(why, catalog_chosen(drive));
         output results{chosen_.form, false};
         results.put({{"unit", std::int64_t{who_.unit.byte()}},
-                     {"outcome", end.sentence},
+                     {"outcome", end.sentence + of_which_unit()},
                      {"error", why.error == errc::none ? cell{} : cell{words_of(why.error)}}});
         results.finish();
         return end.status;
     }
 
 private:
+    std::string of_which_unit() const
+    {
+        return chosen_.line.is_unit_named ? "" : "; that was unit 1, because nobody said --unit";
+    }
+
     static line_choices line_to_stop(line_choices line)
     {
         line.must_not_listen = true;

@@ -13,6 +13,7 @@
 #include "catalog/value_text.hpp"
 #include "commands/commands.hpp"
 #include "line/asked_registers.hpp"
+#include "line/line_words.hpp"
 #include "line/reading.hpp"
 #include "line/who_is_it.hpp"
 #include "line/write_log.hpp"
@@ -29,12 +30,9 @@ constexpr std::uint16_t save_to_eeprom = 2; ///< the order in CMI
 
 class writing {
 public:
-    explicit writing(choices const& chosen) : chosen_{chosen}, unit_{unit_in(chosen.line)}, results_{chosen.form, true}
-    {
-        if (not chosen.allowed.may_write) {
-            refuse_for_safety("this program only reads; to write, say --write");
-        }
-    }
+    explicit writing(choices const& chosen)
+        : chosen_{chosen}, unit_{unit_to_change(chosen)}, results_{chosen.form, true}
+    {}
 
     exit_status run()
     {
@@ -195,6 +193,12 @@ private:
 
 } // namespace
 
-exit_status run_write(choices const& chosen) { return writing{chosen}.run(); }
+exit_status run_write(choices const& chosen)
+{
+    if (not chosen.allowed.may_write) {
+        refuse_for_safety("this program only reads; to write, say --write");
+    }
+    return writing{chosen}.run();
+}
 
 } // namespace tool

@@ -30,10 +30,13 @@ std::string words_of_kind(outcome_kind kind) { return std::string{std::string_vi
 } // namespace
 
 running::running(std::unique_ptr<motor> which, any_port& port, rtuwire::unit_id unit, drive_catalog const& drive,
-                 output_form how, double length)
-    : motor_{std::move(which)}, port_{port}, unit_{unit}, drive_{drive}, display_{how, drive}, must_end_{longest_look},
-      length_{length}
-{}
+                 output_form how, std::optional<double> limit)
+    : motor_{std::move(which)}, port_{port}, unit_{unit}, drive_{drive}, display_{how, drive}, must_end_{longest_look}
+{
+    if (limit) {
+        length_ = std::chrono::duration<double>{*limit};
+    }
+}
 
 running::~running() { emergency.stop_motor(); }
 
@@ -149,8 +152,8 @@ motion_end running::keep_running()
             return order_lost();
         }
         bool const runs = seen.state == state::operation_enabled;
-        if (runs and length_.count() > 0 and not until) {
-            until = clock::now() + std::chrono::duration_cast<clock::duration>(length_);
+        if (runs and length_ and not until) {
+            until = clock::now() + std::chrono::duration_cast<clock::duration>(*length_);
         }
         if (until and clock::now() >= *until) {
             return {exit_status::done, "the time is over"};
