@@ -4,6 +4,7 @@
 
     python3 command_line.py TOOL
 """
+import os
 import re
 import shutil
 import subprocess
@@ -132,6 +133,23 @@ def check_configuration(tool, check):
         check(ended.status == USAGE and is_told, f"{text!r} is refused", ended.errors)
     check(tool.run("--config", "cabinet.toml", "--help").status == DONE, "help is shown all the same")
     check("missing.toml" in tool.run("--config", "missing.toml", "list").errors, "a file that is not there is named")
+    os.mkfifo(tool.place / "pipe")
+    for name, reason in (("missing.toml", "No such file or directory"), ("/dev/zero", "is a device"), (".", "is a directory"),
+                         ("pipe", "is a pipe"), ("", "missing")):
+        ended = tool.run("--config", name, "list", limit=5)
+        check(ended.status == USAGE and name in ended.errors and reason in ended.errors, f"--config {name!r}", ended)
+    (tool.place / "rtuwire.toml").mkdir()
+    ended = tool.run("list")
+    check(ended.status == USAGE and "is a directory" in ended.errors, "a folder in the place of the file", ended)
+    (tool.place / "rtuwire.toml").rmdir()
+    file.write_bytes(b'\xef\xbb\xbfbaud = 12345\n')
+    ended = tool.run("--config", "cabinet.toml", "list")
+    check(ended.status == USAGE and "cabinet.toml:1: baud" in ended.errors, "a byte order mark is no part of it", ended)
+    file.write_text('port = ""\n')
+    ended = tool.run("--config", "cabinet.toml", "list")
+    check(ended.errors.startswith('rtuwire: cabinet.toml:1: port = "": ') and "port : " not in ended.errors,
+          "a value that is empty is shown", ended)
+    check("is a directory" in tool.run("replay", ".").errors, "a folder is no capture")
     file.write_text('port = "sim:atv320:7,atv12:3"\nname = [\n  "fan=7:atv320",  # in the cellar\n  \'pump=3\',\n]\n'
                     "baud = 9600\ntimeout = 0.5\nunit = 7\n")
     ended = tool.run("--config", "cabinet.toml", "--json", "-u", "fan", "read", "RFR")

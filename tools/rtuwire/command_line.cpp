@@ -11,6 +11,7 @@
 #include "configuration.hpp"
 #include "help/tool_texts.hpp"
 #include "line/line_words.hpp"
+#include "output/plain_text.hpp"
 #include "words/suggestion.hpp"
 
 namespace tool {
@@ -80,7 +81,7 @@ exit_status print_own_text(CLI::App const& app, choices const& chosen)
 }
 
 /// The file that --config names, or the one that is there without it. Read before the command line, which overrides it.
-std::string configuration_among(int argc, char** argv)
+std::optional<std::string> configuration_among(int argc, char** argv)
 {
     std::string_view const flag = "--config";
     for (int i = 1; i < argc; ++i) {
@@ -99,8 +100,8 @@ std::string configuration_among(int argc, char** argv)
 std::string configure(int argc, char** argv, line_choices& line)
 {
     try {
-        if (std::string const file = configuration_among(argc, argv); not file.empty()) {
-            read_configuration(file, line);
+        if (auto const file = configuration_among(argc, argv)) {
+            read_configuration(*file, line);
         }
     } catch (ended const& why) {
         return why.what();
@@ -183,7 +184,7 @@ exit_status refuse(CLI::App const& app, CLI::ParseError const& why)
 {
     std::string const word = wrong_word(app);
     std::string const text = word.empty() ? why.what() : word;
-    std::fprintf(stderr, "rtuwire: %s\n", text.c_str());
+    tell_error(text);
     return exit_status::usage;
 }
 

@@ -12,6 +12,7 @@
 #include "motion/motor.hpp"
 #include "motion/question.hpp"
 #include "motion/running.hpp"
+#include "output/plain_text.hpp"
 
 namespace tool {
 
@@ -63,7 +64,7 @@ exit_status start_on(line_choices const& how, choices const& chosen)
     running motor{
         make({line.port(), line.options()}, who.unit, asked), line.port(), who.unit, drive, chosen.form, chosen.last};
     motion_end const end = motor.run();
-    complain("rtuwire: %s\n", end.sentence.c_str());
+    complain("rtuwire: %s\n", plain_text(end.sentence).c_str());
     return end.status;
 }
 

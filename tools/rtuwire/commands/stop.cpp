@@ -153,7 +153,7 @@ private:
 
     ending not_reached(errc why) const
     {
-        exit_status const status = status_of(why) == exit_status::port ? exit_status::port : exit_status::no_answer;
+        exit_status const status = why == errc::none ? exit_status::no_answer : status_of(why);
         return {status, "the drive was not reached: " + words_of(why)};
     }
 

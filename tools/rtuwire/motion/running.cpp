@@ -3,6 +3,7 @@
 #include "motion/running.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <utility>
 
@@ -164,9 +165,12 @@ motion_end running::keep_running()
 motion_end running::interrupted() const
 {
     int const failure = standard_output.failure();
-    exit_status const status = noted.end != 0 ? exit_status::done
-                               : failure != 0 ? exit_status::port
-                                              : exit_status::differs;
+    // Ctrl-C and TERM are how this command is meant to end; any other signal is an accident, which a shell is told.
+    bool const is_meant = noted.end == SIGINT or noted.end == SIGTERM;
+    exit_status const status = is_meant         ? exit_status::done
+                               : noted.end != 0 ? static_cast<exit_status>(128 + noted.end)
+                               : failure != 0   ? exit_status::port
+                                                : exit_status::differs;
     return {status, "ended: " + must_end_.text()};
 }
 
