@@ -238,6 +238,9 @@ void take(entries const& from, entry const& one, line_choices& line)
         from.refuse(one, "'" + one.key + "' has one value");
     }
     for (std::string const& word : one.values) {
+        if (word.empty()) {
+            from.refuse(one, one.key + " = \"\": the value is empty");
+        }
         try {
             which.take(line, word);
         } catch (ended const& why) {

@@ -21,20 +21,7 @@ record of_drive(drive_catalog const& drive)
             {"most in a write", std::int64_t{drive.limits.write}}};
 }
 
-std::string note_on(register_entry const& entry)
-{
-    std::string note;
-    if (not entry.steps_set_by.empty()) {
-        note = "steps set by " + std::string{entry.steps_set_by};
-    }
-    if (entry.gap_first <= entry.gap_last) {
-        note += (note.empty() ? "never " : "; never ") + std::to_string(entry.gap_first) + " to " +
-                std::to_string(entry.gap_last);
-    }
-    return note;
-}
-
-/// A limit, or a default, as people read it; programs get counts.
+/// A limit, or a default, as people read it; programs get counts of them.
 std::string amount_of(std::int64_t count, register_entry const& entry, drive_catalog const& drive)
 {
     auto const step = step_of(entry, drive);
@@ -42,6 +29,19 @@ std::string amount_of(std::int64_t count, register_entry const& entry, drive_cat
     return is_amount and step ? amount_text(count, *step, entry.unit)
            : is_amount        ? std::to_string(count) + " steps"
                               : std::to_string(count);
+}
+
+std::string note_on(register_entry const& entry, drive_catalog const& drive)
+{
+    std::string note;
+    if (not entry.steps_set_by.empty()) {
+        note = "steps set by " + std::string{entry.steps_set_by};
+    }
+    if (entry.gap_first <= entry.gap_last) {
+        note += (note.empty() ? "never " : "; never ") + amount_of(entry.gap_first, entry, drive) + " to " +
+                amount_of(entry.gap_last, entry, drive);
+    }
+    return note;
 }
 
 std::string limit_text(rtuwire::bound const& limit, register_entry const& entry, drive_catalog const& drive)
@@ -64,7 +64,7 @@ record of_register(register_entry const& entry, drive_catalog const& drive, bool
                                           : cell{std::int64_t{*entry.factory}}},
             {"source", std::string{text_of(entry.source)}},
             {"name", std::string{entry.name}},
-            {"note", note_on(entry)}};
+            {"note", note_on(entry, drive)}};
 }
 
 } // namespace

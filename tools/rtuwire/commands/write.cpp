@@ -194,13 +194,13 @@ private:
                why != errc::gateway_target_failed_to_respond;
     }
 
-    /// For people a failure is a note; programs have a name for it.
+    /// A failure is a note for people; programs have a name for it besides.
     void show(value_to_write const& value, std::string const& before, cell const& after, std::string const& error,
               std::string const& note)
     {
         bool const is_table = chosen_.form == output_form::table;
         bool const is_unknown = std::holds_alternative<std::monostate>(after);
-        std::string all = is_table ? error : std::string{};
+        std::string all = error;
         append(all, note);
         record row{{"unit", std::int64_t{unit_.unit.byte()}},
                    {"register", label_of({value.address, value.entry})},

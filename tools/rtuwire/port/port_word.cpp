@@ -153,7 +153,7 @@ port_choice read_port_word(std::string_view word)
     if (meant.port) {
         return {std::move(*meant.port)};
     }
-    std::string sentence = (word.empty() ? "no port is named: " : "port " + std::string{word} + ": ") + meant.why;
+    std::string sentence = "port " + std::string{word} + ": " + meant.why;
     // A word with two mistakes: what mends one of them is no help.
     if (not meant.nearest.empty() and not read(meant.nearest).port) {
         meant.nearest.clear();
