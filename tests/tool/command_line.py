@@ -9,7 +9,7 @@ import re
 import shutil
 import subprocess
 
-from support import DONE, PORT, USAGE, Tool, runs
+from support import DONE, NO_ANSWER, PORT, USAGE, Tool, runs
 
 CABINET = "sim:atv320:7,atv12:3"
 
@@ -188,6 +188,12 @@ def check_times(tool, check):
         check(ended.status == USAGE and "--every" in ended.errors, f"--every={each} is refused", ended)
 
 
+def check_stop(tool, check):
+    for words, is_told in (([], True), (["-u", "1"], False)):
+        ended = tool.run("--port", CABINET, "--timeout", "0.05", *words, "stop")
+        check(ended.status == NO_ANSWER and ("that was unit 1" in ended.output) == is_told, f"{words} stop says its unit", ended)
+
+
 def main(check, program):
     with Tool(program) as tool:
         for words, parts in WRONG:
@@ -198,6 +204,7 @@ def main(check, program):
         check_completion(tool, check)
         check_configuration(tool, check)
         check_times(tool, check)
+        check_stop(tool, check)
 
 
 runs(main)

@@ -114,6 +114,9 @@ def check_damaged(tool, check):
                 ended = tool.run("--port", line.name, "--no-listen", "--timeout", 0.2, *form, *words)
                 check(re.search(r"\\x1B\]0;x\\x07\\x1B\[2J\\x0A\\x0D.\\xFF\\xC2\\x9B", ended.output)
                       and not re.search(r"[\x00-\x09\x0b-\x1f\x7f-\x9f]", ended.output), f"{form} {words}: plain", ended)
+        ended = tool.run("--port", line.name, "--no-listen", "--timeout", 0.2, "--json", "-u", 7, "identify")
+        check(ended.objects()[0]["vendor"] == "\x1b]0;x\x07\x1b[2J\n\r|\ufffd\x9b"
+              and not re.search(r"[\x00-\x09\x0b-\x1f\x7f-\x9f]", ended.output), "objects have it all, escaped", ended)
         ended = tool.run("--port", line.name, "--no-listen", "--timeout", 0.2, "-u", 7, "read", "RFR")
         check("\\x1B[2J" in ended.errors and "\x1b" not in ended.errors, "and in errors", ended)
     ended = tool.run("decode", "-", given="\x1b[31mx")

@@ -27,6 +27,7 @@ namespace {
 using rtuwire::errc;
 
 constexpr std::uint16_t save_to_eeprom = 2; ///< the order in CMI
+constexpr char const* unknown = "unknown";  ///< what the unit holds, where it could not be read
 
 class writing {
 public:
@@ -136,7 +137,8 @@ private:
         reader.read(line, unit_.unit);
         std::vector<std::string> before;
         for (chosen_register const& each : all) {
-            before.push_back(reading_of(each, reader, drive_).text);
+            reading const it = reading_of(each, reader, drive_);
+            before.push_back(it.word ? it.text : unknown);
         }
         return before;
     }
@@ -181,7 +183,7 @@ private:
         }
         std::string note = is_taken or not error.empty() ? std::string{} : words_of(outcome.error()) + ": read back";
         if (not is_refusal(outcome.error())) {
-            append(note, logged(value, before, held ? after : "unknown", is_order));
+            append(note, logged(value, before, held ? after : unknown, is_order));
         }
         show(value, before, held ? cell{after} : cell{}, error, note);
         return status;
@@ -204,8 +206,8 @@ private:
         append(all, note);
         record row{{"unit", std::int64_t{unit_.unit.byte()}},
                    {"register", label_of({value.address, value.entry})},
-                   {"before", before},
-                   {"after", is_table and is_unknown and error != "not tried" ? cell{"unknown"} : after},
+                   {"before", not is_table and before == unknown ? cell{} : cell{before}},
+                   {"after", is_table and is_unknown and error != "not tried" ? cell{unknown} : after},
                    {"note", all}};
         if (chosen_.form == output_form::csv or (chosen_.form == output_form::json and not error.empty())) {
             row.add("error", error.empty() ? cell{} : cell{error});

@@ -12,6 +12,7 @@
 
 #include "exit_status.hpp"
 #include "files/regular_file.hpp"
+#include "output/plain_text.hpp"
 
 namespace tool {
 
@@ -39,7 +40,7 @@ std::string time_now()
 
 std::string place_of(std::string const& port, unsigned unit)
 {
-    return '\t' + port + '\t' + std::to_string(unit) + '\t';
+    return '\t' + plain_text(port) + '\t' + std::to_string(unit) + '\t';
 }
 
 } // namespace

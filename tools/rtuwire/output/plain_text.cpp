@@ -44,26 +44,54 @@ bool acts_on_a_terminal(std::string_view character)
     return is_c1 or is_direction;
 }
 
-} // namespace
-
-std::string plain_text(std::string_view text)
+std::string hex_of(unsigned number, unsigned digits)
 {
-    constexpr char digits[] = "0123456789ABCDEF";
+    std::string text;
+    for (unsigned i = digits; i-- > 0;) {
+        text += "0123456789ABCDEF"[(number >> (4 * i)) & 0xFU];
+    }
+    return text;
+}
+
+/// The number of a character of at most three bytes.
+unsigned number_of(std::string_view character)
+{
+    unsigned number = 0;
+    for (char const each : character) {
+        number = (number << 6U) | (static_cast<unsigned char>(each) & 0x3FU);
+    }
+    return character.size() == 1 ? static_cast<unsigned char>(character[0]) : number & 0xFFFFU;
+}
+
+/// Copies a text, but for what `replaced` returns another text for: a character, and whether it is one.
+template <typename Replaced> std::string copy_of(std::string_view text, Replaced replaced)
+{
     std::string plain;
     while (not text.empty()) {
         std::size_t const size = size_of_character(text);
         std::string_view const character = text.substr(0, size == 0 ? 1 : size);
-        if (size != 0 and not acts_on_a_terminal(character)) {
-            plain += character;
-        } else {
-            for (char const each : character) {
-                auto const byte = static_cast<unsigned char>(each);
-                plain += {'\\', 'x', digits[byte >> 4U], digits[byte & 0xFU]};
-            }
-        }
+        plain += size == 0 or acts_on_a_terminal(character) ? replaced(character) : std::string{character};
         text.remove_prefix(character.size());
     }
     return plain;
+}
+
+} // namespace
+
+std::string plain_text(std::string_view text)
+{
+    return copy_of(text, [](std::string_view character) {
+        std::string bytes;
+        for (char const each : character) {
+            bytes += "\\x" + hex_of(static_cast<unsigned char>(each), 2);
+        }
+        return bytes;
+    });
+}
+
+std::string plain_json(std::string_view text)
+{
+    return copy_of(text, [](std::string_view character) { return "\\u" + hex_of(number_of(character), 4); });
 }
 
 void tell_error(std::string_view text) { std::fprintf(stderr, "rtuwire: %s\n", plain_text(text).c_str()); }

@@ -11,6 +11,9 @@ namespace tool {
 /// The same text with everything that a terminal would act upon, and every byte that is no UTF-8, as "\\x1B".
 [[nodiscard]] std::string plain_text(std::string_view text);
 
+/// The same for the text of a JSON object, which keeps its meaning: "\\u007F".
+[[nodiscard]] std::string plain_json(std::string_view text);
+
 /// Says why a command ends, on the error output: "rtuwire: " and a plain text.
 void tell_error(std::string_view text);
 
