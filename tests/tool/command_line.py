@@ -4,11 +4,14 @@
 
     python3 command_line.py TOOL
 """
+import os
 import re
 import shutil
 import subprocess
 
-from support import DONE, PORT, USAGE, Tool, runs
+from support import DONE, NO_ANSWER, PORT, USAGE, Tool, runs
+
+CABINET = "sim:atv320:7,atv12:3"
 
 WRONG = [
     (["raed", "RFR"], ["'raed' is no command", "'read'"]),
@@ -28,7 +31,23 @@ WRONG = [
     (["simulate", "atv320:"], ["unit", "atv320"]),
     (["simulate", "atv320", "--vendor", 64 * "x"], ["--vendor", "63"]),
     (["simulate", "atv320", "--port", "tcp://host:4001"], ["tcp://host:4001", "/dev/"]),
+    (["--port", CABINET, "--name", "fan=7", "--name", "fan=3", "-u", "fan", "identify"], ["'fan'", "unit 7", "unit 3"]),
+    (["--port", CABINET, "--name", "fan=3", "--name", "fan=7", "-u", "fan", "identify"], ["'fan'", "unit 7", "unit 3"]),
+    (["--port", CABINET, "--name", "fan=7:atv320", "--name", "mixer=7:atv12", "-u", "7", "identify"], ["7", "two types"]),
+    (["--port", CABINET, "--name", "3=7", "-u", "3", "identify"], ["'3=7'", "digit"]),
+    (["--port", CABINET, "--name", "3-7=7", "-u", "3", "identify"], ["'3-7=7'", "digit"]),
+    (["--port", CABINET, "--name", "a,b=7", "identify"], ["'a,b=7'", "comma"]),
+    # What changes something takes no unit by itself.
+    (["--port", CABINET, "--write", "write", "ACC=1s"], ["which unit?", "--unit"]),
+    (["--port", CABINET, "--write", "reset"], ["which unit?", "--unit"]),
+    (["--port", CABINET, "--allow-run", "start", "--frequency", "10Hz"], ["which unit?", "--unit"]),
 ]
+
+# A command that lasts, and lengths of time that are none: no zero is "without end".
+LASTING = [["watch", "RFR"], ["sniff"], ["capture", "-o", "x"], ["timing"], ["--allow-run", "start", "--frequency", "9Hz"]]
+NO_LENGTHS = ["0", "0s", "0.0min", "-1s", "-5min", "1e10s", "99999999999999999999s", "9000h", "", "s", "1m", "1,5s", "nan",
+              "inf", "0x10s", "1us"]
+LENGTHS = ["300ms", "0.3s", "0.005min", "0.0001h", "0.3"]
 
 # A file, the line that is wrong, and what is said of it.
 WRONG_FILES = [
@@ -45,6 +64,8 @@ WRONG_FILES = [
     ("[line]\nbaud = 9600", 1, ["[line]"]),
     ("write = true", 1, ["write", "typed"]),
     ("retries = 11", 1, ["retries", "11"]),
+    ('name = ["fan=7:atv320", "fan=3:atv12"]', 1, ["'fan'", "unit 7", "unit 3"]),
+    ('name = ["3=7"]', 1, ["'3=7'", "digit"]),
 ]
 
 COMPLETED = [
@@ -112,6 +133,23 @@ def check_configuration(tool, check):
         check(ended.status == USAGE and is_told, f"{text!r} is refused", ended.errors)
     check(tool.run("--config", "cabinet.toml", "--help").status == DONE, "help is shown all the same")
     check("missing.toml" in tool.run("--config", "missing.toml", "list").errors, "a file that is not there is named")
+    os.mkfifo(tool.place / "pipe")
+    for name, reason in (("missing.toml", "No such file or directory"), ("/dev/zero", "is a device"), (".", "is a directory"),
+                         ("pipe", "is a pipe"), ("", "missing")):
+        ended = tool.run("--config", name, "list", limit=5)
+        check(ended.status == USAGE and name in ended.errors and reason in ended.errors, f"--config {name!r}", ended)
+    (tool.place / "rtuwire.toml").mkdir()
+    ended = tool.run("list")
+    check(ended.status == USAGE and "is a directory" in ended.errors, "a folder in the place of the file", ended)
+    (tool.place / "rtuwire.toml").rmdir()
+    file.write_bytes(b'\xef\xbb\xbfbaud = 12345\n')
+    ended = tool.run("--config", "cabinet.toml", "list")
+    check(ended.status == USAGE and "cabinet.toml:1: baud" in ended.errors, "a byte order mark is no part of it", ended)
+    file.write_text('port = ""\n')
+    ended = tool.run("--config", "cabinet.toml", "list")
+    check(ended.errors.startswith('rtuwire: cabinet.toml:1: port = "": ') and "port : " not in ended.errors,
+          "a value that is empty is shown", ended)
+    check("is a directory" in tool.run("replay", ".").errors, "a folder is no capture")
     file.write_text('port = "sim:atv320:7,atv12:3"\nname = [\n  "fan=7:atv320",  # in the cellar\n  \'pump=3\',\n]\n'
                     "baud = 9600\ntimeout = 0.5\nunit = 7\n")
     ended = tool.run("--config", "cabinet.toml", "--json", "-u", "fan", "read", "RFR")
@@ -120,6 +158,10 @@ def check_configuration(tool, check):
     check(ended.status == DONE and ended.objects()[0]["unit"] == 3, "and one of the command line beside it", ended)
     check(tool.run("--config", "cabinet.toml", "--unit", "3", "--json", "read", "RFR").objects()[0]["unit"] == 3,
           "the command line overrides the file")
+    ended = tool.run("--config=cabinet.toml", "--json", "--name", "fan=3", "-u", "fan", "read", "RFR")
+    check(ended.status == DONE and ended.objects()[0]["unit"] == 3, "a name of the command line replaces the file's", ended)
+    ended = tool.run("--config", "cabinet.toml", "--write", "--json", "write", "ACC=1s")
+    check(ended.status == DONE and ended.objects()[0]["unit"] == 7, "a unit of the file is one that was named", ended)
     (tool.place / "config").mkdir()
     (tool.place / "config" / "rtuwire.toml").write_text('port = "sim:atv12:9"\nunit = 9\n')
     check(tool.run("--json", "read", "RFR").objects()[0]["unit"] == 9, "$XDG_CONFIG_HOME is looked into")
@@ -127,6 +169,29 @@ def check_configuration(tool, check):
     check(tool.run("--json", "read", "RFR").objects()[0]["unit"] == 7, "./rtuwire.toml goes before it")
     (tool.place / "rtuwire.toml").unlink()
     (tool.place / "config" / "rtuwire.toml").unlink()
+
+
+def check_times(tool, check):
+    """The same lengths of time for every command that has some; zero, and what is none, are refused by each."""
+    for words in LASTING:
+        for each in NO_LENGTHS:
+            ended = tool.run("--port", CABINET, "-u", "7", "-y", *words, f"--for={each}", limit=5)
+            check(ended.status == USAGE and "--for" in ended.errors and not ended.output,
+                  f"{words} --for={each} is refused", ended)
+    for each in LENGTHS:
+        ended = tool.run("--port", CABINET, "-u", "7", "watch", "RFR", "--every", "0.00001h", "--for", each, limit=5)
+        check(ended.status == DONE, f"--for {each}", ended)
+    ended = tool.run("--port", CABINET, "-u", "7", "-y", "--allow-run", "start", "--frequency", "9Hz", "--for", "300ms")
+    check(ended.status == DONE and "for 0.3 s" in ended.errors and "the time is over" in ended.errors, "start --for 300ms", ended)
+    for each in ("-1s", "1m", "fast", "1e10s"):
+        ended = tool.run("--port", CABINET, "-u", "7", "watch", "RFR", f"--every={each}", limit=5)
+        check(ended.status == USAGE and "--every" in ended.errors, f"--every={each} is refused", ended)
+
+
+def check_stop(tool, check):
+    for words, is_told in (([], True), (["-u", "1"], False)):
+        ended = tool.run("--port", CABINET, "--timeout", "0.05", *words, "stop")
+        check(ended.status == NO_ANSWER and ("that was unit 1" in ended.output) == is_told, f"{words} stop says its unit", ended)
 
 
 def main(check, program):
@@ -138,6 +203,8 @@ def main(check, program):
         check_help(tool, check)
         check_completion(tool, check)
         check_configuration(tool, check)
+        check_times(tool, check)
+        check_stop(tool, check)
 
 
 runs(main)

@@ -267,6 +267,25 @@ TEST_CASE("lines of a dump are one run, without their offsets and characters")
     CHECK(runs_in("0103 00 02") == "01 03 00 02");                         // no offset
 }
 
+TEST_CASE("a date or a time in front of a line is no part of its bytes")
+{
+    for (char const* const time : {"2026-11-25 07:03:01 ", "2026-11-25T07:03:01Z ", "2026-11-25T07:03:01.123+0100 ",
+                                   "2026/11/25 07:03:01,5 ", "[2026-11-25 07:03:01.123456] ", "07:03:01 ",
+                                   "  07:03:01.999  ", "(23:59:60) ", "2026-11-25 ", "2026-11-25T07:03:01+01:00\t"}) {
+        INFO(time);
+        CHECK(runs_in(time + std::string{"07 03 0C 82"}) == "07 03 0C 82");
+        CHECK(runs_in(time + std::string{"07 03\n"} + time + "07 04") == "07 03/07 04");
+    }
+    CHECK(runs_in("2026-11-25 07:03:01\n") == "");
+    CHECK(runs_in("2026-11-25 07:03:01 0000  01 02\n2026-11-25 07:03:01 0002  03") == "01 02 03"); // a dump
+    CHECK(runs_in("07:03:01") == "07 03 01");
+    CHECK(runs_in("07:03:01:0C:82") == "07 03 01 0C 82");
+    CHECK(runs_in("07:03:01 0C:82") == "07 03 01 0C 82");
+    CHECK(runs_in("24:03:01 0C") == "24 03 01 0C");
+    CHECK(runs_in("20-26-11-25 07") == "20 26 11 25 07");
+    CHECK(runs_in("2026-11-25 07:03:01 TX 01") == "line 1, character 21: 'TX' is no hexadecimal number");
+}
+
 TEST_CASE("what is no hexadecimal number is refused with its place")
 {
     CHECK(runs_in("01 03\n  TX 01") == "line 2, character 3: 'TX' is no hexadecimal number");

@@ -121,6 +121,8 @@ def refuses_to_speak(tool, line, check):
 def silence(tool, line, check):
     found = tool.run("sniff", "--for", "0.2s", port=line.tap_name)
     told(check, "a silent line is told by the status", found.status == NO_ANSWER and not found.output, found)
+    found = tool.run("capture", "-o", tool.place / "nothing.pcapng", "--for", "0.2s", port=line.tap_name)
+    told(check, "capture says the same", found.status == NO_ANSWER and "0 frames" in found.errors, found)
     found = tool.run("replay", "/nowhere.pcapng")
     told(check, "a capture that is not there is named", found.status == PORT and "/nowhere.pcapng" in found.errors, found)
     found = tool.run("capture", "--as", "pcap", "-o", "x", port=line.tap_name)

@@ -271,8 +271,18 @@ def by_its_terminal(motor, program, check):
     os.close(far)
     check(soon(motor.turns), "terminal: it turns")
     os.close(near)
-    end(process)
+    found, _, _ = end(process)
+    check(found == 128 + signal.SIGHUP, "terminal: a shell is told that it was closed", found)
     check(motor.stands(), "terminal: the motor stands when it is closed", motor.shown())
+
+
+def by_signals(motor, program, check):
+    """INT and TERM are how it is meant to end; of any other a shell is told."""
+    for name, status in (("INT", 0), ("TERM", 0), ("HUP", 129), ("USR1", 138), ("XCPU", 152)):
+        process = motor.start(program)
+        check(soon(motor.turns), f"{name}: it turns")
+        process.send_signal(getattr(signal, "SIG" + name))
+        ends_with(process, motor, check, name, status, "the motor stands")
 
 
 def with_nothing_open(motor, program, check):
@@ -290,7 +300,7 @@ def with_nothing_open(motor, program, check):
 
 
 WAYS = (by_its_time, by_speed, by_fault, by_lost_line, by_deaf_line, by_another_master, by_local, by_two_interrupts,
-        by_suspension, by_stop, by_sleep, by_abort, by_a_full_disk, by_its_reader, behind_a_full_pipe,
+        by_signals, by_suspension, by_stop, by_sleep, by_abort, by_a_full_disk, by_its_reader, behind_a_full_pipe,
         by_its_terminal, with_nothing_open)
 TIMES = {by_lost_line: 60, by_deaf_line: 300, by_stop: 60, by_sleep: 60}
 RAMPS = {by_two_interrupts: 100}

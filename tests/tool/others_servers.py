@@ -56,7 +56,7 @@ def reads(tool, check, what):
 
 def writes(tool, check, what):
     """A table that does not know a register is no reason to write it: two permissions are, and it is read back."""
-    how = [*QUIET, "-d", "atv320", "--json", "--write"]
+    how = [*QUIET, "-u", 1, "-d", "atv320", "--json", "--write"]
     ended = tool.run(*how, "write", "120=77")
     check(ended.status == REFUSED and "--allow-run" in ended.errors, f"{what}: a register of no table is refused", ended)
     ended = tool.run(*how, "--allow-run", "write", "120=77")

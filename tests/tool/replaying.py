@@ -125,7 +125,7 @@ def as_ports(tool, check, file):
     check(found.status == DIFFERS and "read holding registers" in names, "decode of a capture as port", found)
     for words in (["read", "RFR"], ["scan"], ["identify"], ["watch", "RFR"], ["stop"], ["capture", "-o", "x"],
                   ["--write", "write", "ACC=1s"], ["--allow-run", "start", "--speed", "10rpm"]):
-        ended = tool.run("-d", "atv320", *words, port=str(file))
+        ended = tool.run("-d", "atv320", "-u", 7, *words, port=str(file))
         check(ended.status == USAGE and f"{file} is a capture" in ended.errors and "replay" in ended.errors,
               f"{words} of a capture is refused", ended)
     ended = tool.run("sniff", "-o", "x", port=str(file))

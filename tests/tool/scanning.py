@@ -9,7 +9,7 @@ import re
 import signal
 import time
 
-from support import DONE, NO_ANSWER, REFUSED, Simulator, Tool, Units, runs
+from support import DONE, NO_ANSWER, PORT, REFUSED, USAGE, Simulator, Tool, Units, runs, with_crc
 
 THERE = {3: "atv12", 7: "atv320", 130: "atv310"}
 ADDRESSES = 247
@@ -72,6 +72,70 @@ def check_resume(program, tool, check):
               "a file of another kind is left alone")
 
 
+# A file, and the line of it that is not believed.
+DAMAGED = [
+    ("# rtuwire scan\n19200 8E1 7", 2),
+    ("# rtuwire scan\n19200 8E1 3\n19200 8E1 7\tunit=7", 3),
+    ("# rtuwire scan\n19200 8E1 7\tunit=7\n", 2),
+    ("# rtuwire scan\n19200 8E1 7\tunit=3\tbaud=9600\tdrive=nonsense\n", 2),
+    ("# rtuwire scan\n19200 8E1 7\tunit=3\tbaud=19200\tformat=8E1\tvendor=\tproduct=\trevision=\tdrive=\tnote=\n", 2),
+    ("# rtuwire scan\n19200 8E1 7\tunit=7\tbaud=19200\tformat=8E1\tvendor=\tproduct=\trevision=\tdrive=x\tnote=\n", 2),
+    ("# rtuwire scan\ngarbage\n19200 8E1 6\n", 2),
+    ("# rtuwire scan\n19200 8E1 6\n19200 8E1 999\n", 3),
+    ("# rtuwire scan\n19200 8E1 719200 8E1 5\n", 2),
+    ("# rtuwire scan\n19201 8E1 7\n", 2),
+    ("# rtuwire scan\n19200 8E1 7\n19200 8E1 7\n", 3),
+    ("# rtuwire scan\n\n19200 8E1 7\n", 2),
+    ("# rtuwire scan\r\n", None),
+    ("# rtuwire scan", None),
+]
+
+
+def check_damaged(tool, check):
+    """A file that is not whole is not believed, and not touched: it would make a unit that is there an absent one."""
+    words = ["--port", "sim:atv320:7", "--no-listen", "scan", "--units", "5-8", "--resume"]
+    file = tool.place / "damaged"
+    for text, line in DAMAGED:
+        file.write_bytes(text.encode())
+        ended = tool.run(*words, "damaged")
+        place = f"damaged:{line}: " if line else "no file of a scan"
+        check(ended.status == USAGE and place in ended.errors and not ended.output and file.read_bytes() == text.encode(),
+              f"{text!r} is refused", ended)
+    for name, reason in (("/dev/full", "is a device"), (".", "is a directory"), ("pipe", "is a pipe"),
+                         ("missing/scan", "No such file or directory")):
+        os.mkfifo(tool.place / "pipe") if name == "pipe" else None
+        ended = tool.run(*words, name, limit=5)
+        check(ended.status in (USAGE, PORT) and f"{name}: {reason}" in ended.errors, f"--resume {name}", ended)
+    # What a device says of itself reaches no terminal as it is, whichever way it takes.
+    with Sayer({7: {}}) as line:
+        for form in ([], ["--csv"]):
+            for words in (["scan", "--units", "7"], ["-u", "7", "identify"], ["scan", "--units", "7", "--resume", "said"],
+                          ["scan", "--units", "7", "--resume", "said"]):
+                ended = tool.run("--port", line.name, "--no-listen", "--timeout", 0.2, *form, *words)
+                check(re.search(r"\\x1B\]0;x\\x07\\x1B\[2J\\x0A\\x0D.\\xFF\\xC2\\x9B", ended.output)
+                      and not re.search(r"[\x00-\x09\x0b-\x1f\x7f-\x9f]", ended.output), f"{form} {words}: plain", ended)
+        ended = tool.run("--port", line.name, "--no-listen", "--timeout", 0.2, "--json", "-u", 7, "identify")
+        check(ended.objects()[0]["vendor"] == "\x1b]0;x\x07\x1b[2J\n\r|\ufffd\x9b"
+              and not re.search(r"[\x00-\x09\x0b-\x1f\x7f-\x9f]", ended.output), "objects have it all, escaped", ended)
+        ended = tool.run("--port", line.name, "--no-listen", "--timeout", 0.2, "-u", 7, "read", "RFR")
+        check("\\x1B[2J" in ended.errors and "\x1b" not in ended.errors, "and in errors", ended)
+    ended = tool.run("decode", "-", given="\x1b[31mx")
+    check(ended.status == USAGE and "\\x1B" in ended.errors and "\x1b" not in ended.errors, "a piped word, too", ended)
+    ended = tool.run("ra\x1b[2Jed")
+    check(ended.status == USAGE and "\\x1B" in ended.errors and "\x1b" not in ended.errors, "a typed word, too", ended)
+
+
+class Sayer(Units):
+    """A unit whose vendor's name would clear a screen, set its title and forge rows."""
+
+    def answer(self, request):
+        if request[1] != 43:
+            return super().answer(request)
+        texts = (b"\x1b]0;x\x07\x1b[2J\n\r|\xff\xc2\x9b", b"thing", b"1")
+        objects = b"".join(bytes([number, len(text)]) + text for number, text in enumerate(texts))
+        return with_crc(bytes([request[0], 43, 14, 1, 1, 0, 0, 3]) + objects)
+
+
 def check_listening(tool, check):
     """A line on which another master speaks is not scanned."""
     with Units({}) as line:
@@ -96,6 +160,7 @@ def main(check, program):
     with Tool(program) as tool:
         check_whole_line(program, tool, check)
         check_resume(program, tool, check)
+        check_damaged(tool, check)
         check_listening(tool, check)
 
 

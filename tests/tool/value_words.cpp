@@ -63,7 +63,12 @@ TEST_CASE("amounts are typed with their unit, prefixed or not, or with none")
     CHECK(outcome("atv12", "acc=1300ms") == "13 = 1.3 s");
     CHECK(outcome("atv12", "ACC=1.3 s") == "13 = 1.3 s");
     CHECK(outcome("atv12", "ACC=1min") == "600 = 60.0 s");
-    CHECK(outcome("atv12", "9001=1.300") == "13 = 1.3 s");
+    CHECK(outcome("atv12", "9001=1.300s") == "13 = 1.3 s");
+    CHECK(outcome("atv12", "9001=1.300") == "unit_missing");
+    CHECK(holds(sentence("atv12", "9001=25"), "9001 is ACC"));
+    CHECK(holds(sentence("atv12", "9001=25"), "9001=25s, or a raw count, 9001=#25 or 9001=0x0019"));
+    CHECK(outcome("atv12", "9001=#25") == "25 = 2.5 s");
+    CHECK(outcome("atv12", "8401=2") == "2 = SEP");
     CHECK(outcome("atv12", "HSP=0.06kHz") == "600 = 60.0 Hz");
     CHECK(outcome("atv12", "3104=60Hz") == "600 = 60.0 Hz");
     CHECK(outcome("atv12", "HSP=60") == "600 = 60.0 Hz");
@@ -149,6 +154,10 @@ TEST_CASE("limits and steps that other registers set are asked for, then kept")
     CHECK(outcome("atv310", "HSP=50Hz", {{"TFR", 500}, {"LSP", 0}}) == "500 = 50.0 Hz");
     CHECK(outcome("atv310", "HSP=10Hz", {{"TFR", 500}, {"LSP", 101}}) == "value_too_low");
     CHECK(outcome("atv310", "HSP=7000Hz") == "value_too_high"); // 16 bits do not hold it: nothing has to be read
+    CHECK(outcome("atv310", "HSP=5000Hz", {{"TFR", 65'535}, {"LSP", 0}}) == "absurd_limit");
+    CHECK(outcome("atv320", "HSP=60Hz", {{"TFR", 5'991}, {"LSP", 0}}) == "absurd_limit");
+    CHECK(outcome("atv320", "HSP=60Hz", {{"TFR", 5'990}, {"LSP", 0}}) == "600 = 60.0 Hz");
+    CHECK(outcome("atv28", "HSP=60Hz", {{"TFR", 4'001}, {"LSP", 0}}) == "absurd_limit");
     CHECK(outcome("atv28", "ITH=2.3A", {{"INV", 20}}) == "23 = 2.3 A");
     CHECK(outcome("atv28", "ITH=2.4A", {{"INV", 20}}) == "value_too_high");
     CHECK(outcome("atv28", "SMAL=1500rpm") == "needs LSP SDS TFR");

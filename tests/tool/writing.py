@@ -4,9 +4,10 @@
 
     python3 writing.py TOOL
 """
+import os
 import re
 
-from support import DIFFERS, DONE, REFUSED, USAGE, Simulator, Tool, Units, runs
+from support import DIFFERS, DONE, NO_ANSWER, PORT, REFUSED, USAGE, Simulator, Tool, Units, runs, with_crc
 
 # Word, status, and what is said. The unit has these registers, as an ATV320 has them.
 REFUSALS = [
@@ -16,7 +17,13 @@ REFUSALS = [
     ("CHCF=NOPE", USAGE, ["CHCF", "SEP"]),
     ("RFR=3Hz", USAGE, ["RFR", "read only"]),
     ("ACCC=1s", USAGE, ["ACCC", "ACC"]),
+    ("SP2=1", USAGE, ["SP2", "not among the registers that this tool knows", "by its address"]),
     ("9001=70000", USAGE, ["70000"]),
+    # Whoever has read raw counts at an address may mean them: no tenfold value.
+    ("9001=25", USAGE, ["9001 is ACC", "9001=25s", "9001=#25", "9001=0x0019"]),
+    ("9001=2.5", USAGE, ["9001 is ACC", "9001=2.5s", "9001=#"]),
+    ("0x2329=25", USAGE, ["9001 is ACC", "9001=25s", "9001=#25"]),
+    ("3104=50", USAGE, ["3104 is HSP", "3104=50Hz", "3104=#50"]),
     ("CMD=6", REFUSED, ["CMD", "start"]),
     ("8501=6", REFUSED, ["start"]),
     ("LFR=40Hz", REFUSED, ["LFR", "start"]),
@@ -30,10 +37,15 @@ REFUSALS = [
     ("CD1=TER", REFUSED, ["CD1", "a motor may turn", "--allow-run"]),
     ("FR1=MDB", REFUSED, ["FR1", "a motor may turn", "--allow-run"]),
     ("FLO=1", REFUSED, ["FLO", "a motor may turn", "--allow-run"]),
+    ("SLL=NO", REFUSED, ["SLL=0", "supervision of the link off", "--allow-run"]),
+    ("SLL=0", REFUSED, ["SLL=0", "supervision of the link off", "--allow-run"]),
+    ("7010=0", REFUSED, ["SLL=0", "supervision of the link off", "--allow-run"]),
+    ("SLL=4", REFUSED, ["SLL=4", "without its link", "--allow-run"]),
+    ("SLL=RLS", REFUSED, ["SLL=5", "without its link", "--allow-run"]),
     ("ATR=YES", REFUSED, ["ATR", "a motor may turn", "--allow-run"]),
 ]
-REGISTERS = {3104: 500, 3103: 600, 3105: 0, 9001: 30, 9020: 1, 8401: 1, 3202: 0, 8501: 0, 8502: 0, 8504: 0, 8602: 0,
-             12345: 7, 12721: 8501, 12722: 8602, 12761: 0, 8413: 164, 8423: 10, 8431: 0, 7122: 0}
+REGISTERS = {3104: 500, 3105: 0, 9001: 30, 9020: 1, 8401: 1, 3202: 0, 8501: 0, 8502: 0, 8504: 0, 8602: 0,
+             12345: 7, 12721: 8501, 12722: 8602, 12761: 0, 8413: 164, 8423: 10, 8431: 0, 7122: 0, 7010: 1, 3103: 600}
 
 
 def check_refusals(tool, check):
@@ -87,6 +99,122 @@ class Forgetful(Units):
         return request if request[1] == 6 else super().answer(request)
 
 
+class Answering(Units):
+    """Answers a write as it is told to: `refuses` (exception 3), `loses` its response, `keeps` the old value, `stores` another,
+    `damages` the CRC of all it says, or `dies` behind the write."""
+
+    def __init__(self, how, units):
+        self.how, self.is_dead = how, False
+        super().__init__(units)
+
+    def answer(self, request):
+        start = int.from_bytes(request[2:4], "big")
+        if self.is_dead or start == 9002 and self.how == "refuses second" and request[1] == 6:
+            return None if self.is_dead else with_crc(bytes([request[0], 0x86, 3]))
+        if request[1] == 6:
+            if self.how == "refuses":
+                return with_crc(bytes([request[0], 0x86, 3]))
+            if self.how == "refuses oddly":
+                return with_crc(bytes([request[0], 0x86, 0x63]))
+            if self.how == "keeps":
+                return request
+            said = super().answer(request)
+            if self.how == "stores":
+                self.units[request[0]][start] = 77
+            self.is_dead = self.how == "dies"
+            return None if self.how in ("loses", "dies") else said
+        said = super().answer(request)
+        return said and self.how == "damages" and said[:-1] + bytes([said[-1] ^ 1]) or said
+
+
+# How the unit answers; status, what it shows as after and as error, and what the log says (nothing: no line).
+RESULTS = [
+    ("obeys", DONE, "1.3 s", None, "1.3 s"),
+    ("refuses", DIFFERS, "3.0 s", "illegal data value (exception 0x03)", None),
+    ("refuses oddly", DIFFERS, "3.0 s", "exception 0x63, which no specification lists", None),
+    ("keeps", DIFFERS, "3.0 s", "the unit holds another value", "3.0 s"),
+    ("stores", DIFFERS, "7.7 s", "the unit holds another value", "7.7 s"),
+    ("loses", DONE, "1.3 s", None, "1.3 s"),
+    ("dies", NO_ANSWER, None, "no response in time", "unknown"),
+]
+
+
+def check_results(tool, check):
+    """What is shown and noted is what the unit holds, not what was wanted; what was not tried is told, too."""
+    file = tool.place / "state" / "rtuwire" / "writes.log"
+    for how, status, after, error, noted in RESULTS:
+        before = len(file.read_text().splitlines())
+        with Answering(how, {7: {**REGISTERS, 9002: 40}}) as line:
+            words = ["--port", line.name, "--no-listen", "--timeout", "0.1", "-u", 7, "-d", "atv320", "--write"]
+            ended = tool.run(*words, "--json", "write", "ACC=1.3s", "DEC=2s")
+            rows = ended.objects()
+            check(ended.status == status and (rows[0]["after"], rows[0].get("error")) == (after, error), f"{how}: shown", ended)
+            others = (rows[1]["before"], rows[1]["after"], rows[1].get("error"))
+            expected = ("4.0 s", "2.0 s", None) if status == DONE and how != "loses" else ("4.0 s", None, "not tried")
+            check(others == expected or how == "loses" and others[1] == "2.0 s", f"{how}: the other value", others)
+            log = file.read_text().splitlines()[before:]
+            found = [each.split("\t")[-1] for each in log if f"\t{line.name}\t7\tACC\t" in each]
+            check(found == ([noted] if noted else []), f"{how}: noted", log)
+        with Answering(how, {7: {**REGISTERS, 9002: 40}}) as line:
+            words[1] = line.name
+            ended = tool.run(*words, "write", "ACC=1.3s", "DEC=2s")
+            check((error or "1.3 s") in ended.output and (status == DONE or "not tried" in ended.output), f"{how}: table", ended)
+        with Answering(how, {7: {**REGISTERS, 9002: 40}}) as line:
+            words[1] = line.name
+            rows = tool.run(*words, "--csv", "write", "ACC=1.3s", "DEC=2s").rows()
+            check((rows[0]["after"], rows[0]["error"]) == (after or "", error or ""), f"{how}: as CSV", rows)
+    with Answering("refuses second", {7: {**REGISTERS, 9002: 40}}) as line:
+        words[1] = line.name
+        rows = tool.run(*words, "--json", "write", "ACC=1.3s", "DEC=2s").objects()
+        check([row["after"] for row in rows] == ["1.3 s", "4.0 s"] and "error" in rows[1], "the second is refused", rows)
+    with Answering("damages", {7: dict(REGISTERS)}) as line:
+        words[1] = line.name
+        ended = tool.run(*words, "--json", "read", "ACC")
+        check(ended.status == DIFFERS and "CRC" in ended.objects()[0]["error"], "a wrong CRC is not silence", ended)
+
+
+def check_permissions(tool, check):
+    """A unit in the hands of its owner: --allow-run, raw counts, an amount with its unit."""
+    with Units({7: dict(REGISTERS)}) as line:
+        how = ["--port", line.name, "--no-listen", "-u", 7, "-d", "atv320", "--write"]
+        for word, address, value in (("9001=2.5s", 9001, 25), ("9001=#31", 9001, 31), ("9001=0x0020", 9001, 32),
+                                     ("ACC=4", 9001, 40), ("SLL=6", 7010, 6)):
+            ended = tool.run(*how, "write", word)
+            check(ended.status == DONE and line.units[7][address] == value, f"{word} is written", ended)
+        ended = tool.run(*how, "--allow-run", "write", "SLL=0")
+        check(ended.status == DONE and line.units[7][7010] == 0, "--allow-run allows to run on without the link", ended)
+        line.units[7][3103] = 0xFFFF
+        ended = tool.run(*how, "write", "HSP=5000Hz")
+        check(ended.status == USAGE and "TFR" in ended.errors, "an absurd limit is none", ended)
+
+
+def check_log(tool, check):
+    """The log is a regular file, or nothing is written: a pipe would keep the program waiting."""
+    folder = tool.place / "state" / "rtuwire"
+    log = folder / "writes.log"
+    with Units({7: dict(REGISTERS)}) as line:
+        how = ["--port", line.name, "--no-listen", "-u", 7, "-d", "atv320", "--write"]
+        for what, make, says in (("a pipe", lambda: os.mkfifo(log), "is a pipe"), ("a folder", log.mkdir, "is a directory"),
+                                 ("a device", lambda: log.symlink_to("/dev/full"), "is a device")):
+            log.unlink(missing_ok=True) if not log.is_dir() else log.rmdir()
+            make()
+            ended = tool.run(*how, "write", "CMI=2", limit=5)
+            check(ended.status == PORT and says in ended.errors and str(log) in ended.errors, f"the log is {what}", ended)
+            check(tool.run(*how, "reset", limit=5).status == PORT, f"the log is {what}: reset")
+        check(not line.heard, "nothing was sent", line.heard)
+        log.unlink()
+        os.rmdir(folder)
+        folder.write_text("in the way")
+        ended = tool.run(*how, "write", "CMI=2")
+        check(ended.status == PORT and "Not a directory" in ended.errors, "the log's folder is a file", ended)
+        folder.unlink()
+        kept = {name: tool.environment.pop(name) for name in ("HOME", "XDG_STATE_HOME")}
+        note = tool.run(*how, "--json", "write", "CMI=2").objects()[0]["note"]
+        check(note == "not noted: there is no home for writes.log; how often this user has saved to EEPROM is not known; an "
+                      "EEPROM bears a limited number of writes", "not noted", note)
+        tool.environment.update(kept)
+
+
 def check_terminal(program, tool, check):
     with Simulator(program, "atv320:7") as device:
         how = ["--port", device, "--no-listen", "-u", "7", "--write"]
@@ -110,6 +238,9 @@ def main(check, program):
         check_refusals(tool, check)
         check_together(tool, check)
         check_write(tool, check)
+        check_results(tool, check)
+        check_permissions(tool, check)
+        check_log(tool, check)
         check_terminal(program, tool, check)
 
 

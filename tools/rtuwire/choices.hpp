@@ -17,6 +17,7 @@ struct line_choices {
     unsigned baud{19'200};
     std::string format{"8E1"};
     std::string unit{"1"};                    ///< a number, or one of `names`
+    bool is_unit_named{false};                ///< by the command line or the file: it is not the 1 of nobody's choice
     std::string drive{};                      ///< empty: recognised by asking
     std::vector<std::string> names{};         ///< "fan=7:atv320"
     std::optional<double> response_timeout{}; ///< seconds; nothing: as the command thinks best
@@ -46,7 +47,6 @@ struct motion_choices {
     std::string frequency{}; ///< "40Hz"
     bool is_reverse{false};
     std::string stop_by{"ramp"};
-    double seconds{0}; ///< how long to run; 0 until somebody ends the program
 };
 
 struct choices {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "command_line.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +10,8 @@
 #include "command_words.hpp"
 #include "configuration.hpp"
 #include "help/tool_texts.hpp"
+#include "line/line_words.hpp"
+#include "output/plain_text.hpp"
 #include "words/suggestion.hpp"
 
 namespace tool {
@@ -78,7 +81,7 @@ exit_status print_own_text(CLI::App const& app, choices const& chosen)
 }
 
 /// The file that --config names, or the one that is there without it. Read before the command line, which overrides it.
-std::string configuration_among(int argc, char** argv)
+std::optional<std::string> configuration_among(int argc, char** argv)
 {
     std::string_view const flag = "--config";
     for (int i = 1; i < argc; ++i) {
@@ -97,8 +100,8 @@ std::string configuration_among(int argc, char** argv)
 std::string configure(int argc, char** argv, line_choices& line)
 {
     try {
-        if (std::string const file = configuration_among(argc, argv); not file.empty()) {
-            read_configuration(file, line);
+        if (auto const file = configuration_among(argc, argv)) {
+            read_configuration(*file, line);
         }
     } catch (ended const& why) {
         return why.what();
@@ -106,14 +109,24 @@ std::string configure(int argc, char** argv, line_choices& line)
     return {};
 }
 
-/// Names of the command line stand beside those of the file; drives are never simulated on the port of the file.
+/// Names of the command line stand beside those of the file, and in the place of the same name there; drives are never
+/// simulated on the port of the file.
 void mend(CLI::App const& app, choices& chosen, line_choices const& of_file)
 {
+    line_choices& line = chosen.line;
     if (app.get_option("--name")->count() > 0) {
-        chosen.line.names.insert(chosen.line.names.begin(), of_file.names.begin(), of_file.names.end());
+        std::vector<named_unit> const typed = names_in(line);
+        std::vector<named_unit> const kept = names_in(of_file);
+        for (std::size_t i = kept.size(); i-- > 0;) {
+            if (not std::ranges::count(typed, kept[i].name, &named_unit::name)) {
+                line.names.insert(line.names.begin(), of_file.names[i]);
+            }
+        }
     }
+    static_cast<void>(names_in(line)); // refuses what is wrong together
+    line.is_unit_named = line.is_unit_named or app.get_option("--unit")->count() > 0;
     if (chosen.command == "simulate" and app.get_option("--port")->count() == 0) {
-        chosen.line.port.clear();
+        line.port.clear();
     }
 }
 
@@ -171,7 +184,7 @@ exit_status refuse(CLI::App const& app, CLI::ParseError const& why)
 {
     std::string const word = wrong_word(app);
     std::string const text = word.empty() ? why.what() : word;
-    std::fprintf(stderr, "rtuwire: %s\n", text.c_str());
+    tell_error(text);
     return exit_status::usage;
 }
 

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "help/tool_texts.hpp"
+#include "words/time_words.hpp"
 
 namespace tool {
 
@@ -57,18 +58,28 @@ CLI::App& add_command(CLI::App& app, choices& chosen, char const* name, char con
     return *command;
 }
 
+/// A length of time, taken as seconds. `read` says which lengths are allowed, `rule` the same in words.
+void add_time(CLI::App& command, char const* name, std::optional<double>& seconds, char const* what,
+              std::optional<double> (*read)(std::string_view), char const* rule)
+{
+    auto const take = [&seconds, name, read, rule](std::string const& text) {
+        seconds = read(text);
+        if (not seconds) {
+            throw CLI::ValidationError{name, "'" + text + "' is no length of time such as " + rule};
+        }
+    };
+    command.add_option_function<std::string>(name, take, what)->type_name("TIME");
+}
+
 void add_period(CLI::App& command, choices& chosen)
 {
-    command.add_option("--every", chosen.every, "the period: 200ms, 1s")
-        ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1.0}, {"ms", 0.001}, {"min", 60.0}}))
-        ->check(CLI::Range(0.0, 86'400.0));
+    add_time(command, "--every", chosen.every, "the period: 200ms, 1s", seconds_typed, "200ms, 1s or 5min");
 }
 
 void add_time_limit(CLI::App& command, choices& chosen)
 {
-    command.add_option("--for", chosen.last, "how long: 10s, 5min, 8h")
-        ->transform(CLI::AsNumberWithUnit(
-            std::map<std::string, double>{{"s", 1.0}, {"ms", 0.001}, {"min", 60.0}, {"h", 3'600.0}}));
+    add_time(command, "--for", chosen.last, "how long: 10s, 5min, 8h", time_limit_typed,
+             "500ms, 10s, 5min or 8h: more than 0, at most 366 days");
 }
 
 void add_operands(CLI::App& command, choices& chosen, char const* name, char const* what, bool is_required = false)
@@ -114,8 +125,7 @@ void add_writing(CLI::App& app, choices& chosen)
     auto* const speed = start.add_option("--speed", chosen.motion.speed, "such as 1200rpm");
     start.add_option("--frequency", chosen.motion.frequency, "such as 40Hz")->excludes(speed);
     start.add_flag("--reverse", chosen.motion.is_reverse, "the other direction");
-    start.add_option("--for", chosen.motion.seconds, "how long: 10s")
-        ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1.0}, {"min", 60.0}}));
+    add_time_limit(start, chosen);
     CLI::App& stop = add_command(app, chosen, "stop", "stop a motor");
     auto* const ramp = stop.add_flag_callback(
         "--ramp", [&chosen] { chosen.motion.stop_by = "ramp"; }, "by its ramp (as without a word)");

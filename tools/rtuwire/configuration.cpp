@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "configuration.hpp"
 
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -15,6 +12,7 @@
 
 #include "catalog/catalog.hpp"
 #include "exit_status.hpp"
+#include "files/regular_file.hpp"
 #include "line/line_words.hpp"
 #include "port/port_word.hpp"
 #include "words/suggestion.hpp"
@@ -187,7 +185,11 @@ struct option {
 
 constexpr option options[] = {
     {"port", [](line_choices& line, std::string const& word) { line.port = port_in(word); }},
-    {"unit", [](line_choices& line, std::string const& word) { line.unit = word; }},
+    {"unit",
+     [](line_choices& line, std::string const& word) {
+         line.unit = word;
+         line.is_unit_named = true;
+     }},
     {"baud",
      [](line_choices& line, std::string const& word) {
          line.baud = baud_in(static_cast<unsigned>(number_in(word, 1, 10'000'000)));
@@ -236,18 +238,22 @@ void take(entries const& from, entry const& one, line_choices& line)
         from.refuse(one, "'" + one.key + "' has one value");
     }
     for (std::string const& word : one.values) {
+        if (word.empty()) {
+            from.refuse(one, one.key + " = \"\": the value is empty");
+        }
         try {
             which.take(line, word);
         } catch (ended const& why) {
-            from.refuse(one, one.key + ": " + why.what());
+            from.refuse(one, one.key + " = \"" + word + "\": " + why.what());
         }
     }
 }
 
-bool is_file(std::string const& name)
+/// Whatever is there: what is no file is refused when it is read.
+bool is_there(std::string const& name)
 {
     std::error_code ignored;
-    return std::filesystem::is_regular_file(name, ignored);
+    return std::filesystem::exists(std::filesystem::symlink_status(name, ignored));
 }
 
 std::string variable(char const* name)
@@ -258,10 +264,10 @@ std::string variable(char const* name)
 
 } // namespace
 
-std::string configuration_file()
+std::optional<std::string> configuration_file()
 {
     constexpr char const* name = "rtuwire.toml";
-    if (is_file(name)) {
+    if (is_there(name)) {
         return name;
     }
     std::string place = variable("XDG_CONFIG_HOME");
@@ -269,21 +275,21 @@ std::string configuration_file()
         place = variable("HOME") + "/.config";
     }
     std::string const file = place + "/" + name;
-    return not place.empty() and is_file(file) ? file : std::string{};
+    return not place.empty() and is_there(file) ? std::optional{file} : std::nullopt;
 }
 
 void read_configuration(std::string const& file, line_choices& line)
 {
-    std::ifstream in{file};
-    std::ostringstream text;
-    errno = 0;
-    if (not in or not(text << in.rdbuf())) {
-        // An empty file has nothing to say, and is none that cannot be read.
-        if (not in.is_open() or errno != 0) {
-            refuse_word("--config " + file + ": " + std::strerror(errno));
-        }
+    if (file.empty()) {
+        refuse_word("--config: the name of a file is missing");
     }
-    entries all{file, text.str()};
+    file_text const found = text_of_file(file);
+    if (not found.failure.empty()) {
+        refuse_word("--config " + file + ": " + found.failure);
+    }
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // as some editors write it
+    bool const has_mark = found.text.starts_with(byte_order_mark);
+    entries all{file, found.text.substr(has_mark ? byte_order_mark.size() : 0)};
     std::set<std::string> seen;
     while (auto const one = all.next()) {
         if (not seen.insert(one->key).second) {

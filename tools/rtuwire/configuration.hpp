@@ -7,6 +7,7 @@
 // It never allows anything: --write and --allow-run are typed.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "choices.hpp"
@@ -14,8 +15,8 @@
 namespace tool {
 
 /// The file to read where none is named: ./rtuwire.toml, or rtuwire.toml in $XDG_CONFIG_HOME (~/.config where that is not
-/// set); empty where there is neither.
-[[nodiscard]] std::string configuration_file();
+/// set); nothing where there is neither.
+[[nodiscard]] std::optional<std::string> configuration_file();
 
 /// Changes what the file speaks of. What is wrong in it ends the command, with the file, the line and the word.
 void read_configuration(std::string const& file, line_choices& line);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // rtuwire: what a person does with a line of Modbus RTU, from a terminal. docs/tool.md is its page.
 #include <csignal>
-#include <cstdio>
 #include <exception>
 #include <string>
 #include <string_view>
@@ -10,6 +9,7 @@
 #include "../support/standard_descriptors.hpp"
 #include "command_line.hpp"
 #include "commands/commands.hpp"
+#include "output/plain_text.hpp"
 
 namespace {
 
@@ -47,10 +47,10 @@ int main(int argc, char** argv)
         parsed const words = parse(argc, argv);
         return static_cast<int>(words.chosen ? run(*words.chosen) : words.status);
     } catch (ended const& why) {
-        std::fprintf(stderr, "rtuwire: %s\n", why.what());
+        tell_error(why.what());
         return static_cast<int>(why.status);
     } catch (std::exception const& why) {
-        std::fprintf(stderr, "rtuwire: %s\n", why.what());
+        tell_error(why.what());
         return static_cast<int>(exit_status::port);
     }
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "catalog/register_limits.hpp"
 
+#include <algorithm>
+
 #include "catalog/value_text.hpp"
 
 namespace tool {
@@ -13,6 +15,21 @@ std::optional<std::int32_t> count_of(register_entry const& entry, known_words co
 {
     auto const word = known ? known(entry.code) : std::nullopt;
     return word ? std::optional{entry.count_of(*word)} : std::nullopt;
+}
+
+/// Whether a register holds what its table does not allow for it. A frequency that no table limits is one that the
+/// drive's own reference can reach.
+bool is_absurd(register_entry const& entry, std::int32_t count, drive_catalog const& drive)
+{
+    std::int32_t highest = entry.highest_count();
+    register_entry const* const reference = drive.at(drive.frequency_reference);
+    bool const is_frequency = reference != nullptr and entry.unit == reference->unit and
+                              entry.step.numerator == reference->step.numerator and
+                              entry.step.denominator == reference->step.denominator;
+    if (is_frequency) {
+        highest = std::min(highest, reference->highest_count());
+    }
+    return count < entry.lowest_count() or count > highest;
 }
 
 register_limit limit_of(rtuwire::bound const& limit, std::int32_t widest, drive_catalog const& drive,
@@ -29,6 +46,7 @@ register_limit limit_of(rtuwire::bound const& limit, std::int32_t widest, drive_
         if (entry != nullptr) {
             found.needed.push_back(entry);
             values[i] = count_of(*entry, known);
+            found.is_absurd = found.is_absurd or (values[i] and is_absurd(*entry, *values[i], drive));
         }
     }
     if (values[0] and values[1]) {

@@ -18,6 +18,7 @@ struct register_limit {
     std::optional<std::int32_t> count;           ///< nothing where it depends on a register that is not known
     std::vector<register_entry const*> needed{}; ///< those, whether known or not
     std::string set_by{};                        ///< "TFR", "1/2 INV"; empty for a number
+    bool is_absurd{false};                       ///< by a register that holds what it cannot hold
 };
 
 [[nodiscard]] register_limit lowest_of(register_entry const& entry, drive_catalog const& drive,

@@ -32,7 +32,7 @@ exit_status run_capture(choices const& chosen)
             return file.is_open();
         });
     std::fprintf(stderr, "%zu frames\n", file.frames());
-    return exit_status::done;
+    return file.frames() > 0 ? exit_status::done : exit_status::no_answer;
 }
 
 } // namespace tool

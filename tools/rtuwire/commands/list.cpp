@@ -21,20 +21,35 @@ record of_drive(drive_catalog const& drive)
             {"most in a write", std::int64_t{drive.limits.write}}};
 }
 
-std::string note_on(register_entry const& entry)
+/// A limit, or a default, as people read it; programs get counts of them.
+std::string amount_of(std::int64_t count, register_entry const& entry, drive_catalog const& drive)
+{
+    auto const step = step_of(entry, drive);
+    bool const is_amount = entry.kind == register_kind::number or entry.kind == register_kind::signed_number;
+    return is_amount and step ? amount_text(count, *step, entry.unit)
+           : is_amount        ? std::to_string(count) + " steps"
+                              : std::to_string(count);
+}
+
+std::string note_on(register_entry const& entry, drive_catalog const& drive)
 {
     std::string note;
     if (not entry.steps_set_by.empty()) {
         note = "steps set by " + std::string{entry.steps_set_by};
     }
     if (entry.gap_first <= entry.gap_last) {
-        note += (note.empty() ? "never " : "; never ") + std::to_string(entry.gap_first) + " to " +
-                std::to_string(entry.gap_last);
+        note += (note.empty() ? "never " : "; never ") + amount_of(entry.gap_first, entry, drive) + " to " +
+                amount_of(entry.gap_last, entry, drive);
     }
     return note;
 }
 
-record of_register(register_entry const& entry, drive_catalog const& drive)
+std::string limit_text(rtuwire::bound const& limit, register_entry const& entry, drive_catalog const& drive)
+{
+    return limit.is_number() ? amount_of(limit.raw(), entry, drive) : text_of_bound(limit);
+}
+
+record of_register(register_entry const& entry, drive_catalog const& drive, bool is_table)
 {
     auto const step = step_of(entry, drive);
     return {{"register", std::string{entry.code}},
@@ -42,12 +57,14 @@ record of_register(register_entry const& entry, drive_catalog const& drive)
             {"access", std::string{text_of(entry.mode)}},
             {"kind", std::string{text_of(entry.kind)}},
             {"step", step and not entry.unit.empty() ? amount_text(1, *step, entry.unit) : std::string{}},
-            {"lowest", text_of_bound(entry.min)},
-            {"highest", text_of_bound(entry.max)},
-            {"default", entry.factory ? cell{std::int64_t{*entry.factory}} : cell{}},
+            {"lowest", is_table ? limit_text(entry.min, entry, drive) : text_of_bound(entry.min)},
+            {"highest", is_table ? limit_text(entry.max, entry, drive) : text_of_bound(entry.max)},
+            {"default", not entry.factory ? cell{}
+                        : is_table        ? cell{amount_of(*entry.factory, entry, drive)}
+                                          : cell{std::int64_t{*entry.factory}}},
             {"source", std::string{text_of(entry.source)}},
             {"name", std::string{entry.name}},
-            {"note", note_on(entry)}};
+            {"note", note_on(entry, drive)}};
 }
 
 } // namespace
@@ -78,7 +95,7 @@ exit_status run_list(choices const& chosen)
     }
     for (register_entry const* const each : shown) {
         if (each != nullptr) {
-            results.put(of_register(*each, drive));
+            results.put(of_register(*each, drive, chosen.form == output_form::table));
         }
     }
     results.finish();

@@ -24,12 +24,13 @@ using rtuwire::altivar::outcome_kind;
 class resetting {
 public:
     explicit resetting(choices const& chosen)
-        : chosen_{chosen}, who_{unit_in(chosen.line)}, line_{chosen.line}, drive_{
-                                                                               catalog_of(line_, who_.unit, who_.drive)}
+        : chosen_{chosen}, who_{unit_to_change(chosen)}, line_{chosen.line}, drive_{catalog_of(line_, who_.unit,
+                                                                                               who_.drive)}
     {}
 
     exit_status run()
     {
+        refuse_wrong_log();
         rtuwire::cia402::state const before = rtuwire::cia402::decode(read(drive_.layout.eta));
         std::string const fault = fault_text(read(drive_.layout.lft));
         if (not rtuwire::cia402::is_in_fault(before)) {
@@ -69,14 +70,18 @@ private:
 
     exit_status judge(std::string const& fault, rtuwire::altivar::reason const& why)
     {
-        bool const is_logged =
-            log_write({chosen_.line.port, unsigned{who_.unit.byte()}, "CMD", "fault " + fault, "reset"});
-        std::string const log = is_logged ? std::string{} : "; not noted: " + write_log_file() + " cannot be written";
+        std::string const after = why.kind == outcome_kind::succeeded  ? "reset"
+                                  : why.kind == outcome_kind::in_fault ? "fault " + fault_text(why.fault)
+                                                                       : "unknown";
+        std::string const failure =
+            log_write({chosen_.line.port, unsigned{who_.unit.byte()}, "CMD", "fault " + fault, after});
+        std::string const log = failure.empty() ? std::string{} : "; not noted: " + failure;
         if (why.kind == outcome_kind::succeeded) {
             return tell(fault, "reset" + log, exit_status::done);
         }
         if (why.kind == outcome_kind::silent) {
-            return tell(fault, "no answer: " + words_of(why.error) + log, exit_status::no_answer);
+            return tell(fault, "no answer: " + words_of(why.error) + log,
+                        why.error == rtuwire::errc::none ? exit_status::no_answer : status_of(why.error));
         }
         std::string const still = why.kind == outcome_kind::in_fault
                                       ? "still in fault: its cause is there (" + fault_text(why.fault) + ")"

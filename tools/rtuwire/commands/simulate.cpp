@@ -16,6 +16,7 @@
 #include "../support/signals.hpp"
 #include "commands/commands.hpp"
 #include "line/open_line.hpp"
+#include "output/plain_text.hpp"
 #include "port/port_word.hpp"
 #include "port/simulated_line.hpp"
 #include "port/simulated_words.hpp"
@@ -128,7 +129,7 @@ exit_status serve_on_device(choices const& chosen, std::vector<simulated_drive_c
                                    ? serve(port, device, line_timing::host(set.baud, set.format), drives, chosen.vendor)
                                    : exit_status::port;
     if (not port.failure().empty()) {
-        complain("rtuwire: %s\n", port.failure().c_str());
+        complain("rtuwire: %s\n", plain_text(port.failure()).c_str());
     }
     return status;
 }

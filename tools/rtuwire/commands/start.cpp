@@ -12,6 +12,7 @@
 #include "motion/motor.hpp"
 #include "motion/question.hpp"
 #include "motion/running.hpp"
+#include "output/plain_text.hpp"
 
 namespace tool {
 
@@ -39,8 +40,7 @@ void refuse_where_it_runs(open_line& line, rtuwire::unit_id unit, drive_catalog 
 std::string announcement(choices const& chosen, named_unit const& who, drive_catalog const& drive,
                          asked_motion const& asked)
 {
-    double const seconds = chosen.motion.seconds;
-    std::string const length = seconds > 0 ? "for " + text_of_cell(cell{seconds}) + " s" : "until Ctrl-C";
+    std::string const length = chosen.last ? "for " + text_of_cell(cell{*chosen.last}) + " s" : "until Ctrl-C";
     std::string const unit =
         "unit " + std::to_string(who.unit.byte()) + (who.name.empty() ? "" : " (" + who.name + ")");
     return unit + ", " + std::string{drive.name} + " on " + chosen.line.port + ": runs the motor at " + asked.text +
@@ -49,7 +49,7 @@ std::string announcement(choices const& chosen, named_unit const& who, drive_cat
 
 exit_status start_on(line_choices const& how, choices const& chosen)
 {
-    named_unit const who = unit_in(how);
+    named_unit const who = unit_to_change(chosen);
     open_line line{how};
     drive_catalog const& drive = catalog_of(line, who.unit, who.drive);
     motor_maker const make = maker_of(drive.name);
@@ -61,14 +61,10 @@ exit_status start_on(line_choices const& how, choices const& chosen)
     if (not may_go_on(chosen.allowed, announcement(chosen, who, drive, asked), "run?")) {
         throw ended{exit_status::refused, "the motor is not started"};
     }
-    running motor{make({line.port(), line.options()}, who.unit, asked),
-                  line.port(),
-                  who.unit,
-                  drive,
-                  chosen.form,
-                  chosen.motion.seconds};
+    running motor{
+        make({line.port(), line.options()}, who.unit, asked), line.port(), who.unit, drive, chosen.form, chosen.last};
     motion_end const end = motor.run();
-    complain("rtuwire: %s\n", end.sentence.c_str());
+    complain("rtuwire: %s\n", plain_text(end.sentence).c_str());
     return end.status;
 }
 
@@ -80,6 +76,7 @@ exit_status run_start(choices const& chosen)
         refuse_for_safety("this program moves nothing; to run a motor, say --allow-run");
     }
     refuse_wrong_words(chosen.motion);
+    static_cast<void>(unit_to_change(chosen)); // refuses where nobody said which
     take_signals();
     stop_motor_before_dying();
     exit_status const status = start_on(line_for_motion(chosen.line), chosen);

@@ -60,13 +60,18 @@ public:
         ending const end = judge(why, catalog_chosen(drive));
         output results{chosen_.form, false};
         results.put({{"unit", std::int64_t{who_.unit.byte()}},
-                     {"outcome", end.sentence},
+                     {"outcome", end.sentence + of_which_unit()},
                      {"error", why.error == errc::none ? cell{} : cell{words_of(why.error)}}});
         results.finish();
         return end.status;
     }
 
 private:
+    std::string of_which_unit() const
+    {
+        return chosen_.line.is_unit_named ? "" : "; that was unit 1, because nobody said --unit";
+    }
+
     static line_choices line_to_stop(line_choices line)
     {
         line.must_not_listen = true;
@@ -148,7 +153,7 @@ private:
 
     ending not_reached(errc why) const
     {
-        exit_status const status = status_of(why) == exit_status::port ? exit_status::port : exit_status::no_answer;
+        exit_status const status = why == errc::none ? exit_status::no_answer : status_of(why);
         return {status, "the drive was not reached: " + words_of(why)};
     }
 

@@ -38,7 +38,7 @@ public:
             wait_until(next, began);
         }
         results_.finish();
-        return failed_ ? exit_status::no_answer : exit_status::done;
+        return status_of(last_error_);
     }
 
 private:
@@ -77,8 +77,8 @@ private:
             line.add(it.label, is_table ? cell{it.text} : it.value);
         }
         rtuwire::errc const why = reader_.first_error();
-        failed_ = why != rtuwire::errc::none;
-        line.add("error", failed_ ? cell{words_of(why)} : cell{});
+        last_error_ = why;
+        line.add("error", why != rtuwire::errc::none ? cell{words_of(why)} : cell{});
         results_.put(line);
     }
 
@@ -87,7 +87,7 @@ private:
     asked_registers asked_;
     register_reader reader_;
     output results_;
-    bool failed_{false};
+    rtuwire::errc last_error_{};
 };
 
 } // namespace

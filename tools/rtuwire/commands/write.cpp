@@ -13,6 +13,7 @@
 #include "catalog/value_text.hpp"
 #include "commands/commands.hpp"
 #include "line/asked_registers.hpp"
+#include "line/line_words.hpp"
 #include "line/reading.hpp"
 #include "line/who_is_it.hpp"
 #include "line/write_log.hpp"
@@ -26,18 +27,17 @@ namespace {
 using rtuwire::errc;
 
 constexpr std::uint16_t save_to_eeprom = 2; ///< the order in CMI
+constexpr char const* unknown = "unknown";  ///< what the unit holds, where it could not be read
 
 class writing {
 public:
-    explicit writing(choices const& chosen) : chosen_{chosen}, unit_{unit_in(chosen.line)}, results_{chosen.form, true}
-    {
-        if (not chosen.allowed.may_write) {
-            refuse_for_safety("this program only reads; to write, say --write");
-        }
-    }
+    explicit writing(choices const& chosen)
+        : chosen_{chosen}, unit_{unit_to_change(chosen)}, results_{chosen.form, true}
+    {}
 
     exit_status run()
     {
+        refuse_wrong_log();
         open_line line{chosen_.line};
         drive_ = &catalog_of(line, unit_.unit, unit_.drive);
         std::vector<value_to_write> const values = checked(line);
@@ -46,8 +46,12 @@ public:
             return exit_status::refused;
         }
         exit_status status = exit_status::done;
-        for (std::size_t i = 0; i < values.size() and status == exit_status::done; ++i) {
-            status = write(line, values[i], before[i]);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (status == exit_status::done) {
+                status = write(line, values[i], before[i]);
+            } else {
+                show(values[i], before[i], {}, "not tried", {});
+            }
         }
         return status;
     }
@@ -106,6 +110,13 @@ private:
         if (not why.empty() and not chosen_.allowed.may_run) {
             refuse_for_safety(label + " " + why + ": a motor may turn after it; to write it, say --allow-run besides");
         }
+        std::string const unwatched = why_it_runs_on(value.address, value.word, *drive_);
+        // Where a register has to be read first, its value is not known yet: it is looked at then.
+        if (value.is_ready() and not unwatched.empty() and not chosen_.allowed.may_run) {
+            refuse_for_safety(label + "=" + std::to_string(value.word) + " " + unwatched +
+                              ": a motor runs on when its controller or its cable fails; to write it, say --allow-run "
+                              "besides");
+        }
         if (value.entry == nullptr and not chosen_.allowed.may_run) {
             refuse_for_safety("register " + label + " is not in the table of an " + std::string{drive_->name} +
                               ": nobody knows what it does; to write it, say --allow-run besides");
@@ -126,7 +137,8 @@ private:
         reader.read(line, unit_.unit);
         std::vector<std::string> before;
         for (chosen_register const& each : all) {
-            before.push_back(reading_of(each, reader, drive_).text);
+            reading const it = reading_of(each, reader, drive_);
+            before.push_back(it.word ? it.text : unknown);
         }
         return before;
     }
@@ -146,27 +158,66 @@ private:
         return answer == 'y' or answer == 'Y';
     }
 
+    /// Writes, and says what the unit holds then: what was read back, whatever was answered to the write.
     exit_status write(open_line& line, value_to_write const& value, std::string const& before)
     {
         auto const outcome = line.ask(unit_.unit, rtuwire::write_single_register{value.address, value.word});
+        bool const is_taken = outcome.error() == errc::none;
+        // An order is no value that stays, and a drive that saves is silent meanwhile.
         bool const is_order = value.address == drive_->layout.cmi;
-        auto const back =
-            is_order or not outcome ? rtuwire::result<std::uint16_t>{value.word} : read_back(line, value.address);
-        std::string const label = label_of({value.address, value.entry});
-        errc const why = outcome ? back.error() : outcome.error();
-        std::string note = why == errc::none ? std::string{} : words_of(why);
-        if (why == errc::none and *back != value.word) {
-            note = "the unit holds another value: " + hex_word(*back);
+        rtuwire::result<std::uint16_t> const held = not is_order ? read_back(line, value.address)
+                                                    : is_taken   ? rtuwire::result<std::uint16_t>{value.word}
+                                                                 : outcome.error();
+        std::string const after = held ? value.text_of_word(*held) : std::string{};
+        std::string error;
+        exit_status status = exit_status::done;
+        if (not held) {
+            error = words_of(is_taken ? held.error() : outcome.error());
+            status = status_of(is_taken ? held.error() : outcome.error());
+        } else if (*held != value.word) {
+            error = is_taken ? "the unit holds another value" : words_of(outcome.error());
+            status = is_taken ? exit_status::differs : status_of(outcome.error());
+        } else if (is_refusal(outcome.error())) {
+            error = words_of(outcome.error());
+            status = exit_status::differs;
         }
-        if (outcome) {
-            note += logged(label, value, before, is_order);
+        std::string note = is_taken or not error.empty() ? std::string{} : words_of(outcome.error()) + ": read back";
+        if (not is_refusal(outcome.error())) {
+            append(note, logged(value, before, held ? after : unknown, is_order));
         }
-        results_.put({{"unit", std::int64_t{unit_.unit.byte()}},
-                      {"register", label},
-                      {"before", before},
-                      {"after", value.text},
-                      {"note", note}});
-        return why != errc::none ? status_of(why) : *back == value.word ? exit_status::done : exit_status::differs;
+        show(value, before, held ? cell{after} : cell{}, error, note);
+        return status;
+    }
+
+    /// Whether the unit itself says that it did not write. What a gateway says tells nothing of the unit.
+    static bool is_refusal(errc why)
+    {
+        return rtuwire::is_exception(why) and why != errc::acknowledge and why != errc::gateway_path_unavailable and
+               why != errc::gateway_target_failed_to_respond;
+    }
+
+    /// A failure is a note for people; programs have a name for it besides.
+    void show(value_to_write const& value, std::string const& before, cell const& after, std::string const& error,
+              std::string const& note)
+    {
+        bool const is_table = chosen_.form == output_form::table;
+        bool const is_unknown = std::holds_alternative<std::monostate>(after);
+        std::string all = error;
+        append(all, note);
+        record row{{"unit", std::int64_t{unit_.unit.byte()}},
+                   {"register", label_of({value.address, value.entry})},
+                   {"before", not is_table and before == unknown ? cell{} : cell{before}},
+                   {"after", is_table and is_unknown and error != "not tried" ? cell{unknown} : after},
+                   {"note", all}};
+        if (chosen_.form == output_form::csv or (chosen_.form == output_form::json and not error.empty())) {
+            row.add("error", error.empty() ? cell{} : cell{error});
+        }
+        results_.put(row, not error.empty());
+    }
+
+    static void append(std::string& note, std::string const& more)
+    {
+        note += (note.empty() or more.empty() ? "" : "; ") + more;
     }
 
     rtuwire::result<std::uint16_t> read_back(open_line& line, std::uint16_t address)
@@ -175,14 +226,17 @@ private:
         return read ? rtuwire::result<std::uint16_t>{read->registers[0]} : read.error();
     }
 
-    std::string logged(std::string const& label, value_to_write const& value, std::string const& before, bool is_order)
+    std::string logged(value_to_write const& value, std::string const& before, std::string const& after, bool is_order)
     {
         unsigned const unit = unit_.unit.byte();
-        bool const is_logged = log_write({chosen_.line.port, unit, label, before, value.text});
-        std::string note = is_logged ? std::string{} : "not noted: " + write_log_file() + " cannot be written";
+        std::string const why =
+            log_write({chosen_.line.port, unit, label_of({value.address, value.entry}), before, after});
+        std::string note = why.empty() ? std::string{} : "not noted: " + why;
         if (is_order) {
-            note += "saved to EEPROM " + std::to_string(count_saves(chosen_.line.port, unit)) +
-                    " times by this user; an EEPROM bears a limited number of writes";
+            append(note, why.empty() ? "saved to EEPROM " + std::to_string(count_saves(chosen_.line.port, unit)) +
+                                           " times by this user"
+                                     : "how often this user has saved to EEPROM is not known");
+            append(note, "an EEPROM bears a limited number of writes");
         }
         return note;
     }
@@ -195,6 +249,12 @@ private:
 
 } // namespace
 
-exit_status run_write(choices const& chosen) { return writing{chosen}.run(); }
+exit_status run_write(choices const& chosen)
+{
+    if (not chosen.allowed.may_write) {
+        refuse_for_safety("this program only reads; to write, say --write");
+    }
+    return writing{chosen}.run();
+}
 
 } // namespace tool

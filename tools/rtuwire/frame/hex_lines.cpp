@@ -32,6 +32,75 @@ bool begins_with_byte(std::string_view text)
     return word.size() == 2 and word.find_first_not_of(hex_digits) == word.npos;
 }
 
+/// Takes so many digits from the front of a text; nothing where they are others, or a number outside of the limits.
+bool take_number(std::string_view& text, std::size_t digits, std::size_t lowest, std::size_t highest)
+{
+    std::string_view const word = text.substr(0, digits);
+    bool const is_number = word.size() == digits and word.find_first_not_of("0123456789") == word.npos;
+    std::size_t const value = is_number ? number_in(word, 10) : 0;
+    text.remove_prefix(is_number ? digits : 0);
+    return is_number and value >= lowest and value <= highest;
+}
+
+bool take_one_of(std::string_view& text, std::string_view characters)
+{
+    bool const is_there = not text.empty() and characters.find(text[0]) != characters.npos;
+    text.remove_prefix(is_there ? 1 : 0);
+    return is_there;
+}
+
+/// "2026-11-25", "2026/11/25".
+bool take_date(std::string_view& text)
+{
+    std::string_view rest = text;
+    bool const is_date = take_number(rest, 4, 1970, 2099) and take_one_of(rest, "-/.") and
+                         take_number(rest, 2, 1, 12) and take_one_of(rest, "-/.") and take_number(rest, 2, 1, 31);
+    text = is_date ? rest : text;
+    return is_date;
+}
+
+/// "07:03:01", "07:03:01.123", with a zone behind it: "Z", "+0100", "+01:00".
+bool take_time(std::string_view& text)
+{
+    std::string_view rest = text;
+    bool const is_time = take_number(rest, 2, 0, 23) and take_one_of(rest, ":") and take_number(rest, 2, 0, 59) and
+                         take_one_of(rest, ":") and take_number(rest, 2, 0, 60);
+    if (not is_time) {
+        return false;
+    }
+    if (take_one_of(rest, ".,")) {
+        rest.remove_prefix((std::min)(rest.find_first_not_of("0123456789"), rest.size()));
+    }
+    std::string_view zone = rest;
+    if (take_one_of(zone, "Z")) {
+        rest = zone;
+    } else if (take_one_of(zone, "+-") and take_number(zone, 2, 0, 14)) {
+        static_cast<void>(take_one_of(zone, ":"));
+        rest = take_number(zone, 2, 0, 59) ? zone : rest;
+    }
+    text = rest;
+    return true;
+}
+
+/// Where the bytes of a line begin, behind a date, a time or both; 0 where there is none. Bytes with colons between all
+/// of them are no time.
+std::size_t end_of_time(std::string_view line)
+{
+    std::string_view rest = line;
+    rest.remove_prefix((std::min)(rest.find_first_not_of(" \t[("), rest.size()));
+    bool const has_date = take_date(rest);
+    std::string_view behind_date = rest;
+    bool has_time = false;
+    if (has_date ? take_one_of(behind_date, " T_") : true) {
+        has_time = take_time(behind_date);
+        rest = has_time ? behind_date : rest;
+    }
+    bool const ends = rest.empty() or take_one_of(rest, " \t])>");
+    bool const has_bytes = rest.find_first_not_of(" \t\r") != rest.npos;
+    bool const is_time_alone = has_time and has_bytes and rest.find(':') == rest.npos;
+    return ends and (has_date or is_time_alone) ? line.size() - rest.size() : 0;
+}
+
 } // namespace
 
 /// Where the bytes of a line are, and whether they go on with the run before.
@@ -102,6 +171,9 @@ bool hex_lines::next(std::vector<std::byte>& run)
     while (has_line_ or std::getline(from_, line_)) {
         number_ += has_line_ ? 0 : 1;
         has_line_ = false;
+        if (std::size_t const end = end_of_time(line_); end > 0) {
+            line_.replace(0, end, end, ' ');
+        }
         line_start const start = start_of(line_, run.size());
         if (not run.empty() and not start.goes_on) {
             has_line_ = true; // belongs to the next run

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Bytes as programs print them: "01 03", "0x01,0x03", "\x01\x03", "01:03", "[01][03]", lines of hexdump, xxd and od.
+// Bytes as programs print them: "01 03", "0x01,0x03", "\x01\x03", "01:03", "[01][03]", lines of hexdump, xxd and od. A date
+// or a time in front of the bytes, as logs have it, is no part of them.
 #pragma once
 
 #include <cstddef>

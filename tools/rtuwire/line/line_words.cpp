@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include <rtuwire/port.hpp>
 
@@ -53,8 +54,25 @@ named_unit named_in(std::string const& word)
     if (sign == 0 or sign == std::string::npos) {
         refuse_word("'" + word + "' names no unit: it looks like fan=7:atv320");
     }
+    if (word.find_first_of("0123456789+-") == 0 or word.find(',') < sign) {
+        refuse_word("'" + word + "': a name begins with no digit or sign and has no comma, so that --unit 3 is unit 3");
+    }
     auto const parts = parts_of(std::string_view{word}.substr(sign + 1), ':');
     return {address_in(parts[0], word), word.substr(0, sign), parts.size() > 1 ? std::string{parts[1]} : std::string{}};
+}
+
+/// One name means one unit, and a unit has one type: neither the first nor the last is silently right.
+void refuse_contradiction(named_unit const& before, named_unit const& one)
+{
+    std::string const units[]{std::to_string(before.unit.byte()), std::to_string(one.unit.byte())};
+    if (before.name == one.name) {
+        refuse_word("the name '" + one.name + "' is given twice, to unit " + units[0] + " and to unit " + units[1]);
+    }
+    bool const has_two_types = not before.drive.empty() and not one.drive.empty() and before.drive != one.drive;
+    if (before.unit == one.unit and has_two_types) {
+        refuse_word("unit " + units[1] + " has two types: " + before.name + " is an " + before.drive + ", " + one.name +
+                    " an " + one.drive);
+    }
 }
 
 } // namespace
@@ -103,7 +121,11 @@ std::vector<named_unit> names_in(line_choices const& line)
 {
     std::vector<named_unit> named;
     for (std::string const& each : line.names) {
-        named.push_back(named_in(each));
+        named_unit one = named_in(each);
+        for (named_unit const& before : named) {
+            refuse_contradiction(before, one);
+        }
+        named.push_back(std::move(one));
     }
     return named;
 }
@@ -127,6 +149,15 @@ named_unit unit_in(line_choices const& line)
     named_unit chosen = found ? *found : named_unit{address_in(line.unit, "--unit")};
     chosen.drive = line.drive.empty() ? chosen.drive : line.drive;
     return chosen;
+}
+
+named_unit unit_to_change(choices const& chosen)
+{
+    if (not chosen.line.is_unit_named) {
+        refuse_word("which unit? '" + chosen.command +
+                    "' changes something, and takes no unit by itself: say --unit 7, or unit = 7 in the configuration");
+    }
+    return unit_in(chosen.line);
 }
 
 rtuwire::duration seconds_in(double seconds)

@@ -32,7 +32,10 @@ struct named_unit {
 /// The unit that --unit means: an address, or one of the names. Refuses others, with the nearest name.
 named_unit unit_in(line_choices const& line);
 
-/// All that --name names.
+/// The same for what writes to a unit, or runs its motor: refuses where nobody said which.
+named_unit unit_to_change(choices const& chosen);
+
+/// All that --name names. Refuses a name for two units, and two types for one unit.
 std::vector<named_unit> names_in(line_choices const& line);
 
 /// Seconds as the library counts them.

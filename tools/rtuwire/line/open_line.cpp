@@ -14,6 +14,12 @@ namespace tool {
 
 namespace {
 
+std::string hex_byte(std::uint8_t byte)
+{
+    constexpr char digits[] = "0123456789ABCDEF";
+    return {digits[byte >> 4U], digits[byte & 0xFU]};
+}
+
 /// Said to a person, once.
 void tell_of_supervision()
 {
@@ -76,15 +82,26 @@ exit_status status_of(rtuwire::errc why)
     if (why == errc::none) {
         return exit_status::done;
     }
-    if (rtuwire::is_exception(why)) {
-        return exit_status::differs;
-    }
     if (why >= errc::device_not_found and why <= errc::device_failed) {
         return exit_status::port;
     }
-    return exit_status::no_answer;
+    // Whatever was heard is something else than silence: an exception, a damaged frame, another's response.
+    bool const is_silence = why == errc::timed_out or why == errc::cancelled or why == errc::unit_lost;
+    return is_silence ? exit_status::no_answer : exit_status::differs;
 }
 
-std::string words_of(rtuwire::errc why) { return std::string{rtuwire::name(why)}; }
+std::string words_of(rtuwire::errc why)
+{
+    std::string const text{rtuwire::name(why)};
+    if (why == rtuwire::errc::unlisted_exception) {
+        return "exception with code 0 or above 0x7E, which no specification lists";
+    }
+    if (not rtuwire::is_exception(why)) {
+        return text;
+    }
+    std::string const code = hex_byte(static_cast<std::uint8_t>(why));
+    return text == "exception" ? "exception 0x" + code + ", which no specification lists"
+                               : text + " (exception 0x" + code + ")";
+}
 
 } // namespace tool

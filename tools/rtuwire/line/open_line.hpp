@@ -55,10 +55,10 @@ private:
     rtuwire::blocking_client<any_port> client_;
 };
 
-/// What an error means for whoever called the program.
+/// What an error means for whoever called the program: silence is `no_answer`, a wrong answer is `differs`.
 exit_status status_of(rtuwire::errc why);
 
-/// "no response in time": as the library says it.
+/// "no response in time": as the library says it; an exception with its code behind it.
 std::string words_of(rtuwire::errc why);
 
 } // namespace tool

@@ -6,6 +6,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -88,6 +89,10 @@ private:
 
 void play_capture(std::string const& file, line_setting how, take_frame const& take)
 {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file, ignored)) {
+        throw ended{exit_status::port, file + ": is a directory"};
+    }
     std::ifstream in{file, std::ios::binary};
     if (not in) {
         throw ended{exit_status::port, file + ": " + std::strerror(errno)};

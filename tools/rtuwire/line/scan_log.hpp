@@ -3,11 +3,11 @@
 // What a scan has found so far, in a file that survives however the program ends: a line for each address.
 #pragma once
 
-#include <fstream>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "files/regular_file.hpp"
 #include "line/open_line.hpp"
 #include "output/record.hpp"
 
@@ -15,7 +15,8 @@ namespace tool {
 
 class scan_log {
 public:
-    /// Reads what the file has; without a file's name nothing is kept. Refuses a file that is something else.
+    /// Reads what the file has; without a file's name nothing is kept. Refuses a file that is something else, or damaged,
+    /// with the line, and leaves it as it is.
     explicit scan_log(std::string const& file);
 
     bool is_done(line_setting const& how, std::uint8_t unit) const;
@@ -25,12 +26,13 @@ public:
     void note_found(line_setting const& how, std::uint8_t unit, record const& line);
 
 private:
+    void read(std::string const& text);
     void write(std::string const& line);
 
     std::string file_;
     std::set<std::string> done_{};
     std::vector<record> found_{};
-    std::ofstream out_{};
+    appended_file out_{};
 };
 
 /// "8E1".

@@ -199,6 +199,7 @@ void recognise_by_registers(open_line& line, rtuwire::unit_id unit, errc outcome
         who.note = "answers, but does not say who it is (" + words_of(outcome) +
                    "), and its registers are those of no drive of this program, or of several";
         who.outcome = exit_status::differs;
+        who.has_answered = true;
     } else {
         who.note = words_of(outcome);
         who.outcome = status_of(outcome);
@@ -249,8 +250,7 @@ drive_catalog const& catalog_of(open_line& line, rtuwire::unit_id unit, std::str
     }
     std::string const number = "unit " + std::to_string(unit.byte());
     if (who.product.empty() and not who.note.empty()) {
-        bool const helps = who.outcome == exit_status::differs;
-        throw ended{who.outcome, number + ": " + who.note + (helps ? "; say --drive" : "")};
+        throw ended{who.outcome, number + ": " + who.note + (who.has_answered ? "; say --drive" : "")};
     }
     throw ended{exit_status::differs,
                 number + " is a '" + who.vendor + " " + who.product + "', no drive of this program; say --drive"};

@@ -18,6 +18,7 @@ struct identity_words {
     std::string drive{}; ///< the name of a catalog
     std::string note{};  ///< why something is missing
     exit_status outcome{exit_status::done};
+    bool has_answered{false}; ///< though it did not say who it is: --drive helps
 };
 
 /// Asks for its identification; then, where that leaves several drives or none, reads registers that tell them apart.

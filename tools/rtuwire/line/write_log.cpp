@@ -5,10 +5,14 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
+#include <sstream>
 
 #include <pwd.h>
 #include <unistd.h>
+
+#include "exit_status.hpp"
+#include "files/regular_file.hpp"
+#include "output/plain_text.hpp"
 
 namespace tool {
 
@@ -36,7 +40,7 @@ std::string time_now()
 
 std::string place_of(std::string const& port, unsigned unit)
 {
-    return '\t' + port + '\t' + std::to_string(unit) + '\t';
+    return '\t' + plain_text(port) + '\t' + std::to_string(unit) + '\t';
 }
 
 } // namespace
@@ -51,23 +55,31 @@ std::string write_log_file()
     return home.empty() ? std::string{} : home + "/.local/state/rtuwire/writes.log";
 }
 
-bool log_write(written_value const& what)
+std::string log_write(written_value const& what)
 {
     std::filesystem::path const file = write_log_file();
     if (file.empty()) {
-        return false;
+        return "there is no home for writes.log";
     }
     std::error_code ignored; // the file itself tells
     std::filesystem::create_directories(file.parent_path(), ignored);
-    std::ofstream out{file, std::ios::app};
-    out << time_now() << '\t' << user_name() << place_of(what.port, what.unit) << what.label << '\t' << what.before
-        << '\t' << what.after << std::endl;
-    return out.good();
+    appended_file log{file};
+    log.write(time_now() + '\t' + user_name() + place_of(what.port, what.unit) + what.label + '\t' + what.before +
+              '\t' + what.after + '\n');
+    return log.failure().empty() ? std::string{} : file.string() + ": " + log.failure();
+}
+
+void refuse_wrong_log()
+{
+    std::string const file = write_log_file();
+    if (std::string const why = why_no_regular_file(file); not why.empty()) {
+        throw ended{exit_status::port, "nothing is written, because nothing could be noted: " + file + ": " + why};
+    }
 }
 
 unsigned count_saves(std::string const& port, unsigned unit)
 {
-    std::ifstream in{write_log_file()};
+    std::istringstream in{text_of_file(write_log_file()).text};
     unsigned count = 0;
     for (std::string line; std::getline(in, line);) {
         count += line.find(place_of(port, unit) + "CMI\t") != std::string::npos ? 1U : 0U;

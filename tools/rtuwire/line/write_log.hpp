@@ -13,11 +13,14 @@ struct written_value {
     unsigned unit;
     std::string label;
     std::string before;
-    std::string after;
+    std::string after; ///< what the unit holds; "unknown" where it could not be read back
 };
 
-/// Adds a line: time, user, port, unit, register, before, after. False where the file cannot be written.
-bool log_write(written_value const& what);
+/// Adds a line: time, user, port, unit, register, before, after. Why the file cannot be written; empty where it was.
+std::string log_write(written_value const& what);
+
+/// Ends the command where the log is something else than a file that can grow: before anything is written.
+void refuse_wrong_log();
 
 /// How many orders to save to EEPROM the file has for a unit, this one included.
 unsigned count_saves(std::string const& port, unsigned unit);

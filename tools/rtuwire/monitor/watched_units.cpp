@@ -52,9 +52,8 @@ void add_new(std::vector<named_unit>& units, named_unit const& one)
 
 std::vector<named_unit> units_watched(line_choices const& line)
 {
-    bool const is_default = line.unit == line_choices{}.unit;
     std::vector<named_unit> units;
-    if (is_default and not line.names.empty()) {
+    if (not line.is_unit_named and not line.names.empty()) {
         for (named_unit const& each : names_in(line)) {
             line_choices one = line;
             one.unit = each.name;

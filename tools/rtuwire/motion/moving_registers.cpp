@@ -46,4 +46,19 @@ std::string why_it_may_move(std::string_view code)
     return {};
 }
 
+std::string why_it_runs_on(std::uint16_t address, std::uint16_t word, drive_catalog const& drive)
+{
+    rtuwire::altivar::safeguard_layout const& at = drive.layout.safeguards;
+    bool const is_reaction = at.sll != 0 and address == at.sll;
+    bool const is_timeout = at.tto != 0 and address == at.tto;
+    constexpr std::uint16_t off = 0, takes_fallback_speed = 4, keeps_speed = 5;
+    if ((is_reaction or is_timeout) and word == off) {
+        return "switches the supervision of the link off";
+    }
+    if (is_reaction and (word == takes_fallback_speed or word == keeps_speed)) {
+        return "lets the motor run without its link";
+    }
+    return {};
+}
+
 } // namespace tool

@@ -9,6 +9,7 @@
 
 #include "../support/say.hpp"
 #include "../support/signals.hpp"
+#include "output/plain_text.hpp"
 
 namespace tool {
 
@@ -17,7 +18,7 @@ bool may_go_on(permissions const& allowed, std::string const& what, char const* 
     constexpr int look_every = 100; // ms
     bool const asks = not allowed.is_confirmed and ::isatty(STDIN_FILENO) == 1;
     // A terminal that was stopped (Ctrl-S) must not keep this program from ending.
-    error_output.put(what + "\n" + (asks ? std::string{question} + " (y/n) " : std::string{}));
+    error_output.put(plain_text(what) + "\n" + (asks ? std::string{question} + " (y/n) " : std::string{}));
     error_output.finish(std::chrono::milliseconds{300});
     if (not asks) {
         return noted.end == 0;

@@ -3,6 +3,7 @@
 #include "motion/running.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <utility>
 
@@ -30,10 +31,13 @@ std::string words_of_kind(outcome_kind kind) { return std::string{std::string_vi
 } // namespace
 
 running::running(std::unique_ptr<motor> which, any_port& port, rtuwire::unit_id unit, drive_catalog const& drive,
-                 output_form how, double length)
-    : motor_{std::move(which)}, port_{port}, unit_{unit}, drive_{drive}, display_{how, drive}, must_end_{longest_look},
-      length_{length}
-{}
+                 output_form how, std::optional<double> limit)
+    : motor_{std::move(which)}, port_{port}, unit_{unit}, drive_{drive}, display_{how, drive}, must_end_{longest_look}
+{
+    if (limit) {
+        length_ = std::chrono::duration<double>{*limit};
+    }
+}
 
 running::~running() { emergency.stop_motor(); }
 
@@ -149,8 +153,8 @@ motion_end running::keep_running()
             return order_lost();
         }
         bool const runs = seen.state == state::operation_enabled;
-        if (runs and length_.count() > 0 and not until) {
-            until = clock::now() + std::chrono::duration_cast<clock::duration>(length_);
+        if (runs and length_ and not until) {
+            until = clock::now() + std::chrono::duration_cast<clock::duration>(*length_);
         }
         if (until and clock::now() >= *until) {
             return {exit_status::done, "the time is over"};
@@ -161,9 +165,12 @@ motion_end running::keep_running()
 motion_end running::interrupted() const
 {
     int const failure = standard_output.failure();
-    exit_status const status = noted.end != 0 ? exit_status::done
-                               : failure != 0 ? exit_status::port
-                                              : exit_status::differs;
+    // Ctrl-C and TERM are how this command is meant to end; any other signal is an accident, which a shell is told.
+    bool const is_meant = noted.end == SIGINT or noted.end == SIGTERM;
+    exit_status const status = is_meant         ? exit_status::done
+                               : noted.end != 0 ? static_cast<exit_status>(128 + noted.end)
+                               : failure != 0   ? exit_status::port
+                                                : exit_status::differs;
     return {status, "ended: " + must_end_.text()};
 }
 

@@ -25,9 +25,9 @@ struct motion_end {
 
 class running {
 public:
-    /// `seconds`: how long it runs; 0: until somebody ends the program.
+    /// `limit`: how many seconds it runs; nothing: until somebody ends the program.
     running(std::unique_ptr<motor> which, any_port& port, rtuwire::unit_id unit, drive_catalog const& drive,
-            output_form how, double seconds);
+            output_form how, std::optional<double> limit);
     running(running const&) = delete;
     running& operator=(running const&) = delete;
     /// Stops the motor where it was not seen to stand: an exception is on its way.
@@ -59,7 +59,7 @@ private:
     drive_catalog const& drive_;
     motor_display display_;
     reason_to_end must_end_;
-    std::chrono::duration<double> length_;
+    std::optional<std::chrono::duration<double>> length_{};
     bool is_coasting_{false};
 };
 

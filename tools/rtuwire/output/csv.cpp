@@ -5,14 +5,16 @@
 #include <vector>
 
 #include "output/output.hpp"
+#include "output/plain_text.hpp"
 
 namespace tool {
 
 namespace {
 
-std::string quoted(std::string const& word)
+std::string quoted(std::string const& raw)
 {
-    if (word.find_first_of(",\"\r\n") == std::string::npos) {
+    std::string const word = plain_text(raw);
+    if (word.find_first_of(",\"") == std::string::npos) {
         return word;
     }
     std::string text = "\"";

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "output/output.hpp"
+#include "output/plain_text.hpp"
 
 namespace tool {
 
@@ -23,7 +24,7 @@ public:
             object[each.name] = std::visit(to_json{}, each.value);
         }
         // Bytes that are no UTF-8 (a device may name itself anyhow) are replaced, not a reason to fail.
-        return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+        return plain_json(object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + '\n';
     }
 };
 

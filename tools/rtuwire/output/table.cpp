@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "output/output.hpp"
+#include "output/plain_text.hpp"
 #include "output/width.hpp"
 
 namespace tool {
@@ -15,6 +16,8 @@ bool is_number(cell const& value)
 {
     return std::holds_alternative<std::int64_t>(value) or std::holds_alternative<double>(value);
 }
+
+std::string shown(cell const& value) { return plain_text(text_of_cell(value)); }
 
 class table : public form {
 public:
@@ -68,7 +71,7 @@ private:
     void widen(record const& line)
     {
         for (std::size_t i = 0; i < widths_.size(); ++i) {
-            widths_[i] = std::max(widths_[i], width_of(text_of_cell(line.fields()[i].value)));
+            widths_[i] = std::max(widths_[i], width_of(shown(line.fields()[i].value)));
         }
     }
 
@@ -86,7 +89,7 @@ private:
         std::string text;
         for (std::size_t i = 0; i < widths_.size(); ++i) {
             cell const& value = line.fields()[i].value;
-            std::string const word = text_of_cell(value);
+            std::string const word = shown(value);
             std::string const space(widths_[i] - width_of(word), ' ');
             text += i == 0 ? "" : "  ";
             text += is_number(value) ? space + word : word + space;

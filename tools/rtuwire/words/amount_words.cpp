@@ -54,6 +54,10 @@ constexpr typed_unit units[]{
     {"°C", "degC", 1, 1, false},
     {"1/s", "1/s"},
     {"1/s", "/s", 1, 1, false},
+    {"length of time", "s"},
+    {"length of time", "ms", 1, 1'000},
+    {"length of time", "min", 60},
+    {"length of time", "h", 3'600},
 };
 
 typed_unit const* unit_typed(std::string_view unit, std::string_view text) noexcept

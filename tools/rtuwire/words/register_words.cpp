@@ -24,6 +24,13 @@ refusal unknown(std::string kind, std::string_view culprit, std::string_view wha
     return {std::move(kind), std::string{culprit}, with_nearest(sentence, nearest), std::string{nearest}};
 }
 
+/// A mnemonic may be right, and its register outside of the table: the drive has more than the tool knows.
+std::string not_among(drive_catalog const& drive)
+{
+    return "is not among the registers that this tool knows (" + std::to_string(drive.registers.size()) + " of the " +
+           std::string{drive.name} + "); read it by its address";
+}
+
 /// Collects registers, each once.
 class collector {
 public:
@@ -140,7 +147,7 @@ refusal_or_none collector::add_bit(std::string_view word, std::size_t dot)
     auto const plain = word_number(code);
     register_entry const* entry = drive_ == nullptr ? nullptr : plain ? drive_->at(*plain) : drive_->by_code(code);
     if (entry == nullptr and not plain) {
-        return unknown("unknown_register", word, std::string{code} + " is no register of " + std::string{drive_->name},
+        return unknown("unknown_register", word, std::string{code} + " " + not_among(*drive_),
                        nearest_word(code, codes_of(*drive_)));
     }
     std::uint16_t const address = plain ? *plain : entry->address;
@@ -168,8 +175,7 @@ refusal_or_none collector::add_code(std::string_view word)
         add(entry->address);
         return {};
     }
-    return unknown("unknown_register", word, "is no register of " + std::string{drive_->name},
-                   nearest_word(word, codes_of(*drive_)));
+    return unknown("unknown_register", word, not_among(*drive_), nearest_word(word, codes_of(*drive_)));
 }
 
 } // namespace

@@ -54,6 +54,7 @@ private:
 
     bool find_register(std::string_view name)
     {
+        is_by_address_ = not name.empty() and is_digit(name[0]);
         register_selection const chosen = select_registers(std::span{&name, 1}, drive_);
         if (chosen.refused) {
             found_.refused = chosen.refused;
@@ -123,6 +124,9 @@ private:
                                               (entry.unit.empty() ? "" : ", in " + units_for(entry.unit)) +
                                               ", or 0x0000 to 0xFFFF");
         }
+        if (is_by_address_ and typed.unit.empty() and has_scale(entry)) {
+            return refuse_bare_number(text);
+        }
         auto const set_by = entry.steps_set_by.empty() ? nullptr : drive_->by_code(entry.steps_set_by);
         auto const setting = set_by != nullptr and known_ ? known_(set_by->code) : std::nullopt;
         auto const step = step_of(entry, *drive_, setting);
@@ -145,6 +149,28 @@ private:
         }
         count_ = below < entry.lowest_count() ? below : above;
         return true;
+    }
+
+    /// Whether a count of it is something else than the number that a person reads.
+    static bool has_scale(register_entry const& entry) noexcept
+    {
+        return not entry.unit.empty() or not entry.steps_set_by.empty() or
+               entry.step.numerator != entry.step.denominator;
+    }
+
+    /// Whoever reads raw counts at an address may write them there: ten times the value, if it counted in the unit.
+    bool refuse_bare_number(std::string_view number)
+    {
+        register_entry const& entry = *found_.entry;
+        std::string const address = std::to_string(entry.address) + "=";
+        bool const is_whole = number.find('.') == number.npos;
+        std::string const raw = is_whole ? std::string{number} : "1";
+        auto const hex = word_number(raw);
+        std::string const with_unit = entry.unit.empty() ? std::string{entry.code} + "=" + std::string{number}
+                                                         : address + std::string{number} + std::string{entry.unit};
+        return refuse("unit_missing", std::to_string(entry.address) + " is " + std::string{entry.code} + " (" +
+                                          std::string{entry.name} + "): say " + with_unit + ", or a raw count, " +
+                                          address + "#" + raw + (hex ? " or " + address + hex_word(*hex) : ""));
     }
 
     bool refuse_unit(std::string_view unit)
@@ -173,6 +199,7 @@ private:
     bool check_limits(register_entry const& entry);
 
     std::string_view word_;
+    bool is_by_address_{false};
     drive_catalog const* drive_;
     known_words const& known_;
     value_to_write found_{};
@@ -186,6 +213,11 @@ bool value_check::check_limits(register_entry const& entry)
     for (bool const is_highest : {false, true}) {
         register_limit const limit =
             is_highest ? highest_of(entry, *drive_, known_) : lowest_of(entry, *drive_, known_);
+        if (limit.count and limit.is_absurd) {
+            return refuse("absurd_limit", std::string{entry.code} + " is limited by " + limit.set_by +
+                                              ", and what that holds is no value that it can have: " +
+                                              limits_text(entry, step, known_, *drive_));
+        }
         std::int64_t const widest = is_highest ? entry.highest_count() : entry.lowest_count();
         for (std::int64_t const end : {widest, limit.count ? std::int64_t{*limit.count} : widest}) {
             if (is_highest ? *count_ > end : *count_ < end) {
@@ -225,11 +257,18 @@ void value_check::check_count()
         }
     }
     found_.word = static_cast<std::uint16_t>(*count_);
-    found_.text = found_.entry == nullptr ? std::to_string(*count_)
-                                          : full_text(*found_.entry, found_.word, step_ ? *step_ : found_.entry->step);
+    if (found_.entry != nullptr) {
+        found_.step = step_ ? *step_ : found_.entry->step;
+    }
+    found_.text = found_.entry == nullptr ? std::to_string(*count_) : found_.text_of_word(found_.word);
 }
 
 } // namespace
+
+std::string value_to_write::text_of_word(std::uint16_t held) const
+{
+    return entry == nullptr ? std::to_string(held) : full_text(*entry, held, step);
+}
 
 value_to_write check_value(std::string_view word, drive_catalog const* drive, known_words const& known)
 {

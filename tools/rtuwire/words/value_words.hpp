@@ -4,8 +4,9 @@
 // What a person types to write a register: `ACC=1.3s`, `CHCF=SEP`, `3104=60Hz`, `LFR=-50`, `CMI=save_to_eeprom`,
 // `HSP=0x01F4`. All that the table forbids is refused here, before a frame leaves.
 //
-// A number without a unit counts in the unit of its register: LFR=50 is 50 Hz. Raw counts are typed in hexadecimal or
-// with a mark: HSP=0x01F4, HSP=#500.
+// A number without a unit counts in the unit of its register where that has its name: LFR=50 is 50 Hz. By its address
+// such a register takes the unit (3104=50Hz) or a raw count, which is typed in hexadecimal or with a mark: HSP=0x01F4,
+// 3104=#500.
 #pragma once
 
 #include <cstdint>
@@ -29,11 +30,14 @@ struct value_to_write {
     register_entry const* entry{nullptr}; ///< null where no table knows the address
     std::uint16_t word{0};                ///< what stands on the wire
     std::string text{};                   ///< the same for people: "1.3 s"
+    step_size step{};                     ///< of one count
     /// Registers that set its limits or its step and have to be read first: read them, and check again.
     std::vector<register_entry const*> needed{};
     std::optional<refusal> refused{};
 
     [[nodiscard]] bool is_ready() const noexcept { return not refused and needed.empty(); }
+    /// What another word of that register is for people.
+    [[nodiscard]] std::string text_of_word(std::uint16_t held) const;
 };
 
 /// Checks a word "REG=VALUE". Whatever can be refused without a request is refused at the first call, which knows

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "words/time_words.hpp"
+
+#include "words/amount_words.hpp"
+
+namespace tool {
+
+std::optional<double> seconds_typed(std::string_view text)
+{
+    typed_amount const typed = read_amount(text, "length of time");
+    if (typed.fault != amount_fault::none) {
+        return std::nullopt;
+    }
+    double const seconds = static_cast<double>(typed.amount.numerator) / static_cast<double>(typed.amount.denominator);
+    return seconds >= 0 and seconds <= longest_time ? std::optional{seconds} : std::nullopt;
+}
+
+std::optional<double> time_limit_typed(std::string_view text)
+{
+    auto const seconds = seconds_typed(text);
+    return seconds and *seconds > 0 ? seconds : std::nullopt;
+}
+
+} // namespace tool
