@@ -160,7 +160,7 @@ private:
         it.frame.verdict = is_expected ? frame_verdict::good : is_late ? frame_verdict::late : frame_verdict::stray;
         if (is_expected or is_late) {
             it.request = asked.bytes();
-            it.response_time = reached(it.first_byte, asked.end()) ? it.first_byte - asked.end() : duration{};
+            it.response_time = since(asked.end(), it.first_byte);
         }
         take(it);
         if (is_expected or is_late) {
@@ -194,12 +194,18 @@ private:
         lost_.note(is_response or bytes.size() > max_adu_size ? byte_view{} : bytes, it.frame.at);
     }
 
+    /// In a lump a byte's time is computed from that of the last: it may lie before what another lump brought.
+    static constexpr duration since(instant begin, instant end) noexcept
+    {
+        return reached(end, begin) ? end - begin : duration{};
+    }
+
     /// The request that waits gets no response any more, or a late one.
     template <typename Take> constexpr void give_up(instant at, Take& take)
     {
         heard_frame it{{{}, at}, at};
         it.request = pending_.bytes();
-        it.response_time = at - pending_.end();
+        it.response_time = since(pending_.end(), at);
         it.is_unanswered = true;
         take(it);
         given_up_ = pending_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <vector>
 
 #include "support/catch.hpp"
 #include "trace/listener/heard_list.hpp"
@@ -68,6 +69,27 @@ TEST_CASE("behind damage, noise and a join in the middle a listener is right aga
         }
     }
     CHECK(right > 5'000);
+}
+
+TEST_CASE("requests in one lump just behind another one waited for no negative time")
+{
+    exchange_maker maker{7};
+    line_listener tap{line_timing::host(19'200, character_format::even_8_1), milliseconds(300)};
+    std::vector<duration> waited;
+    auto const take = [&](heard_frame const& it) {
+        if (it.is_unanswered) {
+            waited.push_back(it.response_time);
+        }
+    };
+    auto const first = maker.make(5, 3, false).request;
+    auto lump = maker.make(6, 3, false).request;
+    auto const last = maker.make(7, 3, false).request;
+    lump.insert(lump.end(), last.begin(), last.end());
+    tap.receive(first, instant{1'000'000}, take);
+    tap.receive(lump, instant{1'001'000}, take);
+    REQUIRE(waited.size() == 2);
+    CHECK(waited[0] == duration{});
+    CHECK(waited[1] < milliseconds(10));
 }
 
 TEST_CASE("a response after its time is late, and has its request")
