@@ -152,15 +152,15 @@ void scan_log::read(std::string const& text)
                     "; the file is left as it is: mend or remove the line");
     };
     for (std::size_t i = 1; i < lines.size(); ++i) {
-        auto const noted = noted_in(lines[i]);
-        if (not noted) {
+        auto const read = noted_in(lines[i]);
+        if (not read) {
             refuse(i, lines[i], "is no line of a scan, or contradicts itself");
         }
-        if (not done_.insert(key_of(noted->how, noted->unit)).second) {
+        if (not done_.insert(key_of(read->how, read->unit)).second) {
             refuse(i, lines[i], "is of an address that an earlier line is of");
         }
-        if (not noted->found.fields().empty()) {
-            found_.push_back(noted->found);
+        if (not read->found.fields().empty()) {
+            found_.push_back(read->found);
         }
     }
     if (not rest.empty()) {
