@@ -16,6 +16,6 @@ mkdir -p "$build"
 [ -x "$build/tools/rtuwire/rtuwire" ] || echo "rtuwire.sh: builds the tool first, which takes some minutes" >&2
 quietly sh "$project/tests/packages.sh" build tool
 quietly cmake -S "$project" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DRTUWIRE_BUILD_TOOL=ON \
-    -DRTUWIRE_BUILD_EXAMPLES=OFF -DRTUWIRE_BUILD_TESTS=OFF -DRTUWIRE_INSTALL=OFF
+    -DRTUWIRE_BUILD_EXAMPLES=OFF -DRTUWIRE_BUILD_TESTS=OFF -DRTUWIRE_INSTALL=OFF -DRTUWIRE_COMPILE_JOINED=ON
 quietly cmake --build "$build" --target rtuwire_tool
 exec "$build/tools/rtuwire/rtuwire" "$@"
