@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSL-1.0
 """A scan of a whole line: what it finds, what it costs, and how it goes on where it was ended.
 
-    python3 scanning.py TOOL
+    python3 scanning.py TOOL          what holds on any machine
+    python3 scanning.py TOOL share    how long the scan takes, on a machine with nothing else to do
 """
 import os
 import re
@@ -17,13 +18,16 @@ TIMEOUT = 0.03  # s
 RATE = 19_200
 REQUEST = (8 + 3.5) * 11 / RATE  # s on the wire, with its silence
 
-
-def allowed(units):
-    """At most 1.15 of what the time-outs alone cost, and the requests themselves."""
-    return (1.15 * TIMEOUT + REQUEST) * units
+SHARE = 1.15  # of the time-outs, on a machine with nothing else to do
+BUSY_SHARE = 2.0  # on any other
 
 
-def check_whole_line(program, tool, check):
+def allowed(units, share=BUSY_SHARE):
+    """So many times of what the time-outs alone cost, and the requests themselves."""
+    return (share * TIMEOUT + REQUEST) * units
+
+
+def check_whole_line(program, tool, check, share=BUSY_SHARE):
     with Simulator(program, *(f"{drive}:{unit}" for unit, drive in THERE.items())) as device:
         how = ["--port", device, "--no-listen", "--timeout", TIMEOUT]
         began = time.monotonic()
@@ -31,7 +35,7 @@ def check_whole_line(program, tool, check):
         spent = time.monotonic() - began
         found = {row["unit"]: row["drive"] for row in ended.objects()}
         check(ended.status == DONE and found == THERE, "three drives among 247 addresses, and nothing else", ended)
-        most = allowed(ADDRESSES)
+        most = allowed(ADDRESSES, share)
         check(spent < most, f"the scan takes {spent:.2f} s, allowed {most:.2f} s")
         lines = ended.errors.splitlines()
         check(5 < len(lines) < 20 and all(re.match(r"\d+ of 247, unit \d+, \d found", line) for line in lines),
@@ -156,8 +160,11 @@ def check_listening(tool, check):
         check([(row["unit"], row["drive"]) for row in rows] == [(9, "")], "a unit that only refuses is one", rows)
 
 
-def main(check, program):
+def main(check, program, part=""):
     with Tool(program) as tool:
+        if part == "share":
+            check_whole_line(program, tool, check, SHARE)
+            return
         check_whole_line(program, tool, check)
         check_resume(program, tool, check)
         check_damaged(tool, check)
