@@ -30,7 +30,6 @@ TEST_CASE("parameters of the ATV320: the registers for driving are the same obje
 // A register of the map is none of the device for driving.
 STATIC_CHECK(has_register<atv320::full_device, atv320::sp2> and not has_register<atv320::device, atv320::sp2>);
 
-constexpr station<atv320::full_device> drive{unit_id{2}};
 static_assert(setting<atv320::sp2>{12.5_Hz}.word() == 125); // Clang 14 fails on it at run time
 STATIC_CHECK(setting<atv320::sp2>::checked(decihertz{5991}).error() == errc::value_too_high);
 STATIC_CHECK(atv320::full_device::registers::has_address(11410) and
