@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
 # Most of a test's time to compile goes for what it includes: joined, the tests of a room take a tenth. Where they are not
-# (preset clang), each shows that it includes what it uses.
+# (preset clang-alone), each shows that it includes what it uses.
 
 # Puts files that include `sources` in their place in VARIABLE, so many at a time that two processors share a room.
 function(join_sources variable room)
