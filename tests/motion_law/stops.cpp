@@ -6,7 +6,9 @@
 #include "support/simulated_bus.hpp"
 
 #include <cstdint>
+#include <utility>
 
+#include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
@@ -210,6 +212,31 @@ TEST_CASE("motion law: S34 a stop that is taken and not obeyed says so")
         CHECK(rest.reason().kind == outcome_kind::state_timeout);
         CHECK(rest.reason().state == state::operation_enabled);
     });
+}
+
+TEST_CASE("motion law: L3 a halt of a drive whose profile is not known leaves no bit that may be RUN")
+{
+    using device = atv320::device;
+    constexpr std::uint16_t io_profile = 3;
+    running<device> it;
+    stop first{it.drive};
+    REQUIRE(it.run(first));
+    for (auto const& [address, word] :
+         {std::pair{atv320::chcf.address, io_profile}, std::pair{atv320::lfr.address, std::uint16_t{300}},
+          std::pair{device::layout.cmd, std::uint16_t{1}}, std::pair{atv320::lfr.address, std::uint16_t{300}}}) {
+        single_request told{it.drive.unit(), write_single_register{address, word}};
+        REQUIRE(it.run(told));
+        REQUIRE(told.outcome());
+    }
+    it.idle(milliseconds(3'000));
+    REQUIRE(it.far().motor().frequency() != 0);
+
+    stop rest{it.drive, stop_by::halt};
+    REQUIRE(it.run(rest));
+    CHECK(rest.reason().kind == outcome_kind::unconfirmed); // there the status word stays at "switched on"
+    CHECK(rest.reason().is_other_stop);
+    CHECK(it.far().word("CMD") == 0);
+    CHECK_FALSE(it.has_power());
 }
 
 TEST_CASE("motion law: S10 a halt rests in operation, and becomes the ramp where it cannot look")

@@ -105,7 +105,8 @@ public:
         }
     }
 
-    /// Whether this bus ordered a unit to run, and no conversation has read since that its motor has no power.
+    /// Whether this bus ordered a unit to run, and no conversation that commands it has read since
+    /// that its motor has no power. What a `watch` reads does not count.
     [[nodiscard]] constexpr bool is_ordered(unit_id unit) const noexcept
     {
         return client_.motor_orders().is_ordered(unit.byte());

@@ -83,7 +83,7 @@ template <typename Device> void starts_and_stops()
 
     REQUIRE(it.started());
     bool const can_halt = Device::layout.halt != 0;
-    auto const halted = it.end_of(stop{drive, stop_by::halt});
+    auto const halted = it.end_of(stop{drive, stop_by::halt, limit, known});
     CHECK(halted.kind == (can_halt ? outcome_kind::succeeded : outcome_kind::unsupported));
     CHECK(it.now_in() == state::operation_enabled);
     CHECK(it.drive_().motor().is_at_rest() == can_halt);

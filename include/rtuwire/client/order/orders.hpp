@@ -114,7 +114,8 @@ public:
         }
     }
 
-    /// Whether this client ordered a unit to run, and no conversation has read since that its motor has no power.
+    /// Whether this client ordered a unit to run, and no conversation that commands it has read since
+    /// that its motor has no power. What a `watch` reads does not count.
     [[nodiscard]] constexpr bool is_ordered(std::uint8_t unit) const noexcept { return places_.of(unit).is_ordered; }
 
 private:

@@ -147,4 +147,18 @@ constexpr bool is_blind_in_doubt()
 }
 PROOF("a drive that may have an I/O profile is told 0000, and the reason says so", is_blind_in_doubt)
 
+constexpr bool is_blind_in_doubt_for_a_halt()
+{
+    drive_layout with_io = some_drive;
+    with_io.chcf = 8401;
+    stop_procedure doubtful{with_io, stop_by::halt, word_meaning::unknown};
+    stop_procedure certain{with_io, stop_by::halt, known};
+    bool ok = writes(doubtful.step({kind::begun}), cmd, 0x0000) and doubtful.reason().is_other_stop;
+    ok = ok and reads(doubtful.step({kind::written}), eta) and reads(doubtful.step(word(enabled)), rfr);
+    ok = ok and doubtful.step(word(300)).what == action::kind::pause;
+    ok = ok and writes(doubtful.step({kind::pause_over}), cmd, 0x0000); // never with a bit that may be RUN
+    return ok and reads(certain.step({kind::begun}), eta) and not certain.reason().is_other_stop;
+}
+PROOF("so it is where a halt was ordered", is_blind_in_doubt_for_a_halt)
+
 } // namespace

@@ -150,7 +150,16 @@ private:
         if (not detail::has_stop(layout(), mode_)) {
             return end(outcome_kind::unsupported);
         }
+        if (detail::is_in_place(mode_) and may_run_on_another_word()) {
+            mode_ = stop_by::ramp; // nothing that it could read tells what the halt's word means
+        }
         return looks_first() ? read_status() : stop_again();
+    }
+
+    /// Whether only 0000 is known to stop this drive: in an I/O profile the other words may run it.
+    constexpr bool may_run_on_another_word() const noexcept
+    {
+        return known_ == word_meaning::unknown and layout().chcf != 0;
     }
 
     /// Whether the control word of this stop is not known yet.
@@ -188,8 +197,7 @@ private:
         if (has_word_) {
             return word_;
         }
-        bool const may_run_on_it = known_ == word_meaning::unknown and layout().chcf != 0;
-        if (mode_ == stop_by::freewheel or may_run_on_it) {
+        if (mode_ == stop_by::freewheel or may_run_on_another_word()) {
             if (mode_ != stop_by::freewheel) {
                 note_other_stop();
             }
