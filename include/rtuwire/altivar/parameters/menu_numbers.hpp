@@ -22,7 +22,7 @@ struct menu_number {
 /// The mnemonic beside a number in a list; empty where it has no such number.
 /// Internal.
 template <typename Text>
-[[nodiscard]] constexpr literal code_in(std::span<menu_number const> rows, Text const& number) noexcept
+[[nodiscard]] constexpr literal code_beside(std::span<menu_number const> rows, Text const& number) noexcept
 {
     for (menu_number const& each : rows) {
         if (is_spelled(each.number, number)) {
@@ -35,7 +35,7 @@ template <typename Text>
 /// The number beside a mnemonic in a list; empty where it has no such mnemonic.
 /// Internal.
 template <typename Text>
-[[nodiscard]] constexpr literal number_in(std::span<menu_number const> rows, Text const& code) noexcept
+[[nodiscard]] constexpr literal number_beside(std::span<menu_number const> rows, Text const& code) noexcept
 {
     for (menu_number const& each : rows) {
         if (is_spelled(each.code, code)) {
@@ -55,21 +55,21 @@ public:
     [[nodiscard]] constexpr std::span<menu_number const> rows() const noexcept { return rows_; }
 
     /// The mnemonic of the parameter with a number; empty where the manual prints no such number.
-    [[nodiscard]] constexpr literal code_of(literal number) const noexcept { return code_in(rows_, number); }
+    [[nodiscard]] constexpr literal code_of(literal number) const noexcept { return code_beside(rows_, number); }
 
     /// The same of a text that the program gets while it runs, in a std::string_view or a std::string.
     template <text_with_size Text> [[nodiscard]] constexpr literal code_of(Text const& number) const noexcept
     {
-        return code_in(rows_, number);
+        return code_beside(rows_, number);
     }
 
     /// The number of the parameter with a mnemonic in upper case; empty where the manual prints none for it.
-    [[nodiscard]] constexpr literal number_of(literal code) const noexcept { return number_in(rows_, code); }
+    [[nodiscard]] constexpr literal number_of(literal code) const noexcept { return number_beside(rows_, code); }
 
     /// The same of a text that the program gets while it runs.
     template <text_with_size Text> [[nodiscard]] constexpr literal number_of(Text const& code) const noexcept
     {
-        return number_in(rows_, code);
+        return number_beside(rows_, code);
     }
 
 private:
