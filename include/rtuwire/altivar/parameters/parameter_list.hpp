@@ -3,7 +3,6 @@
 //
 // Some registers of a drive as one list, of which the compiler makes both outputs: rows to walk, and the registers of a
 // device for typed access.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -63,6 +62,7 @@ template <auto const&... Registers> struct parameter_list {
 };
 
 /// The rows of a group.
+/// Internal.
 template <typename Group> inline constexpr auto rows_of = Group::made_rows();
 
 /// The registers of some groups as those of a device. Not a `table` of a thousand registers, which costs the compiler a
@@ -104,6 +104,17 @@ public:
 
     /// Calls `visit.template operator()<R>()` for each register.
     template <typename Visit> static constexpr void for_each(Visit&& visit) { (Groups::for_each(visit), ...); }
+
+    /// Calls `visit(row)` for the row of each, group by group.
+    template <typename Visit> static constexpr void for_each_row(Visit&& visit) { (walk(rows_of<Groups>, visit), ...); }
+
+private:
+    template <typename Rows, typename Visit> static constexpr void walk(Rows const& rows, Visit&& visit)
+    {
+        for (parameter const& each : rows) {
+            visit(each);
+        }
+    }
 };
 
 } // namespace rtuwire::altivar
