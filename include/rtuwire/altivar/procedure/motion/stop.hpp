@@ -49,6 +49,12 @@ inline constexpr duration longest_wait_of_a_stop{milliseconds(1'000)};
     return mode == stop_by::halt or mode == stop_by::dc_injection;
 }
 
+/// Whether only 0000 is known to stop a drive: in an I/O profile the words of the other stops may run it.
+[[nodiscard]] constexpr bool may_run_on_a_stop(drive_layout const& layout, word_meaning known) noexcept
+{
+    return known == word_meaning::unknown and layout.chcf != 0;
+}
+
 /// The output frequency, as it was read again and again; in 0.1 Hz, without its sign.
 class seen_frequency {
 public:
@@ -150,16 +156,10 @@ private:
         if (not detail::has_stop(layout(), mode_)) {
             return end(outcome_kind::unsupported);
         }
-        if (detail::is_in_place(mode_) and may_run_on_another_word()) {
+        if (detail::is_in_place(mode_) and detail::may_run_on_a_stop(layout(), known_)) {
             mode_ = stop_by::ramp; // nothing that it could read tells what the halt's word means
         }
         return looks_first() ? read_status() : stop_again();
-    }
-
-    /// Whether only 0000 is known to stop this drive: in an I/O profile the other words may run it.
-    constexpr bool may_run_on_another_word() const noexcept
-    {
-        return known_ == word_meaning::unknown and layout().chcf != 0;
     }
 
     /// Whether the control word of this stop is not known yet.
@@ -197,7 +197,7 @@ private:
         if (has_word_) {
             return word_;
         }
-        if (mode_ == stop_by::freewheel or may_run_on_another_word()) {
+        if (mode_ == stop_by::freewheel or detail::may_run_on_a_stop(layout(), known_)) {
             if (mode_ != stop_by::freewheel) {
                 note_other_stop();
             }
