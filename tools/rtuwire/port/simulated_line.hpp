@@ -105,7 +105,8 @@ public:
         : port_{port}, timing_{timing}, last_{port.now()}, vendor_{vendor}
     {}
 
-    /// Adds a drive by its name, with all its parameters. Refuses a name of none, and an address that is taken or out of the device's range.
+    /// Adds a drive by its name, with all its parameters. Refuses a name of none, and an address that is taken or out of
+    /// the device's range.
     void add(std::string const& name, std::uint32_t address)
     {
         if (find(address) != nullptr) {

@@ -19,27 +19,15 @@ struct menu_number {
     literal code;   ///< the mnemonic, in upper case
 };
 
-/// The mnemonic beside a number in a list; empty where it has no such number.
+/// One of the two names of the parameter whose other one is a text; empty where no row has it.
 /// Internal.
 template <typename Text>
-[[nodiscard]] constexpr literal code_beside(std::span<menu_number const> rows, Text const& number) noexcept
+[[nodiscard]] constexpr literal beside(std::span<menu_number const> rows, literal menu_number::*known,
+                                       literal menu_number::*wanted, Text const& text) noexcept
 {
     for (menu_number const& each : rows) {
-        if (is_spelled(each.number, number)) {
-            return each.code;
-        }
-    }
-    return {};
-}
-
-/// The number beside a mnemonic in a list; empty where it has no such mnemonic.
-/// Internal.
-template <typename Text>
-[[nodiscard]] constexpr literal number_beside(std::span<menu_number const> rows, Text const& code) noexcept
-{
-    for (menu_number const& each : rows) {
-        if (is_spelled(each.code, code)) {
-            return each.number;
+        if (is_spelled(each.*known, text)) {
+            return each.*wanted;
         }
     }
     return {};
@@ -55,24 +43,33 @@ public:
     [[nodiscard]] constexpr std::span<menu_number const> rows() const noexcept { return rows_; }
 
     /// The mnemonic of the parameter with a number; empty where the manual prints no such number.
-    [[nodiscard]] constexpr literal code_of(literal number) const noexcept { return code_beside(rows_, number); }
+    [[nodiscard]] constexpr literal code_of(literal number) const noexcept { return find_code(number); }
 
     /// The same of a text that the program gets while it runs, in a std::string_view or a std::string.
     template <text_with_size Text> [[nodiscard]] constexpr literal code_of(Text const& number) const noexcept
     {
-        return code_beside(rows_, number);
+        return find_code(number);
     }
 
     /// The number of the parameter with a mnemonic in upper case; empty where the manual prints none for it.
-    [[nodiscard]] constexpr literal number_of(literal code) const noexcept { return number_beside(rows_, code); }
+    [[nodiscard]] constexpr literal number_of(literal code) const noexcept { return find_number(code); }
 
     /// The same of a text that the program gets while it runs.
     template <text_with_size Text> [[nodiscard]] constexpr literal number_of(Text const& code) const noexcept
     {
-        return number_beside(rows_, code);
+        return find_number(code);
     }
 
 private:
+    template <typename Text> constexpr literal find_code(Text const& number) const noexcept
+    {
+        return beside(rows_, &menu_number::number, &menu_number::code, number);
+    }
+    template <typename Text> constexpr literal find_number(Text const& code) const noexcept
+    {
+        return beside(rows_, &menu_number::code, &menu_number::number, code);
+    }
+
     std::span<menu_number const> rows_;
 };
 

@@ -159,6 +159,6 @@ constexpr bool is_blind_in_doubt_for_a_halt()
     ok = ok and writes(doubtful.step({kind::pause_over}), cmd, 0x0000); // never with a bit that may be RUN
     return ok and reads(certain.step({kind::begun}), eta) and not certain.reason().is_other_stop;
 }
-PROOF("so it is where a halt was ordered", is_blind_in_doubt_for_a_halt)
+PROOF("a halt of such a drive is 0000 at each look, too", is_blind_in_doubt_for_a_halt)
 
 } // namespace

@@ -121,7 +121,8 @@ private:
 /// |                 | limit over, as fast as before    | end: state_timeout                                         |
 /// |                 | limit over                       | end: unconfirmed                                           |
 ///
-/// In local control, 1, 2, 7 and 8 count as they are.
+/// In local control, 1, 2, 7 and 8 count as they are. Of a drive that may run on the words of other stops, every stop is
+/// one with the word 0000: none is in place.
 /// Internal.
 class stop_procedure : public procedure {
 public:

@@ -44,8 +44,7 @@ public:
     constexpr void deliver(registers& all, instant now) noexcept
     {
         all.restore(registers::factory());
-        is_busy_ = true;
-        busy_until_ = now + behaviour.eeprom_work;
+        begin_work(now);
     }
 
     /// Executes the orders in a word of CMI while the motor is at rest; factory settings before saving before
@@ -62,8 +61,7 @@ public:
             recall(all);
         }
         if (ordered != 0) {
-            is_busy_ = true;
-            busy_until_ = now + behaviour.eeprom_work;
+            begin_work(now);
         }
         all.put(at.cmi, behaviour.clears_eeprom_orders ? word & ~orders : word);
     }
@@ -72,6 +70,12 @@ private:
     static constexpr std::uint16_t factory_bit = 0x0001;
     static constexpr std::uint16_t orders = Device::layout.cmi_orders;
     static constexpr altivar::simulated_behaviour const& behaviour = altivar::behaviour_of<Device>;
+
+    constexpr void begin_work(instant now) noexcept
+    {
+        is_busy_ = true;
+        busy_until_ = now + behaviour.eeprom_work;
+    }
 
     typename registers::words saved_{registers::commissioned()};
     instant busy_until_{0};
