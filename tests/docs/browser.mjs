@@ -18,8 +18,17 @@ const sizes = {phone: {width: 390, height: 844}, desktop: {width: 1280, height: 
 const shown = ["index", "start_two_commands", "start_wiring", "drives_atv320", "concepts", "errors", "names", "figures",
     "classrtuwire_1_1basic__client"];
 const limit = 60_000; // of a busy machine; no result depends on it
-const wanted = {"crc mismatch": null, "blocking_client": "blocking_client", "wiring": "Wiring", "start": "start",
-    "crc_mismatch": "cause and remedy", "late answer": "Late answer"};
+// What somebody types who does not know our words, and a word of what has to be found; null: nothing.
+const wanted = {"xyzzy": null, "blocking_client": "blocking_client", "wiring": "Wiring", "start": "start",
+    "crc_mismatch": "cause and remedy", "late answer": "Late answer", "crc mismatch": "cause and remedy", "exception 02": "illegal data address",
+    "illegal data address": "illegal_data_address", "time-out": "TTO", "timeout of a drive": "TTO", "watchdog": "TTO", "heartbeat": "TTO",
+    "baud": "bit rate", "parity": "bit rate", "8n1": "bit rate", "rs485": "common", "rs-485": "common", "de pin": "driver_enable",
+    "driver enable": "driver_enable", "half duplex": "driver_enable", "termination": "termination", "atv12 scanner": "cyclic", "stop motor": "stop_by",
+    "quick stop": "stop_by", "emergency stop": "hardware", "esp32": "UART", "stm32": "interrupt_queue", "platformio": "lib_deps", "modbus tcp": "tcp_stream",
+    "windows": "POSIX", "write register": "write_single_register", "read holding registers": "read_holding_registers", "endian": "word_order",
+    "word order": "word_order", "dma": "response_frame", "latency": "adapters", "acceleration ramp": "ACC", "slf": "reset_fault", "python": "--json",
+    "install": "include/", "license": "BSL-1.0", "slave": "server", "master": "client", "thread": "one context", "no response": "timed_out",
+    "multi drop": "32 units", "unit address": "unit", "eta": "state and warnings", "retries": "retries"};
 
 const address = (page) => pathToFileURL(path.join(site, `${page}.html`)).href;
 const guides = fs.readdirSync(site).filter((name) => /^[a-z][a-z0-9_]*\.html$/.test(name))
