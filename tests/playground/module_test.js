@@ -304,6 +304,22 @@ test("what the client has to do with a motor that turns", async () => {
   assert.equal(engine.state().client.order, "none", "somebody else ordered it");
 });
 
+test("a halt keeps the power, and is no order to run", async () => {
+  const engine = await running("atv12");
+  assert.equal(engine.state().drive.halted, false);
+  engine.stop(engine.describe().stops.find((each) => each.name === "halt").id);
+  engine.run(6 * toSeconds);
+  const { drive, client } = engine.state();
+  assert.deepEqual([drive.state, drive.power, drive.shaft, drive.halted, client.order], ["operation enabled", true, 0, true, "stopping"]);
+});
+
+test("a silence of more than the clock holds stays a silence", async () => {
+  const engine = await powered("atv12");
+  engine.cable(1);
+  engine.run(4400 * toSeconds);
+  assert.ok(engine.state().drive.silence > 3000 * toSeconds, String(engine.state().drive.silence));
+});
+
 test("power off and on again: no order stays open", async () => {
   const engine = opened(await load(), "atv320");
   engine.mains(true);

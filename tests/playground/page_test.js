@@ -214,6 +214,19 @@ async function runByTyping(page) {
   await stands(page);
 }
 
+/// The same words twice are announced twice: a screen reader tells changes only.
+async function announceAgain(page) {
+  const said = [];
+  for (let i = 0; i < 2; ++i) {
+    await page.click("#reset");
+    await wait(page, 2);
+    said.push(await text(page, "said"));
+  }
+  assert.match(said[0], /^reset the fault: /);
+  assert.notEqual(said[0], said[1]);
+  assert.equal(said[0].trim(), said[1].trim());
+}
+
 async function judgeBytes(page) {
   for (const [typed, judged] of [["01 03 0C 81 00 01 D7 72 01 03 0C 81 00 01 D7 72", /^Whole frames/], ["😀", /^character 1: not a hex/],
     ["01 é 03", /^character 4: not a hex/], ["--", /^No byte in it yet/], ["  ", /^Nothing typed yet/], ["0x01 0x03", /^No whole frame yet/]]) {
@@ -292,6 +305,7 @@ async function main() {
     await typeReference(page);
     await switchTimeOutOff(page);
     await runByTyping(page);
+    await announceAgain(page);
     await judgeBytes(page);
     await useKeyboard(page);
     await checkAxe(page, "light");
@@ -305,6 +319,10 @@ async function main() {
     await start(dark);
     const isWide = await dark.evaluate(() => document.documentElement.scrollWidth > document.documentElement.clientWidth);
     assert.equal(isWide, false, "the page is wider than a phone");
+    assert.equal(await dark.innerText("#t-client"), "operation enabled, reads 30.0 Hz, ordered it to run");
+    assert.equal(await dark.innerText("#t-motor"), "turns forward");
+    const letters = await dark.evaluate(() => parseFloat(getComputedStyle(document.getElementById("t-client")).fontSize));
+    assert.ok(letters >= 13, `the state is written in ${letters} pixels`);
     await checkAxe(dark, "dark, on a phone");
     await shot(dark, "phone");
     await dark.setViewportSize({ width: 1400, height: 900 });

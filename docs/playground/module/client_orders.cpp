@@ -102,6 +102,8 @@ void client_orders::note_standing(link const& line, rtuwire::instant now) noexce
     bool const is_older = seen.rounds - rounds_of_start_ < 2 and not reached(now, end_of_start_ + two_rounds);
     if (not line.is_ordered(unit)) {
         standing_ = standing::none;
+    } else if (stop_.conversation or standing_ == standing::stopping) {
+        standing_ = standing::stopping;
     } else if (standing_ != standing::starting or not is_older) {
         standing_ = seen.is_linked and standing_ != standing::given_up ? standing::ordered : standing::given_up;
     }

@@ -29,6 +29,7 @@ enum class standing : std::uint8_t {
     none,
     starting,
     ordered,
+    stopping, ///< it was told to stop; after a halt it still has power
     given_up, ///< it got no answers, and has not read since that the motor has no power
 };
 

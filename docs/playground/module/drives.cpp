@@ -57,7 +57,8 @@ public:
     {
         return make_with_reference(order, reference);
     }
-    rtuwire::errc make(std::optional<rtuwire::altivar::change_reference>& order, given_frequency reference) const override
+    rtuwire::errc make(std::optional<rtuwire::altivar::change_reference>& order,
+                       given_frequency reference) const override
     {
         return make_with_reference(order, reference);
     }

@@ -41,6 +41,7 @@ std::string_view name_of(standing what)
     case standing::none: break;
     case standing::starting: return "starting";
     case standing::ordered: return "ordered";
+    case standing::stopping: return "stopping";
     case standing::given_up: return "given up";
     }
     return "none";
@@ -130,10 +131,9 @@ void scene::set_supervised(bool is_supervised)
     auto const others = static_cast<std::uint16_t>(drive_->word("CMI") & ~guards.nto);
     std::uint16_t const off = has_reaction ? std::uint16_t{0} : static_cast<std::uint16_t>(others | guards.nto);
     if (end().is_on() and is_supervised != this->is_supervised()) {
-        drive_->write(has_reaction ? guards.sll : layout().cmi,
-                      not is_supervised ? off
-                      : has_reaction    ? freewheel
-                                        : others);
+        drive_->write(has_reaction ? guards.sll : layout().cmi, not is_supervised ? off
+                                                                : has_reaction    ? freewheel
+                                                                                  : others);
     }
 }
 
@@ -256,6 +256,7 @@ void scene::put_drive(json_text& out)
     out.put("last", is_on ? std::string_view{name_of(drive_->last_transition())} : std::string_view{});
     out.put("frequency", is_on ? drive_->frequency() : 0);
     out.put("power", is_on and rtuwire::cia402::has_power(drive_->state()));
+    out.put("halted", is_on and (drive_->word("CMD") & layout().halt) != 0);
     out.put("shaft", shaft_);
     out.put("reference", is_on ? static_cast<std::int16_t>(drive_->word("LFR")) : std::int16_t{0});
     out.put("command", tool::hex_word(drive_->word("CMD")));
@@ -268,7 +269,7 @@ void scene::put_drive(json_text& out)
     out.put("local", is_local_);
     out.put("supervised", is_supervised());
     out.put("timeout", time_out_us());
-    out.put("silence", is_on and end().has_heard() ? end().silence(bench_.now()).microseconds : 0U);
+    out.put("silence", is_on and end().has_heard() ? end().silence().microseconds : 0U);
     out.close_object();
 }
 

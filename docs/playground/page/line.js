@@ -113,7 +113,9 @@ class DecodeView {
     byId("bytes").addEventListener("input", () => { byId("example").value = ""; this.show(); });
     byId("offer").addEventListener("click", () => { byId("bytes").value = this.offer; this.show(); byId("bytes").focus(); });
     byId("send").addEventListener("click", () => {
-      if (this.engine.send(byId("bytes").value)) say("Your bytes leave as soon as the line is free.");
+      if (!this.engine.send(byId("bytes").value)) return;
+      say("Your bytes leave as soon as the line is free.");
+      announce();
     });
     byId("example").addEventListener("change", (event) => {
       if (event.target.value) { byId("bytes").value = event.target.value; this.show(); }

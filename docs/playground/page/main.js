@@ -27,6 +27,7 @@ requestAnimationFrame(() => setTimeout(async () => {
     curves.note(state);
     curves.draw(state.time);
     drawStrip(recent, state, speed);
+    announce();
     setText("time", seconds(state.time));
     setText("v-frequency", hertz(state.drive.frequency));
     setText("v-reference", (state.drive.reference / 10).toFixed(1) + " Hz");

@@ -16,6 +16,7 @@ class SceneView {
     this.showSilence(state.drive);
     this.showOrders(state.orders);
     setText("now", sentenceOf(state));
+    this.showPlainly();
     this.time = state.time;
   }
 
@@ -24,6 +25,14 @@ class SceneView {
     setText("p-client", client.linked ? client.state : isWatching ? "no link" : "knows nothing");
     setText("p-client-2", client.linked ? `reads ${(client.frequency / 10).toFixed(1)} Hz` : client.error && client.error !== "busy" ? client.error : "");
     setText("p-order", orderText(client));
+  }
+
+  /// The picture's texts again, for a screen on which they are too small.
+  showPlainly() {
+    const joined = (...ids) => ids.map((id) => byId(id).textContent).filter((each) => each !== "").join(", ");
+    setText("t-client", joined("p-client", "p-client-2", "p-order"));
+    setText("t-drive", joined("p-state", "p-freq", "p-fault"));
+    setText("t-motor", joined("p-motor"));
   }
 
   showDrive(drive) {
@@ -96,6 +105,7 @@ function orderText(client) {
   if (client.order === "none") return "no order";
   if (client.order === "starting") return "starts it";
   if (!client.linked) return "it may still run";
+  if (client.order === "stopping") return "ordered it to stop";
   return client.order === "ordered" && client.state === "operation enabled" ? "ordered it to run" : "had ordered it to run";
 }
 
@@ -113,9 +123,10 @@ function sentenceOf(state) {
   if (drive.power && drive.shaft && !client.linked && cable) return unheardSentence(state);
   if (cable) return `The cable is cut. What the client believes and what the drive does are two things now: compare the boxes.${drive.shaft && !drive.power ? " " + coasting : ""}`;
   if (drive.shaft && !drive.power) return coasting;
-  if (drive.power && drive.shaft && !["ordered", "starting"].includes(client.order)) return strayingSentence(client);
+  if (drive.power && drive.shaft && ["none", "given up"].includes(client.order)) return strayingSentence(client);
   if (drive.local) return "Somebody took the drive over at its keypad. Orders from the line are refused with that reason.";
   if (!drive.supervised) return drive.power ? "The motor runs on if the line goes silent: the drive's time-out was switched off after the start." : "The drive would run on if its line went silent. The library refuses to start it.";
+  if (drive.state === "operation enabled" && drive.halted && !drive.shaft) return "The motor is halted: it has power and its old reference, and any word 000F turns it again. Press Stop with \"on the ramp\" unless somebody waits beside it.";
   if (drive.state === "operation enabled" && !drive.shaft) return "Operation is enabled. The motor follows its reference.";
   if (drive.state === "operation enabled") return "The motor runs. The client reads the drive five times a second; each request restarts the drive's time-out.";
   if (drive.state === "switch on disabled") return "The drive stands, and no stray word can start it. Start it, or send a request of your own.";
@@ -136,10 +147,11 @@ function faultSentence({ drive, client, cable }) {
 function unheardSentence({ drive, client, cable }) {
   const isReached = cable === 3; // what it sends arrives
   const cause = client.order === "none" ? "The client gets no answers. It never ordered this motor to run, and goes on asking."
-    : "The client got no answers. It has given its order up and keeps silent, so that the drive's own time-out can run out.";
-  if (!drive.supervised) return `${cause} But that time-out is switched off: the motor turns until somebody stops it at the drive, or the cable is mended and Stop is pressed.`;
+    : client.order === "stopping" ? "The client ordered it to stop, and gets no answers."
+      : "The client got no answers. It has given its order up and keeps silent, so that the drive's own time-out can run out.";
+  if (!drive.supervised) return `${cause} But the drive's time-out is switched off: the motor turns until somebody stops it at the drive, or the cable is mended and Stop is pressed.`;
   if (client.order === "none" && isReached) return `${cause} Each request arrives and restarts the drive's time-out: the motor goes on.`;
-  return `${cause} The motor still turns until then.`;
+  return `${cause} The motor turns until that time-out is over.`;
 }
 
 /// The motor turns, and the client reads it without an order of its own.
