@@ -73,31 +73,31 @@ def headings(name, page):
             yield entry(words, shown, place, title)
 
 
-def glossary(page):
-    """Each word of the first column, which leads where the link of the last one does."""
+def rows(page):
+    """The rows of the glossary: its words, what it is here, and the place that the last column links to."""
     for row in ROW.findall(page):
         cells = CELL.findall(row)
         link = re.search(r'href="([^"]+)"', cells[-1])
         if len(cells) != 3 or not link:
             raise ValueError(f"{GLOSSARY}: a row without a link: {text_of(row)}")
-        for words in text_of(cells[0]).split(", "):
-            for begin in by_each_word(words):
-                yield entry(begin, words, html.unescape(link[1]), text_of(cells[1]))
+        yield text_of(cells[0]).split(", "), cells[1], html.unescape(link[1])
 
 
-def without_answer(site, words):
-    """Words of the glossary whose page has neither them nor what stands beside them as code or as a mnemonic."""
-    pages = {}
-    answers = {}
-    for each in words:
-        name = each["place"].partition("#")[0]
-        if name not in pages:
-            pages[name] = text_of((site / name).read_text(encoding="utf-8")).lower()
-        hints = re.findall(r"[\w:]+", each["scope"].lower()) if each["scope"] else []
-        key = (each["place"], each["scope"])
-        answers[key] = answers.get(key, False) or each["shown"].lower() in pages[name] or any(
-            len(hint) > 4 and hint in pages[name] for hint in hints)
-    return [f"{place}: nothing of '{scope}'" for (place, scope), is_told in answers.items() if not is_told]
+def glossary(page):
+    """Each word of the glossary, which leads to the page of its row."""
+    for words, meaning, place in rows(page):
+        for word in words:
+            for begin in by_each_word(word):
+                yield entry(begin, word, place, text_of(meaning))
+
+
+def without_answer(site, page):
+    """The rows of which the page that they lead to has no word: none of the first column, and no code or mnemonic of the second."""
+    for words, meaning, place in rows(page):
+        told = text_of((site / place.partition("#")[0]).read_text(encoding="utf-8"))
+        ours = [text_of(code) for code in re.findall(r"<code>(.*?)</code>", meaning)] + re.findall(r"\b[A-Z]{3,}\b", text_of(meaning))
+        if not any(re.search(rf"(?<!\w){re.escape(word)}(?!\w)", told, re.IGNORECASE) for word in (*words, *ours)):
+            yield f"{place} has nothing of '{', '.join(words)}'"
 
 
 def spelled(words):
@@ -143,7 +143,7 @@ def main(site):
     found = {"words": list(glossary(pages[GLOSSARY])), "headings": [each for name, page in pages.items() if TITLE.search(page)
                                                                     for each in headings(name, page)],
              "errors": list(errors(pages[ERRORS]))}
-    empty = without_answer(site, found["words"])
+    empty = list(without_answer(site, pages[GLOSSARY]))
     if empty:
         print("\n".join(empty))
         return 1

@@ -118,10 +118,12 @@ class Search(Folder):
 
     def test_a_word_that_leads_to_a_page_without_an_answer(self):
         self.write("a.html", "<p>A server answers.</p>")
-        found = list(search.glossary(self.rows("slave", "a <code>server</code>", '<a href="a.html">A</a>')))
-        self.assertEqual(search.without_answer(self.place, found), [])
-        self.write("a.html", "<p>Nothing of that kind.</p>")
-        self.assertEqual(search.without_answer(self.place, found), ["a.html: nothing of 'a server'"])
+        row = self.rows("slave, RAM", "a <code>server</code>, see TTO", '<a href="a.html#b">A</a>')
+        for text in ("A server answers.", "the slave", "Flash and ram", "TTO"):
+            self.write("a.html", text)
+            self.assertEqual(list(search.without_answer(self.place, row)), [], text)
+        self.write("a.html", "<p>Parameters and servers, <a href='slave'>and an answer</a>.</p>")
+        self.assertEqual(list(search.without_answer(self.place, row)), ["a.html#b has nothing of 'slave, RAM'"])
 
     def test_words_as_the_search_spells_them(self):
         self.assertEqual(search.spelled("Late answer"), "late_20answer")
