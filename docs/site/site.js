@@ -9,25 +9,33 @@ DoxygenAwesomeFragmentCopyButton.init();
 DoxygenAwesomeParagraphLink.init();
 DoxygenAwesomeInteractiveToc.init();
 
-const region = (element, name) => {
+const reachable = (element, name) => {
     element.tabIndex = 0;
-    element.setAttribute("role", "region");
+    element.setAttribute("role", "group");
     element.setAttribute("aria-label", name);
 };
 
 document.addEventListener("DOMContentLoaded", () => {
-    document.getElementById("MSearchField")?.setAttribute("aria-label", "Search");
     for (const block of document.querySelectorAll("div.fragment, pre.fragment")) {
-        region(block, "code");
+        reachable(block, "code");
     }
     for (const picture of document.querySelectorAll(".diagram")) {
-        region(picture, "picture");
+        reachable(picture, "picture");
     }
     for (const table of document.querySelectorAll(".contents table.markdownTable, .contents table.doxtable")) {
         const frame = document.createElement("div");
         frame.className = "wide";
-        region(frame, "table");
+        reachable(frame, "table");
         table.replaceWith(frame);
         frame.append(table);
     }
 });
+
+// Doxygen's menu puts the search onto the page at some time.
+new MutationObserver((_, observer) => {
+    const field = document.getElementById("MSearchField");
+    if (field) {
+        field.setAttribute("aria-label", "Search");
+        observer.disconnect();
+    }
+}).observe(document.documentElement, {childList: true, subtree: true});
