@@ -4,7 +4,8 @@
 its headings, its links lead to pages of the site, and its marks are replaced:
 
     <!-- snippet: examples/04_poll_a_drive.cpp plan -->   the region of that name stands in the block of code behind it
-    <!-- generated: registers atv320 -->                   what the build makes
+    <!-- generated: registers atv320 -->                   what the build makes; a line `> On the site...` behind it, which a git
+                                                           host shows instead, is left out
 """
 import os
 import pathlib
@@ -15,6 +16,7 @@ HEADING = re.compile(r"^(#{1,4}) +(.*?)\s*$")
 LINK = re.compile(r"(?<!!)\[([^\]]*)\]\(([^)\s]+)\)")
 SNIPPET = re.compile(r"^ *<!-- snippet: (\S+) (\S+) -->$")
 GENERATED = re.compile(r"^<!-- generated: (.+?) -->$")
+HOST_NOTE = "> On the site"
 FILE_NAME = re.compile(r"[\w/.-]+\.md|docs/")
 NEEDS_CONTENTS = 5
 
@@ -59,6 +61,26 @@ def headings(text):
 def spelled(line):
     """Code in a line as Doxygen takes it whatever stands in it: between two backticks."""
     return re.sub(r"(?<!`)`([^`]+)`(?!`)", r"``\1``", line)
+
+
+class Bold:
+    """`**` as tags: Doxygen leaves them as they are where they touch code, a quote or a bracket. Bold goes on over the end of a
+    line, not over that of a paragraph."""
+
+    def __init__(self, page):
+        self.page = page
+        self.is_open = False
+
+    def tag(self, _):
+        self.is_open = not self.is_open
+        return "<b>" if self.is_open else "</b>"
+
+    def line(self, text):
+        parts = re.split(r"(`+[^`]*`+)", text)
+        parts[::2] = [re.sub(r"\*\*", self.tag, part) for part in parts[::2]]
+        if self.is_open and (not text.strip() or text.startswith("|")):
+            raise BrokenLink(f"{self.page}: bold that does not end: {text or 'before an empty line'}")
+        return "".join(parts)
 
 
 def title_of(text):
@@ -127,7 +149,7 @@ class Pages:
         """The page for Doxygen."""
         text = self.texts[page]
         has_contents = len(headings(text)) > NEEDS_CONTENTS and page != "README.md"
-        out, snippet = [], None
+        out, snippet, bold, is_made = [], None, Bold(page), False
         for line, is_code in lines_with_code(text):
             if is_code:
                 if snippet:
@@ -143,7 +165,13 @@ class Pages:
             made = GENERATED.match(line)
             if made:
                 out += self.generated(page, made[1])
+                is_made = True
                 continue
+            if is_made and line.strip():
+                is_made = False
+                if line.startswith(HOST_NOTE):
+                    continue
+                raise BrokenLink(f"{page}: behind a mark of what the build makes stands '{line}', no line '{HOST_NOTE}...' for git hosts")
             heading = HEADING.match(line)
             if heading and len(heading[1]) == 1:
                 out.append(f"# {heading[2]} {{#{identifier(page) if page != 'README.md' else 'mainpage'}}}")
@@ -152,7 +180,9 @@ class Pages:
             elif heading:
                 out.append(f"{heading[1]} {heading[2]} {{#{self.anchor(page, slug(heading[2]))}}}")
             else:
-                out.append(self.linked(page, line))
+                out.append(self.linked(page, bold.line(line)))
+        if is_made:
+            raise BrokenLink(f"{page}: behind its last mark there is no line '{HOST_NOTE}...' for git hosts")
         return "\n".join(out)
 
     @staticmethod

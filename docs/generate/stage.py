@@ -75,7 +75,8 @@ def write_frame(build):
     scripts = "".join(f'<script type="text/javascript" src="$relpath^doxygen-awesome-{name}.js"></script>\n'
                       for name in SCRIPTS)
     scripts += '<script type="text/javascript" src="$relpath^site.js"></script>\n'
-    (build / "header.html").write_text(text.replace("</head>", f"{scripts}</head>"), encoding="utf-8")
+    text = text.replace("<html ", '<html lang="en" ', 1).replace("</head>", f"{scripts}</head>")
+    (build / "header.html").write_text(text, encoding="utf-8")
 
 
 def write_settings(project, build, theme):

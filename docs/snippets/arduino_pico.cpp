@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // What the page of arduino-pico shows, run with stand-ins for its serial port, pins and clock.
-#include "stand_ins/arduino.hpp"
+//! [page]
+#include <cstddef>
+#include <cstdint>
 
+#include <Arduino.h>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/client.hpp>
 
-using stand_in::show;
-
-//! [page]
 using namespace rtuwire;
 
 constexpr int driver_enable = 2;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // What the page of the ATV28 shows, run against a simulated one: connect, look, start, stop, cycle, reset.
+//! [head]
 #include <iostream>
 
 #include <rtuwire/altivar/atv28.hpp>
@@ -11,6 +12,7 @@
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
+//! [head]
 
 int main()
 {

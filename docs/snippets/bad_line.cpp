@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // What the page of bad lines shows: how long a client waits and how often it repeats, and what that costs with a unit that
 // does not answer.
+//! [head]
 #include <iostream>
 
 #include <rtuwire/client.hpp>
@@ -10,6 +11,7 @@
 #include <rtuwire/sim.hpp>
 
 using namespace rtuwire;
+//! [head]
 
 namespace {
 

@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // What the page of ESP-IDF shows, run with stand-ins for its driver.
-#include "stand_ins/esp_idf.hpp"
+//! [page]
+#include <array>
+#include <cstddef>
+#include <cstdint>
 
+#include <driver/uart.h>
+#include <esp_timer.h>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/client.hpp>
 
 using namespace rtuwire;
-using stand_in::show;
 
-//! [page]
 namespace {
 
 constexpr auto port = UART_NUM_1;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // What the page of Linux shows: a port whose driver switches the transceiver. A pseudo-terminal stands for the device;
 // it has no transceiver, so that the port that demands one is refused.
+//! [head]
 #include <atomic>
 #include <iostream>
 #include <string>
@@ -13,6 +14,7 @@
 #include <rtuwire/server.hpp>
 
 using namespace rtuwire;
+//! [head]
 
 namespace {
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // What the page of driving shows of a frequency that is known only when the program runs: checked, then ordered.
+//! [head]
 #include <iostream>
 
 #include <rtuwire/altivar/atv320.hpp>
@@ -11,6 +12,7 @@
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
+//! [head]
 
 namespace {
 

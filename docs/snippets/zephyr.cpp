@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // What the page of Zephyr shows, run with stand-ins for its UART, pins and clock.
-#include "stand_ins/zephyr.hpp"
+//! [page]
+#include <cstddef>
+#include <cstdint>
 
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/client.hpp>
+#include <zephyr/drivers/gpio.h>
+#include <zephyr/drivers/uart.h>
+#include <zephyr/kernel.h>
 
 using namespace rtuwire;
-using stand_in::show;
 
-//! [page]
 namespace {
 
 constexpr station<altivar::atv320::device> drive{unit_id{7}};
@@ -17,7 +20,12 @@ device const* const uart = DEVICE_DT_GET(DT_NODELABEL(uart1));
 gpio_dt_spec const driver_enable{}; // GPIO_DT_SPEC_GET of a pin of your board
 constinit interrupt_queue<> events;
 
-instant now() { return instant{k_cyc_to_us_floor32(k_cycle_get_32())}; } // where it wraps at 32 bits of microseconds
+/// Microseconds of 64 bits, cut: they have to wrap at 32 bits and nowhere else.
+instant now()
+{
+    auto const ticks = static_cast<std::uint64_t>(k_uptime_ticks());
+    return instant{static_cast<std::uint32_t>(k_ticks_to_us_floor64(ticks))};
+}
 
 void on_uart(device const* from, void*)
 {

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Opens the built site from the disk in Chromium, as a phone and as a desktop, in light and in dark: nothing on a page may
-// complain, be wider than the screen or be illegible, and the search has to find what is there.
+// complain, be wider than the screen or be illegible, the search has to find what is there, and some rules of axe hold.
 //
 //     node browser.mjs SITE SCREENS
 import {strict as assert} from "node:assert";
 import fs from "node:fs";
+import {createRequire} from "node:module";
 import path from "node:path";
 import {pathToFileURL} from "node:url";
 import {chromium} from "playwright-core";
@@ -17,9 +18,21 @@ const sizes = {phone: {width: 390, height: 844}, desktop: {width: 1280, height: 
 // One of each kind of page; all of the guides are visited on the phone.
 const shown = ["index", "start_two_commands", "start_wiring", "drives_atv320", "concepts", "errors", "names", "figures",
     "classrtuwire_1_1basic__client"];
+// What Doxygen's own frame of a page leaves to us. Its landmarks are its own.
+const rules = ["html-has-lang", "label", "color-contrast", "scrollable-region-focusable", "link-name", "image-alt"];
+const axe = fs.readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const limit = 60_000; // of a busy machine; no result depends on it
-const wanted = {"crc mismatch": null, "blocking_client": "blocking_client", "wiring": "Wiring", "start": "start",
-    "crc_mismatch": "cause and remedy", "late answer": "Late answer"};
+// What somebody types who does not know our words, and a word of what has to be found; null: nothing.
+const wanted = {"xyzzy": null, "blocking_client": "blocking_client", "wiring": "Wiring", "start": "start",
+    "crc_mismatch": "cause and remedy", "late answer": "Late answer", "crc mismatch": "cause and remedy", "exception 02": "illegal data address",
+    "illegal data address": "illegal_data_address", "time-out": "TTO", "timeout of a drive": "TTO", "watchdog": "TTO", "heartbeat": "TTO",
+    "baud": "bit rate", "parity": "bit rate", "8n1": "bit rate", "rs485": "common", "rs-485": "common", "de pin": "driver_enable",
+    "driver enable": "driver_enable", "half duplex": "driver_enable", "termination": "termination", "atv12 scanner": "cyclic", "stop motor": "stop_by",
+    "quick stop": "stop_by", "emergency stop": "hardware", "esp32": "UART", "stm32": "interrupt_queue", "platformio": "lib_deps", "modbus tcp": "tcp_stream",
+    "windows": "POSIX", "write register": "write_single_register", "read holding registers": "read_holding_registers", "endian": "word_order",
+    "word order": "word_order", "dma": "response_frame", "latency": "adapters", "acceleration ramp": "ACC", "slf": "reset_fault", "python": "--json",
+    "install": "include/", "license": "BSL-1.0", "slave": "server", "master": "client", "thread": "one context", "no response": "timed_out",
+    "multi drop": "32 units", "unit address": "unit", "eta": "state and warnings", "retries": "retries"};
 
 const address = (page) => pathToFileURL(path.join(site, `${page}.html`)).href;
 const guides = fs.readdirSync(site).filter((name) => /^[a-z][a-z0-9_]*\.html$/.test(name))
@@ -59,8 +72,14 @@ async function visit(browser, name, scheme, size, take) {
     if (take) {
         await page.screenshot({path: path.join(screens, `${name}-${size}-${scheme}.png`)});
     }
-    await context.close();
     const where = `${name} on a ${size} in ${scheme}`;
+    if (take && !/^class/.test(name)) {
+        await page.addScriptTag({content: axe});
+        const broken = await page.evaluate(async (values) => (await axe.run(document, {runOnly: values})).violations.map(
+            ({id, nodes}) => `${id}: ${nodes.slice(0, 3).map(({target}) => target.join(" ")).join(", ")}`), rules);
+        assert.deepEqual(broken, [], `${where} breaks a rule`);
+    }
+    await context.close();
     assert.deepEqual(complaints, [], `${where} complains`);
     assert.ok(seen.wide <= 0, `${where} is ${seen.wide} pixels wider than the screen`);
     assert.ok(seen.contrast >= 4.5, `${where} has text of a contrast of ${seen.contrast}`);

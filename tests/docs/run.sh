@@ -16,5 +16,5 @@ sh "$project/tests/packages.sh" browser
 mkdir -p "$build/browser"
 cp "$here/browser.mjs" "$build/browser/"
 # Chromium is Debian's: the package brings none.
-(cd "$build/browser" && PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD=1 npm install --no-audit --no-fund --no-save --silent playwright-core@1)
+(cd "$build/browser" && PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD=1 npm install --no-audit --no-fund --no-save --silent playwright-core@1 axe-core@4.14.1)
 (cd "$build/browser" && node browser.mjs "$build/html" "$build/screens")

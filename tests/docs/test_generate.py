@@ -58,31 +58,85 @@ class Links(Folder):
         self.assertEqual(list(links.broken(site, links.read(site))), ["a.html:1: ../outside.html leads out of the site"])
 
 
-class Search(Folder):
-    def test_an_error_leads_to_the_gallery(self):
-        self.write("search/searchdata.js", 'var indexSectionsWithContent =\n{\n  0: "abc",\n  1: "b"\n};\n')
-        self.write("search/all_2.js", "var searchData=\n[\n  ['crc_0',['crc',['../x.html',1,'rtuwire']]]\n];\n")
-        search.add(self.place / "search", 7, "errors-errc-crc_mismatch", "crc_mismatch")
-        self.assertEqual((self.place / "search/all_2.js").read_text(encoding="utf-8"),
-                         'var searchData=\n[\n  ["crc_5fmismatch_e7", ["crc_mismatch", ["../errors.html#errors-errc-crc_mismatch", 1, '
-                         "\"cause and remedy\"]]],\n  ['crc_0',['crc',['../x.html',1,'rtuwire']]]\n];\n")
+def page_of(title, body):
+    return f'<div class="title">{title} </div><div class="contents">{body}</div>'
 
-    def test_what_the_page_explains(self):
-        page = ('<h2><a class="anchor" id="errors-late-answer"></a>\nLate answer</h2><h3><a class="anchor" id="errors-errc-busy"></a>\n'
-                'busy (0x86)</h3><h3><a class="anchor" id="errors-read_only"></a>\nread only</h3>')
-        self.assertEqual(list(search.entries(page)), [("errors-late-answer", "Late answer"), ("errors-errc-busy", "busy")])
+
+def heading(anchor, words):
+    return f'<h2><a class="anchor" id="{anchor}"></a>\n{words}</h2>'
+
+
+class Search(Folder):
+    def lists(self, letters, **entries):
+        self.write("search/searchdata.js", f'var indexSectionsWithContent =\n{{\n  0: "{letters}",\n  1: "b"\n}};\n')
+        self.write("search/all_0.html", '<script src="all_0.js"></script>')
+        for name, text in entries.items():
+            self.write(f"search/{name}.js", text)
+
+    def text(self, name):
+        return (self.place / "search" / name).read_text(encoding="utf-8")
+
+    def test_a_result_comes_before_those_that_are_there(self):
+        self.lists("abc", all_2="var searchData=\n[\n  ['crc_0',['crc',['../x.html',1,'rtuwire']]]\n];\n")
+        search.add(self.place / "search", [search.entry("crc_mismatch", "crc_mismatch", "errors.html#errors-errc-crc_mismatch", "cause")])
+        self.assertEqual(self.text("all_2.js"),
+                         'var searchData=\n[\n  ["crc_5fmismatch_e0", ["crc_mismatch", ["../errors.html#errors-errc-crc_mismatch", 1, '
+                         "\"cause\"]]],\n  ['crc_0',['crc',['../x.html',1,'rtuwire']]]\n];\n")
+
+    def test_a_letter_that_nothing_began_with(self):
+        self.lists("abc")
+        search.add(self.place / "search", [search.entry("8N1", "8N1", "a.html", "b"), search.entry("8E1", "8E1", "a.html", "b")])
+        self.assertIn('0: "abc8"', self.text("searchdata.js"))
+        self.assertEqual(self.text("all_3.html"), '<script src="all_3.js"></script>')
+        self.assertEqual(self.text("all_3.js").count('"../a.html"'), 2)
+        self.assertTrue(self.text("all_3.js").endswith("]]]\n];\n"))
+
+    def test_an_error_by_name_words_and_number(self):
+        page = heading("errors-late-answer", "Late answer") + heading("errors-errc-illegal_data_address", "illegal_data_address (0x02)") + \
+            heading("errors-errc-busy", "busy (0x86)") + heading("errors-read_only", "read only")
+        words = {each["words"] for each in search.errors(page)}
+        self.assertLessEqual({"Late answer", "answer", "illegal_data_address", "illegal data address", "address", "busy",
+                              "exception 02: illegal data address", "exception code 02", "exception 0x02", "exception 2"}, words)
+        self.assertFalse({each for each in words if "86" in each or "read" in each})
+
+    def test_a_heading_by_each_word_and_behind_its_title(self):
+        page = page_of("ATV12", heading("drives_atv12-scanner", "Scanner and cycle") + heading("other-place", "Elsewhere"))
+        found = {each["words"]: each["place"] for each in search.headings("drives_atv12", page)}
+        self.assertEqual(found, {"ATV12": "drives_atv12.html", "Scanner and cycle": "drives_atv12.html#drives_atv12-scanner",
+                                 "cycle": "drives_atv12.html#drives_atv12-scanner", "ATV12 Scanner and cycle": "drives_atv12.html#drives_atv12-scanner"})
+
+    def rows(self, *cells):
+        return '<tr class="markdownTableRowOdd">' + "".join(f'<td class="x">{cell}</td>' for cell in cells) + "</tr>"
+
+    def test_the_words_of_the_glossary(self):
+        row = self.rows("slave, Modbus slave", "a <code>server</code>", '<a href="a.html#b">A</a>')
+        self.assertEqual([(each["words"], each["shown"], each["place"], each["scope"]) for each in search.glossary(row)],
+                         [("slave", "slave", "a.html#b", "a server"), ("Modbus slave", "Modbus slave", "a.html#b", "a server"),
+                          ("slave", "Modbus slave", "a.html#b", "a server")])
+        with self.assertRaises(ValueError):
+            list(search.glossary(self.rows("slave", "server", "nowhere")))
+
+    def test_a_word_that_leads_to_a_page_without_an_answer(self):
+        self.write("a.html", "<p>A server answers.</p>")
+        row = self.rows("slave, RAM", "a <code>server</code>, see TTO", '<a href="a.html#b">A</a>')
+        for text in ("A server answers.", "the slave", "Flash and ram", "TTO"):
+            self.write("a.html", text)
+            self.assertEqual(list(search.without_answer(self.place, row)), [], text)
+        self.write("a.html", "<p>Parameters and servers, <a href='slave'>and an answer</a>.</p>")
+        self.assertEqual(list(search.without_answer(self.place, row)), ["a.html#b has nothing of 'slave, RAM'"])
 
     def test_words_as_the_search_spells_them(self):
         self.assertEqual(search.spelled("Late answer"), "late_20answer")
 
     def test_a_list_that_is_none(self):
-        self.write("search/searchdata.js", '0: "b"')
-        self.write("search/all_0.js", "nothing")
+        self.lists("b", all_0="nothing")
         with self.assertRaises(ValueError):
-            search.add(self.place / "search", 0, "errors-errc-busy", "busy")
+            search.add(self.place / "search", [search.entry("busy", "busy", "errors.html#errors-errc-busy", "")])
 
     def test_a_site_without_errors_fails(self):
+        self.lists("abc")
         self.write("errors.html", "<h1>Gallery</h1>")
+        self.write("glossary.html", "<h1>Words</h1>")
         self.assertEqual(search.main(self.place), 1)
 
 
@@ -101,6 +155,24 @@ class Pages(Folder):
 
     def test_a_link_in_code_stays(self):
         self.assertIn("[x](docs/none.md)", self.staged("# One\n\n```\n[x](docs/none.md)\n```\n"))
+
+    def test_bold_becomes_a_tag_whatever_it_touches(self):
+        out = self.staged('# One\n\n**`--allow-run` lets it turn.** It **goes\non**, **"so"** **(?)**; `a ** b`\n')
+        self.assertIn('<b>``--allow-run`` lets it turn.</b> It <b>goes\non</b>, <b>"so"</b> <b>(?)</b>; ``a ** b``', out)
+        self.assertIn("2 ** 3", self.staged("# One\n\n```\n2 ** 3\n```\n"))
+
+    def test_bold_that_does_not_end(self):
+        with self.assertRaises(pages.BrokenLink):
+            self.staged("# One\n\n**never\n\nends\n")
+
+    def test_a_git_host_is_told_of_what_the_build_makes(self):
+        out = self.staged("# One\n\n<!-- generated: it -->\n> On the site, a table stands here.\n\nMore\n", it="|a|")
+        self.assertIn("|a|", out)
+        self.assertNotIn("On the site", out)
+        self.assertIn("More", out)
+        for rest in ("\n\nMore\n", "\n"):
+            with self.assertRaises(pages.BrokenLink):
+                self.staged(f"# One\n\n<!-- generated: it -->{rest}", it="|a|")
 
     def test_a_dead_link(self):
         for link in ("docs/none.md", "docs/other.md#none", "#none"):

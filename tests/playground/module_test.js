@@ -52,6 +52,9 @@ test("what is no bytes is told with its place", async () => {
   assert.equal(engine.decode("01 0G").flaw, "character 4: a byte has two digits");
   assert.equal(engine.decode("01 x1").flaw, "character 4: not a hexadecimal digit");
   assert.match(engine.decode("00".repeat(257)).flaw, /^257 bytes/);
+  assert.equal(engine.decode("01 é 03").flaw, "character 4: not a hexadecimal digit");
+  assert.equal(engine.decode("０１").flaw, "character 1: not a hexadecimal digit");
+  assert.deepEqual([engine.decode("0x01, 0X03").flaw, engine.decode("0x01, 0X03").size], ["", 2]);
   assert.equal(engine.send("zz"), false);
   assert.equal(engine.open(5), false);
 });
@@ -65,7 +68,7 @@ for (const name of ["atv12", "atv28", "atv310", "atv310_2026", "atv320"]) {
     assert.equal(engine.state().drive.state, "switch on disabled");
     assert.ok(engine.state().client.linked);
 
-    engine.start(300);
+    engine.start(30);
     engine.run(6 * toSeconds);
     assert.equal(newest(engine).outcome.split(",")[0], "done");
     assert.equal(engine.state().drive.frequency, 30000);
@@ -87,14 +90,14 @@ for (const name of ["atv12", "atv28", "atv310", "atv310_2026", "atv320"]) {
     assert.equal(newest(engine).outcome.split(",")[0], "done");
     assert.equal(engine.state().drive.frequency, 0, "it moved after the reset");
 
-    engine.start(-200);
+    engine.start(-20);
     engine.run(6 * toSeconds);
     assert.equal(engine.state().drive.frequency, -20000);
     engine.fault(true);
     engine.run(2 * toSeconds);
     assert.equal(engine.state().drive.state, "fault");
     assert.equal(engine.state().drive.frequency, 0);
-    engine.start(200);
+    engine.start(20);
     engine.run(2 * toSeconds);
     assert.match(newest(engine).outcome, /^the drive is in fault/);
 
@@ -102,7 +105,7 @@ for (const name of ["atv12", "atv28", "atv310", "atv310_2026", "atv320"]) {
     engine.reset();
     engine.run(2 * toSeconds);
     engine.supervised(false);
-    engine.start(200);
+    engine.start(20);
     engine.run(2 * toSeconds);
     assert.match(newest(engine).outcome, /^the drive does not watch its link/);
     assert.equal(engine.state().drive.frequency, 0);
@@ -140,6 +143,192 @@ test("typed bytes reach the drive as they are, and a wrong CRC gets no answer", 
   assert.notEqual(seen[damaged + 1].from, "drive");
 });
 
+/// An engine with a drive that is on and watched.
+async function powered(name = "atv320") {
+  const engine = opened(await load(), name);
+  engine.mains(true);
+  engine.run(toSeconds);
+  return engine;
+}
+
+/// The same with a motor that an order runs at 30 Hz.
+async function running(name = "atv320") {
+  const engine = await powered(name);
+  engine.start(30);
+  engine.run(6 * toSeconds);
+  assert.equal(engine.state().drive.frequency, 30000);
+  return engine;
+}
+
+// Numbers that wrap, at 16 or at 32 bits, to others that a drive would take; numbers between its steps; and none.
+const refusals = {
+  6583.6: "value above the register's maximum", "-6523.6": "value below the register's minimum", 99999: "value above the register's maximum",
+  429496759.6: "value above the register's maximum", 1e300: "value above the register's maximum", "-1e300": "value below the register's minimum",
+  Infinity: "value above the register's maximum", 0.04: "value between two steps of the register", NaN: "type a number first",
+};
+
+test("a reference is taken as it is typed, or refused with its reason", async () => {
+  for (const name of ["atv12", "atv28", "atv320"]) {
+    const engine = await powered(name);
+    for (const [typed, reason] of Object.entries(refusals)) {
+      for (const act of ["start", "change"]) {
+        const before = engine.state().frames;
+        engine[act](Number(typed));
+        engine.run(2 * toSeconds);
+        assert.equal(newest(engine).outcome, "not given: " + reason, `${name}: ${act} ${typed}`);
+        assert.ok(!engine.frames(before).some((each) => each.summary.startsWith("write")), `${name}: ${act} ${typed}`);
+      }
+    }
+    assert.equal(engine.state().drive.state, "switch on disabled");
+    engine.start(-12.3);
+    engine.run(4 * toSeconds);
+    assert.match(newest(engine).what, /^start at -12.3 Hz$/);
+    assert.equal(engine.state().drive.frequency, -12300);
+  }
+});
+
+test("a time-out that is switched off while the motor runs is shown as it is, and given back by a loss of mains", async () => {
+  for (const name of ["atv12", "atv28", "atv320"]) {
+    const engine = await running(name);
+    engine.supervised(false);
+    engine.cable(1);
+    engine.run(60 * toSeconds);
+    assert.deepEqual([engine.state().drive.frequency, engine.state().drive.supervised, engine.state().client.order], [30000, false, "given up"], name);
+    engine.cable(0);
+    engine.run(60 * toSeconds);
+    assert.ok(engine.state().client.linked, name);
+    assert.deepEqual([engine.state().drive.frequency, engine.state().client.order], [30000, "given up"], "no order stands behind it");
+    engine.stop(0);
+    engine.run(8 * toSeconds);
+    assert.deepEqual([engine.state().drive.frequency, engine.state().client.order], [0, "none"], name);
+    engine.mains(false);
+    engine.run(toSeconds);
+    engine.supervised(false);
+    engine.mains(true);
+    engine.run(toSeconds);
+    assert.equal(engine.state().drive.supervised, true, "as delivered");
+    engine.start(30);
+    engine.run(6 * toSeconds);
+    engine.cable(1);
+    engine.run(12 * toSeconds);
+    assert.deepEqual([engine.state().drive.state, engine.state().drive.lineFault], ["fault", true], name);
+  }
+});
+
+test("who writes its time-out, the drive's own is what counts", async () => {
+  const engine = await powered();
+  assert.ok(engine.send(engine.decode("01 06 1B 62 00 00").offer));
+  engine.run(toSeconds);
+  const sll = engine.frames(0).some((each) => each.summary.startsWith("write SLL"));
+  assert.equal(sll, true, "7010 is SLL");
+  assert.equal(engine.state().drive.supervised, false);
+  engine.supervised(true);
+  assert.equal(engine.state().drive.supervised, true);
+});
+
+test("local control ends with the mains; the cause of a fault does not", async () => {
+  const engine = await powered();
+  engine.local(true);
+  assert.equal(engine.state().drive.local, true);
+  engine.mains(false);
+  assert.equal(engine.state().drive.local, false);
+  engine.local(true);
+  engine.fault(true);
+  engine.mains(true);
+  engine.run(toSeconds);
+  assert.deepEqual([engine.state().drive.local, engine.state().drive.cause, engine.state().drive.state], [false, true, "fault"]);
+  assert.match(engine.state().drive.fault, /^OCF/);
+  engine.reset();
+  engine.run(2 * toSeconds);
+  assert.equal(engine.state().drive.state, "fault");
+  engine.mains(false);
+  engine.fault(false);
+  engine.mains(true);
+  engine.run(toSeconds);
+  assert.deepEqual([engine.state().drive.cause, engine.state().drive.state], [false, "switch on disabled"]);
+});
+
+test("a motor without power coasts", async () => {
+  for (const lose of [(engine) => engine.stop(2), (engine) => engine.fault(true), (engine) => engine.mains(false)]) {
+    const engine = await running();
+    assert.deepEqual([engine.state().drive.power, engine.state().drive.shaft], [true, 30000]);
+    lose(engine);
+    engine.run(toSeconds);
+    const { drive } = engine.state();
+    assert.deepEqual([drive.power, drive.frequency], [false, 0]);
+    assert.ok(drive.shaft > 20000 && drive.shaft < 30000, String(drive.shaft));
+    engine.run(8 * toSeconds);
+    assert.equal(engine.state().drive.shaft, 0);
+  }
+  const braked = await running("atv12");
+  braked.stop(0);
+  braked.run(toSeconds);
+  assert.equal(braked.state().drive.shaft, braked.state().drive.frequency);
+});
+
+test("a start at once after power-up is an order like any other", async () => {
+  const engine = opened(await load(), "atv320");
+  for (const rest of [0.5, 6]) {
+    engine.mains(true);
+    engine.run(rest * toSeconds);
+    engine.start(30);
+    engine.run(8 * toSeconds);
+    assert.deepEqual([engine.state().client.order, engine.state().drive.frequency], ["ordered", 30000]);
+    engine.cable(1);
+    engine.run(30 * toSeconds);
+    assert.equal(engine.state().client.order, "given up");
+    engine.cable(0);
+    engine.run(10 * toSeconds);
+    engine.mains(false);
+    engine.run(10 * toSeconds);
+  }
+});
+
+test("what the client has to do with a motor that turns", async () => {
+  const engine = await powered();
+  engine.start(30);
+  const seen = new Set();
+  for (let i = 0; i < 3000; ++i) {
+    engine.run(1000);
+    seen.add(engine.state().client.order);
+  }
+  assert.deepEqual([...seen], ["starting", "ordered"]);
+  engine.stop(1);
+  engine.run(8 * toSeconds);
+  assert.equal(engine.state().client.order, "none");
+  for (const frame of ["01 06 21 36 01 2C", "01 06 21 35 00 06", "01 06 21 35 00 07", "01 06 21 35 00 0F"]) {
+    engine.send(engine.decode(frame).offer);
+    engine.run(toSeconds);
+  }
+  assert.ok(engine.state().drive.frequency > 0);
+  assert.equal(engine.state().client.order, "none", "somebody else ordered it");
+});
+
+test("a halt keeps the power, and is no order to run", async () => {
+  const engine = await running("atv12");
+  assert.equal(engine.state().drive.halted, false);
+  engine.stop(engine.describe().stops.find((each) => each.name === "halt").id);
+  engine.run(6 * toSeconds);
+  const { drive, client } = engine.state();
+  assert.deepEqual([drive.state, drive.power, drive.shaft, drive.halted, client.order], ["operation enabled", true, 0, true, "stopping"]);
+});
+
+test("a silence of more than the clock holds stays a silence", async () => {
+  const engine = await powered("atv12");
+  engine.cable(1);
+  engine.run(4400 * toSeconds);
+  assert.ok(engine.state().drive.silence > 3000 * toSeconds, String(engine.state().drive.silence));
+});
+
+test("power off and on again: no order stays open", async () => {
+  const engine = opened(await load(), "atv320");
+  engine.mains(true);
+  engine.mains(false);
+  engine.mains(true);
+  engine.run(2 * toSeconds);
+  assert.deepEqual(engine.state().orders.map((each) => each.outcome), ["a later one took its place", "done"]);
+});
+
 /// A small generator, so that each run presses the same.
 function presses(seed) {
   let state = seed;
@@ -153,7 +342,7 @@ function press(engine, next) {
   const acts = [
     () => engine.mains(next(4) !== 0), () => engine.cable(next(4)), () => engine.fault(next(2) !== 0),
     () => engine.local(next(2) !== 0), () => engine.stopKey(), () => engine.supervised(next(2) !== 0),
-    () => engine.start(next(9000) - 4500), () => engine.start(next(600) - 300), () => engine.change(next(600) - 300),
+    () => engine.start((next(9000) - 4500) / 10), () => engine.start((next(600) - 300) / 10), () => engine.change((next(600) - 300) / 10),
     () => engine.stop(next(5)), () => engine.reset(), () => engine.send("01 03 0C 81 00 01 D7 72"), () => engine.send("FF 00"),
   ];
   acts[next(acts.length)]();

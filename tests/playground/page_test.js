@@ -85,8 +85,12 @@ async function cutCable(page) {
   await wait(page, 5);
   assert.match(await text(page, "p-fault"), /SLF1/);
   assert.equal(await text(page, "p-order"), "it may still run");
-  await stands(page);
+  assert.equal(await text(page, "p-freq"), "0.0 Hz");
+  assert.equal(await text(page, "p-motor"), "no power: it coasts");
+  assert.match(await text(page, "now"), /^The drive heard nothing for its time-out.* coasts/);
   await shot(page, "cut");
+  await wait(page, 5);
+  await stands(page);
   await page.check("#cable input[value='0']");
   await wait(page, 20);
   assert.equal(await text(page, "p-client"), "fault", "the client sees the drive again");
@@ -109,10 +113,17 @@ async function makeFault(page) {
   await wait(page, 1);
   assert.equal(await page.textContent("#machine .here text"), "fault");
   assert.match(await text(page, "p-fault"), /OCF/);
-  await stands(page);
+  assert.equal(await text(page, "p-motor"), "no power: it coasts");
+  assert.doesNotMatch(await text(page, "now"), /time-out/, "the cause of this fault is another");
   await page.click("#start");
   await wait(page, 1);
   assert.match(await newestOrder(page), /the drive is in fault, LFT 9/);
+  await page.check("#cable input[value='1']");
+  await wait(page, 4);
+  assert.doesNotMatch(await text(page, "now"), /time-out/, "nor is it the cable");
+  await page.check("#cable input[value='0']");
+  await wait(page, 20);
+  await stands(page);
   await page.click("#fault");
   await page.click("#reset");
   await wait(page, 2);
@@ -131,6 +142,123 @@ async function typeRequest(page) {
   const rows = await page.$$eval("#frames tbody tr", (all) => all.map((row) => row.innerText.replace(/\s+/g, " ")));
   const asked = rows.findIndex((row) => row.includes(" you 01 03 0C 81 00 01 D7 72"));
   assert.ok(asked >= 0, rows.slice(0, 12).join("\n"));
+}
+
+/// What is typed as a reference is what is asked for, or nothing is.
+async function typeReference(page) {
+  for (const typed of ["6583.6", "-6523.6", "429496759.6", "1e300", "0.04", ""]) {
+    await page.fill("#hertz", typed);
+    for (const button of ["#start", "#change", "#reverse"]) {
+      await page.click(button);
+      await wait(page, 1);
+      assert.match(await newestOrder(page), /: not given: (value|type a number)/, `${button} with ${typed}`);
+    }
+    await stands(page);
+  }
+  await page.fill("#hertz", "30");
+}
+
+const sentence = async (page, pattern) => assert.match(await text(page, "now"), pattern);
+
+/// The time-out is switched off while the motor runs: no sentence may say that the drive stops.
+async function switchTimeOutOff(page) {
+  await page.click("#start");
+  await wait(page, 5);
+  await page.uncheck("#supervised");
+  await wait(page, 1);
+  await sentence(page, /runs on if the line goes silent/);
+  await page.check("#cable input[value='1']");
+  await wait(page, 10);
+  await sentence(page, /switched off: the motor turns until somebody stops it/);
+  assert.equal(await text(page, "p-motor"), "turns forward");
+  await page.check("#cable input[value='0']");
+  await wait(page, 10);
+  await sentence(page, /^The motor runs without an order.*Press Stop/);
+  assert.equal(await text(page, "p-order"), "had ordered it to run");
+  await page.click("#stop");
+  await wait(page, 8);
+  await stands(page);
+  await page.click("#mains");
+  for (const id of ["supervised", "local", "key"]) assert.ok(await page.isDisabled("#" + id), id);
+  await page.click("#fault");
+  await page.click("#mains");
+  await wait(page, 1);
+  assert.ok(await page.isChecked("#supervised"), "the drive lost that setting");
+  assert.match(await text(page, "p-fault"), /OCF/, "the cause was there when the mains came back");
+  await page.click("#local");
+  assert.equal(await page.getAttribute("#local", "aria-pressed"), "true");
+  await page.click("#fault");
+  await page.click("#mains");
+  assert.equal(await page.getAttribute("#local", "aria-pressed"), "false");
+  await page.click("#mains");
+  await wait(page, 1);
+  assert.equal(await text(page, "p-state"), "switch on disabled");
+}
+
+/// Bytes that no client sent run the motor: the client says that it is none of its orders.
+async function runByTyping(page) {
+  for (const frame of ["01 06 21 36 01 2C", "01 06 21 35 00 06", "01 06 21 35 00 07", "01 06 21 35 00 0F"]) {
+    await page.fill("#bytes", frame);
+    await page.click("#offer");
+    await page.click("#send");
+    await wait(page, 1);
+  }
+  await sentence(page, /not by an order of this client/);
+  await page.check("#cable input[value='3']");
+  await wait(page, 3);
+  await sentence(page, /never ordered this motor.*the motor goes on/);
+  await page.check("#cable input[value='0']");
+  await wait(page, 3);
+  await page.click("#stop");
+  await wait(page, 8);
+  await stands(page);
+}
+
+/// The same words twice are announced twice: a screen reader tells changes only.
+async function announceAgain(page) {
+  const said = [];
+  for (let i = 0; i < 2; ++i) {
+    await page.click("#reset");
+    await wait(page, 2);
+    said.push(await text(page, "said"));
+  }
+  assert.match(said[0], /^reset the fault: /);
+  assert.notEqual(said[0], said[1]);
+  assert.equal(said[0].trim(), said[1].trim());
+}
+
+async function judgeBytes(page) {
+  for (const [typed, judged] of [["01 03 0C 81 00 01 D7 72 01 03 0C 81 00 01 D7 72", /^Whole frames/], ["😀", /^character 1: not a hex/],
+    ["01 é 03", /^character 4: not a hex/], ["--", /^No byte in it yet/], ["  ", /^Nothing typed yet/], ["0x01 0x03", /^No whole frame yet/]]) {
+    await page.fill("#bytes", typed);
+    assert.match(await text(page, "judged"), judged, typed);
+  }
+}
+
+/// The examples one after the other, with the list closed; and a row that has the focus keeps it.
+async function useKeyboard(page) {
+  await page.focus("#example");
+  const seen = new Set();
+  for (let i = 0; i < 5; ++i) {
+    await page.keyboard.press("ArrowDown");
+    seen.add(await page.inputValue("#bytes"));
+  }
+  assert.equal(seen.size, 5);
+  await page.uncheck("#hide");
+  const number = await page.getAttribute("#frames tbody tr:first-child", "data-number");
+  await page.focus("#frames tbody tr:first-child button");
+  await page.evaluate(() => { for (let i = 0; i < 20; ++i) document.getElementById("second").click(); });
+  assert.equal(await page.evaluate(() => document.activeElement.closest("tr")?.dataset.number), number);
+  assert.ok(await page.evaluate(() => document.querySelectorAll("#frames tbody tr").length) <= 150);
+  await page.check("#hide");
+}
+
+/// Without JavaScript the page says so.
+async function openWithoutScripts(browser) {
+  const page = await (await browser.newContext({ javaScriptEnabled: false })).newPage();
+  await page.goto(pathToFileURL(path.resolve(page_file)).href);
+  assert.match(await page.innerText("body"), /needs JavaScript/);
+  await page.close();
 }
 
 /// By keyboard alone: the controls in their order, each with a focus that can be seen.
@@ -156,6 +284,7 @@ async function eachDrive(page) {
     assert.equal(await text(page, "p-motor"), "turns forward", drive);
     await page.click("#stop");
     await wait(page, 8);
+    await wait(page, 3); // one that was told 0000 coasts
     await stands(page);
   }
 }
@@ -173,16 +302,27 @@ async function main() {
     await cutCable(page);
     await makeFault(page);
     await typeRequest(page);
+    await typeReference(page);
+    await switchTimeOutOff(page);
+    await runByTyping(page);
+    await announceAgain(page);
+    await judgeBytes(page);
+    await useKeyboard(page);
     await checkAxe(page, "light");
     await shot(page, "end");
     await tabThrough(page);
     await eachDrive(page);
     assert.deepEqual(page.problems, []);
 
+    await openWithoutScripts(browser);
     const dark = await open(browser, { viewport: { width: 390, height: 844 }, colorScheme: "dark", reducedMotion: "reduce", hasTouch: true });
     await start(dark);
     const isWide = await dark.evaluate(() => document.documentElement.scrollWidth > document.documentElement.clientWidth);
     assert.equal(isWide, false, "the page is wider than a phone");
+    assert.equal(await dark.innerText("#t-client"), "operation enabled, reads 30.0 Hz, ordered it to run");
+    assert.equal(await dark.innerText("#t-motor"), "turns forward");
+    const letters = await dark.evaluate(() => parseFloat(getComputedStyle(document.getElementById("t-client")).fontSize));
+    assert.ok(letters >= 13, `the state is written in ${letters} pixels`);
     await checkAxe(dark, "dark, on a phone");
     await shot(dark, "phone");
     await dark.setViewportSize({ width: 1400, height: 900 });

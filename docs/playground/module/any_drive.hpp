@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <ratio>
 
 #include <rtuwire/client.hpp>
 #include <rtuwire/drives.hpp>
@@ -19,6 +20,9 @@
 namespace playground {
 
 using link = rtuwire::bus<6>;
+
+/// A frequency as a person gives it, so fine that the register tells what lies between its own steps.
+using given_frequency = rtuwire::quantity<rtuwire::frequency, std::int64_t, std::micro>;
 
 /// What a client knows of a drive that it watches.
 struct client_sight {
@@ -65,9 +69,9 @@ public:
     virtual void watch(link& line, std::size_t slot, rtuwire::instant now) noexcept = 0;
     [[nodiscard]] virtual client_sight sight() const noexcept = 0;
     /// Make an order; those with a reference tell why it is none for this drive.
-    virtual rtuwire::errc make(std::optional<rtuwire::altivar::start>& order, std::int16_t decihertz) const = 0;
+    virtual rtuwire::errc make(std::optional<rtuwire::altivar::start>& order, given_frequency reference) const = 0;
     virtual rtuwire::errc make(std::optional<rtuwire::altivar::change_reference>& order,
-                               std::int16_t decihertz) const = 0;
+                               given_frequency reference) const = 0;
     virtual void make(std::optional<rtuwire::altivar::stop>& order, rtuwire::altivar::stop_by how) const = 0;
     virtual void make(std::optional<rtuwire::altivar::reset_fault>& order) const = 0;
 };

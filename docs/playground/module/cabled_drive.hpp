@@ -34,11 +34,16 @@ public:
     void sent(rtuwire::instant now) noexcept { drive_->sent(now); }
     void advance(rtuwire::instant now) noexcept
     {
+        constexpr std::uint32_t most = 3'600'000'000; // the clock wraps a little later
+        std::uint32_t const passed = (now - last_).microseconds;
+        last_ = now;
+        silence_.microseconds = passed < most - silence_.microseconds ? silence_.microseconds + passed : most;
         if (is_on_) {
             std::uint32_t const before = drive_->requests();
             drive_->advance(now);
-            last_heard_ = drive_->requests() == before ? last_heard_ : now;
-            has_heard_ = has_heard_ or drive_->requests() != before;
+            bool const is_heard = drive_->requests() != before;
+            silence_ = is_heard ? rtuwire::duration{} : silence_;
+            has_heard_ = has_heard_ or is_heard;
         }
     }
     rtuwire::byte_view poll_transmit() noexcept
@@ -75,14 +80,15 @@ public:
     /// A response that it sent into a cut cable, once.
     [[nodiscard]] std::vector<std::byte> take_unheard() noexcept { return std::exchange(unheard_, {}); }
 
-    /// For how long it has received no request, from the first one after power-up on.
+    /// For how long it has received no request, from the first one after power-up on; an hour at most.
     [[nodiscard]] bool has_heard() const noexcept { return has_heard_; }
-    [[nodiscard]] rtuwire::duration silence(rtuwire::instant now) const noexcept { return now - last_heard_; }
+    [[nodiscard]] rtuwire::duration silence() const noexcept { return silence_; }
 
 private:
     any_drive* drive_;
     std::vector<std::byte> unheard_{};
-    rtuwire::instant last_heard_{0};
+    rtuwire::instant last_{0};
+    rtuwire::duration silence_{};
     bool has_heard_{false};
     bool is_on_{false};
     bool is_cut_towards_{false};

@@ -10,7 +10,19 @@ namespace {
 
 constexpr std::uint16_t short_time_out = 30; // TTO, 0.1 s
 
-std::string hertz(std::int16_t count) { return tool::amount_text(count, {1, 10}, "Hz"); }
+/// Nothing is rounded into what a register takes: the register itself refuses what it cannot hold, with its reason.
+rtuwire::result<given_frequency> frequency_of(double hertz)
+{
+    constexpr double farthest = 1e9, step = 1e6;
+    if (not(hertz < farthest)) {
+        return rtuwire::errc::value_too_high;
+    }
+    if (not(hertz > -farthest)) {
+        return rtuwire::errc::value_too_low;
+    }
+    double const half = hertz < 0 ? -0.5 : 0.5; // what a binary fraction lacks of a decimal one
+    return given_frequency{static_cast<std::int64_t>(hertz * step + half)};
+}
 
 std::string fault_text(tool::drive_catalog const& drive, std::uint16_t code)
 {
@@ -33,24 +45,20 @@ void client_orders::begin(std::uint64_t now_us)
 {
     is_watching_ = true;
     if (std::uint16_t const address = drive_->catalog().layout.safeguards.tto; address != 0) {
-        set_time_out_.number = log_.add("set the drive's time-out to 3 s", now_us);
+        replace(set_time_out_, "set the drive's time-out to 3 s", now_us);
         set_time_out_.conversation.emplace(unit,
                                            rtuwire::write_single_register{.address = address, .value = short_time_out});
     }
 }
 
-void client_orders::start(std::int16_t decihertz, std::uint64_t now_us)
+void client_orders::start(asked_frequency const& reference, std::uint64_t now_us)
 {
-    if (is_free(start_, "start at " + hertz(decihertz), now_us)) {
-        give(start_, decihertz, now_us);
-    }
+    give(start_, "start at ", reference, now_us);
 }
 
-void client_orders::change(std::int16_t decihertz, std::uint64_t now_us)
+void client_orders::change(asked_frequency const& reference, std::uint64_t now_us)
 {
-    if (is_free(change_, "change to " + hertz(decihertz), now_us)) {
-        give(change_, decihertz, now_us);
-    }
+    give(change_, "change to ", reference, now_us);
 }
 
 void client_orders::reset_fault(std::uint64_t now_us)
@@ -62,24 +70,43 @@ void client_orders::reset_fault(std::uint64_t now_us)
 
 void client_orders::stop(rtuwire::altivar::stop_by how, std::string const& what, std::uint64_t now_us)
 {
-    if (stop_.conversation) {
-        log_.end(stop_.number, "a later stop took its place", false, now_us);
-    }
-    stop_.number = log_.add("stop: " + what, now_us);
+    replace(stop_, "stop: " + what, now_us);
     drive_->make(stop_.conversation, how);
 }
 
-void client_orders::converse(link& line, rtuwire::instant now, std::uint64_t now_us)
+void client_orders::converse(link& line, rtuwire::instant now)
 {
     std::size_t slot = 0;
     if (is_watching_) {
         drive_->watch(line, slot, now);
     }
-    attend(line, ++slot, set_time_out_, now, now_us);
-    attend(line, ++slot, start_, now, now_us);
-    attend(line, ++slot, change_, now, now_us);
-    attend(line, ++slot, reset_, now, now_us);
-    attend(line, ++slot, stop_, now, now_us);
+    attend(line, ++slot, set_time_out_, now);
+    attend(line, ++slot, start_, now);
+    attend(line, ++slot, change_, now);
+    attend(line, ++slot, reset_, now);
+    attend(line, ++slot, stop_, now);
+    note_standing(line, now);
+}
+
+/// What the watch says may be older than the end of a start, for two rounds at most, or until two have failed.
+void client_orders::note_standing(link const& line, rtuwire::instant now) noexcept
+{
+    constexpr rtuwire::duration two_rounds = rtuwire::milliseconds(1'500);
+    client_sight const seen = drive_->sight();
+    if (start_.conversation) {
+        rounds_of_start_ = seen.rounds;
+        end_of_start_ = now;
+        standing_ = standing::starting;
+        return;
+    }
+    bool const is_older = seen.rounds - rounds_of_start_ < 2 and not reached(now, end_of_start_ + two_rounds);
+    if (not line.is_ordered(unit)) {
+        standing_ = standing::none;
+    } else if (stop_.conversation or standing_ == standing::stopping) {
+        standing_ = standing::stopping;
+    } else if (standing_ != standing::starting or not is_older) {
+        standing_ = seen.is_linked and standing_ != standing::given_up ? standing::ordered : standing::given_up;
+    }
 }
 
 template <typename Order>
@@ -87,43 +114,59 @@ bool client_orders::is_free(given_order<Order>& order, std::string const& what, 
 {
     std::uint32_t const number = log_.add(what, now_us);
     if (order.conversation) {
-        log_.end(number, "not given: the one before has not ended", false, now_us);
+        log_.end(number, "not given: the one before has not ended", false);
         return false;
     }
     order.number = number;
     return true;
 }
 
+/// A newer one takes the place of one that has not ended.
 template <typename Order>
-void client_orders::give(given_order<Order>& order, std::int16_t decihertz, std::uint64_t now_us)
+void client_orders::replace(given_order<Order>& order, std::string const& what, std::uint64_t now_us)
 {
-    if (auto const wrong = drive_->make(order.conversation, decihertz); wrong != rtuwire::errc::none) {
-        log_.end(order.number, "not given: " + std::string{name(wrong)}, false, now_us);
+    if (order.conversation) {
+        log_.end(order.number, "a later one took its place", false);
+    }
+    order.number = log_.add(what, now_us);
+}
+
+template <typename Order>
+void client_orders::give(given_order<Order>& order, std::string what, asked_frequency const& reference,
+                         std::uint64_t now_us)
+{
+    bool const is_any = not reference.text.empty();
+    if (not is_free(order, what + (is_any ? reference.text + " Hz" : "no frequency"), now_us)) {
+        return;
+    }
+    auto const asked = frequency_of(reference.hertz);
+    auto const wrong = asked ? drive_->make(order.conversation, *asked) : asked.error();
+    if (wrong != rtuwire::errc::none) {
+        log_.end(order.number, "not given: " + (is_any ? std::string{name(wrong)} : "type a number first"), false);
     }
 }
 
 template <typename Order>
-void client_orders::attend(link& line, std::size_t slot, given_order<Order>& order, rtuwire::instant now,
-                           std::uint64_t now_us)
+void client_orders::attend(link& line, std::size_t slot, given_order<Order>& order, rtuwire::instant now)
 {
     if (not order.conversation) {
         return;
     }
     line.converse(slot, *order.conversation, now);
     if (order.conversation->settled()) {
-        end(*order.conversation, order.number, now_us);
+        end(*order.conversation, order.number);
         order.conversation.reset();
     }
 }
 
-void client_orders::end(request const& settled, std::uint32_t number, std::uint64_t now_us)
+void client_orders::end(request const& settled, std::uint32_t number)
 {
     auto const outcome = settled.outcome();
     bool const is_done = outcome.has_value();
-    log_.end(number, is_done ? "done" : std::string{name(outcome.error())}, is_done, now_us);
+    log_.end(number, is_done ? "done" : std::string{name(outcome.error())}, is_done);
 }
 
-template <typename Order> void client_orders::end(Order const& settled, std::uint32_t number, std::uint64_t now_us)
+template <typename Order> void client_orders::end(Order const& settled, std::uint32_t number)
 {
     rtuwire::altivar::reason const why = settled.reason();
     auto const text = rtuwire::altivar::text_of(why);
@@ -133,7 +176,7 @@ template <typename Order> void client_orders::end(Order const& settled, std::uin
         auto const& found = settled.supervision();
         outcome += found.finding == why.kind ? finding_text(drive_->catalog(), found) : std::string{};
     }
-    log_.end(number, outcome, why.kind == rtuwire::altivar::outcome_kind::succeeded, now_us);
+    log_.end(number, outcome, why.kind == rtuwire::altivar::outcome_kind::succeeded);
 }
 
 } // namespace playground

@@ -53,13 +53,14 @@ public:
                 watch_.frequency().count(), watch_.fault()};
     }
 
-    rtuwire::errc make(std::optional<rtuwire::altivar::start>& order, std::int16_t decihertz) const override
+    rtuwire::errc make(std::optional<rtuwire::altivar::start>& order, given_frequency reference) const override
     {
-        return make_with_reference(order, decihertz);
+        return make_with_reference(order, reference);
     }
-    rtuwire::errc make(std::optional<rtuwire::altivar::change_reference>& order, std::int16_t decihertz) const override
+    rtuwire::errc make(std::optional<rtuwire::altivar::change_reference>& order,
+                       given_frequency reference) const override
     {
-        return make_with_reference(order, decihertz);
+        return make_with_reference(order, reference);
     }
     void make(std::optional<rtuwire::altivar::stop>& order, rtuwire::altivar::stop_by how) const override
     {
@@ -69,9 +70,9 @@ public:
 
 private:
     template <typename Order>
-    static rtuwire::errc make_with_reference(std::optional<Order>& order, std::int16_t decihertz)
+    static rtuwire::errc make_with_reference(std::optional<Order>& order, given_frequency reference)
     {
-        auto const checked = hertz::checked(typename hertz::value_type{decihertz});
+        auto const checked = hertz::checked(reference);
         if (not checked) {
             return checked.error();
         }

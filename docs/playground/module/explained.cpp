@@ -20,9 +20,12 @@ std::optional<unsigned> digit_of(char letter)
     return at == digits.npos ? std::nullopt : std::optional{static_cast<unsigned>(at)};
 }
 
+/// Letters and digits of any writing: what is none of ours is no byte.
 bool is_word_character(char letter)
 {
-    return (letter >= '0' and letter <= '9') or (letter >= 'a' and letter <= 'z') or (letter >= 'A' and letter <= 'Z');
+    bool const is_foreign = static_cast<unsigned char>(letter) > 0x7F;
+    return is_foreign or (letter >= '0' and letter <= '9') or (letter >= 'a' and letter <= 'z') or
+           (letter >= 'A' and letter <= 'Z');
 }
 
 std::string flaw_at(std::size_t at, std::string_view why)
@@ -75,7 +78,6 @@ judgement judge(std::vector<std::byte> const& bytes, tool::drive_catalog const& 
 void put_frame(json_text& to, tool::decoded_frame const& frame)
 {
     to.open_object();
-    to.put("offset", frame.offset);
     to.put("hex", tool::hex_of(frame.bytes));
     to.put("crc", frame.has_right_crc);
     to.put("whole", frame.is_whole);
@@ -106,6 +108,10 @@ typed_bytes read_typed(std::string_view text)
     for (std::size_t at = 0; at < text.size();) {
         if (not is_word_character(text[at])) {
             ++at;
+            continue;
+        }
+        if (std::string_view const sign = text.substr(at, 2); sign == "0x" or sign == "0X") {
+            at += sign.size(); // as logs write bytes
             continue;
         }
         auto const high = digit_of(text[at]);

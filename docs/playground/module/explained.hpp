@@ -18,7 +18,7 @@ namespace playground {
 /// A decoded frame as an object.
 void put_frame(json_text& to, tool::decoded_frame const& frame);
 
-/// Hexadecimal digits in pairs, with anything between the pairs that is no letter and no digit.
+/// Hexadecimal digits in pairs, with "0x" before them, and anything between that is no letter and no digit.
 struct typed_bytes {
     std::vector<std::byte> bytes{};
     std::string flaw{}; ///< what cannot be read, and where; empty where nothing is wrong

@@ -22,16 +22,6 @@ std::string_view name_of(sender from)
     return "";
 }
 
-std::string_view name_of(rtuwire::frame_role role)
-{
-    switch (role) {
-    case rtuwire::frame_role::request: return "request";
-    case rtuwire::frame_role::response: return "response";
-    case rtuwire::frame_role::unknown: break;
-    }
-    return "unknown";
-}
-
 std::string_view name_of(rtuwire::frame_verdict verdict)
 {
     switch (verdict) {
@@ -52,12 +42,10 @@ void put_line(json_text& out, std::uint32_t number, seen_frame const& frame)
     out.put("begin", frame.begin_us);
     out.put("end", frame.end_us);
     out.put("from", name_of(frame.from));
-    out.put("role", name_of(frame.role));
     out.put("verdict", name_of(frame.verdict));
     out.put("unanswered", frame.is_unanswered);
     out.put("lost", frame.is_lost);
     out.put("exception", frame.is_exception);
-    out.put("response", frame.response_us);
     out.put("hex", tool::hex_of(frame.bytes));
     out.put("summary", frame.summary);
     out.close_object();

@@ -23,12 +23,10 @@ struct seen_frame {
     std::uint64_t begin_us{0}; ///< of its first byte
     std::uint64_t end_us{0};   ///< of its last byte
     sender from{sender::client};
-    rtuwire::frame_role role{rtuwire::frame_role::unknown};
     rtuwire::frame_verdict verdict{rtuwire::frame_verdict::good};
     bool is_unanswered{false}; ///< no frame: a request had no response
     bool is_lost{false};       ///< it did not get through the cable
     bool is_exception{false};
-    std::uint32_t response_us{0}; ///< from the request to its response
     std::vector<std::byte> bytes{};
     std::vector<std::byte> request{}; ///< of a response
     std::string summary{};

@@ -30,16 +30,12 @@ public:
     /// From here on frames are handed on; `taker` must outlive this end.
     void hand_to(frame_taker& taker) noexcept { taker_ = &taker; }
 
-    /// The bytes of a frame that has not ended yet.
-    [[nodiscard]] std::vector<std::byte> const& arriving() const noexcept { return arriving_; }
-
     /// Whether no frame is on the line, no request waits for its response, and the client does not go on at once.
     [[nodiscard]] bool is_free(rtuwire::instant now) const noexcept
     {
         constexpr rtuwire::duration pause = rtuwire::milliseconds(10);
         return arriving_.empty() and not is_asked_ and reached(now, last_ + pause);
     }
-    [[nodiscard]] bool is_asked() const noexcept { return is_asked_; }
 
     // As an end of the line.
     void receive(rtuwire::byte_view bytes, rtuwire::instant now) noexcept
@@ -76,7 +72,7 @@ private:
 
     rtuwire::line_listener listener_;
     frame_taker* taker_{nullptr};
-    std::vector<std::byte> arriving_{};
+    std::vector<std::byte> arriving_{}; ///< the bytes of a frame that has not ended yet
     rtuwire::instant last_{0};
     bool is_asked_{false};
 };

@@ -107,13 +107,15 @@ PLAYGROUND_EXPORT(playground_supervised) void playground_supervised(std::uint32_
     scene().set_supervised(is_supervised != 0);
 }
 
-PLAYGROUND_EXPORT(playground_start) void playground_start(std::int32_t decihertz)
+/// With any number, also none: what the drive cannot take is refused with its reason in the list of orders, which
+/// shows the number as it stands in the input.
+PLAYGROUND_EXPORT(playground_start) void playground_start(double hertz, std::uint32_t length)
 {
-    scene().start(static_cast<std::int16_t>(decihertz));
+    scene().start({hertz, std::string{typed(length)}});
 }
-PLAYGROUND_EXPORT(playground_change) void playground_change(std::int32_t decihertz)
+PLAYGROUND_EXPORT(playground_change) void playground_change(double hertz, std::uint32_t length)
 {
-    scene().change(static_cast<std::int16_t>(decihertz));
+    scene().change({hertz, std::string{typed(length)}});
 }
 PLAYGROUND_EXPORT(playground_stop) void playground_stop(std::uint32_t how)
 {

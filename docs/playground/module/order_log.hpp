@@ -19,7 +19,6 @@ struct noted_order {
     std::string outcome{}; ///< empty until it has ended
     bool is_done{false};   ///< it ended as it was meant to
     std::uint64_t given_us{0};
-    std::uint64_t ended_us{0};
 };
 
 class order_log {
@@ -33,13 +32,12 @@ public:
         return next_++;
     }
 
-    void end(std::uint32_t number, std::string outcome, bool is_done, std::uint64_t now_us)
+    void end(std::uint32_t number, std::string outcome, bool is_done)
     {
         for (noted_order& each : orders_) {
             if (each.number == number) {
                 each.outcome = std::move(outcome);
                 each.is_done = is_done;
-                each.ended_us = now_us;
             }
         }
     }
@@ -55,7 +53,6 @@ public:
             out.put("ended", not each.outcome.empty());
             out.put("done", each.is_done);
             out.put("given", each.given_us);
-            out.put("end", each.ended_us);
             out.close_object();
         }
         out.close_list();

@@ -35,6 +35,18 @@ std::string named(tool::drive_catalog const& drive, std::string_view code, std::
     return entry == nullptr ? std::string{} : tool::text_of(*entry, word);
 }
 
+std::string_view name_of(standing what)
+{
+    switch (what) {
+    case standing::none: break;
+    case standing::starting: return "starting";
+    case standing::ordered: return "ordered";
+    case standing::stopping: return "stopping";
+    case standing::given_up: return "given up";
+    }
+    return "none";
+}
+
 constexpr rtuwire::duration longest_run = rtuwire::milliseconds(1'000);
 
 } // namespace
@@ -68,8 +80,10 @@ void scene::switch_mains(bool on)
 {
     bool const comes_on = on and not end().is_on();
     end().switch_mains(on, bench_.now());
+    is_local_ = is_local_ and on and not comes_on;
     if (comes_on) {
         orders_.begin(now_us_);
+        make_fault(has_cause_);
     }
 }
 
@@ -86,30 +100,48 @@ void scene::cut(cable where)
 void scene::make_fault(bool present)
 {
     constexpr std::uint16_t overcurrent = 9; // LFT
-    if (present and end().is_on()) {
-        drive_->inject_fault(overcurrent);
-    } else if (not present) {
+    has_cause_ = present;
+    if (not present) {
         drive_->clear_cause();
+    } else if (end().is_on()) {
+        drive_->inject_fault(overcurrent);
     }
-    has_cause_ = present and end().is_on();
 }
 
 void scene::set_local(bool is_local)
 {
-    is_local_ = is_local;
-    drive_->set_local(is_local);
+    if (end().is_on()) {
+        is_local_ = is_local;
+        drive_->set_local(is_local);
+    }
+}
+
+void scene::press_stop()
+{
+    if (end().is_on()) {
+        drive_->press_stop();
+    }
 }
 
 void scene::set_supervised(bool is_supervised)
 {
     auto const& guards = layout().safeguards;
     bool const has_reaction = guards.sll != 0;
-    if (is_supervised != is_supervised_) {
-        reaction_ = is_supervised ? reaction_ : drive_->word(has_reaction ? "SLL" : "CMI");
-        std::uint16_t const off = has_reaction ? std::uint16_t{0} : guards.nto;
-        drive_->write(has_reaction ? guards.sll : layout().cmi, is_supervised ? reaction_ : off);
-        is_supervised_ = is_supervised;
+    constexpr std::uint16_t freewheel = 1; // SLL as delivered
+    auto const others = static_cast<std::uint16_t>(drive_->word("CMI") & ~guards.nto);
+    std::uint16_t const off = has_reaction ? std::uint16_t{0} : static_cast<std::uint16_t>(others | guards.nto);
+    if (end().is_on() and is_supervised != this->is_supervised()) {
+        drive_->write(has_reaction ? guards.sll : layout().cmi, not is_supervised ? off
+                                                                : has_reaction    ? freewheel
+                                                                                  : others);
     }
+}
+
+/// What the drive itself has, whoever wrote it.
+bool scene::is_supervised() const noexcept
+{
+    auto const& guards = layout().safeguards;
+    return guards.sll != 0 ? drive_->word("SLL") != 0 : (drive_->word("CMI") & guards.nto) == 0;
 }
 
 void scene::stop(stop_by how)
@@ -123,8 +155,20 @@ void scene::stop(stop_by how)
 
 void scene::keep_time(rtuwire::instant now) noexcept
 {
+    turn_shaft((now - last_).microseconds);
     now_us_ += (now - last_).microseconds;
     last_ = now;
+}
+
+/// With power the motor follows the output; without, it coasts, here to rest from 50 Hz in ten seconds.
+void scene::turn_shaft(std::uint32_t passed_us) noexcept
+{
+    constexpr std::uint32_t step_us = 200; // for each mHz
+    auto const lost = static_cast<std::int32_t>((now_us_ + passed_us) / step_us - now_us_ / step_us);
+    bool const has_power = end().is_on() and rtuwire::cia402::has_power(drive_->state());
+    std::int32_t const forwards = shaft_ > lost ? shaft_ - lost : 0;
+    std::int32_t const backwards = shaft_ < -lost ? shaft_ + lost : 0;
+    shaft_ = has_power ? drive_->frequency() : shaft_ > 0 ? forwards : backwards;
 }
 
 /// A time of the line: a byte may have ended since the last pass.
@@ -139,7 +183,7 @@ void scene::visit(rtuwire::instant now)
 {
     keep_time(now);
     typed().note_line(tap().is_free(now));
-    orders_.converse(bench_.link(), now, now_us_);
+    orders_.converse(bench_.link(), now);
     if (auto const bytes = end().take_unheard(); not bytes.empty()) {
         note_unheard(bytes, now);
     }
@@ -154,12 +198,10 @@ void scene::take(rtuwire::heard_frame const& heard)
                     .from = is_typed     ? sender::person
                             : is_request ? sender::client
                                          : sender::drive,
-                    .role = heard.frame.role,
                     .verdict = heard.frame.verdict,
                     .is_unanswered = heard.is_unanswered,
                     .is_lost = is_request and not end().hears(),
                     .is_exception = heard.is_exception(),
-                    .response_us = heard.response_time.microseconds,
                     .bytes = {heard.frame.bytes.begin(), heard.frame.bytes.end()},
                     .request = {heard.request.begin(), heard.request.end()},
                     .summary = tool::summary_of(heard, &catalog())};
@@ -177,7 +219,6 @@ void scene::note_unheard(std::vector<std::byte> const& bytes, rtuwire::instant n
     frames_.add({.begin_us = us_of(now),
                  .end_us = us_of(now) + line_speed.characters(bytes.size()).microseconds,
                  .from = sender::drive,
-                 .role = rtuwire::frame_role::response,
                  .is_lost = true,
                  .is_exception = heard.is_exception(),
                  .bytes = bytes,
@@ -197,21 +238,13 @@ std::string scene::state()
     json_text out;
     out.open_object();
     out.put("time", now_us_);
-    put_line(out);
+    out.put("cable", static_cast<unsigned>(cable_));
     put_drive(out);
     put_client(out);
     orders_.log().put(out);
     out.put("frames", frames_.end());
     out.close_object();
     return out.text();
-}
-
-void scene::put_line(json_text& out)
-{
-    out.put("cable", static_cast<unsigned>(cable_));
-    out.put("arriving", tap().arriving().size());
-    out.put("asked", tap().is_asked());
-    out.put("waiting", typed().is_waiting());
 }
 
 void scene::put_drive(json_text& out)
@@ -222,17 +255,21 @@ void scene::put_drive(json_text& out)
     out.put("state", is_on ? std::string_view{name_of(drive_->state())} : std::string_view{});
     out.put("last", is_on ? std::string_view{name_of(drive_->last_transition())} : std::string_view{});
     out.put("frequency", is_on ? drive_->frequency() : 0);
+    out.put("power", is_on and rtuwire::cia402::has_power(drive_->state()));
+    out.put("halted", is_on and (drive_->word("CMD") & layout().halt) != 0);
+    out.put("shaft", shaft_);
     out.put("reference", is_on ? static_cast<std::int16_t>(drive_->word("LFR")) : std::int16_t{0});
     out.put("command", tool::hex_word(drive_->word("CMD")));
     out.put("status", tool::hex_word(drive_->word("ETA")));
     out.put("statusText", tool::bits_text(*catalog().by_code("ETA"), drive_->word("ETA")));
     out.put("current", named(catalog(), "LCR", drive_->word("LCR")));
     out.put("fault", is_on and drive_->fault() != 0 ? named(catalog(), "LFT", drive_->fault()) : std::string{});
+    out.put("lineFault", is_on and drive_->fault() == rtuwire::sim::link_fault);
     out.put("cause", has_cause_);
     out.put("local", is_local_);
-    out.put("supervised", is_supervised_);
+    out.put("supervised", is_supervised());
     out.put("timeout", time_out_us());
-    out.put("silence", is_on and end().has_heard() ? end().silence(bench_.now()).microseconds : 0U);
+    out.put("silence", is_on and end().has_heard() ? end().silence().microseconds : 0U);
     out.close_object();
 }
 
@@ -246,7 +283,7 @@ void scene::put_client(json_text& out)
     out.put("state", std::string_view{name_of(seen.state)});
     out.put("frequency", seen.frequency);
     out.put("fault", seen.fault == 0 ? std::string{} : named(catalog(), "LFT", seen.fault));
-    out.put("ordered", bench_.link().is_ordered(unit));
+    out.put("order", name_of(orders_.standing()));
     out.close_object();
 }
 
@@ -255,9 +292,6 @@ std::string scene::description() const
     json_text out;
     out.open_object();
     out.put("name", catalog().name);
-    out.put("unit", unit.byte());
-    out.put("reference", catalog().reference);
-    out.put("highest", drive_->word("HSP"));
     out.put("cmd", layout().cmd);
     out.put("eta", layout().eta);
     out.open_list("stops");

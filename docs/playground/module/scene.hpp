@@ -42,15 +42,17 @@ public:
     // At the drive.
     void switch_mains(bool on);
     void cut(cable where);
+    /// The cause of an overcurrent, which the mains do not remove.
     void make_fault(bool present);
+    // Its keypad, which does nothing without mains.
     void set_local(bool is_local);
-    void press_stop() { drive_->press_stop(); }
-    /// Whether it trips when its line goes silent: its setting, as somebody changes it at its keypad.
+    void press_stop();
+    /// Whether it trips when its line goes silent: its setting, which a loss of mains takes back.
     void set_supervised(bool is_supervised);
 
     // At the client: orders, which end on their own and say how.
-    void start(std::int16_t decihertz) { orders_.start(decihertz, now_us_); }
-    void change(std::int16_t decihertz) { orders_.change(decihertz, now_us_); }
+    void start(asked_frequency const& reference) { orders_.start(reference, now_us_); }
+    void change(asked_frequency const& reference) { orders_.change(reference, now_us_); }
     void stop(rtuwire::altivar::stop_by how);
     void reset_fault() { orders_.reset_fault(now_us_); }
 
@@ -81,8 +83,9 @@ private:
     void visit(rtuwire::instant now);
     void take(rtuwire::heard_frame const& heard) override;
     void note_unheard(std::vector<std::byte> const& bytes, rtuwire::instant now);
+    void turn_shaft(std::uint32_t passed_us) noexcept;
+    bool is_supervised() const noexcept;
     std::uint32_t time_out_us() const noexcept;
-    void put_line(json_text& out);
     void put_drive(json_text& out);
     void put_client(json_text& out);
 
@@ -93,11 +96,10 @@ private:
     std::vector<std::byte> last_request_{};
     std::uint64_t now_us_{0};
     rtuwire::instant last_{0};
-    std::uint16_t reaction_{0}; ///< what the drive did on a lost link before that was switched off
+    std::int32_t shaft_{0}; ///< what the motor turns at, in mHz of the output
     cable cable_{cable::whole};
     bool has_cause_{false};
     bool is_local_{false};
-    bool is_supervised_{true};
 };
 
 } // namespace playground

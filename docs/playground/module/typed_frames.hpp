@@ -21,8 +21,6 @@ public:
     /// Says in each pass whether the line is free.
     void note_line(bool is_free) noexcept { is_free_ = is_free; }
 
-    [[nodiscard]] bool is_waiting() const noexcept { return not waiting_.empty(); }
-
     /// Whether it sent these bytes last; true once.
     [[nodiscard]] bool take_sent(rtuwire::byte_view bytes) noexcept
     {

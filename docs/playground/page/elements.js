@@ -26,7 +26,16 @@ function makeSvg(name, attributes = {}, ...children) {
 }
 
 /// Announced by a screen reader: orders and trips, never single frames.
-function say(text) { setText("said", text); }
+let toSay = [];
+function say(text) { toSay.push(text); }
+
+/// All that was to be said since the last time, at once; the same words again differ by a space, so that they are announced.
+function announce() {
+  if (toSay.length === 0) return;
+  const text = toSay.join(". ");
+  toSay = [];
+  setText("said", byId("said").textContent === text ? text + "\u00a0" : text);
+}
 
 const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const seconds = (microseconds, digits = 3) => (microseconds / 1e6).toFixed(digits) + " s";

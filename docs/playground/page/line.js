@@ -69,14 +69,23 @@ class LogView {
       make("td", { class: "hex" }, frame.hex), make("td", {}, choose));
     choose.addEventListener("click", () => this.choose(frame.number, row));
     this.body.prepend(row);
-    while (this.body.rows.length > 150) this.body.lastElementChild.remove();
+    this.forget();
+  }
+
+  /// Keeps the newest rows, and the one that a keyboard stands on.
+  forget() {
+    const most = 150, rows = this.body.rows;
+    for (let at = rows.length - 1; at > 0 && rows.length > most; --at) {
+      if (!rows[at].contains(document.activeElement)) rows[at].remove();
+    }
   }
 
   choose(number, row) {
     for (const each of this.body.querySelectorAll(".chosen")) each.classList.remove("chosen");
     row.classList.add("chosen");
     const frames = this.engine.explain(number).frames;
-    byId("detail").replaceChildren(...frames.flatMap(fieldsOf));
+    byId("detail").replaceChildren(...(frames.length ? frames.flatMap(fieldsOf)
+      : [make("p", { class: "quiet" }, "It is too old: its fields are not kept.")]));
   }
 }
 
@@ -85,19 +94,31 @@ const judgements = {
   "crc missing": ["open", "A whole request but for its CRC, which would be "],
   "crc wrong": ["bad", "The CRC is wrong; right is "],
   "not a frame": ["open", "No whole frame yet."],
+  "frames": ["good", "Whole frames, and their CRCs are right."],
 };
+
+const isGood = (frame) => frame.whole && frame.crc && !frame.readings[0]?.flaw;
+
+function judged(found, text) {
+  if (found.flaw) return ["bad", found.flaw];
+  if (found.size === 0) return ["", text.trim() === "" ? "Nothing typed yet." : "No byte in it yet."];
+  const isMany = found.frames.length > 1 && found.frames.every(isGood);
+  const [kind, words] = judgements[isMany ? "frames" : found.kind];
+  return [kind, words + found.offer.split(" ").slice(-2).join(" ")];
+}
 
 class DecodeView {
   constructor(engine) {
     this.engine = engine;
-    byId("bytes").addEventListener("input", () => this.show());
+    byId("bytes").addEventListener("input", () => { byId("example").value = ""; this.show(); });
     byId("offer").addEventListener("click", () => { byId("bytes").value = this.offer; this.show(); byId("bytes").focus(); });
     byId("send").addEventListener("click", () => {
-      if (this.engine.send(byId("bytes").value)) say("Your bytes leave as soon as the line is free.");
+      if (!this.engine.send(byId("bytes").value)) return;
+      say("Your bytes leave as soon as the line is free.");
+      announce();
     });
     byId("example").addEventListener("change", (event) => {
       if (event.target.value) { byId("bytes").value = event.target.value; this.show(); }
-      event.target.value = "";
     });
   }
 
@@ -119,10 +140,9 @@ class DecodeView {
   show() {
     const found = this.engine.decode(byId("bytes").value);
     this.offer = found.offer;
-    const [kind, text] = judgements[found.kind];
-    const judged = byId("judged");
-    judged.className = "judged " + (found.flaw ? "bad" : found.size ? kind : "");
-    judged.textContent = found.flaw || (found.size === 0 ? "Nothing typed yet." : text + (found.offer && found.offer.split(" ").slice(-2).join(" ")));
+    const [kind, text] = judged(found, byId("bytes").value);
+    byId("judged").className = "judged " + kind;
+    byId("judged").textContent = text;
     byId("offer").disabled = found.offer === "";
     byId("send").disabled = found.size === 0 || found.flaw !== "";
     byId("typed").replaceChildren(...(found.size ? found.frames.flatMap(fieldsOf) : []));

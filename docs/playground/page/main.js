@@ -20,12 +20,14 @@ requestAnimationFrame(() => setTimeout(async () => {
     const state = engine.state();
     log.take();
     const recent = log.frames.slice(-60);
+    showControls(state.drive);
     scene.turn(state);
     scene.show(state, recent);
     machine.show(state.drive);
     curves.note(state);
     curves.draw(state.time);
     drawStrip(recent, state, speed);
+    announce();
     setText("time", seconds(state.time));
     setText("v-frequency", hertz(state.drive.frequency));
     setText("v-reference", (state.drive.reference / 10).toFixed(1) + " Hz");
@@ -34,6 +36,15 @@ requestAnimationFrame(() => setTimeout(async () => {
     setText("v-status", state.drive.on ? state.drive.status : "–");
     setText("v-command", state.drive.on ? state.drive.command : "–");
     setText("v-bits", state.drive.on ? `Status: ${state.drive.statusText}` : "");
+  }
+
+  /// The controls show what the module says of the drive, not what was pressed last: a loss of mains takes settings back.
+  function showControls(drive) {
+    press("mains", drive.on);
+    press("fault", drive.cause);
+    press("local", drive.local);
+    byId("supervised").checked = drive.supervised;
+    for (const id of ["local", "key", "supervised"]) byId(id).disabled = !drive.on;
   }
 
   function trapped(problem) {
@@ -58,18 +69,14 @@ requestAnimationFrame(() => setTimeout(async () => {
 
   /// Something a person does; shown at once, even while time stands.
   const on = (id, event, act) => byId(id).addEventListener(event, (how) => { act(how); show(); });
-  const toggle = (id, act) => on(id, "click", () => {
-    const isOn = byId(id).getAttribute("aria-pressed") !== "true";
-    byId(id).setAttribute("aria-pressed", String(isOn));
-    act(isOn);
-  });
-  const decihertz = () => Math.round(Number(byId("hertz").value) * 10);
+  const press = (id, isOn) => byId(id).setAttribute("aria-pressed", String(isOn));
+  const toggle = (id, act) => on(id, "click", () => act(byId(id).getAttribute("aria-pressed") !== "true"));
+  /// What was typed, as it is: no number is none, and no limit is applied. The drive's register refuses.
+  const typed = () => byId("hertz").valueAsNumber;
   const setHertz = (value) => { byId("hertz").value = value; byId("slider").value = value; };
 
   function open(index) {
     engine.open(index);
-    for (const id of ["mains", "fault", "local"]) byId(id).setAttribute("aria-pressed", "false");
-    byId("supervised").checked = true;
     document.querySelector("input[name=cable][value='0']").checked = true;
     const drive = engine.describe();
     setText("p-name", drive.name.toUpperCase().replace("_", " "));
@@ -88,17 +95,17 @@ requestAnimationFrame(() => setTimeout(async () => {
   toggle("local", (isOn) => engine.local(isOn));
   on("key", "click", () => engine.stopKey());
   on("supervised", "change", (event) => engine.supervised(event.target.checked));
-  on("start", "click", () => engine.start(decihertz()));
-  on("change", "click", () => engine.change(decihertz()));
-  on("reverse", "click", () => { setHertz(-Number(byId("hertz").value)); engine.change(decihertz()); });
+  on("start", "click", () => engine.start(typed()));
+  on("change", "click", () => engine.change(typed()));
+  on("reverse", "click", () => { if (!Number.isNaN(typed())) setHertz(0 - typed()); engine.change(typed()); });
   on("stop", "click", () => engine.stop(Number(byId("how").value)));
   on("reset", "click", () => engine.reset());
   on("cable", "change", (event) => engine.cable(Number(event.target.value)));
   on("slider", "input", (event) => { byId("hertz").value = event.target.value; });
   on("hertz", "input", (event) => { byId("slider").value = event.target.value; });
-  toggle("pause", (isOn) => { isPaused = isOn; });
+  toggle("pause", pause);
   on("speed", "change", (event) => { speed = Number(event.target.value); });
-  on("frame", "click", () => { pause(); engine.nextFrame(); });
+  on("frame", "click", () => { pause(true); engine.nextFrame(); });
   on("second", "click", () => {
     const step = 20000;
     for (let passed = 0; passed < 1000000; passed += step) {
@@ -106,7 +113,7 @@ requestAnimationFrame(() => setTimeout(async () => {
       curves.note(engine.state());
     }
   });
-  function pause() { isPaused = true; byId("pause").setAttribute("aria-pressed", "true"); }
+  function pause(isOn) { isPaused = isOn; press("pause", isOn); }
   addEventListener("resize", () => show());
 
   open(engine.drives().length - 1);

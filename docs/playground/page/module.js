@@ -19,6 +19,8 @@ async function loadModule(moduleText) {
     new Uint8Array(api.memory.buffer).set(bytes, input);
     return bytes.length;
   };
+  /// How the list of orders shows a number; empty where it is none.
+  const shown = (hertz) => Number.isNaN(hertz) ? "" : Number.isInteger(hertz) ? hertz.toFixed(1) : String(hertz);
   return {
     drives: () => parsed(api.playground_drives()),
     open: (drive) => api.playground_open(drive) === 1,
@@ -38,8 +40,8 @@ async function loadModule(moduleText) {
     local: (isLocal) => api.playground_local(isLocal ? 1 : 0),
     stopKey: () => api.playground_stop_key(),
     supervised: (is) => api.playground_supervised(is ? 1 : 0),
-    start: (decihertz) => api.playground_start(decihertz),
-    change: (decihertz) => api.playground_change(decihertz),
+    start: (hertz) => api.playground_start(hertz, put(shown(hertz))),
+    change: (hertz) => api.playground_change(hertz, put(shown(hertz))),
     stop: (how) => api.playground_stop(how),
     reset: () => api.playground_reset(),
     decode: (text) => parsed(api.playground_decode(put(text))),

@@ -16,6 +16,7 @@ class SceneView {
     this.showSilence(state.drive);
     this.showOrders(state.orders);
     setText("now", sentenceOf(state));
+    this.showPlainly();
     this.time = state.time;
   }
 
@@ -23,17 +24,23 @@ class SceneView {
     const isWatching = client.rounds > 0;
     setText("p-client", client.linked ? client.state : isWatching ? "no link" : "knows nothing");
     setText("p-client-2", client.linked ? `reads ${(client.frequency / 10).toFixed(1)} Hz` : client.error && client.error !== "busy" ? client.error : "");
-    const runs = client.state === "operation enabled" ? "ordered it to run" : "had ordered it to run";
-    setText("p-order", !client.ordered ? "no order" : client.linked ? runs : "it may still run");
+    setText("p-order", orderText(client));
+  }
+
+  /// The picture's texts again, for a screen on which they are too small.
+  showPlainly() {
+    const joined = (...ids) => ids.map((id) => byId(id).textContent).filter((each) => each !== "").join(", ");
+    setText("t-client", joined("p-client", "p-client-2", "p-order"));
+    setText("t-drive", joined("p-state", "p-freq", "p-fault"));
+    setText("t-motor", joined("p-motor"));
   }
 
   showDrive(drive) {
-    const isTurning = drive.frequency !== 0;
     byId("p-drive-box").setAttribute("class", !drive.on ? "off" : drive.fault ? "fault" : drive.state === "operation enabled" ? "running" : "");
     setText("p-state", drive.on ? drive.state : "off");
     setText("p-freq", hertz(drive.frequency));
     setText("p-fault", !drive.on ? "no mains" : drive.fault || (drive.local ? "local control" : "no fault"));
-    setText("p-motor", !isTurning ? "stands" : drive.frequency > 0 ? "turns forward" : "turns in reverse");
+    setText("p-motor", motorText(drive));
     if (drive.fault && drive.fault !== this.fault) say(`The drive trips: ${drive.fault}`);
     this.fault = drive.fault;
   }
@@ -41,7 +48,7 @@ class SceneView {
   turn(state) {
     if (wantsStillness.matches) return;
     // Slower than the motor, so that the eye can follow.
-    this.angle = (this.angle + (state.time - this.time) / 1e6 * state.drive.frequency / 1000 * 360 / 40) % 360;
+    this.angle = (this.angle + (state.time - this.time) / 1e6 * state.drive.shaft / 1000 * 360 / 40) % 360;
     byId("rotor").setAttribute("transform", `rotate(${this.angle.toFixed(1)} 812 98)`);
   }
 
@@ -94,17 +101,62 @@ class SceneView {
   }
 }
 
-function sentenceOf({ drive, client, cable }) {
-  if (!drive.on) return "The drive has no mains. Choose a type and press Power.";
-  if (drive.fault && !client.linked && cable !== 0) return "The drive heard nothing for its time-out and tripped by itself. The motor has no power. Mend the cable: nothing resumes.";
-  if (drive.fault && drive.cause) return "The drive has tripped, and the cause is still there: a reset has no effect until Overcurrent is switched off.";
-  if (drive.fault) return "The drive is in fault. The client sees it, and starts nothing by itself: reset the fault, then start again.";
-  if (cable !== 0 && !client.linked && drive.frequency !== 0) return "The client got no answers. It has given its order up and keeps silent, so that the drive's own time-out can run out. The motor still turns until then.";
-  if (cable !== 0) return "The cable is cut. What the client believes and what the drive does are two things now: compare the boxes.";
+function orderText(client) {
+  if (client.order === "none") return "no order";
+  if (client.order === "starting") return "starts it";
+  if (!client.linked) return "it may still run";
+  if (client.order === "stopping") return "ordered it to stop";
+  return client.order === "ordered" && client.state === "operation enabled" ? "ordered it to run" : "had ordered it to run";
+}
+
+/// What the motor does, which is not what the drive puts out: without power it coasts.
+function motorText(drive) {
+  if (drive.shaft === 0) return "stands";
+  return !drive.power ? "no power: it coasts" : drive.shaft > 0 ? "turns forward" : "turns in reverse";
+}
+
+/// The first that is true; what can hurt comes first.
+function sentenceOf(state) {
+  const { drive, client, cable } = state;
+  if (!drive.on) return drive.shaft ? `The drive has no mains. ${coasting}` : "The drive has no mains. Choose a type and press Power.";
+  if (drive.fault) return faultSentence(state);
+  if (drive.power && drive.shaft && !client.linked && cable) return unheardSentence(state);
+  if (cable) return `The cable is cut. What the client believes and what the drive does are two things now: compare the boxes.${drive.shaft && !drive.power ? " " + coasting : ""}`;
+  if (drive.shaft && !drive.power) return coasting;
+  if (drive.power && drive.shaft && ["none", "given up"].includes(client.order)) return strayingSentence(client);
   if (drive.local) return "Somebody took the drive over at its keypad. Orders from the line are refused with that reason.";
-  if (!drive.supervised) return "The drive would run on if its line went silent. The library refuses to start it.";
-  if (drive.state === "operation enabled" && drive.frequency === 0) return "Operation is enabled. The motor follows its reference.";
-  if (drive.frequency !== 0 && drive.state === "operation enabled") return "The motor runs. The client reads the drive five times a second; each request restarts the drive's time-out.";
+  if (!drive.supervised) return drive.power ? "The motor runs on if the line goes silent: the drive's time-out was switched off after the start." : "The drive would run on if its line went silent. The library refuses to start it.";
+  if (drive.state === "operation enabled" && drive.halted && !drive.shaft) return "The motor is halted: it has power and its old reference, and any word 000F turns it again. Press Stop with \"on the ramp\" unless somebody waits beside it.";
+  if (drive.state === "operation enabled" && !drive.shaft) return "Operation is enabled. The motor follows its reference.";
+  if (drive.state === "operation enabled") return "The motor runs. The client reads the drive five times a second; each request restarts the drive's time-out.";
   if (drive.state === "switch on disabled") return "The drive stands, and no stray word can start it. Start it, or send a request of your own.";
   return `The drive is in "${drive.state}".`;
+}
+
+const coasting = "The motor has no power: it coasts, and nothing brakes it. A real machine may do so for minutes.";
+
+function faultSentence({ drive, client, cable }) {
+  const motor = drive.power ? "It is stopping the motor." : drive.shaft ? coasting : "The motor has no power.";
+  const cause = drive.lineFault ? "The drive heard nothing for its time-out and tripped by itself." : "The drive has tripped.";
+  if (drive.cause) return `${cause} ${motor} Overcurrent is still there: a reset has no effect until it is switched off.`;
+  if (!client.linked && cable) return `${cause} ${motor} The client does not see it. Mend the cable: nothing resumes.`;
+  return `${cause} ${motor} The client starts nothing by itself: reset the fault, then start again.`;
+}
+
+/// The motor turns, and the client gets no answers.
+function unheardSentence({ drive, client, cable }) {
+  const isReached = cable === 3; // what it sends arrives
+  const cause = client.order === "none" ? "The client gets no answers. It never ordered this motor to run, and goes on asking."
+    : client.order === "stopping" ? "The client ordered it to stop, and gets no answers."
+      : "The client got no answers. It has given its order up and keeps silent, so that the drive's own time-out can run out.";
+  if (!drive.supervised) return `${cause} But the drive's time-out is switched off: the motor turns until somebody stops it at the drive, or the cable is mended and Stop is pressed.`;
+  if (client.order === "none" && isReached) return `${cause} Each request arrives and restarts the drive's time-out: the motor goes on.`;
+  return `${cause} The motor turns until that time-out is over.`;
+}
+
+/// The motor turns, and the client reads it without an order of its own.
+function strayingSentence(client) {
+  const cause = client.order === "none" ? "The motor runs, and not by an order of this client."
+    : "The motor runs without an order: the client gave its own up when it got no answers, and resumes nothing.";
+  return `${cause} Its reads keep the drive's time-out from running out. Press Stop.`;
 }

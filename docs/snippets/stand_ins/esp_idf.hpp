@@ -37,3 +37,5 @@ inline int uart_read_bytes(uart_port_t, void* place, std::uint32_t size, TickTyp
     }
     return count;
 }
+
+using stand_in::show; // what the page leaves to its reader

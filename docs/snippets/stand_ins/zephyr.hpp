@@ -19,8 +19,9 @@ inline uart_callback on_uart{nullptr};
 #define DEVICE_DT_GET(node) (&stand_in::uart)
 #define K_USEC(count) rtuwire::microseconds(count)
 
-inline std::uint32_t k_cycle_get_32() { return stand_in::line.now().microseconds; }
-inline std::uint32_t k_cyc_to_us_floor32(std::uint32_t cycles) { return cycles; }
+// Ticks of 100 us; the board has been on for so long that 32 bits of microseconds wrap in 7 ms.
+inline std::int64_t k_uptime_ticks() { return 42'949'600 + stand_in::line.now().microseconds / 100; }
+inline std::uint64_t k_ticks_to_us_floor64(std::uint64_t ticks) { return ticks * 100; }
 inline int gpio_pin_set_dt(gpio_dt_spec const*, int) { return 0; }
 inline int uart_irq_callback_user_data_set(device const*, uart_callback call, void*)
 {
@@ -55,3 +56,5 @@ inline void k_sleep(rtuwire::duration length)
     stand_in::line.wait(length);
     stand_in::on_uart(&stand_in::uart, nullptr);
 }
+
+using stand_in::show; // what the page leaves to its reader
