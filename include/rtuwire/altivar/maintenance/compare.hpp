@@ -42,7 +42,7 @@ enum class comparison : std::uint8_t {
 [[nodiscard]] constexpr comparison compared(parameter const& row, std::optional<std::uint16_t> wanted,
                                             std::optional<std::uint16_t> held) noexcept
 {
-    if (not is_setting(role_of(row))) {
+    if (not is_restorable(role_of(row))) {
         return comparison::not_compared;
     }
     if (not wanted) {
@@ -74,5 +74,6 @@ private:
     Wanted wanted_;
     Report report_;
 };
+template <typename Wanted, typename Report> compared_with(Wanted, Report) -> compared_with<Wanted, Report>;
 
 } // namespace rtuwire::altivar

@@ -25,7 +25,10 @@ public:
     /// The family that a text names.
     [[nodiscard]] static constexpr drive_family of(literal text) noexcept
     {
-        return taken(text.size(), [&](std::size_t at) { return text[at]; });
+        drive_family found;
+        for (std::size_t i = 0; i < text.size() and found.push(text[i]); ++i) {
+        }
+        return found.whole();
     }
 
     /// The same of a text that is known when the program runs: a std::string_view, a std::string.
@@ -33,13 +36,19 @@ public:
         requires requires(Text const& text) { requires std::same_as<decltype(text[text.size() - 1]), char const&>; }
     [[nodiscard]] static constexpr drive_family of(Text const& text) noexcept
     {
-        return taken(text.size(), [&](std::size_t at) { return text[at]; });
+        drive_family found;
+        for (std::size_t i = 0; i < text.size() and found.push(text[i]); ++i) {
+        }
+        return found.whole();
     }
 
     /// The same of a text as it came over the line.
     [[nodiscard]] static constexpr drive_family of(byte_view text) noexcept
     {
-        return taken(text.size(), [&](std::size_t at) { return static_cast<char>(to_u8(text[at])); });
+        drive_family found;
+        for (std::size_t i = 0; i < text.size() and found.push(static_cast<char>(to_u8(text[i]))); ++i) {
+        }
+        return found.whole();
     }
 
     [[nodiscard]] constexpr bool is_known() const noexcept { return size_ != 0; }
@@ -54,24 +63,23 @@ private:
         return what >= 'a' and what <= 'z' ? static_cast<char>(what - 'a' + 'A') : what;
     }
 
-    template <typename At> static constexpr drive_family taken(std::size_t size, At const& at) noexcept
+    /// Takes one more character; whether the next one may belong to the family, too.
+    constexpr bool push(char what) noexcept
     {
-        drive_family found;
-        bool has_number = false;
-        for (std::size_t i = 0; i < size; ++i) {
-            char const each = upper(at(i));
-            bool const is_part = is_digit(each) ? i > 0 : is_letter(each) and not has_number;
-            if (not is_part) {
-                break;
-            }
-            if (found.size_ == found.text_.size()) {
-                return {};
-            }
-            has_number = has_number or is_digit(each);
-            found.text_[found.size_++] = each;
+        char const each = upper(what);
+        bool const is_part = is_digit(each) ? size_ > 0 : is_letter(each) and not has_number();
+        if (is_part and size_ == text_.size()) {
+            size_ = 0; // too long for any
+            return false;
         }
-        return has_number ? found : drive_family{};
+        if (is_part) {
+            text_[size_++] = each;
+        }
+        return is_part;
     }
+
+    [[nodiscard]] constexpr bool has_number() const noexcept { return size_ > 0 and is_digit(text_[size_ - 1U]); }
+    [[nodiscard]] constexpr drive_family whole() const noexcept { return has_number() ? *this : drive_family{}; }
 
     std::array<char, 8> text_{};
     std::uint8_t size_{0};

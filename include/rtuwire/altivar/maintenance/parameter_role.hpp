@@ -37,7 +37,7 @@ enum class parameter_role : std::uint8_t {
 };
 
 /// Whether a parameter of this role belongs to a configuration, and may be restored at all.
-[[nodiscard]] constexpr bool is_setting(parameter_role role) noexcept { return role < parameter_role::read_only; }
+[[nodiscard]] constexpr bool is_restorable(parameter_role role) noexcept { return role < parameter_role::read_only; }
 
 /// Parameters of one role for one reason: their mnemonics, with a space between.
 /// Internal.

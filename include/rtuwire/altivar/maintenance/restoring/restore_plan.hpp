@@ -41,8 +41,8 @@ private:
 };
 
 /// The agenda of one restore, and its parameters. A section of the agenda is gone through again while it writes
-/// something, and the whole agenda while the verification finds another set of parameters wrong than those that the
-/// drive had refused.
+/// something, and so is the whole agenda while the verification finds something wrong. Where it finds others wrong at
+/// the end than those that were told, it tells them.
 template <typename Words, typename Report> class restore_plan {
 public:
     constexpr restore_plan(parameter_map const& its_map, wanted_settings<Words> const& wanted, Report its_report,
@@ -180,20 +180,24 @@ private:
         round_ = 1;
     }
 
-    /// After a verification: all is as it was told, or it begins again, or tells at last what is wrong.
+    /// After a verification: all is as it was told; or it begins again, or tells at last what is wrong.
     constexpr bool verify_is_over() noexcept
     {
         if (options_.dry_run) {
             wrong_ = refused_;
-        }
-        if (wrong_ == refused_ or tells_wrong_) {
             return true;
         }
-        tells_wrong_ = turn_ == most_turns;
-        if (not tells_wrong_) {
+        bool const may_mend = written_ != written_before_ and turn_ < most_turns and not tells_wrong_;
+        bool const is_told = tells_wrong_ or wrong_ == refused_;
+        if (wrong_.count() == 0 or (is_told and not may_mend)) {
+            return true;
+        }
+        tells_wrong_ = not may_mend;
+        if (may_mend) {
             ++turn_;
             at_ = 1;
             refused_ = {};
+            written_before_ = written_;
         }
         wrong_ = {};
         return false;
@@ -229,7 +233,8 @@ private:
     row_set refused_{};  ///< of the last round of each section
     row_set wrong_{};    ///< by the verification
     std::uint16_t written_{0};
-    std::uint16_t written_here_{0}; ///< in this round
+    std::uint16_t written_here_{0};   ///< in this round
+    std::uint16_t written_before_{0}; ///< before this turn
     std::uint8_t at_{0};
     std::uint8_t round_{1};
     std::uint8_t turn_{1};

@@ -25,7 +25,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// | write        | confirmed               | read back |                                                |
 /// |              | confirmed, of the link  | the next  | not_read_back                                  |
 /// |              | exception               | read back |                                                |
-/// |              | no response             | read back | of the link: end, unconfirmed                  |
+/// |              | no response             | read back |                                                |
 /// |              | never sent              | end       | not_reached                                    |
 /// |              | other                   | end       | unconfirmed                                    |
 /// | read back    | the wanted word         | the next  | written                                        |
@@ -64,10 +64,7 @@ public:
     constexpr verdict fail(errc error) noexcept
     {
         error_ = error;
-        if (is_exception(error)) {
-            return is_of_link_ ? tell(restore_outcome::refused, error, verdict::next) : verdict::read_back;
-        }
-        return is_silence(error) and not is_of_link_ ? verdict::read_back : lose(error);
+        return is_exception(error) or is_silence(error) ? verdict::read_back : lose(error);
     }
 
     /// It was read back.
