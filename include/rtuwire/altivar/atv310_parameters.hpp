@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // The door to all parameters of the ATV310: typed access by `station<full_device>`, and rows to walk. It has all that
-// altivar/atv310.hpp has.
+// altivar/atv310.hpp has, and the menu numbers.
 #pragma once
 
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/parameters/atv310.hpp>
+#include <rtuwire/altivar/parameters/atv310_menu.hpp>

@@ -5,6 +5,8 @@
 // of the ATV12, and is marked so.
 #pragma once
 
+#include <array>
+
 #include <rtuwire/altivar/device/atv310.hpp>
 #include <rtuwire/altivar/parameters/compact_values.hpp>
 #include <rtuwire/altivar/parameters/family_words.hpp>
@@ -58,6 +60,10 @@ struct scanner
     : parameter_list<nma1, nma2, nma3, nma4, nma5, nma6, nma7, nma8, nca1, nca2, nca3, nca4, nca5, nca6, nca7, nca8,
                      nm1, nm2, nm3, nm4, nm5, nm6, nm7, nm8, nc1, nc2, nc3, nc4, nc5, nc6, nc7, nc8> {};
 
+/// The same by the manual of 2014: half as many.
+struct scanner_2014
+    : parameter_list<nma1, nma2, nma3, nma4, nca1, nca2, nca3, nca4, nm1, nm2, nm3, nm4, nc1, nc2, nc3, nc4> {};
+
 /// Reactions to faults.
 struct faults : parameter_list<sll, lft, cic> {};
 
@@ -80,9 +86,10 @@ struct functions_stop : parameter_list<stt> {};
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar::atv310 {
 
-/// The parameters by group.
+/// The parameters by group, with the scanner of one manual or the other.
 /// Internal.
-inline constexpr parameter_group menu_groups[]{
+template <typename Scanner>
+inline constexpr std::array<parameter_group, 14> menu_groups{{
     group_of<groups::monitoring>("monitoring"),
     group_of<groups::control>("control"),
     group_of<groups::command>("command"),
@@ -90,24 +97,37 @@ inline constexpr parameter_group menu_groups[]{
     group_of<groups::motor_control>("motor_control"),
     group_of<groups::analog_io>("analog_io"),
     group_of<groups::communication>("communication"),
-    group_of<groups::scanner>("scanner"),
+    group_of<Scanner>("scanner"),
     group_of<groups::faults>("faults"),
     group_of<groups::identification>("identification"),
     group_of<groups::configuration>("configuration"),
     group_of<groups::history_state>("history_state"),
     group_of<groups::functions_ramp>("functions_ramp"),
     group_of<groups::functions_stop>("functions_stop"),
-};
+}};
 
-/// All parameters that can be used, as rows to walk.
-inline constexpr parameter_map parameters{menu_groups};
+/// The same as the registers of a device.
+/// Internal.
+template <typename Scanner>
+using all_groups =
+    grouped_table<groups::monitoring, groups::control, groups::command, groups::settings, groups::motor_control,
+                  groups::analog_io, groups::communication, Scanner, groups::faults, groups::identification,
+                  groups::configuration, groups::history_state, groups::functions_ramp, groups::functions_stop>;
+
+/// All parameters that can be used, as rows to walk, by the manual of 2026.
+inline constexpr parameter_map parameters{menu_groups<groups::scanner>};
+
+/// The same by the manual of 2014, whose scanner has half as many words.
+inline constexpr parameter_map parameters_2014{menu_groups<groups::scanner_2014>};
 
 /// An ATV310 as its manual of 2026 has it, with every register of this map for typed access: `station<full_device>`.
 struct full_device : device_2026 {
-    using registers =
-        grouped_table<groups::monitoring, groups::control, groups::command, groups::settings, groups::motor_control,
-                      groups::analog_io, groups::communication, groups::scanner, groups::faults, groups::identification,
-                      groups::configuration, groups::history_state, groups::functions_ramp, groups::functions_stop>;
+    using registers = all_groups<groups::scanner>;
+};
+
+/// The same by the manual of 2014.
+struct full_device_2014 : device {
+    using registers = all_groups<groups::scanner_2014>;
 };
 
 } // namespace rtuwire::altivar::atv310

@@ -28,6 +28,7 @@ struct parameter_type {
     std::int32_t step_numerator{1}; ///< one count is this fraction of the unit
     std::int32_t step_denominator{1};
     std::span<named_value const> mnemonics{}; ///< of an enumeration: what the display shows for each value
+    std::span<std::uint16_t const> listed{};  ///< of an enumeration: the values alone
     std::span<named_value const> meanings{};  ///< in words: of an enumeration's values, of the bits of a word by number
 };
 
@@ -41,7 +42,10 @@ template <register_value T> [[nodiscard]] consteval parameter_type type_of() noe
     if constexpr (bit_field<T>) {
         return {.kind = parameter_kind::bits, .meanings = words_of<typename T::bit_type>};
     } else if constexpr (register_enumeration<T>) {
-        return {.kind = parameter_kind::enumeration, .mnemonics = enumerators<T>, .meanings = words_of<T>};
+        return {.kind = parameter_kind::enumeration,
+                .mnemonics = enumerators<T>,
+                .listed = listed_words<T>(),
+                .meanings = words_of<T>};
     } else {
         return {.kind = std::is_signed_v<typename T::rep> ? parameter_kind::signed_number : parameter_kind::number,
                 .unit = T::dimension::symbol,

@@ -104,6 +104,17 @@ public:
 
     /// Calls `visit.template operator()<R>()` for each register.
     template <typename Visit> static constexpr void for_each(Visit&& visit) { (Groups::for_each(visit), ...); }
+
+    /// Calls `visit(row)` for the row of each, group by group.
+    template <typename Visit> static constexpr void for_each_row(Visit&& visit) { (walk(rows_of<Groups>, visit), ...); }
+
+private:
+    template <typename Rows, typename Visit> static constexpr void walk(Rows const& rows, Visit&& visit)
+    {
+        for (parameter const& each : rows) {
+            visit(each);
+        }
+    }
 };
 
 } // namespace rtuwire::altivar

@@ -4,13 +4,13 @@
 // The parameters of a drive by the groups of its menus, for a program that walks them or looks for one.
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include <rtuwire/altivar/parameters/parameter.hpp>
 #include <rtuwire/altivar/parameters/parameter_list.hpp>
+#include <rtuwire/altivar/parameters/text_match.hpp>
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 
@@ -28,15 +28,6 @@ template <typename Group> [[nodiscard]] constexpr parameter_group group_of(liter
 {
     return {name, rows_of<Group>};
 }
-
-/// A text of any class, as std::string_view and std::string.
-/// Internal.
-template <typename Text>
-concept text_with_size = requires(Text const& text, std::size_t at)
-{
-    requires std::same_as<decltype(text.size()), std::size_t>;
-    requires std::same_as<decltype(text[at]), char const&>;
-};
 
 /// The groups of a drive.
 class parameter_map {
@@ -87,21 +78,13 @@ public:
     template <text_with_size Text> [[nodiscard]] constexpr parameter const* by_code(Text const& code) const noexcept
     {
         parameter const* found = nullptr;
-        for_each(
-            [&](parameter const& each, parameter_group const&) { found = is_same(each.code, code) ? &each : found; });
+        for_each([&](parameter const& each, parameter_group const&) {
+            found = is_spelled(each.code, code) ? &each : found;
+        });
         return found;
     }
 
 private:
-    template <typename Text> static constexpr bool is_same(literal name, Text const& text) noexcept
-    {
-        bool is_equal = name.size() == text.size();
-        for (std::size_t i = 0; is_equal and i < name.size(); ++i) {
-            is_equal = name[i] == text[i];
-        }
-        return is_equal;
-    }
-
     std::span<parameter_group const> groups_;
 };
 

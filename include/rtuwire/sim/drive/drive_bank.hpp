@@ -15,7 +15,10 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/bank/register_bank.hpp>
 #include <rtuwire/sim/drive/drive_parts.hpp>
+#include <rtuwire/sim/drive/registers/menu_order.hpp>
+#include <rtuwire/sim/drive/registers/row_rules.hpp>
 #include <rtuwire/sim/drive/registers/scanner.hpp>
+#include <rtuwire/sim/drive/registers/speed_limits.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
@@ -60,7 +63,7 @@ public:
                 return wrong;
             }
         }
-        return errc::none;
+        return check_together(start, values);
     }
 
     constexpr errc read(std::uint16_t start, std::size_t count, byte_writer& out) noexcept
@@ -84,6 +87,7 @@ public:
     [[nodiscard]] constexpr std::uint16_t word(literal code) const noexcept { return word_at(registers::at(code)); }
 
 private:
+    using orders = menu_orders_of<registers>;
     static constexpr scanner_half<Device> inputs{Device::scanner.input_words, Device::scanner.input_addresses};
     static constexpr scanner_half<Device> outputs{Device::scanner.output_words, Device::scanner.output_addresses};
 
@@ -97,7 +101,27 @@ private:
         if (registers::rule(place).mode == access::configuration and cia402::has_power(state_machine().state())) {
             return errc::server_device_failure;
         }
-        return registers_.check(place, word);
+        errc const wrong = registers_.check(place, word);
+        if constexpr (is_whole<Device>) {
+            return wrong == errc::none and orders::refuses(place, word) ? errc::server_device_failure : wrong;
+        } else {
+            return wrong;
+        }
+    }
+
+    /// Whether the words of a request fit each other and what is held beside them.
+    constexpr errc check_together([[maybe_unused]] std::uint16_t start,
+                                  [[maybe_unused]] register_view values) const noexcept
+    {
+        if constexpr (is_whole<Device>) {
+            speed_limits<registers> after{registers_};
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                after.put(registers::at_address(start + i), values[i]);
+            }
+            return after.hold() ? errc::none : errc::illegal_data_value;
+        } else {
+            return errc::none;
+        }
     }
 
     constexpr std::uint16_t word_at(std::size_t place) const noexcept
@@ -124,9 +148,21 @@ private:
     constexpr void forward(std::size_t target, std::uint16_t word) noexcept
     {
         if (target != registers::nowhere and registers::rule(target).mode != access::read_only and
-            check_word(target, word) == errc::none) {
+            check_word(target, word) == errc::none and fits(target, word)) {
             registers_.put_word(target, word);
             act_on(target, word);
+        }
+    }
+
+    /// Whether a single word fits what is held beside it.
+    constexpr bool fits([[maybe_unused]] std::size_t place, [[maybe_unused]] std::uint16_t word) const noexcept
+    {
+        if constexpr (is_whole<Device>) {
+            speed_limits<registers> after{registers_};
+            after.put(place, word);
+            return after.hold();
+        } else {
+            return true;
         }
     }
 
@@ -140,6 +176,21 @@ private:
             registers_.put(at.lfr, set().to_millihertz(registers_.get_signed(at.lfrd)) / 100);
         } else if (place == at.cmi) {
             extended_command(word);
+        } else {
+            execute(place, word);
+        }
+    }
+
+    /// Executes an order in a parameter.
+    constexpr void execute([[maybe_unused]] std::size_t place, [[maybe_unused]] std::uint16_t word) noexcept
+    {
+        if constexpr (is_whole<Device>) {
+            if (orders::reads_zero_again(place)) {
+                registers_.put(place, 0);
+            }
+            if (orders::recalls_factory_settings(place, word)) {
+                memory_.deliver(registers_, now_);
+            }
         }
     }
 

@@ -21,24 +21,17 @@ template <device_type Device> [[nodiscard]] constexpr bool has_called(literal co
     return image<Device>::at(code) != image<Device>::nowhere;
 }
 
-/// Whether the simulation knows a drive's registers. One that is no drive is refused for that alone, see `drive_check`.
+/// What each of them is about. A device that is no drive is refused for that alone, see `drive_check`.
 template <typename Device>
-concept has_a_model = not altivar::drive_type<Device> or is_whole_table<typename Device::registers>;
-/// Whether one can look for registers; a device that cannot be simulated is refused for that alone.
+concept turns = not altivar::drive_type<Device> or has_called<Device>("HSP");
 template <typename Device>
-concept shows_its_table = altivar::drive_type<Device> and has_a_model<Device>;
-
-/// What each of them is about.
+concept accelerates = not altivar::drive_type<Device> or has_called<Device>("ACC");
 template <typename Device>
-concept turns = not shows_its_table<Device> or has_called<Device>("HSP");
+concept slows_down = not altivar::drive_type<Device> or has_called<Device>("DEC");
 template <typename Device>
-concept accelerates = not shows_its_table<Device> or has_called<Device>("ACC");
+concept has_an_address = not altivar::drive_type<Device> or has_called<Device>("ADD");
 template <typename Device>
-concept slows_down = not shows_its_table<Device> or has_called<Device>("DEC");
-template <typename Device>
-concept has_an_address = not shows_its_table<Device> or has_called<Device>("ADD");
-template <typename Device>
-concept knows_its_speed = not shows_its_table<Device> or has_called<Device>("NSP") or has_called<Device>("SDS");
+concept knows_its_speed = not altivar::drive_type<Device> or has_called<Device>("NSP") or has_called<Device>("SDS");
 template <typename Device>
 concept names_itself =
     not altivar::drive_type<Device> or not implements<Device>(function_code::encapsulated_interface) or
@@ -46,8 +39,6 @@ concept names_itself =
 
 /// Stops the compiler at a drive that cannot be simulated.
 template <typename Device> struct drive_needs {
-    static_assert(has_a_model<Device>, "all parameters of a drive are not simulated: give the simulation a "
-                                       "station<device>, and read and write by the station<full_device>");
     static_assert(turns<Device>, "a simulated drive needs the register HSP, its highest frequency");
     static_assert(accelerates<Device>, "a simulated drive needs the register ACC, its acceleration ramp");
     static_assert(slows_down<Device>, "a simulated drive needs the register DEC, its deceleration ramp");

@@ -128,10 +128,10 @@ public:
         }
     }
 
-    /// The line settings in the registers.
+    /// The line settings in the registers. BDR is that of another line where a drive has TBR, too.
     [[nodiscard]] constexpr line_setting line() const noexcept
     {
-        return {registers_.get(at.has(at.bdr) ? at.bdr : at.tbr), registers_.get(at.tfo)};
+        return {registers_.get(at.has(at.tbr) ? at.tbr : at.bdr), registers_.get(at.tfo)};
     }
 
 private:

@@ -40,6 +40,14 @@ public:
         saved_ = all.all();
     }
 
+    /// Sets the factory settings while the motor is at rest.
+    constexpr void deliver(registers& all, instant now) noexcept
+    {
+        all.restore(registers::factory());
+        is_busy_ = true;
+        busy_until_ = now + behaviour.eeprom_work;
+    }
+
     /// Executes the orders in a word of CMI while the motor is at rest; factory settings before saving before
     /// recalling.
     constexpr void execute(registers& all, std::uint16_t word, instant now) noexcept
