@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Compares what a configuration wants with what a drive holds. Only settings count: what the drive measures, counts or
-// shows differs from one moment to the next, and an order that it holds is no part of its configuration.
+// Compares what a configuration wants with what a drive holds. Only settings count, those of the safety functions among
+// them: what the drive measures, counts or shows differs from one moment to the next, and an order that it holds is no
+// part of its configuration.
 #pragma once
 
 #include <cstdint>
@@ -42,7 +43,8 @@ enum class comparison : std::uint8_t {
 [[nodiscard]] constexpr comparison compared(parameter const& row, std::optional<std::uint16_t> wanted,
                                             std::optional<std::uint16_t> held) noexcept
 {
-    if (not is_restorable(role_of(row))) {
+    parameter_role const role = role_of(row);
+    if (not is_restorable(role) and role != parameter_role::safety) {
         return comparison::not_compared;
     }
     if (not wanted) {
