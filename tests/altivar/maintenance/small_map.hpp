@@ -6,6 +6,9 @@
 #include "altivar/maintenance/paper_drive.hpp"
 
 #include <rtuwire/altivar/device/atv320.hpp>
+// What its values mean, before a row is made of them.
+#include <rtuwire/altivar/parameters/atv320/values/known.hpp>
+#include <rtuwire/altivar/parameters/family_words.hpp>
 #include <rtuwire/altivar/parameters/parameter_map.hpp>
 
 namespace rtuwire::test {

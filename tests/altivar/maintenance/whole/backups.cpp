@@ -81,7 +81,7 @@ TEST_CASE("of 200 single changes, drawn from the lists, a comparison finds each,
     compare();
     CHECK(found.empty());
     test::random from{200};
-    std::vector<fact> all = facts_of("atv320");
+    std::vector<fact> all = rtuwire::test::facts_of("atv320");
     std::erase_if(all, [](fact const& each) {
         parameter const* const row = atv320::parameters.at(each.address);
         return row == nullptr or not row->is_writable() or is_left_alone(each.code);

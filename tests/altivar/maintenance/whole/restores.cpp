@@ -44,7 +44,7 @@ template <typename Drive> std::string carried(std::uint32_t seed, std::uint32_t 
     if (how.kind != outcome_kind::succeeded) {
         wrong << "ends as " << static_cast<unsigned>(how.kind) << ", " << static_cast<unsigned>(how.error) << "; ";
     }
-    for (fact const& each : facts_of(Drive::name)) {
+    for (fact const& each : rtuwire::test::facts_of(Drive::name)) {
         parameter const* const row = Drive::map.at(each.address);
         if (row != nullptr and row->is_writable() and not is_left_alone(each.code) and not is_of_safety(each) and
             second.word(each.address) != first.word(each.address)) {

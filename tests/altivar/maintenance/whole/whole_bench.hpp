@@ -121,7 +121,7 @@ template <typename Drive> void configure(whole_bench<Drive>& bench, random& from
     std::uint16_t const hsp = static_cast<std::uint16_t>(from.below(tfr + 1U));
     std::uint16_t const lsp = static_cast<std::uint16_t>(from.below(hsp + 1U));
     bench.set(3105, 0), bench.set(3103, tfr), bench.set(3104, hsp), bench.set(3103, tfr), bench.set(3105, lsp);
-    for (fact const& each : facts_of(Drive::name)) {
+    for (fact const& each : rtuwire::test::facts_of(Drive::name)) {
         if (each.is_writable() and not is_left_alone(each.code) and not is_of_safety(each) and
             from.below(100) < share) {
             bench.set(each.address, drawn_word(each, from));

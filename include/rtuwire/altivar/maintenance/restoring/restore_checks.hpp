@@ -23,7 +23,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// | comparing    | the next block; after the last: check | fail: other_family | fail              |
 /// | checking     | the procedure's next; at its end:   | as the procedure     | as the procedure  |
 /// |              | `on_checked`, `go_on`, `on_saved`   |                      |                   |
-/// | reading      | `on_words`                          | `on_refused_block`   | fail              |
+/// | reading_block | `on_words`                          | `on_refused_block`   | fail              |
 /// | writing      | `on_written`                        | `on_write_failed`    | `on_write_failed` |
 /// | reading_back | `on_read_back`                      | `on_no_read_back`    | `on_no_read_back` |
 ///
@@ -65,7 +65,7 @@ public:
         switch (doing_) {
         case doing::identifying: on_identification(outcome); break;
         case doing::comparing:
-        case doing::reading: on_block(this->words_of(outcome)); break;
+        case doing::reading_block: on_block(this->words_of(outcome)); break;
         case doing::checking: this->run(this->event_of(outcome)); break;
         case doing::writing: on_write(this->event_of(outcome), was_sent); break;
         case doing::reading_back: on_read_back(this->event_of(outcome)); break;
@@ -100,7 +100,7 @@ protected:
 
     constexpr void read(address_block block) noexcept
     {
-        doing_ = doing::reading;
+        doing_ = doing::reading_block;
         this->read_block(block);
     }
 
@@ -141,7 +141,7 @@ protected:
     constexpr void fail_by(errc error) noexcept { fail(reason_for(error)); }
 
 private:
-    enum class doing : std::uint8_t { identifying, comparing, checking, reading, writing, reading_back };
+    enum class doing : std::uint8_t { identifying, comparing, checking, reading_block, writing, reading_back };
 
     constexpr void identify() noexcept
     {
