@@ -104,6 +104,37 @@ TEST_CASE("cut at any request, or at any response, each word is the old or the n
     CHECK(endings[static_cast<unsigned>(kind::executed_unconfirmed)] > 0); // after ADD, TBR or TFO
 }
 
+TEST_CASE("a restore that its user ends at any request says what became of each parameter")
+{
+    word_list const words = other_words();
+    unsigned const count = all_requests(words);
+    unsigned unconfirmed = 0;
+    for (unsigned at = 1; at < count; ++at) {
+        paper_drive const before = small_drive();
+        paper_drive drive = before;
+        paper_bench bench{drive};
+        told_list all;
+        auto const report = [&](parameter_group const&, parameter const& row, restore_report const& what) {
+            all(row, what);
+        };
+        restore conversation{paper_station, small_map,
+                             wanted_settings{drive_family::of("ATV320"), words_by_code{&words}}, report, all_of_it};
+        bench.line.run_until([&] { return drive.requests() >= at; }, milliseconds(600'000), conversation);
+        conversation.cancel();
+        std::size_t const writes = drive.writes.size();
+        REQUIRE(bench.line.run_until([&] { return conversation.settled(); }, milliseconds(1'000), conversation));
+        INFO("at " << at);
+        CHECK(conversation.reason() == reason{kind::aborted, errc::cancelled, conversation.reason().state});
+        CHECK(drive.writes.size() == writes);
+        check_reports(all, words, before, drive);
+        unconfirmed += std::any_of(all.of.begin(), all.of.end(),
+                                   [](auto const& one) { return one.second.back().outcome == told::unconfirmed; })
+                           ? 1U
+                           : 0U;
+    }
+    CHECK(unconfirmed > 24); // each write was cut once
+}
+
 TEST_CASE("a conversation that is destroyed at any request and made anew in the same place completes the restore")
 {
     word_list const words = other_words();

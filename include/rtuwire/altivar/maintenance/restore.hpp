@@ -212,7 +212,7 @@ private:
         case verdict::end: break;
         }
         close_row();
-        this->fail_by(error);
+        this->fail(reason_for(error));
     }
 
     /// The parameter that was open is told.

@@ -51,7 +51,7 @@ template <typename Drive> std::string carried(std::uint32_t seed, std::uint32_t 
             wrong << each.code << ' ' << second.word(each.address) << " for " << first.word(each.address) << "; ";
         }
     }
-    for (std::uint16_t const limit : {3103, 3104, 3105}) {
+    for (std::uint16_t const limit : std::array<std::uint16_t, 3>{3103, 3104, 3105}) {
         wrong << (second.word(limit) == first.word(limit) ? "" : "a limit; ");
     }
     return wrong.str();

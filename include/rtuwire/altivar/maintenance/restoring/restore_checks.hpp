@@ -17,23 +17,20 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// The conversation of a restore. `Restore` derives from it, and gets what came of each request by an `on_` function.
 ///
-/// | doing        | response                            | exception            | no response       |
-/// |--------------|-------------------------------------|----------------------|-------------------|
-/// | identifying  | this family: check; else fail       | 01, 02, 03: compare  | fail              |
-/// | comparing    | the next block; after the last: check | fail: other_family | fail              |
-/// | checking     | the procedure's next; at its end:   | as the procedure     | as the procedure  |
-/// |              | `on_checked`, `go_on`, `on_saved`   |                      |                   |
-/// | reading_block | `on_words`                          | `on_refused_block`   | fail              |
-/// | writing      | `on_written`                        | `on_write_failed`    | `on_write_failed` |
-/// | reading_back | `on_read_back`                      | `on_no_read_back`    | `on_no_read_back` |
+/// | doing         | response                              | exception            | no response       |
+/// |---------------|---------------------------------------|----------------------|-------------------|
+/// | identifying   | this family: check; else fail         | 01, 02, 03: compare  | fail              |
+/// | comparing     | the next block; after the last: check | fail: other_family   | fail              |
+/// | checking      | the procedure's next; at its end:     | as the procedure     | as the procedure  |
+/// |               | `on_checked`, `go_on`, `on_saved`     |                      |                   |
+/// | reading_block | `on_words`                            | `on_refused_block`   | fail              |
+/// | writing       | `on_written`                          | `on_write_failed`    | `on_write_failed` |
+/// | reading_back  | `on_read_back`                        | `on_no_read_back`    | `on_no_read_back` |
 ///
 /// "Checking" is any inner procedure; one that ends otherwise than with success fails. "Fail" looks once more at a drive
 /// that got a delicate write, and then ends.
 template <typename Restore> class restore_checks : public restore_procedures<Restore> {
     using base = restore_procedures<Restore>;
-    using base::has_begun;
-    using base::is_asking;
-    using base::is_stopping;
     using base::self;
 
 public:
@@ -43,12 +40,12 @@ public:
     constexpr void advance(instant now) noexcept
     {
         this->tick(now);
-        if (not has_begun()) {
+        if (not this->has_begun()) {
             this->note_order();
             self().begin();
-        } else if (settled() or is_asking()) {
+        } else if (settled() or this->is_asking()) {
             return;
-        } else if (is_stopping() and this->is_unit_ordered()) {
+        } else if (this->is_stopping() and this->is_unit_ordered()) {
             this->finish({outcome_kind::overruled}); // the motor now runs by an order: it is not this one's to stop
         } else if (this->is_pause_over()) {
             this->run({event::kind::pause_over});
@@ -57,7 +54,7 @@ public:
 
     constexpr void accept(result<response> const& outcome) noexcept
     {
-        bool const was_sent = is_asking();
+        bool const was_sent = this->is_asking();
         this->note_outcome();
         if (settled()) {
             return;
@@ -73,9 +70,19 @@ public:
         heed_loss();
     }
 
+    /// Ends it as `aborted`: tells what became of the write under way, and what was not reached. A last look may follow,
+    /// or an order to save is taken back: run it on until it is settled.
+    constexpr void cancel() noexcept
+    {
+        if (this->has_begun()) {
+            this->forget();
+            accept(errc::cancelled);
+        }
+    }
+
     constexpr void note_loss() noexcept
     {
-        has_lost_ = has_begun() and not settled();
+        has_lost_ = this->has_begun() and not settled();
         heed_loss();
     }
 
@@ -138,8 +145,6 @@ protected:
         }
     }
 
-    constexpr void fail_by(errc error) noexcept { fail(reason_for(error)); }
-
 private:
     enum class doing : std::uint8_t { identifying, comparing, checking, reading_block, writing, reading_back };
 
@@ -178,14 +183,14 @@ private:
         case identity_check::verdict::other: return fail({outcome_kind::other_family, error});
         case identity_check::verdict::not_reached: break;
         }
-        fail_by(error);
+        fail(reason_for(error));
     }
 
     constexpr void on_block(result<register_view> const& words) noexcept
     {
         bool const is_compared = doing_ == doing::comparing;
         if (not words and not is_of_registers(words.error())) {
-            fail_by(words.error());
+            fail(reason_for(words.error()));
         } else if (not words) {
             is_compared ? fail({outcome_kind::other_family, words.error()}) : self().on_refused_block(words.error());
         } else if (is_compared) {
@@ -210,11 +215,11 @@ private:
     /// The unit was lost: what would wait until the drive has stopped by itself fails now.
     constexpr void heed_loss() noexcept
     {
-        if (not has_lost_ or is_asking() or settled()) {
+        if (not has_lost_ or this->is_asking() or settled()) {
             return;
         }
         has_lost_ = false;
-        if (not is_stopping()) {
+        if (not this->is_stopping()) {
             accept(errc::unit_lost);
         }
     }

@@ -17,9 +17,10 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// Why a restore ends at a request that failed.
 [[nodiscard]] constexpr reason reason_for(errc error) noexcept
 {
-    return {error == errc::overruled ? outcome_kind::overruled
-            : is_exception(error)    ? outcome_kind::refused
-                                     : outcome_kind::silent,
+    return {error == errc::overruled   ? outcome_kind::overruled
+            : error == errc::cancelled ? outcome_kind::aborted
+            : is_exception(error)      ? outcome_kind::refused
+                                       : outcome_kind::silent,
             error};
 }
 
@@ -103,8 +104,9 @@ private:
     {
         bool const was_look = inner_.running() == inner_procedure::kind::look;
         may_have_started_ = may_have_started_ and not was_look;
-        if (inner_.reason().kind != outcome_kind::succeeded) {
-            return static_cast<void>(fail(inner_.reason()));
+        if (altivar::reason so = inner_.reason(); so.kind != outcome_kind::succeeded) {
+            so.kind = so.kind == outcome_kind::silent ? reason_for(so.error).kind : so.kind;
+            return static_cast<void>(fail(so));
         }
         switch (inner_.running()) {
         case inner_procedure::kind::guard: return self().on_checked();

@@ -106,10 +106,12 @@ public:
     }
 
 private:
+    /// Whether it is worth asking the drive; not where its user gave it up.
     static constexpr bool is_silence(errc error) noexcept
     {
         error_category const of = category_of(error);
-        return of == error_category::no_response or of == error_category::reception;
+        bool const is_given_up = error == errc::cancelled;
+        return not is_given_up and (of == error_category::no_response or of == error_category::reception);
     }
 
     constexpr verdict lose(errc error) noexcept
