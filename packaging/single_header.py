@@ -21,7 +21,7 @@ MODULE = "rtuwire/rtuwire.cppm"
 PARTS = ((None, ("rtuwire/rtuwire.hpp",)),
          ("RTUWIRE_PORT", ("rtuwire/port.hpp",)),
          ("RTUWIRE_PRINT", ("rtuwire/print.hpp",)),
-         ("RTUWIRE_PARAMETERS", (*(f"rtuwire/altivar/{drive}_parameters.hpp" for drive in ("atv12", "atv310", "atv320")),
+         ("RTUWIRE_PARAMETERS", (*(f"rtuwire/altivar/{drive}_parameters.hpp" for drive in ("atv12", "atv310", "atv320", "own")),
                                  "rtuwire/maintenance.hpp")))
 OWN = re.compile(r"#include <(rtuwire/[\w/.]+)>\n")
 STANDARD = re.compile(r"#include <([\w/.]+)>\n")

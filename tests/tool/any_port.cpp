@@ -48,6 +48,15 @@ errc read_status(any_port& port, std::uint32_t unit, duration time_limit = milli
     return response ? errc::none : response.error();
 }
 
+/// Whether a unit has a register at an address.
+bool has_register(any_port& port, std::uint32_t unit, std::uint16_t address)
+{
+    blocking_client client{port, port.timing(), {.response_timeout = milliseconds(300), .retries = 0}};
+    auto const response = client.ask(*unit_id::checked(unit), read_holding_registers{.start = address, .count = 1});
+    REQUIRE((response or response.error() == errc::illegal_data_address));
+    return response.has_value();
+}
+
 bool is_there(std::string const& path)
 {
     struct stat info {};
@@ -119,6 +128,22 @@ TEST_CASE("simulated drives answer, each at its address")
         CHECK(read_status(port, unit) == errc::none);
     }
     CHECK(read_status(port, 8, milliseconds(50)) == errc::timed_out);
+}
+
+TEST_CASE("simulated drives have all their parameters, each its own")
+{
+    constexpr std::uint16_t preset_speed_2 = 11'410, pump_mode = 15'201, set_2_value_1 = 12'951,
+                            scanner_word_8 = 12'708;
+    any_port port;
+    REQUIRE(port.open(described("sim:atv320:7,atv12:3,atv310_2026:9,atv310:10")));
+    CHECK(has_register(port, 7, preset_speed_2));
+    CHECK(has_register(port, 7, set_2_value_1));
+    CHECK(has_register(port, 3, preset_speed_2));
+    CHECK(has_register(port, 3, pump_mode));
+    CHECK(not has_register(port, 3, set_2_value_1));
+    CHECK(not has_register(port, 9, preset_speed_2));
+    CHECK(has_register(port, 9, scanner_word_8));
+    CHECK(not has_register(port, 10, scanner_word_8));
 }
 
 TEST_CASE("the first response of a simulated drive is soon there")

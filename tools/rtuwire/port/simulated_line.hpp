@@ -14,6 +14,7 @@
 
 #include "drive_events.hpp"
 #include "named_drives.hpp"
+#include "whole_drive.hpp"
 
 namespace tool {
 
@@ -104,14 +105,14 @@ public:
         : port_{port}, timing_{timing}, last_{port.now()}, vendor_{vendor}
     {}
 
-    /// Adds a drive by its name. Refuses a name of none, and an address that is taken or out of the device's range.
+    /// Adds a drive by its name, with all its parameters. Refuses a name of none, and an address that is taken or out of the device's range.
     void add(std::string const& name, std::uint32_t address)
     {
         if (find(address) != nullptr) {
             throw usage_error{"unit " + std::to_string(address) + " is given twice"};
         }
         with_drive(name, [&](auto device) {
-            using type = typename decltype(device)::type;
+            using type = typename whole_drive<typename decltype(device)::type>::type;
             drives_.push_back(std::make_unique<simulated<type>>(station_at<type>(address, name).unit(), timing_, last_,
                                                                 identity_of_a<type>()));
         });

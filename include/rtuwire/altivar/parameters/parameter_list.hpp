@@ -3,7 +3,6 @@
 //
 // Some registers of a drive as one list, of which the compiler makes both outputs: rows to walk, and the registers of a
 // device for typed access.
-// Internal: may change with any version.
 #pragma once
 
 #include <array>
@@ -63,6 +62,7 @@ template <auto const&... Registers> struct parameter_list {
 };
 
 /// The rows of a group.
+/// Internal.
 template <typename Group> inline constexpr auto rows_of = Group::made_rows();
 
 /// The registers of some groups as those of a device. Not a `table` of a thousand registers, which costs the compiler a

@@ -22,8 +22,7 @@ struct parameter_group {
     std::span<parameter const> rows;
 };
 
-/// A group as rows.
-/// Internal.
+/// A group, which derives from `parameter_list`, as rows.
 template <typename Group> [[nodiscard]] constexpr parameter_group group_of(literal name) noexcept
 {
     return {name, rows_of<Group>};

@@ -74,13 +74,13 @@ protected:
     constexpr void read_block(address_block block) noexcept
     {
         count_ = block.count;
-        put(read_holding_registers{block.start, block.count});
+        put(encode_into(frame_, unit_, read_holding_registers{block.start, block.count}));
     }
 
     /// The product code, by function 43/14. A drive of conformity 02 has no access to a single object.
     constexpr void read_product() noexcept
     {
-        put(read_device_identification{identification_access::basic, product_code});
+        put(encode_into(frame_, unit_, read_device_identification{identification_access::basic, product_code}));
     }
 
     /// What a procedure decided, unless that is its end.
@@ -94,7 +94,7 @@ protected:
             read_block({what.address, 1});
         } else if (what.what == action::kind::write) {
             count_ = 0;
-            put(write_single_register{what.address, what.word}, what.again, what.does);
+            put(encode_into(frame_, unit_, write_single_register{what.address, what.word}), what.again, what.does);
         }
     }
 
@@ -130,12 +130,10 @@ protected:
 private:
     enum class kind : std::uint8_t { nothing, request, pause, end };
 
-    template <typename Request>
-    constexpr void put(Request const& request, repetition again = repetition::allowed,
+    constexpr void put(result<byte_span> const& frame, repetition again = repetition::allowed,
                        effect does = effect::none) noexcept
     {
-        auto const written = encode_into(frame_, unit_, request);
-        size_ = static_cast<std::uint8_t>(written ? written->size() : 0);
+        size_ = static_cast<std::uint8_t>(frame ? frame->size() : 0);
         now_is_ = kind::request;
         again_ = again;
         does_ = does;

@@ -20,15 +20,16 @@ namespace rtuwire::inline RTUWIRE_BUILD::sim {
     return code == literal{"LSP"} or code == literal{"HSP"} or code == literal{"TFR"};
 }
 
-/// The three as they are, or as a request would leave them. `Image` is that of a drive that has them.
+/// The three as they are, or as a request would leave them; one that a drive does not have limits nothing.
 template <typename Image> class speed_limits {
     static constexpr std::size_t lsp = Image::at("LSP");
     static constexpr std::size_t hsp = Image::at("HSP");
     static constexpr std::size_t tfr = Image::at("TFR");
+    static constexpr std::uint16_t no_limit = 0xFFFF;
 
 public:
     explicit constexpr speed_limits(Image const& held) noexcept
-        : lowest_{held.get(lsp)}, high_{held.get(hsp)}, highest_{held.get(tfr)}
+        : lowest_{held.get(lsp)}, high_{held.get(hsp)}, highest_{tfr == Image::nowhere ? no_limit : held.get(tfr)}
     {}
 
     /// Takes a word of the request; one of another register changes nothing.
