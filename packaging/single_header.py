@@ -5,7 +5,7 @@
     python3 -B packaging/single_header.py OUTPUT [--shim DIRECTORY]
 
 The header has a part for what needs no operating system, which comes always, and one for each of `port.hpp`, `print.hpp`
-and the doors to all parameters, where the program defines RTUWIRE_PORT, RTUWIRE_PRINT or RTUWIRE_PARAMETERS before the
+and the doors to all parameters and to what is done with all of them, where the program defines RTUWIRE_PORT, RTUWIRE_PRINT or RTUWIRE_PARAMETERS before the
 include. Including it again, with another of these defined, adds that part. The shim is for the tests: they include the
 headers by their names and get the one.
 """
@@ -21,8 +21,8 @@ MODULE = "rtuwire/rtuwire.cppm"
 PARTS = ((None, ("rtuwire/rtuwire.hpp",)),
          ("RTUWIRE_PORT", ("rtuwire/port.hpp",)),
          ("RTUWIRE_PRINT", ("rtuwire/print.hpp",)),
-         ("RTUWIRE_PARAMETERS", tuple(f"rtuwire/altivar/{drive}_parameters.hpp"
-                                      for drive in ("atv12", "atv310", "atv320", "own"))))
+         ("RTUWIRE_PARAMETERS", (*(f"rtuwire/altivar/{drive}_parameters.hpp" for drive in ("atv12", "atv310", "atv320", "own")),
+                                 "rtuwire/maintenance.hpp")))
 OWN = re.compile(r"#include <(rtuwire/[\w/.]+)>\n")
 STANDARD = re.compile(r"#include <([\w/.]+)>\n")
 CONDITION = re.compile(r"\s*#\s*(if|endif)")
@@ -34,7 +34,7 @@ HEAD = """\
 // rtuwire {version} in one file, made by packaging/single_header.py from the headers of that version. Needs C++20. What
 // needs an operating system (rtuwire/port.hpp) comes with RTUWIRE_PORT defined before the include, streams
 // (rtuwire/print.hpp) with RTUWIRE_PRINT, all parameters of the drives (rtuwire/altivar/atv320_parameters.hpp and the
-// like) with RTUWIRE_PARAMETERS. The file may be included again with more of these defined.
+// like, rtuwire/maintenance.hpp) with RTUWIRE_PARAMETERS. The file may be included again with more of these defined.
 """
 
 

@@ -19,8 +19,8 @@ import names  # noqa: E402
 MODULE = "include/rtuwire/rtuwire.cppm"
 # Needs an operating system: a program includes this door beside the module.
 LEFT_OUT = {"port.hpp"}
-# Nor does it have the full maps of the drives: a program includes their doors beside it, too.
-OF_A_MAP = re.compile(r"_parameters\.hpp|^altivar/parameters/")
+# Nor does it have the full maps of the drives, and what is done with them: a program includes their doors beside it, too.
+OF_A_MAP = re.compile(r"_parameters\.hpp|^altivar/parameters/|maintenance\.hpp")
 # The page leaves out operators; those that no class has as a friend are found only where they are exported.
 OPERATOR = re.compile(r"\boperator\s*(<=>|==|[-+*/])\s*\(")
 LIST = re.compile(r"^export namespace (?P<space>[\w:]+) \{\n(?P<body>.*?)^\} //", re.MULTILINE | re.DOTALL)

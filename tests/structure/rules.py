@@ -25,6 +25,7 @@ MAY_INCLUDE = {
     "altivar/parameters": {"altivar/device"},
     "altivar/procedure": {"altivar/device", "ask"},
     "altivar/cyclic": {"altivar/procedure"},
+    "altivar/maintenance": {"altivar/procedure", "altivar/parameters"},
     "altivar": {"altivar/device", "altivar/parameters"},
     "sim/drive": {"server", "altivar/device"},
     "sim/line": {"rtu"},
@@ -32,8 +33,9 @@ MAY_INCLUDE = {
     "port": {"core", "rtu/line.hpp", "wire/errc.hpp", "wire/errc_name.hpp", "table/register_text.hpp"},
 }
 UMBRELLA = "rtuwire.hpp"
-# A thousand registers, which only a program that asks for them compiles: this room, and the doors to it.
-APART = re.compile(r"altivar/(parameters/|\w+_parameters\.hpp$)")
+# A thousand registers, which only a program that asks for them compiles, and what is done with all of them: these rooms,
+# and the doors to them.
+APART = re.compile(r"altivar/(parameters/|maintenance/|\w+_parameters\.hpp$)|maintenance\.hpp$")
 # The doors of the port need an operating system, or the streams that come with one.
 OPERATING_SYSTEM, DOORS_OF_THE_PORT = "port", {"port.hpp", "print.hpp"}
 

@@ -51,6 +51,7 @@ enum class outcome_kind : std::uint8_t {
     run_input_closed,     ///< a run input is closed: the motor runs as soon as the terminals command
     not_taken,            ///< a written setting reads back with another value
     started_by_terminals, ///< a local command runs the motor; the line cannot stop it
+    other_family,         ///< the drive, or the configuration, is of another family
 };
 
 /// An outcome and what was known about the drive.
@@ -100,6 +101,7 @@ struct reason {
     case outcome_kind::run_input_closed: return "a run input is closed";
     case outcome_kind::not_taken: return "a setting reads back otherwise";
     case outcome_kind::started_by_terminals: return "the terminals run the motor";
+    case outcome_kind::other_family: return "the drive is of another family";
     }
     return "unknown";
 }

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Reads every parameter of a drive, by the fewest requests that its read limit and the holes of its map allow. What the
+// drive refuses is told as refused, what was not reached as not read: each parameter once. Keeps no word.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <rtuwire/altivar/maintenance/block_walk.hpp>
+#include <rtuwire/altivar/parameters/parameter_map.hpp>
+#include <rtuwire/ask/conversation.hpp>
+#include <rtuwire/ask/finite_conversation.hpp>
+#include <rtuwire/core/result.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/table/device.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// Reads a parameter map in the order of addresses, and calls `sink(parameter_group const&, parameter const&,
+/// result<std::uint16_t>)` once for each row: with its word, with the exception by which the drive refused it, or with
+/// the error that ended the backup before it. A block that the drive refuses is asked for again in halves until the
+/// register that it refuses stands alone.
+///
+/// `outcome()` is a success once all were asked, whatever was refused. A lost response is repeated as the client's
+/// options say; what fails then, and an exception that is not about registers (01, 0A, 0B), ends the backup with this
+/// error. The map's groups outlive it; `sink` does not throw.
+template <typename Sink> class backup : public finite_conversation {
+public:
+    template <device_type Device>
+    constexpr backup(station<Device> const& its_drive, parameter_map const& its_map, Sink its_sink) noexcept
+        : map_{its_map}, sink_{its_sink}, walk_{Device::limits.read}, unit_{its_drive.unit()}
+    {
+        static_assert(implements<Device>(function_code::read_holding_registers),
+                      "this device does not implement function 03");
+        ask_next();
+    }
+
+    constexpr std::optional<request_frame> next() const& noexcept
+    {
+        if (settled()) {
+            return std::nullopt;
+        }
+        return request_frame{frame_};
+    }
+    std::optional<request_frame> next() const&& = delete;
+
+    constexpr void accept(result<response> const& outcome) noexcept
+    {
+        auto const told =
+            outcome ? outcome->to<read_holding_registers>() : result<read_holding_registers_response>{outcome.error()};
+        if (told and told->registers.size() == walk_.block().count) {
+            take(told->registers);
+        } else if (told) {
+            end(errc::wrong_length);
+        } else if (is_of_registers(told.error())) {
+            refuse(told.error());
+        } else {
+            end(told.error());
+        }
+    }
+
+    /// How many parameters were read.
+    [[nodiscard]] constexpr std::uint16_t read() const noexcept { return read_; }
+
+    /// How many the drive refused.
+    [[nodiscard]] constexpr std::uint16_t refused() const noexcept { return refused_; }
+
+private:
+    static constexpr bool is_any(parameter const&) noexcept { return true; }
+
+    constexpr void ask_next() noexcept
+    {
+        if (not walk_.find(map_, is_any)) {
+            return settle(errc::none);
+        }
+        address_block const block = walk_.block();
+        static_cast<void>(encode_into(frame_, unit_, read_holding_registers{block.start, block.count}));
+    }
+
+    constexpr void take(register_view words) noexcept
+    {
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            tell(walk_.block().start + i, words[i]);
+            ++read_;
+        }
+        walk_.pass();
+        ask_next();
+    }
+
+    constexpr void refuse(errc error) noexcept
+    {
+        if (walk_.refuse()) {
+            tell(walk_.block().start, error);
+            ++refused_;
+            walk_.pass();
+        }
+        ask_next();
+    }
+
+    constexpr void end(errc error) noexcept
+    {
+        for (std::uint32_t at = lowest_address(map_, walk_.position(), is_any); at != no_address;
+             at = lowest_address(map_, at + 1, is_any)) {
+            tell(at, error);
+        }
+        settle(error);
+    }
+
+    constexpr void tell(std::size_t address, result<std::uint16_t> const& word) noexcept
+    {
+        placed_row const found = row_at(map_, static_cast<std::uint16_t>(address));
+        sink_(*found.group, *found.row, word);
+    }
+
+    parameter_map map_;
+    Sink sink_;
+    block_walk walk_;
+    std::uint16_t read_{0};
+    std::uint16_t refused_{0};
+    std::array<std::byte, 8> frame_{};
+    unit_id unit_;
+};
+
+template <typename Station, typename Sink> backup(Station, parameter_map, Sink) -> backup<Sink>;
+
+} // namespace rtuwire::altivar

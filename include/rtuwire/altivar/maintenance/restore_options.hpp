@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What a restore may write, and what it tells of each parameter.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <rtuwire/altivar/maintenance/drive_family.hpp>
+#include <rtuwire/altivar/maintenance/parameter_role.hpp>
+#include <rtuwire/altivar/parameters/parameter.hpp>
+#include <rtuwire/altivar/procedure/inspection/at_rest.hpp>
+#include <rtuwire/core/literal.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/errc.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// What a drive shall hold: `words(parameter const&)` gives the word of a parameter as a `std::optional<std::uint16_t>`,
+/// always the same. `family` is the family of the drive that these words are of.
+template <typename Words> struct wanted_settings {
+    drive_family family;
+    Words words;
+};
+template <typename Words> wanted_settings(drive_family, Words) -> wanted_settings<Words>;
+
+/// What a restore may write beside ordinary settings. Each is left out unless it is named here, and told so.
+struct restore_options {
+    bool dry_run{false};          ///< tells what would be written, and writes nothing
+    bool with_channels{false};    ///< who commands, run inputs; and CFG, which sets both
+    bool with_link{false};        ///< addresses, rates, formats, time-outs of this line and of other buses
+    bool with_inferred{false};    ///< rows whose source is not `documented`: of an ATV320 nearly all
+    bool with_supervision{false}; ///< what can switch off whatever stops the motor
+    bool with_autorestart{false}; ///< what lets the drive start by itself, or a fault be reset by an input
+    bool save{false};             ///< to the EEPROM, at the end
+    terminal_options terminals{}; ///< for CFG, channels, run inputs and automatic restart, as in `set_channel`
+};
+
+/// What became of one parameter.
+enum class restore_outcome : std::uint8_t {
+    holds,             ///< the drive holds the wanted word; one told as `written` before still does
+    planned,           ///< will be written; in a dry run, would be
+    written,           ///< written, and read back
+    not_read_back,     ///< the drive confirmed it, and may answer elsewhere from now on
+    unconfirmed,       ///< sent, and no response: it holds the old word or the new one
+    differs,           ///< confirmed, and reads back otherwise
+    refused,           ///< the drive refused it, by the exception in `error`
+    unreadable,        ///< the drive refuses to tell what it holds; never written then
+    not_reached,       ///< the restore ended before
+    not_wanted,        ///< the configuration has no word for it
+    out_of_limits,     ///< the wanted word is none of this register; never sent
+    never_written,     ///< it is no setting: see `role_of` and `why`
+    needs_channels,    ///< left out: `with_channels` was not given
+    needs_link,        ///< left out: `with_link` was not given
+    needs_inferred,    ///< left out: `with_inferred` was not given
+    needs_supervision, ///< left out: `with_supervision` was not given
+    needs_autorestart, ///< left out: `with_autorestart` was not given
+};
+
+/// An outcome in words.
+[[nodiscard]] constexpr literal name_of(restore_outcome outcome) noexcept
+{
+    switch (outcome) {
+    case restore_outcome::holds: return "holds the wanted word";
+    case restore_outcome::planned: return "to be written";
+    case restore_outcome::written: return "written and read back";
+    case restore_outcome::not_read_back: return "written, not read back: the drive may answer elsewhere";
+    case restore_outcome::unconfirmed: return "sent, not confirmed: old or new";
+    case restore_outcome::differs: return "written, and reads back otherwise";
+    case restore_outcome::refused: return "refused by the drive";
+    case restore_outcome::unreadable: return "cannot be read, so it is not written";
+    case restore_outcome::not_reached: return "not reached";
+    case restore_outcome::not_wanted: return "not in the configuration";
+    case restore_outcome::out_of_limits: return "outside the limits of the register";
+    case restore_outcome::never_written: return "never written";
+    case restore_outcome::needs_channels: return "left out: channels and run inputs were not asked for";
+    case restore_outcome::needs_link: return "left out: the link was not asked for";
+    case restore_outcome::needs_inferred: return "left out: inferred parameters were not asked for";
+    case restore_outcome::needs_supervision: return "left out: supervision was not asked for";
+    case restore_outcome::needs_autorestart: return "left out: automatic restart was not asked for";
+    }
+    return "unknown";
+}
+
+/// What a restore tells of one parameter.
+struct restore_report {
+    restore_outcome outcome;
+    std::optional<std::uint16_t> held{}; ///< what the drive held when it was last read; empty where it was not
+    errc error{errc::none};              ///< of a parameter that is refused, unreadable, unconfirmed or not reached
+
+    friend constexpr bool operator==(restore_report const&, restore_report const&) noexcept = default;
+};
+
+/// What the options leave out of a parameter's role and source; `planned` where they allow it.
+/// Internal.
+[[nodiscard]] constexpr restore_outcome allowed_by(restore_options const& options, parameter const& row) noexcept
+{
+    switch (role_of(row)) {
+    case parameter_role::macro:
+    case parameter_role::run_input:
+    case parameter_role::channel:
+        if (not options.with_channels) {
+            return restore_outcome::needs_channels;
+        }
+        break;
+    case parameter_role::link_timeout:
+    case parameter_role::other_link:
+    case parameter_role::link:
+        if (not options.with_link) {
+            return restore_outcome::needs_link;
+        }
+        if (role_of(row) == parameter_role::link_timeout and not options.with_supervision) {
+            return restore_outcome::needs_supervision;
+        }
+        break;
+    case parameter_role::supervision:
+        if (not options.with_supervision) {
+            return restore_outcome::needs_supervision;
+        }
+        break;
+    case parameter_role::restart:
+        if (not options.with_autorestart) {
+            return restore_outcome::needs_autorestart;
+        }
+        break;
+    case parameter_role::setting:
+    case parameter_role::step_size:
+    case parameter_role::frequency_limit: break;
+    case parameter_role::read_only:
+    case parameter_role::derived:
+    case parameter_role::measured:
+    case parameter_role::of_this_drive:
+    case parameter_role::order:
+    case parameter_role::safety: return restore_outcome::never_written;
+    }
+    bool const is_sure = row.source == provenance::documented or options.with_inferred;
+    return is_sure ? restore_outcome::planned : restore_outcome::needs_inferred;
+}
+
+/// What is known of a parameter before the drive is asked: left out, and why; `planned` where it is to be compared, and
+/// written where it differs.
+/// Internal.
+[[nodiscard]] constexpr restore_outcome judged(restore_options const& options, parameter const& row,
+                                               std::optional<std::uint16_t> wanted) noexcept
+{
+    restore_outcome const allowed = allowed_by(options, row);
+    if (allowed == restore_outcome::never_written) {
+        return allowed;
+    }
+    if (not wanted) {
+        return restore_outcome::not_wanted;
+    }
+    if (not row.takes(row.count_of(*wanted))) {
+        return restore_outcome::out_of_limits;
+    }
+    return allowed;
+}
+
+} // namespace rtuwire::altivar

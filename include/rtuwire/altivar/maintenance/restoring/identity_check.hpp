@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// Whether a drive is of the family that a configuration is for: by its product code, or, where it does not say that, by
+// registers that are only read and that another family lacks. Knows no request.
+// Internal: may change with any version.
+#pragma once
+
+#include <cstdint>
+
+#include <rtuwire/altivar/maintenance/drive_family.hpp>
+#include <rtuwire/altivar/parameters/parameter.hpp>
+#include <rtuwire/ask/conversation.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/pdu/device_identification.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD::altivar {
+
+/// Decides by the response to a request for the product code.
+class identity_check {
+public:
+    enum class verdict : std::uint8_t {
+        same,
+        other,       ///< another family; or it told its product code before, and does not now
+        not_told,    ///< it has no function 43/14
+        not_reached, ///< no response, or one that is none: the error tells
+    };
+
+    /// For a drive of one family, and a configuration of another, or of the same.
+    constexpr identity_check(drive_family const& its_family, drive_family const& wanted,
+                             bool has_identification) noexcept
+        : family_{its_family}, is_meant_{its_family == wanted}, has_identification_{has_identification}
+    {}
+
+    /// Whether the configuration is for such a drive.
+    [[nodiscard]] constexpr bool is_meant() const noexcept { return is_meant_; }
+    [[nodiscard]] constexpr bool has_identification() const noexcept { return has_identification_; }
+
+    /// Whether the drive was identified since `expire`.
+    [[nodiscard]] constexpr bool holds() const noexcept { return is_identified_; }
+
+    /// The drive is asked again before the next write; one that does not tell who it is, is not.
+    constexpr void expire() noexcept { is_identified_ = not has_identification_; }
+
+    /// The registers were compared.
+    constexpr void note_same() noexcept { is_identified_ = true; }
+
+    constexpr verdict judge(result<response> const& outcome, errc& error) noexcept
+    {
+        error = outcome.error();
+        if (is_lack(error)) {
+            bool const told_before = was_told_;
+            has_identification_ = told_before;
+            return told_before ? verdict::other : verdict::not_told;
+        }
+        if (not outcome) {
+            return verdict::not_reached;
+        }
+        auto const page = outcome->to<read_device_identification>();
+        if (not page) {
+            error = page.error();
+            return verdict::not_reached;
+        }
+        auto const product = page->find(product_code);
+        bool const is_same = product and drive_family::of(*product) == family_;
+        is_identified_ = is_same;
+        was_told_ = was_told_ or is_same;
+        return is_same ? verdict::same : verdict::other;
+    }
+
+    /// Whether a register is compared where the drive does not tell who it is.
+    [[nodiscard]] static constexpr bool is_compared(parameter const& row) noexcept
+    {
+        return not row.is_writable() and row.source != provenance::doubtful;
+    }
+
+private:
+    /// Whether a drive that sent this has no function 43/14, or not this object.
+    static constexpr bool is_lack(errc error) noexcept
+    {
+        return error == errc::illegal_function or error == errc::illegal_data_address or
+               error == errc::illegal_data_value;
+    }
+
+    drive_family family_;
+    bool is_meant_;
+    bool has_identification_;
+    bool is_identified_{false};
+    bool was_told_{false}; ///< by the product code, ever
+};
+
+} // namespace rtuwire::altivar

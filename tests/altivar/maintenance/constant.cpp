@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Both conversations run in a constant expression: without a heap, and with nothing undefined.
+#include <rtuwire/altivar/maintenance/restore.hpp>
+
+#include "altivar/maintenance/small_map.hpp"
+#include "support/catch.hpp"
+#include "support/proof.hpp"
+
+#include <rtuwire/altivar/maintenance/backup.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+using namespace rtuwire::test;
+
+namespace {
+
+constexpr station<atv320::device> unit{unit_id{7}};
+
+/// A drive that refuses one block, and is silent then: each parameter is told once.
+constexpr bool backup_tells_all()
+{
+    std::size_t told = 0;
+    backup conversation{unit, small_map,
+                        [&](parameter_group const&, parameter const&, result<std::uint16_t> const&) { ++told; }};
+    conversation.accept(errc::illegal_data_address);
+    while (conversation.next()) {
+        conversation.accept(errc::timed_out);
+    }
+    return told == small_map.size() and conversation.settled();
+}
+
+/// A drive that is silent from the beginning: each parameter is left out, or not reached.
+constexpr bool restore_tells_all()
+{
+    std::size_t told = 0;
+    auto const one = [](parameter const&) -> std::optional<std::uint16_t> { return std::uint16_t{1}; };
+    restore conversation{unit, small_map, wanted_settings{drive_family::of("ATV320"), one},
+                         [&](parameter_group const&, parameter const&, restore_report const&) { ++told; },
+                         restore_options{}};
+    conversation.advance(instant{0});
+    while (conversation.next()) {
+        conversation.accept(errc::timed_out);
+    }
+    return told == small_map.size() and conversation.reason().kind == outcome_kind::silent;
+}
+
+} // namespace
+
+PROOF("a backup tells each parameter once, evaluated by the compiler", backup_tells_all)
+PROOF("a restore tells each parameter once, evaluated by the compiler", restore_tells_all)

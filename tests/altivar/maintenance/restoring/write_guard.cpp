@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// The table of the check before a write: each stage and each answer.
+#include <rtuwire/altivar/maintenance/restoring/write_guard.hpp>
+
+#include <vector>
+
+#include "altivar/procedure/status_words.hpp"
+#include "support/catch.hpp"
+
+#include <rtuwire/altivar/device/atv320.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+using namespace rtuwire::test;
+using kind = outcome_kind;
+
+namespace {
+
+constexpr std::uint16_t eta = 3201, rfr = 3202, cmd = 8501, tcc = 11101, inputs = 5202;
+
+write_guard guard() { return write_guard{atv320::device::layout, {}}; }
+
+bool is_read_of(action const& what, std::uint16_t address)
+{
+    return what.what == action::kind::read and what.address == address;
+}
+
+/// How the check ends after these answers; `pending` where it asks for more.
+kind after(bool is_delicate, std::vector<event> const& answers)
+{
+    write_guard one = guard();
+    CHECK(is_read_of(one.begin(is_delicate), eta));
+    for (event const& each : answers) {
+        CHECK(one.reason().kind == kind::pending);
+        static_cast<void>(one.step(each));
+    }
+    return one.reason().kind;
+}
+
+} // namespace
+
+TEST_CASE("the states that a drive may be written in")
+{
+    constexpr std::array expected{kind::aborted,
+                                  kind::pending,
+                                  kind::pending,
+                                  kind::pending,
+                                  kind::refused_while_running,
+                                  kind::refused_while_running,
+                                  kind::refused_while_running,
+                                  kind::pending,
+                                  kind::aborted,
+                                  kind::silent,
+                                  kind::refused,
+                                  kind::aborted};
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        INFO(looks[i].name);
+        CHECK(after(false, {looks[i].what}) == expected[i]);
+        CHECK(after(true, {looks[i].what}) == expected[i]);
+    }
+}
+
+TEST_CASE("any command but 0000, and any speed but 0, forbids a write")
+{
+    for (std::uint32_t value = 1; value < 0x1'0000; ++value) {
+        auto const each = static_cast<std::uint16_t>(value);
+        write_guard one = guard();
+        static_cast<void>(one.begin(false));
+        static_cast<void>(one.step(word(disabled_word)));
+        write_guard other = one;
+        static_cast<void>(one.step(word(each)));
+        static_cast<void>(other.step(word(0)));
+        static_cast<void>(other.step(word(each)));
+        REQUIRE(one.reason().kind == kind::overwritten);
+        REQUIRE(other.reason().kind == kind::refused_while_running);
+    }
+    CHECK(after(false, {word(disabled_word), word(0), word(0)}) == kind::succeeded);
+    CHECK(after(false, {word(fault_word), word(0), word(0)}) == kind::succeeded);
+}
+
+TEST_CASE("a delicate write needs a drive without fault, and open run inputs")
+{
+    write_guard one = guard();
+    CHECK(is_read_of(one.begin(true), eta));
+    CHECK(is_read_of(one.step(word(disabled_word)), cmd));
+    CHECK(is_read_of(one.step(word(0)), rfr));
+    CHECK(is_read_of(one.step(word(0)), eta));
+    CHECK(is_read_of(one.step(word(disabled_word)), tcc));
+    CHECK(is_read_of(one.step(word(0)), inputs));
+    write_guard closed = one;
+    static_cast<void>(one.step(word(0xFFFC)));
+    CHECK(one.reason().kind == kind::succeeded);
+    static_cast<void>(closed.step(word(2)));
+    CHECK(closed.reason().kind == kind::run_input_closed);
+
+    std::vector<event> const stands{word(disabled_word), word(0), word(0)};
+    auto const then = [&](std::vector<event> const& more) {
+        std::vector<event> all = stands;
+        all.insert(all.end(), more.begin(), more.end());
+        return after(true, all);
+    };
+    CHECK(then({word(fault_word), word(5)}) == kind::in_fault);
+    CHECK(then({word(enabled_word)}) == kind::refused_while_running);
+    CHECK(then({failed(errc::timed_out)}) == kind::silent);
+    CHECK(then({word(disabled_word), word(0), failed(errc::illegal_data_address)}) == kind::unknown_register);
+}
+
+TEST_CASE("a check may be begun again")
+{
+    write_guard one = guard();
+    static_cast<void>(one.begin(true));
+    static_cast<void>(one.step(word(enabled_word)));
+    REQUIRE(one.reason().kind == kind::refused_while_running);
+    CHECK(is_read_of(one.begin(false), eta));
+    CHECK(one.reason().kind == kind::pending);
+    for (event const& each : {word(disabled_word), word(0), word(0)}) {
+        static_cast<void>(one.step(each));
+    }
+    CHECK(one.reason().kind == kind::succeeded);
+}
