@@ -80,20 +80,63 @@ TEST_CASE("the catalog has all registers of all drives, each once, in the order 
         ++drives;
         tool::drive_catalog const* const catalog = tool::catalog_named(string_of(Device::name));
         REQUIRE(catalog != nullptr);
-        REQUIRE(catalog->registers.size() == Device::registers::size);
+        REQUIRE(catalog->registers.size() >= Device::registers::size);
         for (std::size_t i = 1; i < catalog->registers.size(); ++i) {
             CHECK(catalog->registers[i - 1].address < catalog->registers[i].address);
         }
+        std::size_t for_driving = 0;
+        for (tool::register_entry const& each : catalog->registers) {
+            for_driving += each.is_for_driving ? 1U : 0U;
+        }
+        CHECK(for_driving == Device::registers::size);
         Device::registers::for_each([&]<auto const & R>() {
             INFO(string_of(R.code));
             tool::register_entry const* const row = catalog->at(R.address);
             REQUIRE((row != nullptr and row == catalog->by_code(string_of(R.code))));
             CHECK((row->name == string_of(R.name) and row->mode == R.mode and row->factory == R.factory));
             CHECK((row->lowest_count() == lowest<R>() and row->highest_count() == highest<R>()));
-            CHECK(row->source == R.source);
+            CHECK((row->source == R.source and row->is_for_driving));
         });
     });
     CHECK(tool::all_catalogs().size() == drives);
+}
+
+TEST_CASE("the catalog has the parameters of the public lists, each with its row and its group")
+{
+    // Numbers of the lists: facts/registers_public.csv, and what the manuals have besides.
+    CHECK(tool::catalog_named("atv12")->registers.size() == 241);
+    CHECK(tool::catalog_named("atv320")->registers.size() == 1014);
+    CHECK(tool::catalog_named("atv310_2026")->registers.size() == 97);
+    CHECK(tool::catalog_named("atv310")->registers.size() == 97 - 16); // without the later scanner words
+    for (tool::drive_catalog const* const drive : tool::all_catalogs()) {
+        std::set<std::string_view> codes;
+        for (tool::register_entry const& each : drive->registers) {
+            INFO(drive->name << ' ' << each.code);
+            CHECK(codes.insert(each.code).second);
+            REQUIRE(each.row != nullptr);
+            CHECK((each.row->address == each.address and std::string_view{each.row->code} == each.code));
+            CHECK((each.row->mode == each.mode and not each.group.empty()));
+            CHECK((each.source != provenance::doubtful or not drive->map.by_code(each.code)->is_writable() or
+                   each.is_writable()));
+        }
+    }
+    CHECK(entry("atv320", "SP2").group == "functions_speed");
+    CHECK(entry("atv320", "SP2").unit == "Hz");
+    CHECK(entry("atv320", "CLI").mode == access::read_only); // unverified
+    CHECK(entry("atv28", "CMD").group == "command");
+    CHECK(entry("atv28", "ACC").group == "settings");
+    CHECK(entry("atv28", "RFR").group == "monitoring");
+}
+
+TEST_CASE("an ATV310 has the numbers of its menu, each revision its own")
+{
+    tool::drive_catalog const& old = *tool::catalog_named("atv310");
+    tool::drive_catalog const& later = *tool::catalog_named("atv310_2026");
+    CHECK((old.by_menu("701")->code == "ADD" and old.by_menu("705.3")->code == "NMA4"));
+    CHECK((old.by_menu("705.4") == nullptr and later.by_menu("705.4")->code == "NMA5"));
+    CHECK((old.by_menu("502.0") == nullptr and later.by_menu("502.0")->code == "STT"));
+    CHECK((old.by_menu("") == nullptr and old.by_menu("999") == nullptr));
+    CHECK(tool::catalog_named("atv320")->by_menu("701") == nullptr);
 }
 
 TEST_CASE("a text of the catalog is that of the library, for words of each register")

@@ -42,7 +42,7 @@ def read(tool, *words):
 
 
 def check_words(tool, check):
-    check(read(tool, "DP*") == [f"DP{i}" for i in range(9)], "a glob")
+    check(read(tool, "DP?") == [f"DP{i}" for i in range(9)], "a glob")
     check(read(tool, "rfr", "RFR") == ["RFR"], "small letters, and each once")
     check("RFR" in read(tool, "@monitor"), "a group")
     check(read(tool, "3202", "0x0C81") == ["RFR", "ETA"], "numbers, with the names of the drive")
@@ -50,6 +50,47 @@ def check_words(tool, check):
     check(read(tool, "3201-3203") == ["ETA", "RFR", "FRH"], "a range")
     ended = tool.run("-u", 7, "-d", "atv320", "read", "RFRR")
     check(ended.status == USAGE and "RFRR" in ended.errors and "RFR" in ended.errors, "a wrong one", ended)
+
+
+def check_parameters(tool, check):
+    """All parameters of the public lists: read, listed and explained."""
+    check(read(tool, "SP2", "@functions_ramp")[0] == "SP2", "a parameter, and a group of the menu")
+    rows = tool.run("--csv", "list", "-d", "atv320", "--group", "motor_control", "--search", "rated motor").rows()
+    check({"UNS", "FRS", "NCR", "NSP"} <= {row["register"] for row in rows} and all(
+        row["group"] == "motor_control" for row in rows), "a group and a search together", rows)
+    ended = tool.run("list", "-d", "atv320", "--group", "motor_contrl")
+    check(ended.status == USAGE and "motor_control" in ended.errors, "a group that there is not", ended)
+    rows = {row["register"]: row for row in tool.run("--csv", "list", "-d", "atv310").rows()}
+    check((rows["NMA1"]["menu"], rows["ADD"]["menu"]) == ("705.0", "701"), "an ATV310 has the numbers of its menu")
+    found = tool.run("--json", "-u", 5, "-d", "atv310", "read", "512.2").objects()[0]
+    check(found["register"] == "HSP", "by which it is read", found)
+    explained = tool.run("--json", "explain", "ACC").objects()
+    check([each["drive"] for each in explained] == list(DRIVES), "a register of each drive that has it", explained)
+    one = tool.run("--json", "explain", "8401", "-d", "atv320").objects()[0]
+    check(one["register"] == "CHCF" and "SEP (2)" in one["values"] and "a motor may turn" in one["a write"]
+          and one["source"].startswith("inferred"), "all that is known of it", one)
+    text = tool.run("explain", "LFRD", "-d", "atv320").output
+    check("only start and stop write it" in text and "rpm" in text, "for people, too", text)
+    for words, says in ((["explain", "NOPE"], "NOPE"), (["explain", "64999", "-d", "atv12"], "nothing is known")):
+        ended = tool.run(*words)
+        check(ended.status == USAGE and says in ended.errors, f"{words} is refused", ended)
+
+
+def check_faults(program, tool, check):
+    """The history: the last fault and those before, in words, with the state at each where the drive keeps it."""
+    simulator = Simulator(program, "atv320:7", "atv28:4")
+    with simulator as device:
+        how = ["--no-listen", "--json"]
+        rows = tool.run(*how, "-u", 7, "faults", port=device).objects()
+        check([row["register"] for row in rows] == ["LFT", *(f"DP{i}" for i in range(9))] and rows[0]["when"] == "last",
+              "a row a fault", rows)
+        simulator.suffer("7 fault")
+        rows = tool.run(*how, "-u", 7, "faults", port=device).objects()
+        check(rows[0]["when"] == "now, in fault" and rows[0]["state"] == "fault" and rows[0]["raw"] != 0
+              and ": " in rows[0]["fault"], "the fault that stands", rows[0])
+        check(tool.run(*how, "-u", 4, "faults", port=device).objects()[0]["register"] == "LFT", "an ATV28 has one, too")
+        ended = tool.run(*how, "--timeout", 0.1, "--retries", 0, "-u", 9, "-d", "atv320", "faults", port=device)
+        check(ended.status == NO_ANSWER, "nobody answers", ended)
 
 
 def check_identity(tool, check):
@@ -138,6 +179,8 @@ def main(check, program, libmodbus_server):
     with Tool(program, CABINET) as tool:
         check_forms(tool, check)
         check_words(tool, check)
+        check_parameters(tool, check)
+        check_faults(program, tool, check)
         check_identity(tool, check)
     processes = []
     with Tool(program) as tool, tempfile.TemporaryDirectory(prefix="line-") as folder:

@@ -57,6 +57,26 @@ TEST_CASE("registers are named by mnemonics, numbers, ranges, patterns, groups a
     CHECK(selected({"@Ramps"}) == "9020 INR, 9001 ACC, 9002 DEC, 9012 AC2, 9013 DE2");
 }
 
+TEST_CASE("a group of the menu is a group, and each drive has its own")
+{
+    CHECK(selected({"@functions_ramp"}).find("9012 AC2") != std::string::npos);
+    CHECK(selected({"@Motor_Control"}).find("9601 UNS") != std::string::npos);
+    CHECK(selected({"@functions_traverse"}, tool::catalog_named("atv12")) == "unknown_group");
+    CHECK(selected({"@command"}, tool::catalog_named("atv28")) == "400 CMD, 402 CMI");
+    tool::refusal const wrong = refused("@motor_contrl");
+    CHECK(wrong.nearest == "@motor_control");
+    CHECK(wrong.sentence.find("functions_brake") != std::string::npos);
+}
+
+TEST_CASE("an ATV310 takes the numbers of its menu; another drive has addresses and bits there")
+{
+    tool::drive_catalog const* const old = tool::catalog_named("atv310");
+    CHECK(selected({"701", "705.0", "512.2"}, old) == "6001 ADD, 12701 NMA1, 3104 HSP");
+    CHECK(selected({"705.4", "0x01F4", "702.1"}, old) == "705.4, 500, 702.1");
+    CHECK(selected({"705.4"}, tool::catalog_named("atv310_2026")) == "12705 NMA5");
+    CHECK(selected({"701", "705.0"}) == "701, 705.0");
+}
+
 TEST_CASE("registers come in the order in which they were typed, each once")
 {
     CHECK(selected({"LCR", "3202", "RFR", "ETA,LCR,FRH"}) == "3204 LCR, 3202 RFR, 3201 ETA, 3203 FRH");
@@ -112,7 +132,8 @@ TEST_CASE("a search finds mnemonics, names, values and bits")
         }
         return text;
     };
-    CHECK(codes("acceleration ramp").find("ACC") != std::string::npos);
+    CHECK(codes("acceleration ramp").starts_with("ACC "));
+    CHECK(codes("ramp").find("ACC ") < codes("ramp").find("LFL3 ")); // one of whose values is a ramp stop
     CHECK(codes("overcurrent").find("LFT") != std::string::npos);
     CHECK(codes("switch on disabled").find("ETA") != std::string::npos);
     CHECK(codes("no such thing").empty());

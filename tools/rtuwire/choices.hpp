@@ -49,6 +49,17 @@ struct motion_choices {
     std::string stop_by{"ramp"};
 };
 
+/// What a restore may write besides ordinary settings.
+struct restore_choices {
+    bool dry_run{false};
+    bool with_channels{false};
+    bool with_link{false};
+    bool with_inferred{false};
+    bool with_supervision{false};
+    bool with_autorestart{false};
+    bool save{false};
+};
+
 struct choices {
     std::string command{};
     output_form form{output_form::table};
@@ -56,9 +67,12 @@ struct choices {
     permissions allowed{};
     scan_choices scan{};
     motion_choices motion{};
+    restore_choices restore{};
 
     std::vector<std::string> words{}; ///< registers, bytes, drives
     std::string search{};
+    std::string group{};
+    bool is_factory{false}; ///< compares with the factory values
     std::string file{};
     std::string capture_form{"udp"};
     std::optional<double> every{}; ///< seconds; nothing: as the command thinks best

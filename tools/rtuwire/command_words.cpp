@@ -114,7 +114,11 @@ void add_reading(CLI::App& app, choices& chosen)
     add_period(monitor, chosen);
     CLI::App& list = add_command(app, chosen, "list", "the registers of a drive, or the drives");
     add_operands(list, chosen, "PATTERN", "mnemonics, globs, groups, addresses");
-    list.add_option("--search", chosen.search, "a word in the registers' names");
+    list.add_option("--search", chosen.search, "a word in the registers' names, values or bits");
+    list.add_option("--group", chosen.group, "those of a group, such as motor_control");
+    add_operands(add_command(app, chosen, "explain", "all that is known of a register, of one drive or of each"),
+                 chosen, "REG", register_words, true);
+    add_command(app, chosen, "faults", "the last fault and those before, with the drive's state at each");
 }
 
 void add_writing(CLI::App& app, choices& chosen)
@@ -137,6 +141,31 @@ void add_writing(CLI::App& app, choices& chosen)
         ->excludes(freewheel);
     ramp->excludes(freewheel);
     add_command(app, chosen, "reset", "reset a fault (--write)");
+}
+
+void add_settings(CLI::App& app, choices& chosen)
+{
+    CLI::App& backup = add_command(app, chosen, "backup", "read all parameters of a drive into a file");
+    backup
+        .add_option("-o,--output", chosen.file, "the file: JSON, or CSV where its name ends so; - for standard output")
+        ->required();
+    CLI::App& compare =
+        add_command(app, chosen, "compare", "what differs between settings of files, drives, the factory");
+    add_operands(compare, chosen, "FILE",
+                 "one or two: a FILE, a UNIT, or UNIT@PORT; the unit of --unit stands for the second");
+    compare.add_flag("--factory", chosen.is_factory, "with the factory values, instead of a second one");
+    CLI::App& restore =
+        add_command(app, chosen, "restore", "write a file's settings into a drive that stands (--write)");
+    restore.add_option("FILE", chosen.file, "a backup, JSON or CSV")->required();
+    restore_choices& with = chosen.restore;
+    restore.add_flag("--dry-run", with.dry_run, "show what would be written, and write nothing");
+    restore.add_flag("--with-channels", with.with_channels,
+                     "also who commands it, run inputs, and the macro that sets both");
+    restore.add_flag("--with-link", with.with_link, "also its address, bit rate, format and time-out");
+    restore.add_flag("--with-inferred", with.with_inferred, "also what is known only from a sister drive");
+    restore.add_flag("--with-supervision", with.with_supervision, "also what can switch off whatever stops the motor");
+    restore.add_flag("--with-autorestart", with.with_autorestart, "also what lets the drive start by itself");
+    restore.add_flag("--save", with.save, "save to the EEPROM at the end");
 }
 
 void add_line_tools(CLI::App& app, choices& chosen)
@@ -182,6 +211,7 @@ void add_words(CLI::App& app, choices& chosen)
     add_permissions(app, chosen.allowed);
     add_reading(app, chosen);
     add_writing(app, chosen);
+    add_settings(app, chosen);
     add_line_tools(app, chosen);
     add_own_texts(app, chosen);
 }

@@ -21,10 +21,12 @@ struct command {
 };
 
 constexpr command commands[] = {
-    {"scan", run_scan},     {"identify", run_identify}, {"read", run_read},         {"watch", run_watch},
-    {"list", run_list},     {"write", run_write},       {"sniff", run_sniff},       {"capture", run_capture},
-    {"replay", run_replay}, {"timing", run_timing},     {"simulate", run_simulate}, {"monitor", run_monitor},
-    {"decode", run_decode}, {"start", run_start},       {"stop", run_stop},         {"reset", run_reset},
+    {"scan", run_scan},         {"identify", run_identify}, {"read", run_read},     {"watch", run_watch},
+    {"list", run_list},         {"explain", run_explain},   {"faults", run_faults}, {"write", run_write},
+    {"sniff", run_sniff},       {"capture", run_capture},   {"replay", run_replay}, {"timing", run_timing},
+    {"simulate", run_simulate}, {"monitor", run_monitor},   {"decode", run_decode}, {"start", run_start},
+    {"stop", run_stop},         {"reset", run_reset},       {"backup", run_backup}, {"compare", run_compare},
+    {"restore", run_restore},
 };
 
 exit_status run(choices const& chosen)

@@ -5,19 +5,9 @@
 #include <algorithm>
 
 #include "catalog/catalog_drives.hpp"
-#include "catalog/catalog_of.hpp"
 #include "words/words.hpp"
 
 namespace tool {
-
-/// By insertion: the tables are nearly in this order, and it is a quarter of what std::sort takes of a program.
-void sort_by_address(std::span<register_entry> registers) noexcept
-{
-    auto const is_before = [](auto const& left, auto const& right) { return left.address < right.address; };
-    for (auto each = registers.begin(); each != registers.end(); ++each) {
-        std::rotate(std::upper_bound(registers.begin(), each, *each, is_before), each, each + 1);
-    }
-}
 
 std::int32_t register_entry::lowest_count() const noexcept
 {
@@ -46,6 +36,14 @@ register_entry const* drive_catalog::by_code(std::string_view code) const noexce
 {
     auto const found = std::find_if(registers.begin(), registers.end(),
                                     [code](auto const& entry) { return is_same_word(entry.code, code); });
+    return found != registers.end() ? &*found : nullptr;
+}
+
+register_entry const* drive_catalog::by_menu(std::string_view number) const noexcept
+{
+    auto const found = std::find_if(registers.begin(), registers.end(), [number](auto const& entry) {
+        return not number.empty() and entry.menu == number;
+    });
     return found != registers.end() ? &*found : nullptr;
 }
 

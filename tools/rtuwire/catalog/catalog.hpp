@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The drives and their registers as arrays that a program walks at run time. The compiler derives them from the tables
-// of the headers: nothing is written down twice. They live as long as the program.
+// The drives and all their parameters as arrays that a program walks at run time. The compiler derives them from the
+// registers of the headers: nothing is written down twice. They live as long as the program.
 #pragma once
 
 #include <array>
@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include <rtuwire/altivar/own_parameters.hpp>
 #include <rtuwire/client.hpp>
 #include <rtuwire/drives.hpp>
 
@@ -30,7 +31,11 @@ struct step_size {
 struct register_entry {
     std::string_view code; ///< the mnemonic, in upper case
     std::uint16_t address;
-    std::string_view name; ///< for display
+    rtuwire::altivar::parameter const* row; ///< the same as the library's row
+    std::string_view name;                  ///< for display
+    std::string_view group;                 ///< of parameters: "motor_control"
+    std::string_view menu; ///< the number that the drive's display has for it, "705.0"; empty where none is known
+    bool is_for_driving;   ///< one of those that any program for this drive has, and that tell it from others
     rtuwire::access mode;
     register_kind kind;
     std::string_view unit;         ///< symbol of what is measured, "Hz"; empty where nothing is
@@ -43,10 +48,16 @@ struct register_entry {
     std::optional<std::int32_t> factory; ///< in raw counts, where known
     rtuwire::provenance source;
     std::span<rtuwire::named_value const> names;    ///< of an enumeration: mnemonics
-    std::span<rtuwire::named_value const> meanings; ///< of an enumeration: in words
+    std::span<rtuwire::named_value const> meanings; ///< of an enumeration: in words, as the library's texts have them
     std::span<std::string_view const, 16> bits;     ///< of a word of bits: identifiers, empty where unnamed
 
     [[nodiscard]] bool is_writable() const noexcept { return mode != rtuwire::access::read_only; }
+    /// What its values, or its bits by number, mean in words; more than the texts of values say.
+    [[nodiscard]] std::span<rtuwire::named_value const> words() const noexcept { return row->type->meanings; }
+    [[nodiscard]] bool is_amount() const noexcept
+    {
+        return kind == register_kind::number or kind == register_kind::signed_number;
+    }
 
     /// The count that a word on the wire stands for: below zero only in a register of signed numbers.
     [[nodiscard]] std::int32_t count_of(std::uint16_t word) const noexcept
@@ -62,6 +73,7 @@ struct drive_catalog {
     std::string_view name;                     ///< "atv320"
     std::string_view reference;                ///< one of the family, as function 43 returns it
     std::span<register_entry const> registers; ///< in the order of their addresses
+    rtuwire::altivar::parameter_map map;       ///< the same as the library's rows, by their groups
     rtuwire::device_limits limits;             ///< registers a request
     rtuwire::function_set functions;
     rtuwire::unit_range units;
@@ -74,6 +86,9 @@ struct drive_catalog {
 
     /// The register of a mnemonic, in upper or lower case; null where there is none.
     [[nodiscard]] register_entry const* by_code(std::string_view code) const noexcept;
+
+    /// The register of a number of the drive's menu, "705.0"; null where there is none.
+    [[nodiscard]] register_entry const* by_menu(std::string_view number) const noexcept;
 };
 
 /// All drives of the library.

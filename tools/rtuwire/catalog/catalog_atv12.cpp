@@ -3,10 +3,22 @@
 #include "catalog/catalog_drives.hpp"
 #include "catalog/catalog_of.hpp"
 
-#include <rtuwire/altivar/atv12.hpp>
+#include <rtuwire/altivar/atv12_parameters.hpp>
 
 namespace tool {
 
-drive_catalog const& catalog_of_atv12() noexcept { return catalog_of<rtuwire::altivar::atv12::device>(); }
+namespace atv12_map = rtuwire::altivar::atv12;
+
+drive_catalog const& catalog_of_atv12() noexcept
+{
+    static auto const groups = groups_of({&atv12_map::parameters, &atv12_map::unverified_parameters});
+    static std::vector<register_entry> const registers = [] {
+        auto all = registers_of<atv12_map::device>(atv12_map::full_device::registers{});
+        take_groups(all, groups);
+        return all;
+    }();
+    static drive_catalog const catalog = catalog_of<atv12_map::device>(registers, groups);
+    return catalog;
+}
 
 } // namespace tool

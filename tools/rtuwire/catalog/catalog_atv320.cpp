@@ -3,10 +3,22 @@
 #include "catalog/catalog_drives.hpp"
 #include "catalog/catalog_of.hpp"
 
-#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/atv320_parameters.hpp>
 
 namespace tool {
 
-drive_catalog const& catalog_of_atv320() noexcept { return catalog_of<rtuwire::altivar::atv320::device>(); }
+namespace atv320_map = rtuwire::altivar::atv320;
+
+drive_catalog const& catalog_of_atv320() noexcept
+{
+    static auto const groups = groups_of({&atv320_map::parameters, &atv320_map::unverified_parameters});
+    static std::vector<register_entry> const registers = [] {
+        auto all = registers_of<atv320_map::device>(atv320_map::full_device::registers{});
+        take_groups(all, groups);
+        return all;
+    }();
+    static drive_catalog const catalog = catalog_of<atv320_map::device>(registers, groups);
+    return catalog;
+}
 
 } // namespace tool

@@ -1,13 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Makes a drive's catalog of its table. Included by one file a drive, so that no file compiles for long.
+// Makes a drive's catalog of its registers. Included by one file a drive, so that no file compiles for long.
 #pragma once
 
-#include <limits>
+#include <iterator>
 #include <type_traits>
+#include <vector>
+
+#include <rtuwire/altivar/own_parameters.hpp>
 
 #include "catalog/catalog.hpp"
+#include "catalog/catalog_groups.hpp"
 
 namespace tool {
 
@@ -62,7 +66,11 @@ template <typename T> [[nodiscard]] constexpr register_entry entry_of(rtuwire::r
     value_traits const& type = traits<T>;
     return {.code = from.code,
             .address = from.address,
+            .row = nullptr,
             .name = from.name,
+            .group = {},
+            .menu = {},
+            .is_for_driving = false,
             .mode = from.mode,
             .kind = type.kind,
             .unit = type.unit,
@@ -79,32 +87,57 @@ template <typename T> [[nodiscard]] constexpr register_entry entry_of(rtuwire::r
             .bits = type.bits};
 }
 
-/// Compiled once, not for each drive.
-void sort_by_address(std::span<register_entry> registers) noexcept;
-
-/// The registers of a table, by address.
-template <auto const&... Registers>
-[[nodiscard]] std::array<register_entry, sizeof...(Registers)> entries_of(rtuwire::table<Registers...>) noexcept
+/// Adds the registers of a list, as they stand there. The list is a constant: a thousand of them cost the compiler little.
+template <auto const&... Registers> void add_all_of(std::vector<register_entry>& to)
 {
-    std::array<register_entry, sizeof...(Registers)> all{entry_of(Registers)...};
+    static constexpr register_entry list[]{entry_of(Registers)...};
+    to.insert(to.end(), std::begin(list), std::end(list));
+}
+
+template <auto const&... Registers> void add(std::vector<register_entry>& to, rtuwire::table<Registers...>)
+{
+    add_all_of<Registers...>(to);
+}
+
+template <auto const&... Registers>
+void add(std::vector<register_entry>& to, rtuwire::altivar::parameter_list<Registers...>)
+{
+    add_all_of<Registers...>(to);
+}
+
+template <typename... Groups> void add(std::vector<register_entry>& to, rtuwire::altivar::grouped_table<Groups...>)
+{
+    (add(to, Groups{}), ...);
+}
+
+/// The registers of a table or a map, in the order of addresses; those of the drive's own table are marked.
+template <typename Drive, typename Registers>
+[[nodiscard]] std::vector<register_entry> registers_of(Registers registers)
+{
+    std::vector<register_entry> all;
+    add(all, registers);
+    for (register_entry& each : all) {
+        each.is_for_driving = Drive::registers::has_address(each.address);
+    }
     sort_by_address(all);
     return all;
 }
 
-/// A drive's catalog.
-template <typename Drive> [[nodiscard]] drive_catalog const& catalog_of() noexcept
+/// A drive's catalog. The registers and groups live as long.
+template <typename Drive>
+[[nodiscard]] drive_catalog catalog_of(std::vector<register_entry> const& registers,
+                                       std::vector<rtuwire::altivar::parameter_group> const& groups) noexcept
 {
-    static auto const registers = entries_of(typename Drive::registers{});
-    static drive_catalog const catalog{.name = Drive::name,
-                                       .reference = Drive::reference,
-                                       .registers = registers,
-                                       .limits = Drive::limits,
-                                       .functions = Drive::functions,
-                                       .units = Drive::units,
-                                       .layout = Drive::layout,
-                                       .speed_reference = Drive::speed_reference.address,
-                                       .frequency_reference = Drive::frequency_reference.address};
-    return catalog;
+    return {.name = Drive::name,
+            .reference = Drive::reference,
+            .registers = registers,
+            .map = rtuwire::altivar::parameter_map{groups},
+            .limits = Drive::limits,
+            .functions = Drive::functions,
+            .units = Drive::units,
+            .layout = Drive::layout,
+            .speed_reference = Drive::speed_reference.address,
+            .frequency_reference = Drive::frequency_reference.address};
 }
 
 } // namespace tool

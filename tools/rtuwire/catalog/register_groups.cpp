@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "words/register_words.hpp"
 
+#include <algorithm>
+
 namespace tool {
 
 namespace {
@@ -14,7 +16,6 @@ constexpr std::string_view power[]{"ULN", "UOP", "LCR", "OTR", "OPR"};
 constexpr std::string_view thermal[]{"THD", "THR"};
 constexpr std::string_view fault[]{"LFT", "ERRD", "DF1", "DF2", "CIC", "DP0", "DP1",
                                    "DP2", "DP3",  "DP4", "DP5", "DP6", "DP7", "DP8"};
-constexpr std::string_view command[]{"CMD", "CMI", "LFR", "LFRD", "PISP", "RPI"};
 constexpr std::string_view inputs[]{"IL1I", "IL1R", "IOLR", "AI1R", "AI2R"};
 constexpr std::string_view hours[]{"RTH", "RTHI", "PTH", "TIM"};
 constexpr std::string_view ramps[]{"INR", "ACC", "DEC", "AC2", "DE2"};
@@ -32,7 +33,6 @@ constexpr register_group all[]{
     {"power", "voltages, current, torque and power", power},
     {"thermal", "how warm drive and motor are", thermal},
     {"fault", "the last fault and those before", fault},
-    {"command", "what commands it", command},
     {"inputs", "its inputs", inputs},
     {"hours", "how long it ran", hours},
     {"ramps", "ramp times and their step", ramps},
@@ -46,5 +46,30 @@ constexpr register_group all[]{
 } // namespace
 
 std::span<register_group const> register_groups() noexcept { return all; }
+
+std::vector<std::string_view> menu_groups_of(drive_catalog const& drive)
+{
+    std::vector<std::string_view> groups;
+    for (register_entry const& each : drive.registers) {
+        if (std::ranges::find(groups, each.group) == groups.end()) {
+            groups.push_back(each.group);
+        }
+    }
+    std::ranges::sort(groups);
+    return groups;
+}
+
+std::vector<std::string_view> all_groups_of(drive_catalog const& drive)
+{
+    std::vector<std::string_view> names = menu_groups_of(drive);
+    for (register_group const& each : register_groups()) {
+        bool const has_any =
+            std::ranges::any_of(each.codes, [&](std::string_view code) { return drive.by_code(code) != nullptr; });
+        if (has_any) {
+            names.push_back(each.name);
+        }
+    }
+    return names;
+}
 
 } // namespace tool

@@ -57,11 +57,11 @@ register_limit limit_of(rtuwire::bound const& limit, std::int32_t widest, drive_
 
 std::string end_text(register_limit const& limit, register_entry const& entry, step_size step)
 {
-    bool const is_amount = entry.kind == register_kind::number or entry.kind == register_kind::signed_number;
     if (not limit.count) {
         return limit.set_by;
     }
-    std::string const text = is_amount ? amount_text(*limit.count, step, entry.unit) : std::to_string(*limit.count);
+    std::string const text =
+        entry.is_amount() ? amount_text(*limit.count, step, entry.unit) : std::to_string(*limit.count);
     return limit.set_by.empty() ? text : text + " (" + limit.set_by + ")";
 }
 

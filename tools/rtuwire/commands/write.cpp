@@ -18,6 +18,7 @@
 #include "line/who_is_it.hpp"
 #include "line/write_log.hpp"
 #include "motion/moving_registers.hpp"
+#include "motion/unsafe_write.hpp"
 #include "words/value_words.hpp"
 
 namespace tool {
@@ -26,8 +27,14 @@ namespace {
 
 using rtuwire::errc;
 
-constexpr std::uint16_t save_to_eeprom = 2; ///< the order in CMI
-constexpr char const* unknown = "unknown";  ///< what the unit holds, where it could not be read
+constexpr char const* unknown = "unknown"; ///< in the log and on the screen: what could not be read
+
+/// What a unit holds in words; nothing where it could not be read.
+using held_text = std::optional<std::string>;
+
+constexpr char const* not_tried = "not tried";
+
+std::string shown(held_text const& text) { return text.value_or(unknown); }
 
 class writing {
 public:
@@ -41,7 +48,7 @@ public:
         open_line line{chosen_.line};
         drive_ = &catalog_of(line, unit_.unit, unit_.drive);
         std::vector<value_to_write> const values = checked(line);
-        std::vector<std::string> const before = read(line, values);
+        std::vector<held_text> const before = read(line, values);
         if (not is_confirmed(values, before)) {
             return exit_status::refused;
         }
@@ -50,7 +57,7 @@ public:
             if (status == exit_status::done) {
                 status = write(line, values[i], before[i]);
             } else {
-                show(values[i], before[i], {}, "not tried", {});
+                show(values[i], before[i], {}, not_tried, {});
             }
         }
         return status;
@@ -102,32 +109,10 @@ private:
         if (value.refused) {
             refuse(*value.refused);
         }
-        std::string const label = label_of({value.address, value.entry});
-        if (commands_a_motor(value.address, *drive_)) {
-            refuse_for_safety(label + " commands the motor: use `rtuwire start` and `rtuwire stop`");
-        }
-        std::string const why = value.entry == nullptr ? std::string{} : why_it_may_move(value.entry->code);
-        if (not why.empty() and not chosen_.allowed.may_run) {
-            refuse_for_safety(label + " " + why + ": a motor may turn after it; to write it, say --allow-run besides");
-        }
-        std::string const unwatched = why_it_runs_on(value.address, value.word, *drive_);
-        // Where a register has to be read first, its value is not known yet: it is looked at then.
-        if (value.is_ready() and not unwatched.empty() and not chosen_.allowed.may_run) {
-            refuse_for_safety(label + "=" + std::to_string(value.word) + " " + unwatched +
-                              ": a motor runs on when its controller or its cable fails; to write it, say --allow-run "
-                              "besides");
-        }
-        if (value.entry == nullptr and not chosen_.allowed.may_run) {
-            refuse_for_safety("register " + label + " is not in the table of an " + std::string{drive_->name} +
-                              ": nobody knows what it does; to write it, say --allow-run besides");
-        }
-        if (value.address == drive_->layout.cmi and value.word != save_to_eeprom) {
-            refuse_for_safety("CMI has orders that take a drive's settings away; this program writes only 2, which "
-                              "saves to EEPROM");
-        }
+        refuse_unsafe_write(value, *drive_, chosen_.allowed);
     }
 
-    std::vector<std::string> read(open_line& line, std::vector<value_to_write> const& values)
+    std::vector<held_text> read(open_line& line, std::vector<value_to_write> const& values)
     {
         std::vector<chosen_register> all;
         for (value_to_write const& each : values) {
@@ -135,22 +120,22 @@ private:
         }
         register_reader reader{all, drive_};
         reader.read(line, unit_.unit);
-        std::vector<std::string> before;
+        std::vector<held_text> before;
         for (chosen_register const& each : all) {
             reading const it = reading_of(each, reader, drive_);
-            before.push_back(it.word ? it.text : unknown);
+            before.push_back(it.word ? held_text{it.text} : std::nullopt);
         }
         return before;
     }
 
-    bool is_confirmed(std::vector<value_to_write> const& values, std::vector<std::string> const& before) const
+    bool is_confirmed(std::vector<value_to_write> const& values, std::vector<held_text> const& before) const
     {
         if (chosen_.allowed.is_confirmed or ::isatty(STDIN_FILENO) == 0) {
             return true;
         }
         for (std::size_t i = 0; i < values.size(); ++i) {
             std::fprintf(stderr, "unit %u: %s: %s -> %s\n", unsigned{unit_.unit.byte()},
-                         label_of({values[i].address, values[i].entry}).c_str(), before[i].c_str(),
+                         label_of({values[i].address, values[i].entry}).c_str(), shown(before[i]).c_str(),
                          values[i].text.c_str());
         }
         std::fputs("write? (y/n) ", stderr);
@@ -159,16 +144,16 @@ private:
     }
 
     /// Writes, and says what the unit holds then: what was read back, whatever was answered to the write.
-    exit_status write(open_line& line, value_to_write const& value, std::string const& before)
+    exit_status write(open_line& line, value_to_write const& value, held_text const& before)
     {
         auto const outcome = line.ask(unit_.unit, rtuwire::write_single_register{value.address, value.word});
         bool const is_taken = outcome.error() == errc::none;
         // An order is no value that stays, and a drive that saves is silent meanwhile.
-        bool const is_order = value.address == drive_->layout.cmi;
+        bool const is_order = value.entry != nullptr and takes_orders(*value.entry, *drive_);
         rtuwire::result<std::uint16_t> const held = not is_order ? read_back(line, value.address)
                                                     : is_taken   ? rtuwire::result<std::uint16_t>{value.word}
                                                                  : outcome.error();
-        std::string const after = held ? value.text_of_word(*held) : std::string{};
+        held_text const after = held ? held_text{value.text_of_word(*held)} : std::nullopt;
         std::string error;
         exit_status status = exit_status::done;
         if (not held) {
@@ -183,9 +168,9 @@ private:
         }
         std::string note = is_taken or not error.empty() ? std::string{} : words_of(outcome.error()) + ": read back";
         if (not is_refusal(outcome.error())) {
-            append(note, logged(value, before, held ? after : unknown, is_order));
+            append(note, logged(value, before, after));
         }
-        show(value, before, held ? cell{after} : cell{}, error, note);
+        show(value, before, after, error, note);
         return status;
     }
 
@@ -197,22 +182,27 @@ private:
     }
 
     /// A failure is a note for people; programs have a name for it besides.
-    void show(value_to_write const& value, std::string const& before, cell const& after, std::string const& error,
+    void show(value_to_write const& value, held_text const& before, held_text const& after, std::string const& error,
               std::string const& note)
     {
         bool const is_table = chosen_.form == output_form::table;
-        bool const is_unknown = std::holds_alternative<std::monostate>(after);
         std::string all = error;
         append(all, note);
         record row{{"unit", std::int64_t{unit_.unit.byte()}},
                    {"register", label_of({value.address, value.entry})},
-                   {"before", not is_table and before == unknown ? cell{} : cell{before}},
-                   {"after", is_table and is_unknown and error != "not tried" ? cell{unknown} : after},
+                   {"before", cell_of(before, is_table)},
+                   {"after", cell_of(after, is_table and error != not_tried)},
                    {"note", all}};
         if (chosen_.form == output_form::csv or (chosen_.form == output_form::json and not error.empty())) {
             row.add("error", error.empty() ? cell{} : cell{error});
         }
         results_.put(row, not error.empty());
+    }
+
+    /// People are told that something is not known; for programs there is nothing.
+    static cell cell_of(held_text const& text, bool is_told)
+    {
+        return text ? cell{*text} : is_told ? cell{unknown} : cell{};
     }
 
     static void append(std::string& note, std::string const& more)
@@ -226,13 +216,13 @@ private:
         return read ? rtuwire::result<std::uint16_t>{read->registers[0]} : read.error();
     }
 
-    std::string logged(value_to_write const& value, std::string const& before, std::string const& after, bool is_order)
+    std::string logged(value_to_write const& value, held_text const& before, held_text const& after)
     {
         unsigned const unit = unit_.unit.byte();
         std::string const why =
-            log_write({chosen_.line.port, unit, label_of({value.address, value.entry}), before, after});
+            log_write({chosen_.line.port, unit, label_of({value.address, value.entry}), shown(before), shown(after)});
         std::string note = why.empty() ? std::string{} : "not noted: " + why;
-        if (is_order) {
+        if (value.address == drive_->layout.cmi) {
             append(note, why.empty() ? "saved to EEPROM " + std::to_string(count_saves(chosen_.line.port, unit)) +
                                            " times by this user"
                                      : "how often this user has saved to EEPROM is not known");

@@ -37,8 +37,8 @@ std::string registers_of(drive_catalog const& drive)
     for (register_entry const& each : drive.registers) {
         words.emplace_back(each.code);
     }
-    for (register_group const& each : register_groups()) {
-        words.push_back("@" + std::string{each.name});
+    for (std::string_view const each : all_groups_of(drive)) {
+        words.push_back("@" + std::string{each});
     }
     return joined(words);
 }

@@ -30,7 +30,7 @@ void explain(reading& it, chosen_register const& which, std::uint16_t word, regi
         bool const is_set = (word >> which.bit & 1) != 0;
         it.value = is_set;
         it.text = is_set ? "1" : "0";
-    } else if (entry.kind == register_kind::number or entry.kind == register_kind::signed_number) {
+    } else if (entry.is_amount()) {
         auto const setting = entry.steps_set_by.empty() ? std::nullopt : from.known()(entry.steps_set_by);
         measure(it, entry, word, step_of(entry, drive, setting));
     } else {

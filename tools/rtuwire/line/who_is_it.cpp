@@ -70,11 +70,11 @@ errc read_identity(open_line& line, rtuwire::unit_id unit, identity_words& who)
     }
 }
 
-/// The first register that one drive has, and another has not.
+/// The first register for driving that one drive has, and another has not at all.
 std::optional<std::uint16_t> only_in(drive_catalog const& one, drive_catalog const& other)
 {
     for (register_entry const& each : one.registers) {
-        if (other.at(each.address) == nullptr) {
+        if (each.is_for_driving and other.at(each.address) == nullptr) {
             return each.address;
         }
     }

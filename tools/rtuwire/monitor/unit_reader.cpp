@@ -36,9 +36,7 @@ double sample_of(cell const& value)
 
 bool has_curve(chosen_register const& which)
 {
-    bool const is_number = which.entry == nullptr or which.entry->kind == register_kind::number or
-                           which.entry->kind == register_kind::signed_number;
-    return is_number and which.bit < 0;
+    return (which.entry == nullptr or which.entry->is_amount()) and which.bit < 0;
 }
 
 } // namespace

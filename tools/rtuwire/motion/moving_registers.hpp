@@ -15,11 +15,18 @@ namespace tool {
 /// these.
 bool commands_a_motor(std::uint16_t address, drive_catalog const& drive);
 
-/// Why a motor may turn after a write to a register of that mnemonic, as what follows its name; empty where it may not.
-std::string why_it_may_move(std::string_view code);
+/// Why a motor may turn after a write to a register, or turn otherwise, as what follows its name; empty where it may not.
+std::string why_it_may_move(register_entry const& entry);
 
-/// What a value does to the drive's watch of its link, as what follows "SLL=0": a motor that runs then runs on when its
-/// controller or its cable fails. Empty where it keeps the watch.
+/// What a value does to what stops a motor, as what follows "SLL=0": the drive's watch of its link, or its reaction to a
+/// fault. A motor that runs then runs on. Empty where that stays.
 std::string why_it_runs_on(std::uint16_t address, std::uint16_t word, drive_catalog const& drive);
+
+/// Why this program never writes a value, as what follows "CMI=1": an order that takes settings away. Empty where it
+/// does.
+std::string why_it_is_never_written(register_entry const& entry, std::uint16_t word, drive_catalog const& drive);
+
+/// Whether a register takes orders that are gone once they are executed, so that it need not hold what was written.
+bool takes_orders(register_entry const& entry, drive_catalog const& drive);
 
 } // namespace tool

@@ -24,11 +24,11 @@ refusal unknown(std::string kind, std::string_view culprit, std::string_view wha
     return {std::move(kind), std::string{culprit}, with_nearest(sentence, nearest), std::string{nearest}};
 }
 
-/// A mnemonic may be right, and its register outside of the table: the drive has more than the tool knows.
+/// A mnemonic may be right, and its register one of which no public list tells.
 std::string not_among(drive_catalog const& drive)
 {
-    return "is not among the registers that this tool knows (" + std::to_string(drive.registers.size()) + " of the " +
-           std::string{drive.name} + "); read it by its address";
+    return "is not among the " + std::to_string(drive.registers.size()) + " registers that are known of an " +
+           std::string{drive.name} + "; read it by its address";
 }
 
 /// Collects registers, each once.
@@ -70,6 +70,10 @@ std::vector<std::string_view> codes_of(drive_catalog const& drive)
 
 refusal_or_none collector::add_word(std::string_view word)
 {
+    if (register_entry const* const entry = drive_ == nullptr ? nullptr : drive_->by_menu(word); entry != nullptr) {
+        add(entry->address);
+        return {};
+    }
     std::size_t const dot = word.find('.');
     if (not word.empty() and is_digit(word[0]) and dot == word.npos) {
         return add_numbers(word, word.find('-'));
@@ -102,26 +106,33 @@ refusal_or_none collector::add_numbers(std::string_view word, std::size_t dash)
     return {};
 }
 
+/// A group to look at comes before one of the menu; no two have one name.
 refusal_or_none collector::add_group(std::string_view word)
 {
-    std::vector<std::string_view> names;
+    std::string_view const name = word.substr(1);
     for (register_group const& each : register_groups()) {
-        names.push_back(each.name);
-        if (not is_same_word(each.name, word.substr(1))) {
-            continue;
-        }
-        bool has_any = false;
-        for (std::string_view const code : each.codes) {
+        for (std::string_view const code : is_same_word(each.name, name) ? each.codes : decltype(each.codes){}) {
             if (register_entry const* entry = drive_->by_code(code); entry != nullptr) {
                 add(entry->address);
-                has_any = true;
             }
         }
-        return has_any ? refusal_or_none{} : unknown("unknown_group", word, "this drive has nothing of the group", "");
     }
-    std::string_view const nearest = nearest_word(word.substr(1), names);
+    for (register_entry const& each : drive_->registers) {
+        if (is_same_word(each.group, name)) {
+            add(each.address);
+        }
+    }
+    std::vector<std::string_view> const names = all_groups_of(*drive_);
+    if (std::any_of(names.begin(), names.end(), [name](auto each) { return is_same_word(each, name); })) {
+        return {};
+    }
+    std::string all;
+    for (std::string_view const each : names) {
+        all += (all.empty() ? "" : ", ") + std::string{each};
+    }
+    std::string_view const nearest = nearest_word(name, names);
     std::string const shown = nearest.empty() ? std::string{} : "@" + std::string{nearest};
-    return unknown("unknown_group", word, "there is no such group", shown);
+    return unknown("unknown_group", word, "an " + std::string{drive_->name} + " has no such group, but " + all, shown);
 }
 
 refusal_or_none collector::add_matches(std::string_view word)
@@ -199,28 +210,6 @@ register_selection select_registers(std::span<std::string_view const> words, dri
         }
     }
     return {found.take(), {}};
-}
-
-std::vector<register_entry const*> search_registers(drive_catalog const& drive, std::string_view word)
-{
-    std::vector<register_entry const*> found;
-    for (register_entry const& each : drive.registers) {
-        bool holds = holds_word(each.code, word) or holds_word(each.name, word);
-        for (auto const& list : {each.names, each.meanings}) {
-            holds = holds or std::any_of(list.begin(), list.end(), [word](auto const& value) {
-                        return holds_word(std::string_view{value.name}, word);
-                    });
-        }
-        holds = holds or std::any_of(each.bits.begin(), each.bits.end(), [word](std::string_view bit) {
-                    std::string words{bit};
-                    std::replace(words.begin(), words.end(), '_', ' ');
-                    return holds_word(bit, word) or holds_word(words, word);
-                });
-        if (holds) {
-            found.push_back(&each);
-        }
-    }
-    return found;
 }
 
 } // namespace tool

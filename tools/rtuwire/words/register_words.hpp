@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// What a person types for registers: `RFR`, `'DP*'`, `@monitor`, `ETA.fault`, `3202`, `0x0C82`, `3201-3205`, several of
-// them in one word with commas between.
+// What a person types for registers: `RFR`, `'DP*'`, `@monitor`, `ETA.fault`, `3202`, `0x0C82`, `3201-3205`, `705.0` (a
+// number of the drive's menu, where that is known), several of them in one word with commas between.
 #pragma once
 
 #include <cstdint>
@@ -31,20 +31,26 @@ struct register_selection {
     std::optional<refusal> refused;
 };
 
-/// A group of registers: "@monitor".
+/// Registers that one looks at together, from whatever menus: "@monitor".
 struct register_group {
     std::string_view name; ///< without the @
     std::string_view what; ///< in words
     std::span<std::string_view const> codes;
 };
 
-/// The groups. A drive has those of their registers that its table has.
+/// The groups. A drive has those of their registers that it has.
 [[nodiscard]] std::span<register_group const> register_groups() noexcept;
+
+/// The groups of a drive's own parameters, each once, by name: "motor_control".
+[[nodiscard]] std::vector<std::string_view> menu_groups_of(drive_catalog const& drive);
+
+/// Both: what may stand behind @ for that drive.
+[[nodiscard]] std::vector<std::string_view> all_groups_of(drive_catalog const& drive);
 
 /// The registers that words name. Without a drive (null) there are only numbers.
 [[nodiscard]] register_selection select_registers(std::span<std::string_view const> words, drive_catalog const* drive);
 
-/// The registers whose mnemonic, name, or words of values or bits hold a word.
+/// The registers whose mnemonic, name, or words of values or bits hold a word: those first whose own name does.
 [[nodiscard]] std::vector<register_entry const*> search_registers(drive_catalog const& drive, std::string_view word);
 
 } // namespace tool

@@ -83,7 +83,7 @@ private:
         if (entry == nullptr or is_hex or text.starts_with('#')) {
             return read_raw(text, is_hex);
         }
-        if (entry->kind == register_kind::number or entry->kind == register_kind::signed_number) {
+        if (entry->is_amount()) {
             return read_steps(text);
         }
         named_reading const named = read_named(*entry, text);
