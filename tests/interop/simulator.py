@@ -91,20 +91,23 @@ def asked(request):
 
 
 class Checks:
-    """Prints each check, and remembers the failures."""
+    """Prints each check as it is made, and those that failed once more at the end, where they are looked for."""
 
     def __init__(self):
-        self.failures = 0
+        self.failed = []
 
     def __call__(self, is_right, what, detail=""):
         print("ok  " if is_right else "FAIL", what, detail)
         sys.stdout.flush()
-        self.failures += not is_right
+        if not is_right:
+            self.failed.append(what)
 
     def status(self):
         """What the program ends with; says how often something was asked again."""
         print("requests repeated:", repetitions.count)
-        return 1 if self.failures else 0
+        for what in self.failed:
+            print("failed:", what)
+        return 1 if self.failed else 0
 
     def soon(self, is_right, what, limit=5):
         """Looks until it is so. For what takes its time in a drive: looking must not change anything."""
