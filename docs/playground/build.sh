@@ -23,7 +23,7 @@ compile="clang++-19 $target -std=c++20 -fno-rtti -fno-threadsafe-statics -mbulk-
     -Iinclude -Itools/rtuwire"
 
 # The module, and what explains frames in the command line tool. The slowest comes first.
-for source in docs/playground/module/drives.cpp docs/playground/module/[!d]*.cpp tools/rtuwire/catalog/catalog*.cpp \
+for source in docs/playground/module/drives.cpp docs/playground/module/[!d]*.cpp tools/rtuwire/catalog/catalog.cpp \
     tools/rtuwire/catalog/value_text.cpp tools/rtuwire/words/words.cpp \
     tools/rtuwire/frame/decode.cpp tools/rtuwire/frame/frame_fields.cpp tools/rtuwire/frame/frame_fit.cpp \
     tools/rtuwire/frame/frame_layouts.cpp tools/rtuwire/frame/frame_split.cpp tools/rtuwire/frame/function_text.cpp \

@@ -91,7 +91,7 @@ class SceneView {
     this.listed = listed;
     byId("orders").replaceChildren(...orders.slice().reverse().map((each) => make("li",
       { class: each.ended ? (each.done ? "done" : "not") : "" }, make("b", {}, each.what),
-      each.ended ? `: ${each.outcome}` : " …", make("span", { class: "quiet" }, ` (${seconds(each.given, 1)})`))));
+      each.ended ? `: ${each.outcome}` : each.what.startsWith("stop") ? ": under way; it gives up after 30 s" : ": under way", make("span", { class: "quiet" }, ` (${seconds(each.given, 1)})`))));
     for (const each of orders) {
       if (each.ended && !this.ended.has(each.number)) {
         this.ended.add(each.number);

@@ -125,8 +125,8 @@ template <typename Drive, typename Registers>
 
 /// A drive's catalog. The registers and groups live as long.
 template <typename Drive>
-[[nodiscard]] drive_catalog catalog_of(std::vector<register_entry> const& registers,
-                                       std::vector<rtuwire::altivar::parameter_group> const& groups) noexcept
+[[nodiscard]] drive_catalog catalog_of(std::span<register_entry const> registers,
+                                       std::span<rtuwire::altivar::parameter_group const> groups) noexcept
 {
     return {.name = Drive::name,
             .reference = Drive::reference,

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// The catalogs that frames are explained by, of the registers that the page's drives have. With all parameters of the command line
+// tool's catalogs the module would be twice as large.
+#include "catalog/catalog_drives.hpp"
+#include "catalog/catalog_of.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <rtuwire/altivar/atv12.hpp>
+#include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/atv310.hpp>
+#include <rtuwire/altivar/atv320.hpp>
+
+namespace tool {
+
+namespace {
+
+/// The registers of a table, sorted by the compiler: the module has no code for that.
+template <auto const&... Registers> constexpr auto sorted(rtuwire::table<Registers...>)
+{
+    std::array<register_entry, sizeof...(Registers)> all{entry_of(Registers)...};
+    std::ranges::sort(all, {}, &register_entry::address);
+    return all;
+}
+
+template <typename Drive> constexpr auto registers_of_drive = sorted(typename Drive::registers{});
+
+template <typename Drive> drive_catalog const& small_catalog()
+{
+    static drive_catalog const catalog = catalog_of<Drive>(registers_of_drive<Drive>, {});
+    return catalog;
+}
+
+} // namespace
+
+drive_catalog const& catalog_of_atv12() noexcept { return small_catalog<rtuwire::altivar::atv12::device>(); }
+drive_catalog const& catalog_of_atv28() noexcept { return small_catalog<rtuwire::altivar::atv28::device>(); }
+drive_catalog const& catalog_of_atv310() noexcept { return small_catalog<rtuwire::altivar::atv310::device>(); }
+drive_catalog const& catalog_of_atv310_2026() noexcept
+{
+    return small_catalog<rtuwire::altivar::atv310::device_2026>();
+}
+drive_catalog const& catalog_of_atv320() noexcept { return small_catalog<rtuwire::altivar::atv320::device>(); }
+
+} // namespace tool
