@@ -7,10 +7,8 @@ import os
 import subprocess
 from dataclasses import dataclass, field
 
-SOURCES = ("docs/generate/tables.cpp", "tools/rtuwire/catalog/catalog.cpp", "tools/rtuwire/catalog/catalog_atv12.cpp",
-           "tools/rtuwire/catalog/catalog_atv28.cpp", "tools/rtuwire/catalog/catalog_atv310.cpp",
-           "tools/rtuwire/catalog/catalog_atv320.cpp", "tools/rtuwire/catalog/value_text.cpp",
-           "tools/rtuwire/words/words.cpp")
+TOOL = "tools/rtuwire"
+SOURCES = ("docs/generate/tables.cpp", f"{TOOL}/catalog/*.cpp", f"{TOOL}/words/words.cpp")
 FLAGS = ("-std=c++20", "-O0", "-Iinclude", "-Itests", "-Itools/rtuwire")
 DRIVE = ("name", "reference", "first_unit", "last_unit", "functions", "read", "write", "exchange_read", "exchange_write",
          "sll", "tto", "chcf", "longest_silence", "size")
@@ -37,7 +35,8 @@ def program(project, build):
         subprocess.run(["g++", *FLAGS, "-c", source, "-o", target], cwd=project, check=True)
         return target
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        objects = list(pool.map(compiled, SOURCES))
+        sources = (str(path.relative_to(project)) for each in SOURCES for path in sorted(project.glob(each)))
+        objects = list(pool.map(compiled, sources))
     subprocess.run(["g++", *objects, "-o", place / "tables"], check=True)
     return place / "tables"
 
