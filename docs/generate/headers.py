@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""The headers as the reference shows them: the public names, without the namespace of the build and without what is marked
-internal."""
+"""The headers as the reference shows them: the public names with all that they have, without the namespace of the build and
+without what is marked internal."""
 import pathlib
 import re
 import sys
@@ -9,10 +9,11 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "tests" / "structure"))
 import declarations  # noqa: E402  (the reader that holds docs/names.md to the headers)
+import inherited  # noqa: E402
 
 INTERNAL = re.compile(r"\bInternal\b")
 INTERNAL_HEADER = re.compile(r"^// Internal\b", re.MULTILINE)
-
+ALIAS = re.compile(r"^using (\w+) = (\w+)<", re.MULTILINE)
 
 NAMESPACES = {
     "rtuwire": "All names of the library; docs/names.md sorts them by what they are for.",
@@ -60,6 +61,15 @@ def internal_names(texts):
             if is_internal_header(text) or INTERNAL.search(each.comment)}
 
 
+def with_what_aliases_name(text):
+    """A class of the header that is public by another name only is shown as what that name stands for."""
+    named = set(match[2] for match in ALIAS.finditer(text))
+    for each in declarations.declarations(text):
+        if each.name in named and INTERNAL.search(each.comment):
+            text = re.sub(r"(/// )Internal\.(?=\n(?:template[^;{]*)?\n?(?:class|struct) " + each.name + r"\b)", r"\1", text)
+    return text
+
+
 def without_internal(text, names=()):
     code = declarations.code_of(text)
     pieces, done, hidden = [], 0, set(names)
@@ -79,11 +89,13 @@ def without_internal(text, names=()):
 def stage(project, target):
     """Writes the headers that a program may know of."""
     texts = {path: path.read_text(encoding="utf-8") for path in sorted((project / "include").rglob("*.hpp"))}
-    internal = internal_names(texts.values())
+    texts = {path: text if is_internal_header(text) else with_what_aliases_name(text) for path, text in texts.items()}
+    internal, known = internal_names(texts.values()), inherited.all_classes(texts.values())
     for path, text in texts.items():
         if is_internal_header(text):
             continue
-        shown = without_internal(text, internal).replace("namespace rtuwire::inline RTUWIRE_BUILD", "namespace rtuwire")
+        shown = inherited.with_inherited(without_internal(text, internal), known, known.keys() - internal)
+        shown = shown.replace("namespace rtuwire::inline RTUWIRE_BUILD", "namespace rtuwire")
         place = target / path.relative_to(project / "include")
         place.parent.mkdir(parents=True, exist_ok=True)
         place.write_text(shown, encoding="utf-8")

@@ -12,6 +12,7 @@ sys.path.insert(0, str(PROJECT / "docs" / "generate"))
 import diagrams  # noqa: E402
 import gallery  # noqa: E402
 import headers  # noqa: E402
+import inherited  # noqa: E402
 import links  # noqa: E402
 import pages  # noqa: E402
 import search  # noqa: E402
@@ -257,6 +258,90 @@ class Headers(unittest.TestCase):
         out = headers.without_internal(second, headers.internal_names([first, second]))
         self.assertNotIn("b<int>", out)
         self.assertIn("struct c", out)
+
+
+BASE = """#pragma once
+namespace a {
+/// Internal.
+template <typename Part> class middle : public Part {
+public:
+    explicit constexpr middle(int its_size) noexcept : size_{its_size}, other_{{0}} {}
+    /// In the middle.
+    [[nodiscard]] constexpr a::word word() const noexcept { return size_ > 0 ? word_{1} : word_{2}; }
+    /// Hidden by the shown one.
+    constexpr void twice() noexcept {}
+    /// Internal.
+    constexpr void inner() noexcept {}
+protected:
+    constexpr void guarded() noexcept {}
+private:
+    int size_;
+};
+/// Internal.
+struct bottom {
+    /// At the bottom.
+    void deep(int x = 1);
+    constexpr void bare() noexcept {}
+};
+} // namespace a
+"""
+SHOWN = """#pragma once
+namespace a {
+/// Shown.
+class open : public middle<bottom> {
+public:
+    /// Its own.
+    constexpr void twice() noexcept {}
+};
+/// Shown, too.
+class closed : middle<bottom> {
+    using base = middle<bottom>;
+public:
+    /// As there.
+    using base::guarded, base::bare;
+};
+} // namespace a
+"""
+
+
+class Inherited(unittest.TestCase):
+    def setUp(self):
+        known = inherited.all_classes([BASE, SHOWN])
+        self.out = inherited.with_inherited(SHOWN, known, {"open", "closed"})
+        begin = self.out.index("class closed")
+        self.open, self.closed = self.out[:begin], self.out[begin:]
+
+    def test_members_of_all_bases_are_shown_in_the_class(self):
+        for words in ("/** In the middle. */ [[nodiscard]] constexpr a::word word() const noexcept;",
+                      "/** At the bottom. */ void deep(int x = 1);", "constexpr void bare() noexcept;"):
+            self.assertIn(words, self.open)
+
+    def test_what_no_program_can_call_is_not_shown(self):
+        for name in ("guarded", "inner", "size_", "other_", "its_size", "Hidden"):
+            self.assertNotIn(name, self.open)
+
+    def test_a_private_base_shows_what_the_class_makes_public(self):
+        self.assertIn("/** As there. */ constexpr void guarded() noexcept;", self.closed)
+        self.assertIn("/** As there. */ constexpr void bare() noexcept;", self.closed)
+        self.assertNotIn("deep", self.closed)
+        self.assertNotIn("word", self.closed)
+
+    def test_each_line_keeps_its_number(self):
+        self.assertEqual(self.out.count("\n"), SHOWN.count("\n"))
+
+    def test_the_classes_of_the_library_have_what_the_guides_call(self):
+        with tempfile.TemporaryDirectory() as place:
+            headers.stage(PROJECT, pathlib.Path(place))
+            shown = {name: one for path in pathlib.Path(place).rglob("*.hpp")
+                     for name, one in inherited.classes(path.read_text(encoding="utf-8")).items()}
+        for name, called in (("basic_client", "receive sent advance converse poll_transmit poll_deadline hold trace_to"),
+                             ("bus", "receive sent advance converse poll_transmit poll_deadline cancel is_ordered"),
+                             ("basic_server", "receive sent advance serve poll_transmit poll_deadline"),
+                             ("start", "settled reason succeeded running"), ("stop", "settled reason succeeded"),
+                             ("restore", "settled reason cancel"), ("backup", "settled outcome"),
+                             ("poller", "settled outcome"), ("single_request", "settled outcome")):
+            words = {each.name for each in inherited.members(shown[name]) if each.access == "public"}
+            self.assertLessEqual(set(called.split()), words, name)
 
 
 class Diagrams(unittest.TestCase):

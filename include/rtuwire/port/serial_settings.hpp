@@ -33,15 +33,17 @@ enum class rs485_mode : std::uint8_t {
 
 /// What a serial device is opened with.
 struct serial_settings {
-    std::uint32_t bits_per_second{19'200};
-    character_format format{character_format::even_8_1};
-    rs485_mode rs485{rs485_mode::leave};
-    /// Lets `read` itself wait by the terminal's timer (VTIME): 3 system calls for a transaction instead of 4, where the
-    /// response begins within 100 ms. That timer only knows steps of 100 ms. So a wait of which less than 120 ms are left
-    /// is made by `ppoll` as without this option, and what has not come after 100 ms is waited for that way as well, with
-    /// 5 calls in all: deadlines stay exact, and a wait is no longer than without. Two things are different. The device
-    /// is opened twice. A signal whose handler restarts system calls (SA_RESTART) begins the 100 ms anew, so that such
-    /// signals less than 100 ms apart, a timer's or a profiler's, hold a deadline up for as long as they go on.
+    std::uint32_t bits_per_second{19'200}; ///< one of the rates that the system has a code for, else `open` refuses it
+    character_format format{character_format::even_8_1}; ///< parity and stop bits; always 8 data bits
+    rs485_mode rs485{rs485_mode::leave};                 ///< who switches the transceiver
+    /// Lets `read` itself wait by the terminal's timer (VTIME).
+    ///
+    /// A transaction then takes 3 system calls instead of 4, where the response begins within 100 ms. That timer only
+    /// knows steps of 100 ms. So a wait of which less than 120 ms are left is made by `ppoll` as without this option, and
+    /// what has not come after 100 ms is waited for that way as well, with 5 calls in all: deadlines stay exact, and a
+    /// wait is no longer than without. Two things are different. The device is opened twice. A signal whose handler
+    /// restarts system calls (SA_RESTART) begins the 100 ms anew, so that such signals less than 100 ms apart, a timer's
+    /// or a profiler's, hold a deadline up for as long as they go on.
     bool waits_in_read{false};
 };
 

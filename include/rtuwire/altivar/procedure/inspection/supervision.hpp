@@ -163,6 +163,7 @@ private:
 /// an ATV310 have no ATR; a second channel that an input switches to (CCS, RFC) is not checked.
 class check_supervision : public procedure_runner<supervision_procedure> {
 public:
+    /// `its_options` accept risks by name; `its_limit` counts from the first `advance`.
     template <device_type Device>
     explicit constexpr check_supervision(station<Device> const& its_drive, supervision_options const& its_options = {},
                                          duration its_limit = milliseconds(10'000)) noexcept

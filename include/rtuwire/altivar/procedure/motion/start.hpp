@@ -314,6 +314,7 @@ private:
 /// report of an earlier check may be given instead.
 class start : public procedure_runner<start_procedure> {
 public:
+    /// Checks the drive, then starts it. `its_limit` counts from the first `advance`, the check included.
     template <device_type Device>
     constexpr start(station<Device> const& its_drive, std::type_identity_t<reference<Device>> const& at,
                     run_direction direction = run_direction::forward, duration its_limit = milliseconds(3'000),
@@ -323,6 +324,10 @@ public:
                                            supervision_procedure{drive_check<Device>::layout, its_options}},
                            its_limit}
     {}
+
+    /// The same without the check's reads: `found` is the report of a `check_supervision` of this drive that ended as
+    /// `succeeded`. It has to be as new as the drive's settings: what anyone has set since, or a power cycle has brought
+    /// back, is not seen.
     template <device_type Device>
     constexpr start(station<Device> const& drive, std::type_identity_t<reference<Device>> const& at,
                     run_direction direction, duration limit, supervision_report const& found) noexcept

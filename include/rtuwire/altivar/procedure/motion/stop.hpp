@@ -331,6 +331,8 @@ private:
 /// run it. `reason().is_other_stop` is then set.
 class stop : public procedure_runner<stop_procedure> {
 public:
+    /// `its_limit` counts from the first `advance`; a stop whose word was never sent goes on beyond it. `known` says what
+    /// an ATV320's words mean; the others have no choice.
     template <device_type Device>
     explicit constexpr stop(station<Device> const& its_drive, stop_by its_mode = stop_by::ramp,
                             duration its_limit = milliseconds(30'000),
