@@ -43,33 +43,30 @@ public:
     [[nodiscard]] constexpr std::span<menu_number const> rows() const noexcept { return rows_; }
 
     /// The mnemonic of the parameter with a number; empty where the manual prints no such number.
-    [[nodiscard]] constexpr literal code_of(literal number) const noexcept { return find_code(number); }
+    [[nodiscard]] constexpr literal code_of(literal number) const noexcept
+    {
+        return beside(rows_, &menu_number::number, &menu_number::code, number);
+    }
 
     /// The same of a text that the program gets while it runs, in a std::string_view or a std::string.
     template <text_with_size Text> [[nodiscard]] constexpr literal code_of(Text const& number) const noexcept
     {
-        return find_code(number);
+        return beside(rows_, &menu_number::number, &menu_number::code, number);
     }
 
     /// The number of the parameter with a mnemonic in upper case; empty where the manual prints none for it.
-    [[nodiscard]] constexpr literal number_of(literal code) const noexcept { return find_number(code); }
-
-    /// The same of a text that the program gets while it runs.
-    template <text_with_size Text> [[nodiscard]] constexpr literal number_of(Text const& code) const noexcept
-    {
-        return find_number(code);
-    }
-
-private:
-    template <typename Text> constexpr literal find_code(Text const& number) const noexcept
-    {
-        return beside(rows_, &menu_number::number, &menu_number::code, number);
-    }
-    template <typename Text> constexpr literal find_number(Text const& code) const noexcept
+    [[nodiscard]] constexpr literal number_of(literal code) const noexcept
     {
         return beside(rows_, &menu_number::code, &menu_number::number, code);
     }
 
+    /// The same of a text that the program gets while it runs.
+    template <text_with_size Text> [[nodiscard]] constexpr literal number_of(Text const& code) const noexcept
+    {
+        return beside(rows_, &menu_number::code, &menu_number::number, code);
+    }
+
+private:
     std::span<menu_number const> rows_;
 };
 
