@@ -74,11 +74,13 @@ template <std::size_t Identity = 320> struct paper_bench {
         altivar::reason const how = line.run(conversation, milliseconds(600'000));
         written = conversation.written();
         failed = conversation.failed();
+        saved = conversation.saved();
         return how;
     }
 
     unsigned written{0};
     unsigned failed{0};
+    bool saved{false};
 };
 
 /// A configuration that differs from the drive in everything that can be restored.

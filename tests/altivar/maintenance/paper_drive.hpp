@@ -38,6 +38,7 @@ public:
     std::vector<std::uint16_t> commands;
     unsigned saves{0};
     errc refuses_all{errc::none};
+    bool is_lenient{false}; ///< takes TFR, HSP and LSP in any order
     /// Called before each request is executed, with the number of those before it.
     std::function<void(unsigned)> before;
     /// Called after each write.
@@ -144,7 +145,7 @@ private:
     /// LSP <= HSP <= TFR, where it has all three.
     [[nodiscard]] bool keeps_order(std::uint16_t address, std::uint16_t next) const
     {
-        if (registers.count(tfr) == 0 or registers.count(hsp) == 0 or registers.count(lsp) == 0) {
+        if (is_lenient or registers.count(tfr) == 0 or registers.count(hsp) == 0 or registers.count(lsp) == 0) {
             return true;
         }
         auto const held = [&](std::uint16_t which) { return which == address ? next : word(which); };

@@ -195,7 +195,7 @@ TEST_CASE("no write goes to a drive that runs, is commanded, in another state, o
     drive.set(paper_drive::status, status);
     paper_bench bench{drive};
     told_list all;
-    CHECK(bench.restore({{"ACC", 44}, {"SP6", 5}}, all, ordinary_ones).kind == expected);
+    CHECK(bench.restore({{"SP2", 44}, {"SP6", 5}}, all, ordinary_ones).kind == expected);
     CHECK(drive.writes.size() == (expected == kind::succeeded ? 2 : 0));
     CHECK(all.last("SP6").outcome == (expected == kind::succeeded ? told::holds : told::not_reached));
 }
@@ -208,43 +208,61 @@ TEST_CASE("no write goes to a drive with a command, or whose motor turns")
     SECTION("a command")
     {
         drive.set(paper_drive::command, 6);
-        CHECK(bench.restore({{"ACC", 44}}, all, ordinary_ones).kind == kind::overwritten);
+        CHECK(bench.restore({{"SP2", 44}}, all, ordinary_ones).kind == kind::overwritten);
     }
     SECTION("a motor that coasts")
     {
         drive.set(paper_drive::speed, static_cast<std::uint16_t>(-3));
-        CHECK(bench.restore({{"ACC", 44}}, all, ordinary_ones).kind == kind::refused_while_running);
+        CHECK(bench.restore({{"SP2", 44}}, all, ordinary_ones).kind == kind::refused_while_running);
     }
     SECTION("a configuration of another family")
     {
-        CHECK(bench.restore({{"ACC", 44}}, all, ordinary_ones, "atv31c").kind == kind::other_family);
+        CHECK(bench.restore({{"SP2", 44}}, all, ordinary_ones, "atv31c").kind == kind::other_family);
         CHECK(drive.requests() == 0);
     }
     CHECK(drive.writes.empty());
-    CHECK(all.last("ACC").outcome == told::not_reached);
+    CHECK(all.last("SP2").outcome == told::not_reached);
 }
 
 TEST_CASE("a drive of another family gets no write; one that does not say what it is, is known by what it lacks")
 {
     paper_drive drive = small_drive();
     told_list all;
+    SECTION("a configuration that names no family")
+    {
+        paper_bench bench{drive};
+        CHECK(bench.restore({{"SP2", 44}}, all, ordinary_ones, "unseen").kind == kind::other_family);
+        CHECK(drive.requests() == 0);
+    }
+    SECTION("a map of another family")
+    {
+        parameter_map const map_of_another{small::groups, "ATV12"};
+        paper_bench bench{drive};
+        word_list const words{{"SP2", 44}};
+        auto const ignored = [](auto const&...) {};
+        restore conversation{paper_station, map_of_another,
+                             wanted_settings{drive_family::of("ATV320"), words_by_code{&words}}, ignored,
+                             ordinary_ones};
+        CHECK(bench.line.run(conversation, milliseconds(60'000)).kind == kind::other_family);
+        CHECK(drive.requests() == 0);
+    }
     SECTION("by its product code")
     {
         paper_bench<12> bench{drive};
-        CHECK(bench.restore({{"ACC", 44}}, all, ordinary_ones).kind == kind::other_family);
+        CHECK(bench.restore({{"SP2", 44}}, all, ordinary_ones).kind == kind::other_family);
         CHECK(drive.writes.empty());
     }
     SECTION("without one, it has all registers that are only read")
     {
         paper_bench<0> bench{drive};
-        CHECK(bench.restore({{"ACC", 44}}, all, ordinary_ones).kind == kind::succeeded);
-        CHECK(drive.word(9001) == 44);
+        CHECK(bench.restore({{"SP2", 44}}, all, ordinary_ones).kind == kind::succeeded);
+        CHECK(drive.word(11410) == 44);
     }
     SECTION("without one, it lacks a register")
     {
         drive.registers.erase(5202);
         paper_bench<0> bench{drive};
-        CHECK(bench.restore({{"ACC", 44}}, all, ordinary_ones).kind == kind::other_family);
+        CHECK(bench.restore({{"SP2", 44}}, all, ordinary_ones).kind == kind::other_family);
         CHECK(drive.writes.empty());
     }
 }
@@ -304,7 +322,8 @@ TEST_CASE("what the drive refuses is told with its exception, tried again while 
     SECTION("a word that is none of the register is not sent")
     {
         std::size_t const before = drive.writes.size();
-        CHECK(bench.restore({{"SP2", 5991}}, all, ordinary_ones).kind == kind::succeeded);
+        CHECK(bench.restore({{"SP2", 5991}}, all, ordinary_ones).kind == kind::not_taken);
+        CHECK(bench.failed == 1);
         CHECK(all.last("SP2").outcome == told::out_of_limits);
         CHECK(drive.writes.size() == before);
     }

@@ -185,6 +185,79 @@ TEST_CASE("a drive that loses its power, or is replaced by another of its family
     }
 }
 
+TEST_CASE("a drive that loses its power at any request has saved what it is said to hold")
+{
+    word_list const words{{"SP2", 11}, {"SP6", 14}, {"CD1", 1}};
+    restore_options options = all_of_it;
+    options.save = true;
+    unsigned const count = all_requests(words, options);
+    for (unsigned at = 0; at < count; ++at) {
+        paper_drive drive = small_drive();
+        paper_bench bench{drive};
+        told_list all;
+        drive.before = [&](unsigned number) { number == at ? drive.cycle_power() : void(); };
+        auto const how = bench.restore(words, all, options);
+        drive.before = {};
+        INFO("at " << at);
+        CHECK(how.kind == kind::succeeded);
+        drive.cycle_power();
+        CHECK(holds_all(words, drive));
+    }
+}
+
+TEST_CASE("what is not held as a whole is not saved, and neither is nothing")
+{
+    paper_drive drive = small_drive();
+    paper_bench bench{drive};
+    told_list all;
+    restore_options options = ordinary_ones;
+    options.save = true;
+    CHECK(bench.restore({}, all, options).kind == kind::succeeded);
+    CHECK(bench.restore({{"SP2", 5991}, {"SP6", 14}}, all, options).kind == kind::not_taken);
+    drive.registers[11410].refuses_write = errc::server_device_failure;
+    CHECK(bench.restore({{"SP2", 11}, {"SP6", 15}}, all, options).kind == kind::not_taken);
+    CHECK(drive.word(11414) == 15);
+    CHECK(drive.saves == 0);
+    CHECK_FALSE(bench.saved);
+    drive.registers[11410].refuses_write = errc::none;
+    CHECK(bench.restore({{"SP2", 11}, {"SP6", 15}}, all, options).kind == kind::succeeded);
+    CHECK(drive.saves == 1);
+    CHECK(bench.saved);
+}
+
+TEST_CASE("a restore that is cut after a write has undone others does not say that they hold")
+{
+    // A macro of the drive's own: whoever writes SLL resets two settings that were written before.
+    auto const with_macro = [](paper_drive& drive) {
+        unsigned writes = 0;
+        drive.after_write = [&drive, writes](std::uint16_t address, std::uint16_t) mutable {
+            if (address == 7010 and writes++ == 0) {
+                drive.set(11410, 5), drive.set(11414, 9);
+            }
+        };
+    };
+    word_list const words{{"SP2", 11}, {"SP6", 14}, {"SLL", 0}};
+    paper_drive whole = small_drive();
+    with_macro(whole);
+    paper_bench whole_bench{whole};
+    told_list ignored;
+    REQUIRE(whole_bench.restore(words, ignored, all_of_it).kind == kind::succeeded);
+    unsigned cuts_that_tell = 0;
+    for (unsigned at = 0; at < whole.requests(); ++at) {
+        paper_drive drive = small_drive();
+        with_macro(drive);
+        paper_bench bench{drive};
+        told_list all;
+        drive.before = [&](unsigned number) { number == at ? bench.line.cut() : void(); };
+        auto const how = bench.restore(words, all, all_of_it);
+        bool const is_undone = drive.word(11410) == 5;
+        cuts_that_tell += is_undone and all.last("SP2") == restore_report{told::differs, std::uint16_t{5}} ? 1U : 0U;
+        INFO("at " << at);
+        CHECK(how.kind != kind::succeeded);
+    }
+    CHECK(cuts_that_tell > 0);
+}
+
 TEST_CASE("a drive that another master starts gets no write any more")
 {
     word_list const words = other_words();

@@ -21,7 +21,7 @@ enum class parameter_role : std::uint8_t {
     macro,           ///< sets many others
     step_size,       ///< says what the counts of others mean
     frequency_limit, ///< LSP <= HSP <= TFR at any time
-    supervision,     ///< can switch off what stops the motor
+    supervision,     ///< can switch off what stops the motor, its brake and its contactors among it
     restart,         ///< lets the drive do something by itself, or a fault be reset by an input
     run_input,       ///< an input that is closed may act at once
     channel,         ///< says who commands the motor, or where a controller's words go
@@ -75,6 +75,8 @@ inline constexpr role_entry special_parameters[]{
     {parameter_role::supervision, "can switch off the reaction to a fault",
      "EPL IPL OPL OHL OLL TNL LFL1 LFL3 UDL ODL MPI SSB DLB RSD USB STP SAT FBSM FBDF"},
     {parameter_role::supervision, "can switch off a detection", "THT MTM PTCL ULT TOL TDS TQB TLD LPI ODT FQF RCA BCI"},
+    {parameter_role::supervision, "switches an output at once: a brake, a contactor, whatever hangs on it",
+     "R1 R2 LO1 DO1 R1S R2S LO1S DO1S BLC LLC OCC"},
     {parameter_role::supervision, "can take away an input or a key that stops the motor",
      "ETF LET INH NST FST DCI SAF SAR DAF DAR CLS PAS SAL DAL LES PST"},
     {parameter_role::restart, "lets the drive start again by itself", "ATR TAR FTU FTO"},
@@ -89,6 +91,9 @@ inline constexpr role_entry special_parameters[]{
     {parameter_role::channel, "says whose reference counts", "FR1 FR1B FR2 RFC RCB FLOC"},
     {parameter_role::channel, "says which registers a controller's words go to",
      "NCA1 NCA2 NCA3 NCA4 NCA5 NCA6 NCA7 NCA8"},
+    {parameter_role::channel, "says which registers function blocks and parameter sets write to",
+     "LA01 LA02 LA03 LA04 LA05 LA06 LA07 LA08 AD01 AD02 AD03 AD04 AD05 AD06 AD07 AD08 AD09 AD10 AD11 AD12 AD13 AD14 "
+     "AD15"},
     {parameter_role::link_timeout, "says when the drive stops for want of requests", "TTO"},
     {parameter_role::other_link, "is the drive's place on another bus",
      "ADCO BDCO ADRC BDR AMOC PRC GLB BTUA BTUC BTPI"},
@@ -148,7 +153,7 @@ private:
         std::uint64_t key{0};
         std::uint8_t entry{0};
     };
-    static constexpr std::size_t most = 192;
+    static constexpr std::size_t most = 224;
 
     constexpr void insert(place const& what) noexcept
     {

@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include <rtuwire/altivar/device/drive_type.hpp>
+#include <rtuwire/altivar/maintenance/restoring/restore_calls.hpp>
 #include <rtuwire/altivar/maintenance/restoring/restore_checks.hpp>
 #include <rtuwire/altivar/maintenance/restoring/restore_plan.hpp>
 #include <rtuwire/altivar/maintenance/restoring/row_write.hpp>
@@ -26,10 +27,15 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// of an option, once more with the word that the drive holds. ATR, FLR and what else lets the drive start by itself are
 /// told with their words before anything is written.
 ///
-/// Before each write the drive is read to stand (states 2, 3, 4, or in fault), its command to be 0000 and its output
-/// frequency 0; before CFG, channels, run inputs and automatic restart also to be without fault, with its run inputs
-/// open. A drive that does not, ends the restore; so does one that names another family. The order of the writes is
-/// restore_agenda.hpp's. A motor that a terminal starts after such a write is sent 0000 once.
+/// Before each write, and before it saves, the drive is read to stand (states 2, 3, 4, or in fault), its command to be
+/// 0000 and its output frequency 0; before CFG, channels, run inputs, supervision and automatic restart also to be
+/// without fault, with its run inputs open. A drive that does not, ends the restore; so does one that names another
+/// family. The order of the writes is restore_agenda.hpp's. A motor that a terminal starts before the look after such
+/// writes is sent 0000 once; one that it starts later ends the restore as `refused_while_running`.
+///
+/// What depends on others is not sent without them: a ramp, where the drive does not hold the INR of the configuration,
+/// and INR, where a ramp is left out (`other_steps`); TFR, HSP and LSP where they do not fit each other
+/// (`out_of_limits`).
 ///
 /// `reason()`: `succeeded` where the drive holds all that was wanted and allowed, or the dry run is told; `not_taken`
 /// where it refused some or reads back otherwise, and `failed()` is how many; `other_family`; `refused_while_running`;
@@ -39,26 +45,32 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 ///
 /// The map's groups outlive it; what it calls does not throw.
 template <drive_type Device, typename Words, typename Report>
-class restore : public restore_checks<restore<Device, Words, Report>> {
-    using checks = restore_checks<restore>;
-    friend checks;
+class restore : public restore_calls<restore<Device, Words, Report>> {
+    using calls = restore_calls<restore>;
+    friend calls;
+    friend restore_checks<restore>;
     friend restore_procedures<restore>;
 
 public:
     constexpr restore(station<Device> const& its_drive, parameter_map const& map,
                       wanted_settings<Words> const& its_wanted, Report report,
                       restore_options const& options = {}) noexcept
-        : checks{its_drive.unit(), drive_check<Device>::layout, options.terminals,
-                 identity_check{drive_family::of(Device::reference), its_wanted.family,
-                                implements<Device>(function_code::encapsulated_interface)}},
+        : calls{its_drive.unit(), drive_check<Device>::layout, options.terminals,
+                identity_check{drive_family::of(Device::reference), its_wanted.family, map.family(),
+                               implements<Device>(function_code::encapsulated_interface)}},
           plan_{map, its_wanted, report, options}, walk_{Device::limits.read}
     {}
 
-    /// How many parameters were written, and read back as wanted.
-    [[nodiscard]] constexpr std::uint16_t written() const noexcept { return plan_.written(); }
+    /// How many writes the drive took: each was read back as wanted, or confirmed where it is the link's own. More than
+    /// one a parameter where a later write had undone it.
+    [[nodiscard]] constexpr std::uint16_t written() const noexcept { return plan_.progress().written(); }
 
-    /// How many of the parameters that were wanted and allowed the drive does not hold; known at the end.
-    [[nodiscard]] constexpr std::uint16_t failed() const noexcept { return plan_.failed(); }
+    /// How many of the parameters that were wanted and allowed the drive does not hold, those among them whose words were
+    /// never sent (`out_of_limits`, `other_steps`); known at the end.
+    [[nodiscard]] constexpr std::uint16_t failed() const noexcept { return plan_.progress().failed(); }
+
+    /// Whether the drive was told to save what it now holds, and did; not where it does not hold all that was wanted.
+    [[nodiscard]] constexpr bool saved() const noexcept { return plan_.progress().is_saved(); }
 
 private:
     using verdict = row_write::verdict;
@@ -69,20 +81,24 @@ private:
     {
         plan_.tell_left_out();
         if (this->identity().is_meant()) {
-            this->check(false);
+            this->check(write_care::rest);
         } else {
             this->fail({outcome_kind::other_family});
         }
     }
 
+    constexpr void tell_left_out() noexcept { plan_.tell_left_out(); }
+
     [[nodiscard]] constexpr parameter_map const& map() const noexcept { return plan_.map(); }
     [[nodiscard]] constexpr block_walk& walk() noexcept { return walk_; }
 
-    /// The drive was checked: as a whole, or for a write.
+    /// The drive was checked: as a whole, for a write, or before it saves.
     constexpr void on_checked() noexcept
     {
         if (has_row_) {
-            this->write(row_.row->address, plan_.wanted(*row_.row));
+            this->write(row_.row->address, write_.wanted());
+        } else if (plan_.has_to_save()) {
+            this->save();
         } else {
             walk_.begin();
             go_on();
@@ -118,7 +134,7 @@ private:
 
     constexpr void on_saved() noexcept
     {
-        plan_.note_saved();
+        plan_.progress().note_saved();
         go_on();
     }
 
@@ -127,7 +143,8 @@ private:
     {
         while (not asks_in_this_step()) {
             if (not plan_.advance()) {
-                return this->finish({plan_.failed() == 0 ? outcome_kind::succeeded : outcome_kind::not_taken});
+                return this->finish(
+                    {plan_.progress().failed() == 0 ? outcome_kind::succeeded : outcome_kind::not_taken});
             }
             walk_.begin();
             this->identity().expire();
@@ -141,11 +158,19 @@ private:
             static_cast<void>(write_.stop(so.error));
             close_row();
         }
-        if (plan_.has_moved_link() and so.kind == outcome_kind::silent) {
+        if (plan_.progress().has_moved_link() and so.kind == outcome_kind::silent) {
             so.kind = outcome_kind::executed_unconfirmed;
         }
         if (so.kind != outcome_kind::succeeded and so.kind != outcome_kind::not_taken) {
+            tell_rest_of_block(so.error);
             plan_.tell_not_reached(is_in_block_ ? walk_.block().start + index_ : walk_.position(), so.error);
+        }
+    }
+
+    constexpr void tell_rest_of_block(errc error) noexcept
+    {
+        for (std::uint16_t i = index_; is_in_block_ and i < walk_.block().count; ++i) {
+            plan_.tell_last_word(row_at(map(), static_cast<std::uint16_t>(walk_.block().start + i)), words_[i], error);
         }
     }
 
@@ -154,7 +179,7 @@ private:
     constexpr bool asks_in_this_step() noexcept
     {
         if (plan_.has_to_save()) {
-            this->save();
+            this->check(write_care::rest);
             return true;
         }
         if (walk_.find(map(), [this](parameter const& row) { return plan_.covers(row); })) {
@@ -168,10 +193,8 @@ private:
     {
         for (; index_ < walk_.block().count; ++index_) {
             row_ = row_at(map(), static_cast<std::uint16_t>(walk_.block().start + index_));
-            if (has_to_write(words_[index_])) {
-                has_row_ = true;
-                write_ = {plan_.wanted(*row_.row), words_[index_], role_of(*row_.row) == parameter_role::link};
-                return this->check(is_delicate(role_of(*row_.row)));
+            if (plan_.treat(row_, words_[index_])) {
+                return begin_write(words_[index_]);
             }
         }
         is_in_block_ = false;
@@ -179,35 +202,23 @@ private:
         go_on();
     }
 
-    /// Whether the parameter is to be written now; where it is not, what is known of it is told.
-    constexpr bool has_to_write(std::uint16_t held) noexcept
+    /// The word that is checked here is the one that is sent.
+    constexpr void begin_write(std::uint16_t held) noexcept
     {
-        parameter const& row = *row_.row;
-        agenda_step const& now = plan_.step();
-        std::uint16_t const wanted = plan_.wanted(row);
-        bool const is_right = held == wanted;
-        if (is_right) {
-            plan_.note_treated(row);
-            plan_.tell(row_, {restore_outcome::holds, held});
-        } else if (now.act == agenda_act::announce) {
-            plan_.tell(row_, {plan_.judgement(row), held});
-        } else if (now.act == agenda_act::verify) {
-            plan_.judge_wrong(row_, held);
-        } else if (now.moves(row.count_of(held), row.count_of(wanted))) {
-            if (not plan_.options().dry_run) {
-                return true;
-            }
-            plan_.note_treated(row);
-            plan_.tell(row_, {restore_outcome::planned, held});
+        has_row_ = true;
+        write_ = {plan_.wanted(*row_.row), held, role_of(*row_.row) == parameter_role::link};
+        if (plan_.fits(*row_.row, write_.wanted())) {
+            this->check(care_for(role_of(*row_.row)));
+        } else {
+            act_on(write_.give_up());
         }
-        return false;
     }
 
     constexpr void act_on(verdict next, errc error = errc::none) noexcept
     {
         switch (next) {
         case verdict::read_back: return this->read_back(row_.row->address);
-        case verdict::check_again: return this->check(is_delicate(role_of(*row_.row)));
+        case verdict::check_again: return this->check(care_for(role_of(*row_.row)));
         case verdict::next: close_row(); return go_through_block();
         case verdict::end: break;
         }
@@ -220,13 +231,7 @@ private:
     {
         has_row_ = false;
         ++index_;
-        plan_.note_treated(*row_.row);
-        plan_.tell(row_, write_.report());
-        if (write_.has_written()) {
-            plan_.note_write();
-        } else {
-            plan_.note_failure(*row_.row);
-        }
+        plan_.close(row_, write_.report(), write_.has_written());
     }
 
     restore_plan<Words, Report> plan_;

@@ -31,9 +31,9 @@ struct restore_options {
     bool with_channels{false};    ///< who commands, run inputs; and CFG, which sets both
     bool with_link{false};        ///< addresses, rates, formats, time-outs of this line and of other buses
     bool with_inferred{false};    ///< rows whose source is not `documented`: of an ATV320 nearly all
-    bool with_supervision{false}; ///< what can switch off whatever stops the motor
+    bool with_supervision{false}; ///< what can switch off whatever stops the motor; outputs, which switch at once
     bool with_autorestart{false}; ///< what lets the drive start by itself, or a fault be reset by an input
-    bool save{false};             ///< to the EEPROM, at the end
+    bool save{false};             ///< to the EEPROM, where the drive then holds all that was wanted and allowed
     terminal_options terminals{}; ///< for CFG, channels, run inputs and automatic restart, as in `set_channel`
 };
 
@@ -48,8 +48,9 @@ enum class restore_outcome : std::uint8_t {
     refused,           ///< the drive refused it, by the exception in `error`
     unreadable,        ///< the drive refuses to tell what it holds; never written then
     not_reached,       ///< the restore ended before
+    other_steps,       ///< never sent: it would count in other steps than the configuration does, or make others do so
     not_wanted,        ///< the configuration has no word for it
-    out_of_limits,     ///< the wanted word is none of this register; never sent
+    out_of_limits,     ///< never sent: the wanted word is none of this register, or LSP <= HSP <= TFR would not hold
     never_written,     ///< it is no setting: see `role_of` and `why`
     needs_channels,    ///< left out: `with_channels` was not given
     needs_link,        ///< left out: `with_link` was not given
@@ -71,8 +72,9 @@ enum class restore_outcome : std::uint8_t {
     case restore_outcome::refused: return "refused by the drive";
     case restore_outcome::unreadable: return "cannot be read, so it is not written";
     case restore_outcome::not_reached: return "not reached";
+    case restore_outcome::other_steps: return "not written: steps differ (INR)";
     case restore_outcome::not_wanted: return "not in the configuration";
-    case restore_outcome::out_of_limits: return "outside the limits of the register";
+    case restore_outcome::out_of_limits: return "outside its limits";
     case restore_outcome::never_written: return "never written";
     case restore_outcome::needs_channels: return "left out: channels and run inputs were not asked for";
     case restore_outcome::needs_link: return "left out: the link was not asked for";
@@ -81,6 +83,13 @@ enum class restore_outcome : std::uint8_t {
     case restore_outcome::needs_autorestart: return "left out: automatic restart was not asked for";
     }
     return "unknown";
+}
+
+/// Whether an outcome is that of a parameter which the configuration has a word for that it can take.
+/// Internal.
+[[nodiscard]] constexpr bool has_fitting_word(restore_outcome judgement) noexcept
+{
+    return judgement == restore_outcome::planned or judgement >= restore_outcome::needs_channels;
 }
 
 /// What a restore tells of one parameter.

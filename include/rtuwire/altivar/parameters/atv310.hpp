@@ -115,7 +115,7 @@ using all_groups =
                   groups::configuration, groups::history_state, groups::functions_ramp, groups::functions_stop>;
 
 /// All parameters that can be used, as rows to walk, by the manual of 2026.
-inline constexpr parameter_map parameters{menu_groups<groups::scanner>};
+inline constexpr parameter_map parameters{menu_groups<groups::scanner>, "ATV310"};
 
 /// The same by the manual of 2014, whose scanner has half as many words.
 inline constexpr parameter_map parameters_2014{menu_groups<groups::scanner_2014>};

@@ -78,7 +78,7 @@ inline constexpr parameter_group menu_groups[]{
 };
 
 /// All parameters that can be used, as rows to walk.
-inline constexpr parameter_map parameters{menu_groups};
+inline constexpr parameter_map parameters{menu_groups, "ATV320"};
 
 /// Internal.
 inline constexpr parameter_group unverified_groups[]{
@@ -105,7 +105,7 @@ inline constexpr parameter_group unverified_groups[]{
 };
 
 /// Registers that are known to exist, and little more: read-only, doubtful.
-inline constexpr parameter_map unverified_parameters{unverified_groups};
+inline constexpr parameter_map unverified_parameters{unverified_groups, "ATV320"};
 
 /// An ATV320 with every register of this map for typed access: `station<full_device>`.
 struct full_device : device {

@@ -34,6 +34,14 @@ public:
     /// The groups live as long as the map.
     explicit constexpr parameter_map(std::span<parameter_group const> groups) noexcept : groups_{groups} {}
 
+    /// The same of a family of drives, "ATV320": no drive of another one is restored by it.
+    constexpr parameter_map(std::span<parameter_group const> groups, literal family) noexcept
+        : groups_{groups}, family_{family}
+    {}
+
+    /// The family that it was made for; empty where it does not say.
+    [[nodiscard]] constexpr literal family() const noexcept { return family_; }
+
     [[nodiscard]] constexpr std::span<parameter_group const> groups() const noexcept { return groups_; }
 
     /// How many parameters there are.
@@ -85,6 +93,7 @@ public:
 
 private:
     std::span<parameter_group const> groups_;
+    literal family_{};
 };
 
 } // namespace rtuwire::altivar

@@ -27,10 +27,10 @@ bool is_read_of(action const& what, std::uint16_t address)
 }
 
 /// How the check ends after these answers; `pending` where it asks for more.
-kind after(bool is_delicate, std::vector<event> const& answers)
+kind after(write_care care, std::vector<event> const& answers)
 {
     write_guard one = guard();
-    CHECK(is_read_of(one.begin(is_delicate), eta));
+    CHECK(is_read_of(one.begin(care), eta));
     for (event const& each : answers) {
         CHECK(one.reason().kind == kind::pending);
         static_cast<void>(one.step(each));
@@ -56,8 +56,8 @@ TEST_CASE("the states that a drive may be written in")
                                   kind::aborted};
     for (std::size_t i = 0; i < looks.size(); ++i) {
         INFO(looks[i].name);
-        CHECK(after(false, {looks[i].what}) == expected[i]);
-        CHECK(after(true, {looks[i].what}) == expected[i]);
+        CHECK(after(write_care::rest, {looks[i].what}) == expected[i]);
+        CHECK(after(write_care::open_inputs, {looks[i].what}) == expected[i]);
     }
 }
 
@@ -66,7 +66,7 @@ TEST_CASE("any command but 0000, and any speed but 0, forbids a write")
     for (std::uint32_t value = 1; value < 0x1'0000; ++value) {
         auto const each = static_cast<std::uint16_t>(value);
         write_guard one = guard();
-        static_cast<void>(one.begin(false));
+        static_cast<void>(one.begin(write_care::rest));
         static_cast<void>(one.step(word(disabled_word)));
         write_guard other = one;
         static_cast<void>(one.step(word(each)));
@@ -75,14 +75,14 @@ TEST_CASE("any command but 0000, and any speed but 0, forbids a write")
         REQUIRE(one.reason().kind == kind::overwritten);
         REQUIRE(other.reason().kind == kind::refused_while_running);
     }
-    CHECK(after(false, {word(disabled_word), word(0), word(0)}) == kind::succeeded);
-    CHECK(after(false, {word(fault_word), word(0), word(0)}) == kind::succeeded);
+    CHECK(after(write_care::rest, {word(disabled_word), word(0), word(0)}) == kind::succeeded);
+    CHECK(after(write_care::rest, {word(fault_word), word(0), word(0)}) == kind::succeeded);
 }
 
-TEST_CASE("a delicate write needs a drive without fault, and open run inputs")
+TEST_CASE("a write that may start the motor needs a drive without fault, and open run inputs")
 {
     write_guard one = guard();
-    CHECK(is_read_of(one.begin(true), eta));
+    CHECK(is_read_of(one.begin(write_care::open_inputs), eta));
     CHECK(is_read_of(one.step(word(disabled_word)), cmd));
     CHECK(is_read_of(one.step(word(0)), rfr));
     CHECK(is_read_of(one.step(word(0)), eta));
@@ -98,7 +98,7 @@ TEST_CASE("a delicate write needs a drive without fault, and open run inputs")
     auto const then = [&](std::vector<event> const& more) {
         std::vector<event> all = stands;
         all.insert(all.end(), more.begin(), more.end());
-        return after(true, all);
+        return after(write_care::open_inputs, all);
     };
     CHECK(then({word(fault_word), word(5)}) == kind::in_fault);
     CHECK(then({word(enabled_word)}) == kind::refused_while_running);
@@ -106,13 +106,27 @@ TEST_CASE("a delicate write needs a drive without fault, and open run inputs")
     CHECK(then({word(disabled_word), word(0), failed(errc::illegal_data_address)}) == kind::unknown_register);
 }
 
+TEST_CASE("in three-wire control the inputs do not matter, but to a write that may end it")
+{
+    std::vector<event> const stands{word(disabled_word), word(0), word(0), word(disabled_word)};
+    auto const then = [&](write_care care, std::vector<event> const& more) {
+        std::vector<event> all = stands;
+        all.insert(all.end(), more.begin(), more.end());
+        return after(care, all);
+    };
+    CHECK(then(write_care::open_inputs, {word(1)}) == kind::succeeded); // TCC says three wires
+    CHECK(then(write_care::all_inputs, {word(1)}) == kind::run_input_closed);
+    CHECK(then(write_care::all_inputs, {word(0)}) == kind::succeeded);
+    CHECK(then(write_care::all_inputs, {failed(errc::illegal_data_address)}) == kind::unknown_register);
+}
+
 TEST_CASE("a check may be begun again")
 {
     write_guard one = guard();
-    static_cast<void>(one.begin(true));
+    static_cast<void>(one.begin(write_care::open_inputs));
     static_cast<void>(one.step(word(enabled_word)));
     REQUIRE(one.reason().kind == kind::refused_while_running);
-    CHECK(is_read_of(one.begin(false), eta));
+    CHECK(is_read_of(one.begin(write_care::rest), eta));
     CHECK(one.reason().kind == kind::pending);
     for (event const& each : {word(disabled_word), word(0), word(0)}) {
         static_cast<void>(one.step(each));

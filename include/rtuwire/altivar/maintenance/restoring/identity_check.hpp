@@ -26,13 +26,15 @@ public:
         not_reached, ///< no response, or one that is none: the error tells
     };
 
-    /// For a drive of one family, and a configuration of another, or of the same.
-    constexpr identity_check(drive_family const& its_family, drive_family const& wanted,
+    /// For a drive of one family; the configuration and the map are of another, or of the same.
+    constexpr identity_check(drive_family const& its_family, drive_family const& wanted, literal of_map,
                              bool has_identification) noexcept
-        : family_{its_family}, is_meant_{its_family == wanted}, has_identification_{has_identification}
+        : family_{its_family}, is_meant_{its_family.is_known() and its_family == wanted and
+                                         (of_map.size() == 0 or drive_family::of(of_map) == its_family)},
+          has_identification_{has_identification}
     {}
 
-    /// Whether the configuration is for such a drive.
+    /// Whether configuration and map are for such a drive.
     [[nodiscard]] constexpr bool is_meant() const noexcept { return is_meant_; }
     [[nodiscard]] constexpr bool has_identification() const noexcept { return has_identification_; }
 

@@ -27,10 +27,10 @@ public:
     [[nodiscard]] constexpr kind running() const noexcept { return running_; }
 
     /// The check before a write.
-    constexpr action begin_guard(bool is_delicate) noexcept
+    constexpr action begin_guard(write_care care) noexcept
     {
         running_ = kind::guard;
-        return guard_.begin(is_delicate);
+        return guard_.begin(care);
     }
 
     /// The last look, behind which the restore ends as `so`, or goes on where that is a success.
@@ -56,6 +56,13 @@ public:
         case kind::save: break;
         }
         return save_.step(what);
+    }
+
+    /// Whether what runs has to come to its end, whoever gives the restore up: a look that may take a motor's power away, or
+    /// the end of an order to save.
+    [[nodiscard]] constexpr bool has_to_end() const noexcept
+    {
+        return running_ == kind::look or (running_ == kind::save and save_.is_taking_back());
     }
 
     /// How the procedure that runs has ended.

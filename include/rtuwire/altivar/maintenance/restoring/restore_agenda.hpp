@@ -16,7 +16,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// What a step does with its parameters.
 enum class agenda_act : std::uint8_t {
-    announce, ///< reads what is left out for want of an option, and what may start the drive by itself
+    announce, ///< reads what is left out for want of an option, what others depend on, and what may start the drive
     write,    ///< writes what differs
     raise,    ///< writes what has to become larger
     lower,    ///< writes what has to become smaller
@@ -46,7 +46,8 @@ struct agenda_step {
 };
 
 /// Raising TFR, HSP and LSP in this order, and then lowering them in the other, keeps LSP <= HSP <= TFR between any two
-/// writes, from any values to any others. The channels stand as in `set_channel`.
+/// writes, from any values to any others. The channels stand as in `set_channel`. What is saved is verified after that:
+/// a drive that lost its power before has saved what it held before.
 inline constexpr agenda_step restore_agenda[]{
     {agenda_act::announce},
     {agenda_act::write, parameter_role::macro, {}, 1},
@@ -66,8 +67,8 @@ inline constexpr agenda_step restore_agenda[]{
     {agenda_act::write, parameter_role::channel, "FLO", 12},
     {agenda_act::write, parameter_role::other_link},
     {agenda_act::write, parameter_role::link_timeout, {}, 16},
-    {agenda_act::verify},
     {agenda_act::save},
+    {agenda_act::verify},
     {agenda_act::write, parameter_role::link},
     {agenda_act::save},
 };
@@ -85,6 +86,12 @@ inline constexpr std::uint8_t agenda_size = std::size(restore_agenda);
     return false;
 }
 
+/// Whether a write of others depends on what the drive holds of this role.
+[[nodiscard]] constexpr bool is_depended_on(parameter_role role) noexcept
+{
+    return role == parameter_role::step_size or role == parameter_role::frequency_limit;
+}
+
 /// Whether a step is over a parameter that was judged so.
 [[nodiscard]] constexpr bool covers_row(agenda_step const& step, parameter const& row,
                                         restore_outcome judgement) noexcept
@@ -93,7 +100,8 @@ inline constexpr std::uint8_t agenda_size = std::size(restore_agenda);
     bool const is_planned = judgement == restore_outcome::planned;
     switch (step.act) {
     case agenda_act::announce:
-        return is_planned ? role == parameter_role::restart : judgement >= restore_outcome::needs_channels;
+        return is_depended_on(role) or
+               (is_planned ? role == parameter_role::restart : judgement >= restore_outcome::needs_channels);
     case agenda_act::write:
     case agenda_act::raise:
     case agenda_act::lower:
@@ -117,12 +125,20 @@ inline constexpr std::uint8_t agenda_size = std::size(restore_agenda);
     return last;
 }
 
-/// Whether a write of this role may start a motor by the terminals, or let the drive start by itself: it goes only to a
-/// drive without a fault whose run inputs are open.
-[[nodiscard]] constexpr bool is_delicate(parameter_role role) noexcept
+/// What a drive has to be like for a write.
+enum class write_care : std::uint8_t {
+    rest,        ///< it stands without a command
+    open_inputs, ///< and is without a fault, its run inputs open: the write may start it by the terminals or by itself
+    all_inputs,  ///< these open in three-wire control, too: the write may make a stop contact a run input
+};
+
+/// A write of the supervision may take away what holds a motor back that a terminal commands.
+[[nodiscard]] constexpr write_care care_for(parameter_role role) noexcept
 {
-    return role == parameter_role::macro or role == parameter_role::restart or role == parameter_role::run_input or
-           role == parameter_role::channel;
+    bool const may_be_started =
+        role == parameter_role::supervision or role == parameter_role::restart or role == parameter_role::channel;
+    bool const may_be_rewired = role == parameter_role::macro or role == parameter_role::run_input;
+    return may_be_rewired ? write_care::all_inputs : may_be_started ? write_care::open_inputs : write_care::rest;
 }
 
 } // namespace rtuwire::altivar

@@ -15,7 +15,7 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
-/// The conversation of a restore. `Restore` derives from it, and gets what came of each request by an `on_` function.
+/// The steps of a restore's conversation. `Restore` derives from it, and gets what came of each request by an `on_` function.
 ///
 /// | doing         | response                              | exception            | no response       |
 /// |---------------|---------------------------------------|----------------------|-------------------|
@@ -31,28 +31,30 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// that got a delicate write, and then ends.
 template <typename Restore> class restore_checks : public restore_procedures<Restore> {
     using base = restore_procedures<Restore>;
-    using base::self;
 
 public:
     using base::settled;
 
-    /// Processes the time: begins, and ends pauses.
-    constexpr void advance(instant now) noexcept
+protected:
+    using base::self;
+
+    constexpr restore_checks(unit_id its_unit, drive_layout const& layout, terminal_options const& terminals,
+                             identity_check const& identity) noexcept
+        : base{its_unit, layout, terminals}, identity_{identity}
+    {}
+
+    // What the calls come to.
+
+    constexpr void go_on_in_time() noexcept
     {
-        this->tick(now);
-        if (not this->has_begun()) {
-            this->note_order();
-            self().begin();
-        } else if (settled() or this->is_asking()) {
-            return;
-        } else if (this->is_stopping() and this->is_unit_ordered()) {
+        if (this->is_stopping() and this->is_unit_ordered()) {
             this->finish({outcome_kind::overruled}); // the motor now runs by an order: it is not this one's to stop
         } else if (this->is_pause_over()) {
             this->run({event::kind::pause_over});
         }
     }
 
-    constexpr void accept(result<response> const& outcome) noexcept
+    constexpr void take(result<response> const& outcome) noexcept
     {
         bool const was_sent = this->is_asking();
         this->note_outcome();
@@ -70,34 +72,34 @@ public:
         heed_loss();
     }
 
-    /// Ends it as `aborted`: tells what became of the write under way, and what was not reached. A last look may follow,
-    /// or an order to save is taken back: run it on until it is settled.
-    constexpr void cancel() noexcept
+    /// The unit was lost: what would wait until the drive has stopped by itself fails now.
+    constexpr void heed_loss() noexcept
     {
-        if (this->has_begun()) {
-            this->forget();
-            accept(errc::cancelled);
+        if (not has_lost_ or this->is_asking() or settled()) {
+            return;
+        }
+        has_lost_ = false;
+        if (not this->is_stopping()) {
+            take(errc::unit_lost);
         }
     }
-
-    constexpr void note_loss() noexcept
+    constexpr void note_loss_now() noexcept
     {
         has_lost_ = this->has_begun() and not settled();
         heed_loss();
     }
 
-protected:
-    constexpr restore_checks(unit_id its_unit, drive_layout const& layout, terminal_options const& terminals,
-                             identity_check const& identity) noexcept
-        : base{its_unit, layout, terminals}, identity_{identity}
-    {}
+    /// Whether nothing may end what is done now but its own end.
+    constexpr bool has_to_end() noexcept { return this->give_up() and doing_ == doing::checking; }
+
+    // What `Restore` calls.
 
     [[nodiscard]] constexpr identity_check& identity() noexcept { return identity_; }
 
     /// Checks who the drive is, and whether it stands; then `on_checked`.
-    constexpr void check(bool is_delicate) noexcept
+    constexpr void check(write_care care) noexcept
     {
-        is_delicate_ = is_delicate;
+        care_ = care;
         if (identity_.holds()) {
             guard();
         } else {
@@ -114,7 +116,7 @@ protected:
     constexpr void write(std::uint16_t address, std::uint16_t word) noexcept
     {
         doing_ = doing::writing;
-        if (is_delicate_) {
+        if (care_ != write_care::rest) {
             this->note_delicate();
         }
         this->perform(once(to_rearrange(address, word)));
@@ -171,7 +173,7 @@ private:
     constexpr void guard() noexcept
     {
         doing_ = doing::checking;
-        base::guard(is_delicate_);
+        base::guard(care_);
     }
 
     constexpr void on_identification(result<response> const& outcome) noexcept
@@ -212,21 +214,9 @@ private:
                                                    : self().on_no_read_back(what.error);
     }
 
-    /// The unit was lost: what would wait until the drive has stopped by itself fails now.
-    constexpr void heed_loss() noexcept
-    {
-        if (not has_lost_ or this->is_asking() or settled()) {
-            return;
-        }
-        has_lost_ = false;
-        if (not this->is_stopping()) {
-            accept(errc::unit_lost);
-        }
-    }
-
     identity_check identity_;
     doing doing_{doing::identifying};
-    bool is_delicate_{false};
+    write_care care_{write_care::rest};
     bool has_lost_{false};
 };
 

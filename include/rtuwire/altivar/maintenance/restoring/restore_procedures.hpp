@@ -39,8 +39,8 @@ protected:
 
     constexpr Restore& self() noexcept { return static_cast<Restore&>(*this); }
 
-    /// Checks whether the drive stands; before a delicate write, more than that.
-    constexpr void guard(bool is_delicate) noexcept { perform(inner_.begin_guard(is_delicate)); }
+    /// Checks whether the drive stands, and what else a write needs.
+    constexpr void guard(write_care care) noexcept { perform(inner_.begin_guard(care)); }
 
     constexpr void save() noexcept { perform(inner_.begin_save()); }
 
@@ -55,6 +55,13 @@ protected:
             perform(to_pause(status_period));
         }
         return may_have_started_;
+    }
+
+    /// Notes that its user gives it up. Returns whether a procedure runs that has to come to its end first.
+    constexpr bool give_up() noexcept
+    {
+        is_given_up_ = true;
+        return is_look_due_ or inner_.has_to_end();
     }
 
     /// The next step of the procedure that runs.
@@ -108,6 +115,9 @@ private:
             so.kind = so.kind == outcome_kind::silent ? reason_for(so.error).kind : so.kind;
             return static_cast<void>(fail(so));
         }
+        if (is_given_up_) {
+            return finish(reason_for(errc::cancelled));
+        }
         switch (inner_.running()) {
         case inner_procedure::kind::guard: return self().on_checked();
         case inner_procedure::kind::look: return self().go_on();
@@ -120,6 +130,7 @@ private:
     altivar::reason reason_{};
     bool may_have_started_{false}; ///< a delicate write was sent, and no look followed yet
     bool is_look_due_{false};      ///< after the pause
+    bool is_given_up_{false};
 };
 
 } // namespace rtuwire::altivar

@@ -7,14 +7,15 @@
 
 #include <cstdint>
 
+#include <rtuwire/altivar/maintenance/restoring/restore_agenda.hpp>
 #include <rtuwire/altivar/procedure/inspection/at_rest.hpp>
 #include <rtuwire/altivar/procedure/procedure.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
-/// Decides the check, word by word. A drive in fault stands, too; a delicate write then needs the whole check of
-/// `at_rest_procedure`, which ends this one as it ends.
+/// Decides the check, word by word. A drive in fault stands, too; a write that needs more care then needs the whole check
+/// of `at_rest_procedure`, which ends this one as it ends.
 ///
 /// | read of  | answer            | next                             |
 /// |----------|-------------------|----------------------------------|
@@ -23,7 +24,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// |          | 1, or no state    | end: aborted                     |
 /// | CMD      | 0                 | read RFR                         |
 /// |          | other             | end: overwritten                 |
-/// | RFR      | 0                 | end: succeeded; delicate: at_rest |
+/// | RFR      | 0                 | end: succeeded; or at_rest       |
 /// |          | other             | end: refused_while_running       |
 /// | anything | no response       | end: silent                      |
 /// |          | refused otherwise | end: refused                     |
@@ -36,10 +37,11 @@ public:
     {}
 
     /// Starts a check.
-    constexpr action begin(bool is_delicate) noexcept
+    constexpr action begin(write_care care) noexcept
     {
         *this = write_guard{layout(), options_};
-        is_delicate_ = is_delicate;
+        rest_ = at_rest_procedure{layout(), options_, {.ends_three_wire = care == write_care::all_inputs}};
+        care_ = care;
         return to_read(layout().eta);
     }
 
@@ -73,7 +75,7 @@ private:
         if (word != 0) {
             return end(outcome_kind::refused_while_running);
         }
-        if (not is_delicate_) {
+        if (care_ == write_care::rest) {
             return end(outcome_kind::succeeded);
         }
         asked_ = asked::rest;
@@ -93,7 +95,7 @@ private:
     at_rest_procedure rest_;
     terminal_options options_;
     asked asked_{asked::status};
-    bool is_delicate_{false};
+    write_care care_{write_care::rest};
 };
 
 } // namespace rtuwire::altivar

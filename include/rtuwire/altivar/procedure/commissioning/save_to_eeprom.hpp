@@ -49,6 +49,9 @@ public:
         return end_late();
     }
 
+    /// Whether the order is being taken back, which has to reach the drive.
+    [[nodiscard]] constexpr bool is_taking_back() const noexcept { return stage_ == stage::taking_back; }
+
 private:
     enum class stage : std::uint8_t {
         looking,
