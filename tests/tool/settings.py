@@ -287,6 +287,62 @@ def check_terminal(program, tool, check):
         check(tool.run(*words, "compare", "drive.json").status == DONE, "and the drive is as it was")
 
 
+def check_steps(program, tool, check):
+    """What a ramp counts in is the drive's: a file in other steps changes no ramp, and a step alone none either."""
+    with Simulator(program, "atv320:7") as device:
+        words = ["--port", device, "--no-listen", "-u", "7"]
+        check(tool.run(*words, "backup", "-o", "before.json").status == DONE, "a backup of an ATV320")
+        unchanged = lambda: tool.run(*words, "compare", "before.json").status == DONE
+        for options, ramps in (([], {"ACC": 5, "DEC": 6}), (["--with-inferred"], {"ACC": 5, "DEC": 6}),
+                               (["--with-inferred"], {})):
+            own_file(tool, "steps.json", drive="atv320", INR=2, **ramps)
+            ended = tool.run(*words, "--write", "--json", "restore", "steps.json", *options)
+            rows = {row["register"]: row for row in ended.objects()}
+            check(ended.status == DIFFERS and "nothing was written" in ended.errors and unchanged(),
+                  f"{ramps} in other steps {options}", ended)
+            check(all("steps" in rows[code]["outcome"] and rows[code]["held"] == "3.0 s" for code in ramps),
+                  "each is told, with what the drive holds in its own steps", rows)
+        own_file(tool, "steps.json", drive="atv320", ACC=50)
+        ended = tool.run(*words, "--write", "restore", "steps.json")
+        check(ended.status == DIFFERS and unchanged(), "a count of a file that does not say its steps", ended)
+        own_file(tool, "steps.json", drive="atv320", INR=1, ACC=50, DEC=60)
+        ended = tool.run(*words, "--write", "restore", "steps.json", "--save")
+        check(ended.status == DONE and "; saved;" in ended.errors, "in the drive's own steps, and saved", ended)
+        own_file(tool, "steps.json", drive="atv320", INR=2, ACC=5, DEC=6, AC2=7, DE2=8)
+        ended = tool.run(*words, "--write", "--json", "restore", "steps.json", "--with-inferred")
+        rows = {row["register"]: row for row in ended.objects()}
+        check(ended.status == DONE and rows["ACC"]["held"] == "5.0 s" and rows["ACC"]["wanted"] == "5 s",
+              "with all ramps the step goes along", (ended, rows))
+
+
+def check_whole(tool, check):
+    """A backup that lost a part is none; a count below zero is one of a signed register only."""
+    words = ["--port", "sim:atv310:7", "-u", 7]
+    for name in ("part.json", "part.csv"):
+        check(tool.run(*words, "backup", "-o", name).status == DONE, f"a backup, {name}")
+        lines = (tool.place / name).read_bytes().splitlines(keepends=True)
+        at = next(i for i, line in enumerate(lines) if b"HSP" in line)
+        (tool.place / name).write_bytes(b"".join(lines[:at] + lines[at + 1:]))
+        ended = tool.run("compare", name, name)
+        check(ended.status == USAGE and ended.errors.startswith(f"rtuwire: {name}:") and "rows" in ended.errors,
+              f"{name} without a line is refused", ended)
+    own_file(tool, "below.json", ACC=-1)
+    ended = tool.run("compare", "below.json", "below.json")
+    check(ended.status == USAGE and "ACC" in ended.errors and "from 0" in ended.errors, "-1 of an unsigned register", ended)
+
+
+def check_inputs(program, tool, check):
+    """A drive that does not tell its inputs gets no channel, unless its user has looked at them."""
+    with Simulator(program, "atv310:7") as device:
+        words = ["--port", device, "--no-listen", "-u", "7", "-d", "atv310", "--write", "--allow-run", "restore", "channel.json",
+                 "--with-channels"]
+        own_file(tool, "channel.json", drive="atv310", CHCF=1)
+        ended = tool.run(*words)
+        check(ended.status == REFUSED and "--inputs-open" in ended.errors, "it says what to say", ended)
+        ended = tool.run(*words, "--inputs-open")
+        check(ended.status == DONE and "1 written" in ended.errors, "which does it", ended)
+
+
 def main(check, program):
     with Tool(program) as tool:
         check_backup(tool, check)
@@ -297,6 +353,9 @@ def main(check, program):
         check_cut(tool, check)
         check_interrupt(tool, check)
         check_terminal(program, tool, check)
+        check_steps(program, tool, check)
+        check_whole(tool, check)
+        check_inputs(program, tool, check)
 
 
 runs(main)

@@ -57,6 +57,7 @@ struct restore_choices {
     bool with_inferred{false};
     bool with_supervision{false};
     bool with_autorestart{false};
+    bool has_open_inputs{false}; ///< its user says so of a drive whose inputs cannot be read
     bool save{false};
 };
 

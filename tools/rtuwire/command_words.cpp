@@ -165,7 +165,9 @@ void add_settings(CLI::App& app, choices& chosen)
     restore.add_flag("--with-inferred", with.with_inferred, "also what is known only from a sister drive");
     restore.add_flag("--with-supervision", with.with_supervision, "also what can switch off whatever stops the motor");
     restore.add_flag("--with-autorestart", with.with_autorestart, "also what lets the drive start by itself");
-    restore.add_flag("--save", with.save, "save to the EEPROM at the end");
+    restore.add_flag("--inputs-open", with.has_open_inputs,
+                     "no run input is closed: for a drive that cannot tell (ATV310)");
+    restore.add_flag("--save", with.save, "save to the EEPROM at the end, where all of it is held");
 }
 
 void add_line_tools(CLI::App& app, choices& chosen)

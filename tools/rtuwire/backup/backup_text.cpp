@@ -93,6 +93,7 @@ std::string json_text_of(saved_settings const& settings)
     for (auto const& [name, value] : settings.head) {
         text += text_of(name) + ": " + text_of(value) + ",\n";
     }
+    text += "\"rows\": \"" + std::to_string(settings.parameters.size()) + "\",\n";
     text += "\"parameters\": [";
     char const* separator = "\n";
     for (saved_parameter const* const each : in_order(settings)) {
@@ -108,6 +109,7 @@ std::string csv_text_of(saved_settings const& settings)
     for (auto const& [name, value] : settings.head) {
         text += csv_line({"backup", "", name, "", "", value, "", "", ""});
     }
+    text += csv_line({"backup", "", "rows", "", "", std::to_string(settings.parameters.size()), "", "", ""});
     for (saved_parameter const* const each : in_order(settings)) {
         saved_value const value = value_of(*each, settings);
         text += csv_line({std::string{each->entry->group}, std::to_string(each->entry->address),

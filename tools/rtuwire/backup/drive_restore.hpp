@@ -36,6 +36,7 @@ struct restored {
     rtuwire::altivar::reason reason{};
     bool was_ended{false}; ///< by a signal: once a parameter was done
     rtuwire::errc port_error{rtuwire::errc::none};
+    bool is_saved{false}; ///< to the EEPROM
 };
 
 using restore_function = restored (*)(restore_work const& work);

@@ -65,7 +65,7 @@ template <rtuwire::device_type Device> restored restore_to(restore_work const& w
         client.converse(conversation, now);
         passed = pump(client, work.port, input, now + rtuwire::milliseconds(10));
     }
-    return {conversation.reason(), conversation.was_ended(), passed.error()};
+    return {conversation.reason(), conversation.was_ended(), passed.error(), conversation.saved()};
 }
 
 } // namespace tool

@@ -33,6 +33,18 @@ void restore_record::note(register_entry const& entry, rtuwire::altivar::restore
     known->last = what;
 }
 
+std::size_t restore_record::left_out() const noexcept
+{
+    return static_cast<std::size_t>(std::ranges::count_if(
+        parameters_, [](auto const& each) { return each.last.outcome >= restore_outcome::needs_channels; }));
+}
+
+restored_parameter const* restore_record::find(std::string_view code) const noexcept
+{
+    auto const found = std::ranges::find_if(parameters_, [code](auto const& each) { return each.entry->code == code; });
+    return found == parameters_.end() ? nullptr : &*found;
+}
+
 std::size_t restore_record::count(restore_outcome outcome) const noexcept
 {
     return static_cast<std::size_t>(
@@ -56,6 +68,7 @@ bool is_worth_a_line(restored_parameter const& of, saved_settings const& wanted)
     case restore_outcome::refused:
     case restore_outcome::unreadable:
     case restore_outcome::not_reached:
+    case restore_outcome::other_steps:
     case restore_outcome::out_of_limits: return true;
     case restore_outcome::holds: return of.was_written;
     case restore_outcome::not_wanted:

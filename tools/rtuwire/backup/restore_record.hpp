@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "backup/drive_restore.hpp"
@@ -30,6 +31,12 @@ public:
     /// By the order in which they were written, or would be.
     [[nodiscard]] std::vector<restored_parameter> const& parameters() const noexcept { return parameters_; }
     [[nodiscard]] std::size_t count(restore_outcome outcome) const noexcept;
+
+    /// How many the options left out.
+    [[nodiscard]] std::size_t left_out() const noexcept;
+
+    /// What was told of a mnemonic; null where nothing was.
+    [[nodiscard]] restored_parameter const* find(std::string_view code) const noexcept;
 
 private:
     std::vector<restored_parameter> parameters_{};

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::string_view format_name = "rtuwire backup 1";
 
-/// A raw count: a whole number in digits, or hexadecimal.
-std::optional<std::uint16_t> raw_count(std::string_view text)
+/// A raw count: a whole number in digits, or hexadecimal; below zero where the register is signed.
+std::optional<std::uint16_t> raw_count(std::string_view text, std::int32_t least = 0)
 {
     if (text.starts_with("0x") or text.starts_with("0X")) {
         return word_number(text);
@@ -25,8 +25,8 @@ std::optional<std::uint16_t> raw_count(std::string_view text)
     std::int32_t number = 0;
     auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     bool const is_whole = error == std::errc{} and end == text.data() + text.size();
-    return is_whole and number >= -32'768 and number <= 65'535 ? std::optional{static_cast<std::uint16_t>(number)}
-                                                               : std::nullopt;
+    return is_whole and number >= least and number <= 65'535 ? std::optional{static_cast<std::uint16_t>(number)}
+                                                             : std::nullopt;
 }
 
 class rows_reader {
@@ -35,7 +35,7 @@ public:
 
     settings_reading run()
     {
-        bool const is_right = find_drive() and take_rows(false) and take_rows(true);
+        bool const is_right = find_drive() and is_whole() and take_rows(false) and take_rows(true);
         if (is_right and found_.settings.parameters.empty()) {
             refuse({}, "it has no parameters");
         }
@@ -51,10 +51,24 @@ private:
         return false;
     }
 
+    /// A backup says how many rows it has: one that was cut is no backup.
+    bool is_whole()
+    {
+        auto const rows = text_.head.find("rows");
+        if (rows == text_.head.end() or rows->second.text == std::to_string(text_.rows.size())) {
+            return true;
+        }
+        return refuse(rows->second.place, "it says that it has " + rows->second.text + " rows, and has " +
+                                              std::to_string(text_.rows.size()) +
+                                              "; where that is meant, take out 'rows'");
+    }
+
     bool find_drive()
     {
         for (auto const& [name, value] : text_.head) {
-            found_.settings.head.emplace_back(name, value.text);
+            if (name != "rows") {
+                found_.settings.head.emplace_back(name, value.text);
+            }
         }
         auto const format = text_.head.find("format");
         if (format != text_.head.end() and format->second.text != format_name) {
@@ -143,10 +157,12 @@ private:
         }
         if (raw != nullptr) {
             made.place = raw->place;
-            made.word = raw_count(raw->text);
+            std::int32_t const least = entry.kind == register_kind::signed_number ? -32'768 : 0;
+            made.word = raw_count(raw->text, least);
             if (not made.word) {
                 return refuse(raw->place, std::string{entry.code} + ": '" + raw->text +
-                                              "' is no raw count: a whole number in digits, from -32768 to 65535");
+                                              "' is no raw count: a whole number in digits, from " +
+                                              std::to_string(least) + " to 65535");
             }
         }
         return value == nullptr or read_value(made, row, *value);
@@ -168,7 +184,8 @@ private:
         if (made.word and *made.word != *read.word) {
             auto const step = step_of(entry, *found_.settings.drive, set_by);
             return refuse(value.place, std::string{entry.code} + ": the raw count " + std::to_string(*made.word) +
-                                           " is " + text_of(entry, *made.word, *step) + ", not '" + value.text + "'");
+                                           " is " + text_of(entry, *made.word, *step) + ", not '" + value.text +
+                                           "'; empty the one of them that is old");
         }
         made.place = made.word ? made.place : value.place;
         made.word = read.word;

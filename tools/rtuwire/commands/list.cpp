@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // The drives that this program knows, or the registers of one: no line is needed.
 #include <algorithm>
+#include <cstdio>
 #include <string>
 
 #include "catalog/entry_words.hpp"
@@ -86,6 +87,9 @@ exit_status run_list(choices const& chosen)
     }
     drive_catalog const& drive = catalog_chosen(chosen.line.drive);
     std::vector<register_entry const*> const shown = chosen_of(chosen, drive);
+    if (shown.empty()) {
+        std::fprintf(stderr, "rtuwire: no register of an %s is found by that\n", std::string{drive.name}.c_str());
+    }
     output results{chosen.form, false};
     for (register_entry const* const each : shown) {
         results.put(of_register(*each, drive, chosen.form == output_form::table));

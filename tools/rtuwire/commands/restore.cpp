@@ -7,6 +7,7 @@
 
 #include "backup/drive_settings.hpp"
 #include "backup/restore_record.hpp"
+#include "backup/restore_view.hpp"
 #include "catalog/entry_words.hpp"
 #include "catalog/value_text.hpp"
 #include "commands/commands.hpp"
@@ -64,7 +65,9 @@ public:
         }
         if (chosen_.restore.dry_run or plan.count(restore_outcome::planned) == 0) {
             show(plan);
-            tell(plan, chosen_.restore.dry_run ? "nothing is written in a dry run" : "the drive holds all of it");
+            tell(plan, chosen_.restore.dry_run                   ? "nothing is written in a dry run"
+                       : plan.count(restore_outcome::holds) == 0 ? "there is nothing in it that a restore writes"
+                                                                 : "the drive holds all of it");
             return exit_status::done;
         }
         return write(line, plan);
@@ -80,7 +83,8 @@ private:
                 .with_inferred = asked.with_inferred,
                 .with_supervision = asked.with_supervision,
                 .with_autorestart = asked.with_autorestart,
-                .save = asked.save};
+                .save = asked.save,
+                .terminals = {.accept_unseen_inputs = asked.has_open_inputs}};
     }
 
     /// Before the line is opened: what would be written has to fit its register.
@@ -91,7 +95,7 @@ private:
             if (is_meant and each.word and not each.entry->row->takes(each.entry->count_of(*each.word))) {
                 drive_catalog const& drive = *settings_.drive;
                 refuse_word(place_text(chosen_.file, each.place) + std::string{each.entry->code} + ": " +
-                            value_text(*each.entry, *each.word, settings_) + " is not within its limits, " +
+                            view_.wanted_text(*each.entry, *each.word) + " is not within its limits, " +
                             limit_text(each.entry->min, *each.entry, drive) + " to " +
                             limit_text(each.entry->max, *each.entry, drive) + ", or none of its values");
             }
@@ -116,6 +120,7 @@ private:
             show(plan);
         }
         plan_ = &plan;
+        view_.note_plan(plan);
         std::string const what = "unit " + std::to_string(unit_.unit.byte()) + ", " + std::string{drive_->name} + ": " +
                                  std::to_string(plan.count(restore_outcome::planned)) + " settings of " + chosen_.file +
                                  " differ";
@@ -125,10 +130,14 @@ private:
         note_signals();
         restore_record record;
         restored const done = run_once(line, false, record);
-        if (chosen_.restore.save and done.reason.kind == outcome_kind::succeeded) {
+        if (done.is_saved) {
             log_write({chosen_.line.port, unit_.unit.byte(), "CMI", "restored", "0x0002 (save to eeprom)"});
         }
-        return end(line, done, record, std::string{});
+        std::string note = chosen_.restore.save ? done.is_saved ? "saved" : "not saved" : "";
+        if (std::string const changed = restore_view::changed_steps(record); not changed.empty()) {
+            note = changed + (note.empty() ? "" : "; " + note);
+        }
+        return end(line, done, record, note);
     }
 
     /// Options say what may be written; whatever may let a motor turn, or run on, needs --allow-run as for `write`.
@@ -153,7 +162,7 @@ private:
         show(record);
         std::string text = how.port_error != rtuwire::errc::none ? line.port().failure()
                            : how.was_ended                       ? "ended by a signal"
-                                                                 : sentence_of(how.reason);
+                                                                 : sentence_of(how.reason) + remedy_for(how.reason);
         text += note.empty() ? "" : "; " + note;
         tell(record, text);
         return how.port_error != rtuwire::errc::none ? exit_status::port
@@ -161,74 +170,31 @@ private:
                                                      : status_for(how.reason);
     }
 
-    /// How it went, on the error output, so that results stay rows.
-    void tell(restore_record const& record, std::string const& how) const
+    std::string remedy_for(altivar::reason const& why) const
     {
-        std::size_t sent = 0;
-        for (restored_parameter const& each : record.parameters()) {
-            sent += each.was_written ? 1U : 0U;
+        if (why.kind == outcome_kind::other_family) {
+            return ": the settings are of an " + std::string{settings_.drive->name};
         }
-        std::fprintf(stderr,
-                     "rtuwire: %s; %zu written, %zu to be written, %zu held already, %zu not in the file, %zu never "
-                     "written by a restore\n",
-                     how.c_str(), sent, record.count(restore_outcome::planned), record.count(restore_outcome::holds),
-                     record.count(restore_outcome::not_wanted), record.count(restore_outcome::never_written));
+        return why.kind == outcome_kind::unknown_register
+                   ? ": this drive does not tell its inputs; see that no run input is closed, and say --inputs-open"
+                   : "";
+    }
+
+    /// How it went, on the error output, so that results stay rows.
+    static void tell(restore_record const& record, std::string const& how)
+    {
+        std::fprintf(stderr, "rtuwire: %s; %s\n", how.c_str(), counts_text(record).c_str());
         std::fflush(stderr);
-    }
-
-    static std::string value_text(register_entry const& entry, std::uint16_t word, saved_settings const& in)
-    {
-        auto const step = step_of(entry, *in.drive, in.word_of(entry.steps_set_by));
-        return step ? full_text(entry, word, *step) : std::to_string(word) + " steps";
-    }
-
-    static cell text_cell(register_entry const& entry, std::optional<std::uint16_t> word, saved_settings const& in)
-    {
-        return word ? cell{value_text(entry, *word, in)} : cell{};
     }
 
     void show(restore_record const& record)
     {
         for (restored_parameter const& each : record.parameters()) {
             if (is_worth_a_line(each, settings_)) {
-                put(each);
+                results_.put(view_.row_of(each, record, unit_.unit, chosen_.form), is_bad(each.last.outcome));
             }
         }
         results_.finish();
-    }
-
-    void put(restored_parameter const& of)
-    {
-        bool const is_table = chosen_.form == output_form::table;
-        std::string outcome{std::string_view{name_of(of.last.outcome)}};
-        outcome += of.last.error == rtuwire::errc::none ? "" : ": " + words_of(of.last.error);
-        record row{{"unit", std::int64_t{unit_.unit.byte()}},
-                   {"register", is_table ? code_and_menu(*of.entry) : std::string{of.entry->code}},
-                   {"held", text_cell(*of.entry, before_of(of), settings_)},
-                   {"wanted", text_cell(*of.entry, settings_.word_of(of.entry->code), settings_)},
-                   {"outcome",
-                    of.was_written and of.last.outcome == restore_outcome::holds ? "written and read back" : outcome},
-                   {"note", std::string{std::string_view{altivar::why(*of.entry->row)}}}};
-        results_.put(row, is_bad(of.last.outcome));
-    }
-
-    static bool is_bad(restore_outcome outcome)
-    {
-        return outcome == restore_outcome::refused or outcome == restore_outcome::differs or
-               outcome == restore_outcome::unconfirmed or outcome == restore_outcome::not_reached or
-               outcome == restore_outcome::out_of_limits or outcome == restore_outcome::unreadable;
-    }
-
-    /// What it held before the first write: the dry run read it.
-    std::optional<std::uint16_t> before_of(restored_parameter const& of) const
-    {
-        for (restored_parameter const& each :
-             plan_ == nullptr ? std::vector<restored_parameter>{} : plan_->parameters()) {
-            if (each.entry == of.entry) {
-                return each.before;
-            }
-        }
-        return of.before;
     }
 
     void log(register_entry const& entry, altivar::restore_report const& what)
@@ -236,13 +202,11 @@ private:
         if (not is_write(what.outcome)) {
             return;
         }
-        auto const before = before_of({&entry});
+        auto const before = view_.before_of({&entry});
         bool const is_known = what.outcome == restore_outcome::written or what.outcome == restore_outcome::differs;
-        auto const text = [&](std::optional<std::uint16_t> word) {
-            return word ? value_text(entry, *word, settings_) : std::string{"unknown"};
-        };
-        std::string const why = log_write({chosen_.line.port, unit_.unit.byte(), std::string{entry.code}, text(before),
-                                           text(is_known ? what.held : std::nullopt)});
+        std::string const old = before ? view_.held_text(entry, *before, *plan_) : "unknown";
+        std::string const now = is_known and what.held ? view_.wanted_text(entry, *what.held) : "unknown";
+        std::string const why = log_write({chosen_.line.port, unit_.unit.byte(), std::string{entry.code}, old, now});
         if (not why.empty() and not is_log_missed_) {
             is_log_missed_ = true;
             std::fprintf(stderr, "rtuwire: not noted: %s\n", why.c_str());
@@ -253,6 +217,7 @@ private:
     named_unit unit_;
     output results_;
     saved_settings settings_;
+    restore_view view_{settings_};
     drive_catalog const* drive_{nullptr};
     restore_function restore_{nullptr};
     restore_record const* plan_{nullptr};
