@@ -175,7 +175,7 @@ def check_restore(tool, check):
         log = (tool.place / "state" / "rtuwire" / "writes.log").read_text()
         check("\t7\tACC\t3.0 s\t5.0 s" in log and "\t7\tSP2\t10.0 Hz\t12.0 Hz" in log, "and noted", log)
         ended = tool.run(*how(line), "--write", "restore", "wanted.json")
-        check(ended.status == DONE and len(writes(line)) == 2 and "holds all" in ended.errors, "a second one has nothing to do", ended)
+        check(ended.status == DONE and len(writes(line)) == 2 and "holds all that" in ended.errors, "a second one has nothing to do", ended)
         for options, code in ((["--with-channels"], "CD1"), (["--with-supervision"], "SLL")):
             ended = tool.run(*how(line), "--write", "restore", "wanted.json", *options)
             check(ended.status == REFUSED and code in ended.errors and "--allow-run" in ended.errors and len(writes(line)) == 2,
@@ -335,8 +335,8 @@ def check_inputs(program, tool, check):
     """A drive that does not tell its inputs gets no channel, unless its user has looked at them."""
     with Simulator(program, "atv310:7") as device:
         words = ["--port", device, "--no-listen", "-u", "7", "-d", "atv310", "--write", "--allow-run", "restore", "channel.json",
-                 "--with-channels"]
-        own_file(tool, "channel.json", drive="atv310", CHCF=1)
+                 "--with-channels", "--with-inferred"]
+        own_file(tool, "channel.json", drive="atv310", FR1=1)
         ended = tool.run(*words)
         check(ended.status == REFUSED and "--inputs-open" in ended.errors, "it says what to say", ended)
         ended = tool.run(*words, "--inputs-open")

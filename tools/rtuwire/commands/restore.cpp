@@ -66,8 +66,8 @@ public:
         if (chosen_.restore.dry_run or plan.count(restore_outcome::planned) == 0) {
             show(plan);
             tell(plan, chosen_.restore.dry_run                   ? "nothing is written in a dry run"
-                       : plan.count(restore_outcome::holds) == 0 ? "there is nothing in it that a restore writes"
-                                                                 : "the drive holds all of it");
+                       : plan.count(restore_outcome::holds) == 0 ? "there is nothing in it that this restore may write"
+                                                                 : "the drive holds all that it may write");
             return exit_status::done;
         }
         return write(line, plan);
