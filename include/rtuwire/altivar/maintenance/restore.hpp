@@ -127,10 +127,10 @@ private:
     constexpr void on_written() noexcept { act_on(write_.confirm()); }
     constexpr void on_write_failed(errc error, bool was_sent) noexcept
     {
-        act_on(was_sent ? write_.fail(error) : write_.stop(error), error);
+        act_on(was_sent ? write_.fail(error) : write_.stop(error));
     }
-    constexpr void on_read_back(std::uint16_t word) noexcept { act_on(write_.compare(word), write_.report().error); }
-    constexpr void on_no_read_back(errc error) noexcept { act_on(write_.go_without(error), error); }
+    constexpr void on_read_back(std::uint16_t word) noexcept { act_on(write_.compare(word)); }
+    constexpr void on_no_read_back(errc error) noexcept { act_on(write_.go_without(error)); }
 
     constexpr void on_saved() noexcept
     {
@@ -214,7 +214,7 @@ private:
         }
     }
 
-    constexpr void act_on(verdict next, errc error = errc::none) noexcept
+    constexpr void act_on(verdict next) noexcept
     {
         switch (next) {
         case verdict::read_back: return this->read_back(row_.row->address);
@@ -223,7 +223,7 @@ private:
         case verdict::end: break;
         }
         close_row();
-        this->fail(reason_for(error));
+        this->fail(reason_for(write_.report().error));
     }
 
     /// The parameter that was open is told.

@@ -59,9 +59,9 @@ constexpr bool is_lost_right()
 {
     row_write one{wanted, old, false};
     bool is_right = true;
-    for (unsigned attempt = 1; attempt <= 3; ++attempt) {
+    for (unsigned attempt = 1; attempt <= 5; ++attempt) {
         is_right = is_right and one.fail(errc::timed_out) == verdict::read_back;
-        is_right = is_right and one.compare(old) == (attempt < 3 ? verdict::check_again : verdict::end);
+        is_right = is_right and one.compare(old) == (attempt < 5 ? verdict::check_again : verdict::end);
     }
     is_right = is_right and is(one, told::not_reached, old, errc::timed_out);
     row_write arrived{wanted, old, false};

@@ -31,7 +31,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// | read back    | the wanted word         | the next  | written                                        |
 /// |              | another, confirmed      | the next  | differs                                        |
 /// |              | another, refused        | the next  | refused                                        |
-/// |              | another, no response    | check     | the third time: end, not_reached               |
+/// |              | another, no response    | check     | the fifth time: end, not_reached               |
 /// |              | exception               | the next  | unconfirmed; refused where the write was       |
 /// |              | other                   | end       | unconfirmed                                    |
 class row_write {
@@ -86,7 +86,7 @@ public:
         if (is_exception(error_)) {
             return tell(restore_outcome::refused, error_, verdict::next);
         }
-        constexpr std::uint8_t most_attempts = 3;
+        constexpr std::uint8_t most_attempts = 5;
         return ++attempts_ < most_attempts ? verdict::check_again : stop(error_);
     }
 
