@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""What a public class has of bases that the reference does not show: their documented members, written into the class itself,
-all of it on the line that closes it, so that each line of the header keeps its number."""
+"""What a public class has of bases that the reference does not show: their public members but for those marked internal, written
+into the class itself, all of it on the line that closes it, so that each line of the header keeps its number."""
 import pathlib
 import re
 import sys

@@ -292,7 +292,10 @@ def check_steps(program, tool, check):
     with Simulator(program, "atv320:7") as device:
         words = ["--port", device, "--no-listen", "-u", "7"]
         check(tool.run(*words, "backup", "-o", "before.json").status == DONE, "a backup of an ATV320")
-        unchanged = lambda: tool.run(*words, "compare", "before.json").status == DONE
+
+        def unchanged():
+            return tool.run(*words, "compare", "before.json").status == DONE
+
         for options, ramps in (([], {"ACC": 5, "DEC": 6}), (["--with-inferred"], {"ACC": 5, "DEC": 6}),
                                (["--with-inferred"], {})):
             own_file(tool, "steps.json", drive="atv320", INR=2, **ramps)

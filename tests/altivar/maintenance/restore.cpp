@@ -230,6 +230,7 @@ TEST_CASE("a drive of another family gets no write; one that does not say what i
     told_list all;
     SECTION("a configuration that names no family")
     {
+        CHECK_FALSE(identity_check{drive_family{}, drive_family{}, {}, true}.is_meant()); // nor for a drive of none
         paper_bench bench{drive};
         CHECK(bench.restore({{"SP2", 44}}, all, ordinary_ones, "unseen").kind == kind::other_family);
         CHECK(drive.requests() == 0);

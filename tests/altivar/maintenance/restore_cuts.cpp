@@ -225,6 +225,58 @@ TEST_CASE("what is not held as a whole is not saved, and neither is nothing")
     CHECK(bench.saved);
 }
 
+TEST_CASE("what was read anew before the cut is told as it was read")
+{
+    // The last write of a section undoes two of its neighbours, which are then read again, and one is written first.
+    word_list const words{{"SP2", 11}, {"SP3", 12}, {"SP6", 14}};
+    bool was_told = false;
+    for (unsigned at = 0; at < 80; ++at) {
+        paper_drive drive = small_drive();
+        unsigned writes = 0;
+        drive.after_write = [&](std::uint16_t address, std::uint16_t) {
+            if (address == 11414 and writes++ == 0) {
+                drive.set(11410, 5), drive.set(11411, 9);
+            }
+        };
+        paper_bench bench{drive};
+        told_list all;
+        drive.before = [&](unsigned number) { number == at ? bench.line.cut() : void(); };
+        static_cast<void>(bench.restore(words, all, ordinary_ones));
+        restore_report const last = all.last("SP3");
+        bool const is_neighbour_first = drive.word(11410) == 5; // and SP3 was not begun
+        was_told = was_told or (is_neighbour_first and last == restore_report{told::not_reached, 9, errc::timed_out});
+    }
+    CHECK(was_told);
+}
+
+TEST_CASE("a drive that another master holds ready after the last write is not saved")
+{
+    word_list const words{{"SP2", 11}};
+    restore_options options = ordinary_ones;
+    options.save = true;
+    unsigned written = 0;
+    unsigned saved = 0;
+    paper_drive whole = small_drive();
+    whole.after_write = [&](std::uint16_t address, std::uint16_t) {
+        (address == 11410 ? written : saved) = whole.requests();
+    };
+    paper_bench whole_bench{whole};
+    told_list ignored;
+    REQUIRE(whole_bench.restore(words, ignored, options).kind == kind::succeeded);
+    unsigned refused = 0;
+    for (unsigned at = written; at < saved; ++at) {
+        paper_drive drive = small_drive();
+        paper_bench bench{drive};
+        told_list all;
+        drive.before = [&](unsigned number) { number == at ? drive.set(paper_drive::command, 6) : void(); };
+        auto const how = bench.restore(words, all, options);
+        INFO("at " << at << " of " << written << " to " << saved);
+        refused += how.kind == kind::overwritten ? 1U : 0U;
+        CHECK((drive.saves == 0) == (how.kind == kind::overwritten));
+    }
+    CHECK(refused >= 3); // between the write and the check before the save, whatever is read there
+}
+
 TEST_CASE("a restore that is cut after a write has undone others does not say that they hold")
 {
     // A macro of the drive's own: whoever writes SLL resets two settings that were written before.

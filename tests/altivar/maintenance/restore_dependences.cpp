@@ -132,6 +132,33 @@ TEST_CASE("a ramp is written in the steps of its configuration, or not at all")
     }
 }
 
+TEST_CASE("a configuration that changes its mind gets no word written that was not judged")
+{
+    // Of each parameter it is asked many times: from one of these times on it says something else.
+    for (std::optional<std::uint16_t> const later : {std::optional<std::uint16_t>{}, {std::uint16_t{5991}}}) {
+        for (unsigned from = 1; from < 40; ++from) {
+            paper_drive drive = small_drive();
+            paper_bench bench{drive};
+            unsigned asked = 0;
+            auto const words = [&](parameter const& row) -> std::optional<std::uint16_t> {
+                if (row.address != sp2) {
+                    return std::nullopt;
+                }
+                return ++asked < from ? std::optional<std::uint16_t>{11} : later;
+            };
+            auto const ignored = [](auto const&...) {};
+            restore conversation{paper_station, small_map, wanted_settings{drive_family::of("ATV320"), words}, ignored,
+                                 ordinary_ones};
+            static_cast<void>(bench.line.run(conversation, milliseconds(60'000)));
+            INFO("from the time " << from);
+            for (auto const& [address, word] : drive.writes) {
+                CHECK(address == sp2);
+                CHECK(word == 11);
+            }
+        }
+    }
+}
+
 TEST_CASE("of limits that do not fit each other none is written")
 {
     for (bool const checks : {false, true}) {

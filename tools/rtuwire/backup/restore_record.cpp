@@ -35,8 +35,8 @@ void restore_record::note(register_entry const& entry, rtuwire::altivar::restore
 
 std::size_t restore_record::left_out() const noexcept
 {
-    return static_cast<std::size_t>(std::ranges::count_if(
-        parameters_, [](auto const& each) { return each.last.outcome >= restore_outcome::needs_channels; }));
+    return static_cast<std::size_t>(
+        std::ranges::count_if(parameters_, [](auto const& each) { return needs_option(each.last.outcome); }));
 }
 
 restored_parameter const* restore_record::find(std::string_view code) const noexcept

@@ -10,26 +10,15 @@
 
 namespace tool {
 
-namespace {
-
-std::string value_in(register_entry const& entry, std::uint16_t word, drive_catalog const& drive,
-                     std::optional<std::uint16_t> set_by)
-{
-    auto const step = step_of(entry, drive, set_by);
-    return step ? full_text(entry, word, *step) : std::to_string(word) + " steps";
-}
-
-} // namespace
-
 std::string restore_view::wanted_text(register_entry const& entry, std::uint16_t word) const
 {
-    return value_in(entry, word, *wanted_.drive, wanted_.word_of(entry.steps_set_by));
+    return full_text_in(entry, word, *wanted_.drive, wanted_.word_of(entry.steps_set_by));
 }
 
 std::string restore_view::held_text(register_entry const& entry, std::uint16_t word, restore_record const& among) const
 {
     restored_parameter const* const steps = among.find(entry.steps_set_by);
-    return value_in(entry, word, *wanted_.drive, steps == nullptr ? std::nullopt : before_of(*steps));
+    return full_text_in(entry, word, *wanted_.drive, steps == nullptr ? std::nullopt : before_of(*steps));
 }
 
 std::optional<std::uint16_t> restore_view::before_of(restored_parameter const& of) const
@@ -56,7 +45,7 @@ record restore_view::row_of(restored_parameter const& of, restore_record const& 
             {"note", std::string{std::string_view{rtuwire::altivar::why(*entry.row)}}}};
 }
 
-std::string restore_view::changed_steps(restore_record const& of)
+std::string changed_steps(restore_record const& of)
 {
     for (restored_parameter const& each : of.parameters()) {
         restored_parameter const* const steps = of.find(each.entry->steps_set_by);

@@ -33,10 +33,6 @@ public:
     [[nodiscard]] record row_of(restored_parameter const& of, restore_record const& among, rtuwire::unit_id unit,
                                 output_form form) const;
 
-    /// What a restore that ended between a register of steps and one that counts in them has made of that one; empty where
-    /// there is none.
-    [[nodiscard]] static std::string changed_steps(restore_record const& of);
-
 private:
     saved_settings const& wanted_;
     restore_record const* plan_{nullptr};
@@ -44,6 +40,10 @@ private:
 
 /// Whether an outcome is one that its user has to look at.
 [[nodiscard]] bool is_bad(restore_outcome outcome) noexcept;
+
+/// What a restore that ended between a register of steps and one that counts in them has made of that one; empty where
+/// there is none.
+[[nodiscard]] std::string changed_steps(restore_record const& of);
 
 /// How many parameters came to which end.
 [[nodiscard]] std::string counts_text(restore_record const& of);

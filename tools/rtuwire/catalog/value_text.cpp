@@ -119,4 +119,11 @@ std::string full_text(register_entry const& entry, std::uint16_t word, step_size
 
 std::string full_text(register_entry const& entry, std::uint16_t word) { return full_text(entry, word, entry.step); }
 
+std::string full_text_in(register_entry const& entry, std::uint16_t word, drive_catalog const& drive,
+                         std::optional<std::uint16_t> setting)
+{
+    auto const step = step_of(entry, drive, setting);
+    return step ? full_text(entry, word, *step) : std::to_string(word) + " steps";
+}
+
 } // namespace tool

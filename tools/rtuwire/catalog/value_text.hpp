@@ -36,6 +36,11 @@ namespace tool {
 [[nodiscard]] std::string full_text(register_entry const& entry, std::uint16_t word);
 [[nodiscard]] std::string full_text(register_entry const& entry, std::uint16_t word, step_size step);
 
+/// The same where another register may set the step, and `setting` is what that one holds: "30 steps" where that is not
+/// known.
+[[nodiscard]] std::string full_text_in(register_entry const& entry, std::uint16_t word, drive_catalog const& drive,
+                                       std::optional<std::uint16_t> setting);
+
 /// "0x0237".
 [[nodiscard]] std::string hex_word(std::uint16_t word);
 

@@ -122,8 +122,7 @@ private:
         if (not of.word) {
             return of.error;
         }
-        auto const step = step_of(*of.entry, *in.drive, in.word_of(of.entry->steps_set_by));
-        return step ? full_text(*of.entry, *of.word, *step) : std::to_string(*of.word) + " steps";
+        return full_text_in(*of.entry, *of.word, *in.drive, in.word_of(of.entry->steps_set_by));
     }
 
     static cell raw_of(saved_parameter const& of) { return of.word ? cell{std::int64_t{*of.word}} : cell{}; }

@@ -134,7 +134,7 @@ private:
             log_write({chosen_.line.port, unit_.unit.byte(), "CMI", "restored", "0x0002 (save to eeprom)"});
         }
         std::string note = chosen_.restore.save ? done.is_saved ? "saved" : "not saved" : "";
-        if (std::string const changed = restore_view::changed_steps(record); not changed.empty()) {
+        if (std::string const changed = changed_steps(record); not changed.empty()) {
             note = changed + (note.empty() ? "" : "; " + note);
         }
         return end(line, done, record, note);

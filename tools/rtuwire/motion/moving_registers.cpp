@@ -127,8 +127,7 @@ std::string why_it_is_never_written(register_entry const& entry, std::uint16_t w
     }
     if (entry.code == "FCS" and word != 0) {
         return "FCS takes a drive's settings away, for others that it keeps or for those of the factory; this program "
-               "does "
-               "not write it";
+               "does not write it";
     }
     return {};
 }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/maintenance/restoring/restore_calls.hpp>
@@ -69,7 +70,8 @@ public:
     /// never sent (`out_of_limits`, `other_steps`); known at the end.
     [[nodiscard]] constexpr std::uint16_t failed() const noexcept { return plan_.progress().failed(); }
 
-    /// Whether the drive was told to save what it now holds, and did; not where it does not hold all that was wanted.
+    /// Whether the drive was told to save what it now holds, and did. It is not told where something is known not to be
+    /// held; what only the verification behind it finds is in `failed()`.
     [[nodiscard]] constexpr bool saved() const noexcept { return plan_.progress().is_saved(); }
 
 private:
@@ -193,8 +195,8 @@ private:
     {
         for (; index_ < walk_.block().count; ++index_) {
             row_ = row_at(map(), static_cast<std::uint16_t>(walk_.block().start + index_));
-            if (plan_.treat(row_, words_[index_])) {
-                return begin_write(words_[index_]);
+            if (plan_.treat(row_, words_[index_]) and begins_write(words_[index_])) {
+                return;
             }
         }
         is_in_block_ = false;
@@ -202,16 +204,16 @@ private:
         go_on();
     }
 
-    /// The word that is checked here is the one that is sent.
-    constexpr void begin_write(std::uint16_t held) noexcept
+    constexpr bool begins_write(std::uint16_t held) noexcept
     {
-        has_row_ = true;
-        write_ = {plan_.wanted(*row_.row), held, role_of(*row_.row) == parameter_role::link};
-        if (plan_.fits(*row_.row, write_.wanted())) {
-            this->check(care_for(role_of(*row_.row)));
-        } else {
-            act_on(write_.give_up());
+        parameter_role const role = role_of(*row_.row);
+        std::optional<std::uint16_t> const word = plan_.word_to_send(row_, held);
+        has_row_ = word.has_value();
+        if (word) {
+            write_ = {*word, held, role == parameter_role::link};
+            this->check(care_for(role));
         }
+        return has_row_;
     }
 
     constexpr void act_on(verdict next) noexcept

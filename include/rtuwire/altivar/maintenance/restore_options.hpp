@@ -85,11 +85,18 @@ enum class restore_outcome : std::uint8_t {
     return "unknown";
 }
 
+/// Whether a parameter was left out for want of an option.
+/// Internal.
+[[nodiscard]] constexpr bool needs_option(restore_outcome outcome) noexcept
+{
+    return outcome >= restore_outcome::needs_channels;
+}
+
 /// Whether an outcome is that of a parameter which the configuration has a word for that it can take.
 /// Internal.
 [[nodiscard]] constexpr bool has_fitting_word(restore_outcome judgement) noexcept
 {
-    return judgement == restore_outcome::planned or judgement >= restore_outcome::needs_channels;
+    return judgement == restore_outcome::planned or needs_option(judgement);
 }
 
 /// What a restore tells of one parameter.

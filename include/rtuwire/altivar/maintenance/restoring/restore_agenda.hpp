@@ -100,8 +100,7 @@ inline constexpr std::uint8_t agenda_size = std::size(restore_agenda);
     bool const is_planned = judgement == restore_outcome::planned;
     switch (step.act) {
     case agenda_act::announce:
-        return is_depended_on(role) or
-               (is_planned ? role == parameter_role::restart : judgement >= restore_outcome::needs_channels);
+        return is_depended_on(role) or (is_planned ? role == parameter_role::restart : needs_option(judgement));
     case agenda_act::write:
     case agenda_act::raise:
     case agenda_act::lower:

@@ -33,10 +33,18 @@ public:
     /// The word that is wanted of a parameter that has one.
     [[nodiscard]] constexpr std::uint16_t wanted(parameter const& row) noexcept { return words_(row).value_or(0); }
 
-    /// Whether a parameter may be given this word, as far as that does not depend on others.
-    [[nodiscard]] constexpr bool fits(parameter const& row, std::uint16_t word) const noexcept
+    /// The word that is to be sent, judged once more as far as that does not depend on others; where it is none any more,
+    /// tells so.
+    constexpr std::optional<std::uint16_t> word_to_send(placed_row const& which, std::uint16_t held) noexcept
     {
-        return judged(options_, row, word) == restore_outcome::planned;
+        std::optional<std::uint16_t> const word = words_(*which.row);
+        restore_outcome const found = judged(options_, *which.row, word);
+        if (found == restore_outcome::planned) {
+            return word;
+        }
+        tell(which, {found, held});
+        progress_.note_failure(*which.row);
+        return std::nullopt;
     }
 
     /// Whether this step is over a parameter. A dry run has nothing to verify.

@@ -53,9 +53,6 @@ public:
     /// The word that is sent.
     [[nodiscard]] constexpr std::uint16_t wanted() const noexcept { return wanted_; }
 
-    /// It turned out to be none for this register.
-    constexpr verdict give_up() noexcept { return tell(restore_outcome::out_of_limits, errc::none, verdict::next); }
-
     /// The drive may not be written to, or the write was never sent.
     constexpr verdict stop(errc error) noexcept { return tell(restore_outcome::not_reached, error, verdict::end); }
 
