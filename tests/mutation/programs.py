@@ -7,9 +7,13 @@ import pathlib
 import re
 import signal
 import subprocess
+import sys
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 TESTS = PROJECT / "tests"
+sys.path.insert(0, str(TESTS / "support"))
+import join  # noqa: E402  pylint: disable=wrong-import-position
+
 ROOMS = ["core", "wire", "rtu", "table", "ask", "client", "server", "cia402", "altivar", "sim", "scenario", "defect",
          "motion_law"]
 LISTENER = TESTS / "mutation" / "listener.cpp"
@@ -19,6 +23,10 @@ CARRYLESS = ("-mpclmul", "-DRTUWIRE_TEST_CARRYLESS")
 # A place too far ends the program, as far as that is seen cheaply.
 COMPILE = ["g++", "-std=c++20", "-w", "-O0", "-D_GLIBCXX_ASSERTIONS", "-fsanitize=bounds",
            "-fsanitize-undefined-trap-on-error", f"-I{TESTS}"]
+# Lists that tests read when they run, as in tests/CMakeLists.txt.
+LISTS = {"RTUWIRE_FACTS": "parameters/facts.tsv", "RTUWIRE_OWN_LIST": "altivar/parameters/own_list.csv",
+         "RTUWIRE_ROLES": "altivar/maintenance/whole/roles.tsv"}
+COMPILE += [f'-D{name}="{TESTS / path}"' for name, path in LISTS.items()]
 COMMON = ["algorithm", "array", "bit", "chrono", "compare", "concepts", "cstddef", "cstdint", "functional", "map",
           "optional", "ratio", "span", "string", "type_traits", "utility", "vector", "support/catch.hpp"]
 ERROR = re.compile(r"^(?:\S*/include/rtuwire/)?([a-z0-9_/]+\.hpp):(\d+):\d+: (?:fatal )?error", re.MULTILINE)
@@ -78,7 +86,8 @@ class Switchboard:
 
     def __init__(self, folder, common, pool):
         self.folder, self.common, self.pool = folder, common, pool
-        self.parts = {"all": (sources(ROOMS), ()),
+        rooms = [file for room in ROOMS for file in join.in_files(sources([room]), folder / "joined", room)]
+        self.parts = {"all": (rooms, ()),
                       "carryless": ([TESTS / "core" / "crc16.cpp", TESTS / "core" / "crc16_forms.cpp"], CARRYLESS)}
         self.parts = {name: ([*paths, LISTENER], flags)
                       for name, (paths, flags) in self.parts.items()}
@@ -86,7 +95,8 @@ class Switchboard:
         self.waiting = [(name, path) for name, (paths, _) in self.parts.items() for path in paths]
 
     def place_of(self, name, path):
-        return self.folder / f"{name}-{'-'.join(path.relative_to(TESTS).parts)}.o"
+        below = path.relative_to(TESTS if path.is_relative_to(TESTS) else self.folder)
+        return self.folder / f"{name}-{'-'.join(below.parts)}.o"
 
     def complaints_of_headers(self):
         """Where a compiler complains without any test: (header, line)."""

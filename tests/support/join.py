@@ -3,7 +3,8 @@
 """Writes a source file that includes others, each in a namespace of its own, so that their names don't clash and what
 they share is compiled once.
 
-    python3 join.py FILE SOURCE...
+    python3 join.py FILE SOURCE...      writes it
+    python3 join.py --alone SOURCE...   prints those that can't be joined, with ";" between
 
 Everything that they include comes first: within a namespace nothing is left to include. A source that defines macros,
 specialises or defines what a header declares, or opens a namespace by its name can't be joined.
@@ -13,6 +14,13 @@ import re
 import sys
 
 INCLUDE = re.compile(r'#include [<"](.*)[>"]')
+OBSTACLE = re.compile(r"^(# *define|# *if.*include|# *if defined|extern|namespace [a-z]|template <>|void rtuwire::)",
+                      re.MULTILINE)
+MOST = 14  # as in join.cmake
+
+
+def is_alone(source):
+    return OBSTACLE.search(source.read_text(encoding="utf-8")) is not None
 
 
 def included(source):
@@ -21,6 +29,19 @@ def included(source):
         if found := INCLUDE.match(line):
             beside = source.parent / found[1]
             yield f'#include "{beside}"' if line.endswith('"') and beside.exists() else line
+
+
+def in_files(sources, folder, room):
+    """The same tests in fewer files, which are written where they are joined."""
+    sources = list(sources)
+    together = [source for source in sources if not is_alone(source)]
+    files = [source for source in sources if source not in together]
+    folder.mkdir(parents=True, exist_ok=True)
+    for number, first in enumerate(range(0, len(together), MOST)):
+        file = folder / f"{room}_{number}.cpp"
+        file.write_text(joined(together[first:first + MOST]), encoding="utf-8")
+        files.append(file)
+    return files
 
 
 def joined(sources):
@@ -32,4 +53,7 @@ def joined(sources):
 
 
 if __name__ == "__main__":
+    if sys.argv[1] == "--alone":
+        print(";".join(each for each in sys.argv[2:] if is_alone(pathlib.Path(each))), end="")
+        sys.exit()
     pathlib.Path(sys.argv[1]).write_text(joined([pathlib.Path(each) for each in sys.argv[2:]]), encoding="utf-8")
