@@ -17,8 +17,8 @@ import sys
 FLAGS = ["-std=c++20", "-Wall", "-Wextra", "-Werror", "-fmessage-length=0", "-fsyntax-only"]
 NO_ECHO = {"clang": "-fno-caret-diagnostics", "gcc": "-fno-diagnostics-show-caret"}
 
-# What a reader sees at once.
-FIRST_LINES = 5
+# What a reader sees at once. Where each header is a file that includes another, the compiler names one more of them.
+FIRST_LINES = 5 + int(os.environ.get("RTUWIRE_LINES_OF_SHIM", "0"))
 LONGEST_LINE = 400
 
 

@@ -16,7 +16,7 @@ cmake --preset gcc -B "$place/gcc" -DRTUWIRE_INCLUDE_DIR="$place/shim" >"$place/
 }
 if [ $# -eq 0 ]; then
     cmake --build "$place/gcc"
-    exec ctest --test-dir "$place/gcc" --output-on-failure --no-tests=error -LE "soak|nightly|weakened"
+    exec env RTUWIRE_LINES_OF_SHIM=1 ctest --test-dir "$place/gcc" --output-on-failure --no-tests=error -LE "soak|nightly|weakened"
 fi
 programs=
 for room in "$@"; do

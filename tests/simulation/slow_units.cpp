@@ -31,7 +31,7 @@ double highest_by_chance(double mean)
     return count;
 }
 
-bool live(setting const& how, tally& counts, bool prints)
+bool live(simulation::setting const& how, tally& counts, bool prints)
 {
     auto const all = std::make_unique<application>(how, counts);
     bool is_good = true;
@@ -71,7 +71,7 @@ int main(int argc, char** argv)
     tally counts;
     unsigned bad = 0;
     while (counts.inquiries < count and bad < most_bad) {
-        setting const how = setting_of(seed, wanted);
+        simulation::setting const how = setting_of(seed, wanted);
         bool const prints = bad < most_printed;
         bool const is_good = live(how, counts, prints);
         bad += is_good ? 0 : 1;
