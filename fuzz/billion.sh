@@ -1,45 +1,73 @@
 #!/bin/sh
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-# A billion executions in all, the same number of each fuzz target, without sanitizers, two targets at a time. Then the
-# sanitizers see every input that reached something new. Fails at a finding.
+# A billion executions of all fuzz targets, without sanitizers, two targets at a time: rounds in which each target has
+# the same time, until there are as many. Then the sanitizers see every input that reached something new. Fails at a
+# finding.
 #
-#   sh fuzz/billion.sh [executions in all: 1000000000]
+#   sh fuzz/billion.sh [executions in all: 1000000000] [seconds of a target in each round: 120]
 set -eu
 cd "$(dirname "$0")/.."
 total=${1:-1000000000}
+seconds=${2:-120}
 for preset in fuzz fuzz-fast; do
     cmake --preset "$preset" >/dev/null
     cmake --build --preset "$preset"
 done
-places=build/fuzz-fast/found
+places=$PWD/build/fuzz-fast/found
 mkdir -p "$places"
-set -- build/fuzz-fast/fuzz/fuzz_*
-each=$((total / $# + 1))
-explore() {
-    name=${1##*/fuzz_}
-    found=$2/$name
-    mkdir -p "$found"
-    "$1" "$found" "fuzz/corpus/$name" -runs="$3" -timeout=10 -verbosity=0 -print_final_stats=1 \
-        -artifact_prefix="$found-" >"$found.log" 2>&1 &&
-        "build/fuzz/fuzz/fuzz_$name" "$found" -runs=0 -timeout=10 -verbosity=0 \
-            -artifact_prefix="$found-" >>"$found.log" 2>&1 || {
-        cat "$found.log"
-        echo "$name: a finding"
+
+# Runs what is given; its output is shown where it finds something.
+watch() {
+    log=$1
+    shift
+    "$@" -timeout=10 -verbosity=0 >"$log" 2>&1 || {
+        cat "$log"
+        echo "$log: a finding"
         return 1
     }
-    told() { sed -n "s/^stat::$1: *//p" "$found.log"; }
-    echo "$name: $(told number_of_executed_units) executions, $(told average_exec_per_sec) each second"
 }
-while [ $# -gt 0 ]; do
-    running=
-    for place in 1 2; do
-        [ $# -gt 0 ] || break
-        explore "$1" "$places" "$each" &
-        running="$running $!"
+
+explore() {
+    name=${1##*/fuzz_}
+    mkdir -p "$places/$name"
+    watch "$places/$name.log" "$1" "$places/$name" "fuzz/corpus/$name" -max_total_time="$seconds" -print_final_stats=1 \
+        -artifact_prefix="$places/$name-" || return 1
+    sed -n 's/^stat::number_of_executed_units: *//p' "$places/$name.log" >>"$places/$name.executions"
+}
+
+check() {
+    name=${1##*/fuzz_}
+    watch "$places/$name.log" "$1" "$places/$name" -runs=0 -artifact_prefix="$places/$name-"
+}
+
+# "$1" for each of the other arguments, two at a time.
+in_pairs() {
+    what=$1
+    shift
+    while [ $# -gt 0 ]; do
+        "$what" "$1" &
+        first=$!
+        if [ $# -gt 1 ]; then
+            "$what" "$2" || return 1
+            shift
+        fi
+        wait "$first" || return 1
         shift
     done
-    for one in $running; do
-        wait "$one"
-    done
+}
+
+sum() { cat "$@" | awk '{ all += $1 } END { printf "%.0f", all }'; }
+
+rm -f "$places"/*.executions
+done=0
+while [ "$done" -lt "$total" ]; do
+    in_pairs explore build/fuzz-fast/fuzz/fuzz_*
+    done=$(sum "$places"/*.executions)
+    echo "$(date +%T) $done executions"
+done
+in_pairs check build/fuzz/fuzz/fuzz_*
+for each in "$places"/*.executions; do
+    name=${each##*/}
+    echo "${name%.executions}: $(sum "$each") executions"
 done

@@ -84,7 +84,7 @@ def write_settings(project, build, theme):
     styles = [theme / name for name in STYLES] + [site / "site.css"]
     files = [theme / f"doxygen-awesome-{name}.js" for name in SCRIPTS] + [site / "site.js"]
     settings = {
-        "OUTPUT_DIRECTORY": build, "INPUT": f"{build}/pages {build}/include", "STRIP_FROM_PATH": f"{build}/include",
+        "OUTPUT_DIRECTORY": build, "INPUT": f"{build}/pages {build}/include", "STRIP_FROM_PATH": f"{build}/include {build}/pages",
         "STRIP_FROM_INC_PATH": f"{build}/include", "EXAMPLE_PATH": f"{project} {build} {build}/diagrams", "GENERATE_TAGFILE": build / "tags.xml", "LAYOUT_FILE": build / "layout.xml",
         "HTML_HEADER": build / "header.html", "HTML_EXTRA_STYLESHEET": " ".join(map(str, styles)),
         "HTML_EXTRA_FILES": " ".join(map(str, files)), "PROJECT_NUMBER": version(project),
