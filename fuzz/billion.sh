@@ -33,7 +33,8 @@ explore() {
     mkdir -p "$places/$name"
     watch "$places/$name.log" "$1" "$places/$name" "fuzz/corpus/$name" -max_total_time="$seconds" -print_final_stats=1 \
         -artifact_prefix="$places/$name-" || return 1
-    sed -n 's/^stat::number_of_executed_units: *//p' "$places/$name.log" >>"$places/$name.executions"
+    # Without the number, which nothing else tells, the rounds would have no end.
+    grep '^stat::number_of_executed_units: ' "$places/$name.log" >>"$places/$name.executions"
 }
 
 check() {
@@ -49,7 +50,10 @@ in_pairs() {
         "$what" "$1" &
         first=$!
         if [ $# -gt 1 ]; then
-            "$what" "$2" || return 1
+            "$what" "$2" || {
+                wait "$first"
+                return 1
+            }
             shift
         fi
         wait "$first" || return 1
@@ -57,14 +61,14 @@ in_pairs() {
     done
 }
 
-sum() { cat "$@" | awk '{ all += $1 } END { printf "%.0f", all }'; }
+sum() { cat "$@" | awk '{ all += $2 } END { printf "%.0f", all }'; }
 
 rm -f "$places"/*.executions
-done=0
-while [ "$done" -lt "$total" ]; do
+executed=0
+while [ "$executed" -lt "$total" ]; do
     in_pairs explore build/fuzz-fast/fuzz/fuzz_*
-    done=$(sum "$places"/*.executions)
-    echo "$(date +%T) $done executions"
+    executed=$(sum "$places"/*.executions)
+    echo "$(date +%T) $executed executions"
 done
 in_pairs check build/fuzz/fuzz/fuzz_*
 for each in "$places"/*.executions; do

@@ -71,6 +71,8 @@ class Root:
     def __enter__(self):
         subprocess.run(["debootstrap", "--variant=minbase", "bookworm", self.place, mirror()], check=True,
                        stdout=subprocess.DEVNULL)
+        # As on any machine: whoever is not root gets below it, too.
+        self.place.chmod(0o755)
         for name in ("resolv.conf", "hosts"):
             shutil.copy(f"/etc/{name}", self.place / "etc" / name)
         # How apt gets out of here, where that is not by itself.

@@ -135,7 +135,7 @@ public:
     simulated_bus& operator=(simulated_bus const&) = delete;
 
     /// While it is asked what becomes of a frame, the time at which that has arrived.
-    instant now() const { return is_arriving_ ? arrival_ : base::now(); }
+    instant now() const { return arrival_ ? *arrival_ : base::now(); }
     sim::unit<Device>& unit(std::size_t index) { return units().unit(index); }
     sim::drive<Device>& drive(std::size_t index = 0) { return unit(index).drive(); }
     void add(unit_id address) { units().add(address, now()); }
@@ -194,11 +194,10 @@ private:
             ++requests_;
         }
         arrival_ = end;
-        is_arriving_ = true;
         if (disturb_) {
             disturb_(frame, is_request);
         }
-        is_arriving_ = false;
+        arrival_ = {};
         if (not is_request) {
             units().note_arriving(frame);
         }
@@ -207,8 +206,7 @@ private:
     frame_bytes request_{};
     std::size_t requests_{0};
     std::function<void(frame_bytes&, bool)> disturb_{};
-    instant arrival_{base::now()};
-    bool is_arriving_{false};
+    deadline arrival_{};
 };
 
 } // namespace rtuwire::test
