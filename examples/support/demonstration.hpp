@@ -216,7 +216,7 @@ private:
             link_.converse(0, loop_, now);
         }
         link_.converse(1, conversation, now);
-        auto const passed = pump(link_, port_, input_, now + milliseconds(10));
+        auto const passed = finish_pass(link_, port_, input_, now + milliseconds(10));
         if (not passed) {
             say("   %s\n", port_.failure().c_str());
         }

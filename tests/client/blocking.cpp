@@ -286,7 +286,7 @@ TEST_CASE("the end of a pass has a second to send, and reads until its time")
         instant const now = port.now();
         link.advance(now);
         link.converse(conversation, now);
-        REQUIRE(pump(link, port, place, now + milliseconds(20)));
+        REQUIRE(finish_pass(link, port, place, now + milliseconds(20)));
     }
     CHECK(conversation.outcome());
     CHECK(port.for_writing == std::vector<duration>{milliseconds(1'000)});

@@ -41,8 +41,8 @@ concept serial_port = requires(T& port, byte_view out, byte_span in, instant unt
 /// sent, then passes on the bytes that have arrived, or arrive before `until` or the engine's next deadline. `place`
 /// is working memory. Errors: those of the port.
 template <typename Engine, serial_port Port>
-result<void> pump(Engine& engine, Port& port, byte_span place, instant until,
-                  duration write_limit = milliseconds(1'000))
+result<void> finish_pass(Engine& engine, Port& port, byte_span place, instant until,
+                         duration write_limit = milliseconds(1'000))
 {
     if (byte_view const frame = engine.poll_transmit(); not frame.empty()) {
         auto const written = port.write(frame, port.now() + write_limit);
@@ -114,7 +114,7 @@ private:
             client_.advance(now);
             client_.converse(conversation, now);
             if (client_.is_busy()) {
-                passed = pump(client_, port_, input_, now + longest_wait, write_limit_);
+                passed = finish_pass(client_, port_, input_, now + longest_wait, write_limit_);
             } else if (conversation.settled()) {
                 return errc::none;
             } else {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A user's program whose global variables have usual names. It is compiled with -Wshadow -Werror: GCC looks again at what
 // constructors, lambdas and local variables of templates are called where a program uses them, and so after its globals.
+// Its classes are named after machines: with `using namespace rtuwire` they must not be ambiguous.
 #include <array>
 
 #include <rtuwire/altivar/atv28.hpp>
@@ -13,10 +14,21 @@ extern int address, amount, bits, code, count, data, device, error, first, from,
     options, other, panel, port, profile, registers, request, source, speed, state, sum, timing, to, unit, value, word,
     words;
 
+struct compressor;
+struct conveyor;
+struct crane;
+struct machine;
+struct mixer;
+struct plant;
+struct pump;
+struct valve;
+
 namespace {
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
+
+using machines = void(compressor&, conveyor&, crane&, machine&, mixer&, plant&, pump&, valve&);
 
 constexpr station<atv320::device> press{unit_id{7}};
 constexpr station<atv28::device> fan{unit_id{8}};

@@ -63,7 +63,7 @@ template <rtuwire::device_type Device> restored restore_to(restore_work const& w
         rtuwire::instant const now = work.port.now();
         client.advance(now);
         client.converse(conversation, now);
-        passed = pump(client, work.port, input, now + rtuwire::milliseconds(10));
+        passed = finish_pass(client, work.port, input, now + rtuwire::milliseconds(10));
     }
     return {conversation.reason(), conversation.was_ended(), passed.error(), conversation.saved()};
 }

@@ -68,7 +68,7 @@ public:
             bus_.converse(1, *shown_, now);
             take_shown(now);
         }
-        return pump(bus_, port_, input_, now + rtuwire::milliseconds(10));
+        return finish_pass(bus_, port_, input_, now + rtuwire::milliseconds(10));
     }
 
     bool run() override
