@@ -114,11 +114,11 @@ def single(headers):
 
 def write_shim(headers, directory, text, parts):
     """A directory to compile with in place of include/."""
-    one = directory / "single" / "rtuwire.hpp"
+    one = directory / "rtuwire" / "single.hpp"
     for name, wanted in parts.items():
         place = directory / name
         asked = f"#ifndef {wanted}\n#define {wanted}\n#endif\n" if wanted else ""
-        write(place, f"{asked}#include <single/rtuwire.hpp>\n")
+        write(place, f"{asked}#include <rtuwire/single.hpp>\n")
     write(directory / MODULE, (headers / MODULE).read_text(encoding="utf-8"))
     write(one, text)
 
