@@ -8,14 +8,11 @@
 # RTUWIRE_URL is the address of the folder that the archive will be downloaded from; vcpkg, Conan and Meson get to know it.
 # RTUWIRE_RELEASE_WITHOUT leaves out parts (debian docs), for a look at the others.
 set -eu
-project=$(cd "$(dirname "$0")/.." && pwd)
-output=${1:-$project/build/release}
-case $output in
-    /*) ;;
-    *) output=$PWD/$output ;;
-esac
+project=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
+output=$(realpath -m -- "${1:-$project/build/release}")
 url=${RTUWIRE_URL:-https://rtuwire.invalid/releases}
 without=" ${RTUWIRE_RELEASE_WITHOUT:-} "
+export LC_ALL=C TZ=UTC
 cd "$project"
 
 fail() {
@@ -23,26 +20,39 @@ fail() {
     exit 1
 }
 
+# A folder that this script made holds what its checksums name, and nothing else.
+is_release() {
+    grep -q '  rtuwire\.hpp$' "$1/SHA256SUMS" 2>/dev/null || return 1
+    [ "$(ls -A "$1" | grep -vx SHA256SUMS)" = "$(sed 's/^[^ ]*  //' "$1/SHA256SUMS")" ]
+}
+
+if [ "$(git rev-parse --show-prefix 2>&1)" ]; then
+    fail "a release is made of a commit, and 'git status' in $project finds no repository of its own"
+fi
 if ! git diff --quiet HEAD --; then
     fail "there are changes that no commit has; a release is made of a commit"
 fi
-if [ -e "$output" ] && [ ! -f "$output/SHA256SUMS" ]; then
-    fail "$output is there and is no release; name another folder"
+if [ -e "$output" ] && ! is_release "$output"; then
+    fail "$output is there and is no release, or holds more than one; name another folder"
 fi
 number=$(sed -n 's/^#define RTUWIRE_VERSION \([0-9][0-9]*\)$/\1/p' include/rtuwire/core/version.hpp)
 [ -n "$number" ] || fail "include/rtuwire/core/version.hpp defines no RTUWIRE_VERSION"
 version=$((number / 10000)).$((number / 100 % 100)).$((number % 100))
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
-export SOURCE_DATE_EPOCH LC_ALL=C TZ=UTC
+export SOURCE_DATE_EPOCH
 umask 022
 sh tests/packages.sh build tool packaging
 
 # Nothing half-made stands under the name of the release: it is put there whole, at the end.
-made=$output.made
-work=$output.work
-trap 'rm -rf "$made" "$work"' EXIT
-rm -rf "$made" "$work"
-mkdir -p "$made" "$work"
+mkdir -p "$(dirname "$output")"
+place=$(mktemp -d "$output.XXXXXX")
+trap 'rm -rf "$place"' EXIT
+trap 'exit 129' HUP
+trap 'exit 130' INT
+trap 'exit 143' TERM
+made=$place/made
+work=$place/work
+mkdir "$made" "$work"
 name=rtuwire-$version
 
 step() {
@@ -63,7 +73,7 @@ pack() {
 }
 
 step "archive"
-git archive --format=tar --prefix="$name/" HEAD | gzip -9n >"$made/$name.tar.gz"
+git -c core.autocrlf=false -c core.eol=lf -c tar.umask=0022 archive --format=tar --prefix="$name/" HEAD | gzip -9n >"$made/$name.tar.gz"
 tar -xzf "$made/$name.tar.gz" -C "$work"
 
 step "single header"
@@ -88,10 +98,11 @@ if [ "${without#* debian }" = "$without" ]; then
     done
 fi
 
-if [ "${without#* docs }" = "$without" ] && [ -f docs/build.sh ]; then
+if [ "${without#* docs }" = "$without" ]; then
     step "documentation"
-    mkdir "$work/docs"
-    quietly sh docs/build.sh "$work/docs/$name-docs"
+    mkdir "$work/docs" "$work/source"
+    tar -xzf "$made/$name.tar.gz" -C "$work/source"
+    quietly sh "$work/source/$name/docs/build.sh" "$work/docs/$name-docs"
     pack "$work/docs" "$name-docs" >"$made/$name-docs.tar.gz"
 fi
 
@@ -100,6 +111,6 @@ fi
     sha256sum -- * >"$work/sums"
     mv "$work/sums" SHA256SUMS
 )
-rm -rf "$output"
+[ ! -e "$output" ] || mv "$output" "$place/before"
 mv "$made" "$output"
 step "$output"

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSL-1.0
 # Every form of the library that is given out: made, and used as its users would. docs/packaging.md says which check is which.
 set -eu
-here=$(cd "$(dirname "$0")" && pwd)
+here=$(CDPATH='' cd "$(dirname "$0")" && pwd)
 project=$(cd "$here/../.." && pwd)
 place=$project/build/packaging
 cd "$project"
@@ -39,7 +39,7 @@ git clone -q --no-hardlinks "$project" "$again/clone"
 rm -rf "$again"
 
 export RTUWIRE_RELEASE="$place/release"
-for test in older_cmake consumers manifests single_header; do
+for test in release older_cmake consumers manifests single_header; do
     heading "$test"
     /usr/bin/python3 -B "$here/test_$test.py"
 done
