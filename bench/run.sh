@@ -7,7 +7,7 @@
 #
 #   sh bench/run.sh [repetitions, at least 2]
 set -eu
-cd "$(dirname "$0")/.."
+CDPATH='' cd "$(dirname "$0")/.."
 repetitions=${1:-9}
 
 sh tests/packages.sh build tests clang bench

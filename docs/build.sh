@@ -4,7 +4,7 @@
 # Builds the documentation, with all it needs: sh docs/build.sh [OUTPUT]. Without OUTPUT it is build/docs/html/index.html.
 # A warning, a broken link, a refusal that a compiler does not make, an error without a remedy: each ends it.
 set -eu
-here=$(cd "$(dirname "$0")" && pwd)
+here=$(CDPATH='' cd "$(dirname "$0")" && pwd)
 project=$(dirname "$here")
 build=$project/build/docs
 output=${1:-$build/html}

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSL-1.0
 # Builds one example and becomes it: sh examples/run.sh NAME [arguments]
 set -eu
-here=$(cd "$(dirname "$0")" && pwd)
+here=$(CDPATH='' cd "$(dirname "$0")" && pwd)
 project=$(dirname "$here")
 build=$project/build/examples
 

@@ -5,7 +5,7 @@
 #
 #   sh fuzz/afl.sh [seconds for each: 60]
 set -eu
-cd "$(dirname "$0")/.."
+CDPATH='' cd "$(dirname "$0")/.."
 seconds=${1:-60}
 sh tests/packages.sh build clang afl
 cmake --preset afl

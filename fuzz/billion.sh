@@ -7,7 +7,7 @@
 #
 #   sh fuzz/billion.sh [executions in all: 1000000000] [seconds of a target in each round: 120]
 set -eu
-cd "$(dirname "$0")/.."
+CDPATH='' cd "$(dirname "$0")/.."
 total=${1:-1000000000}
 seconds=${2:-120}
 for preset in fuzz fuzz-fast; do

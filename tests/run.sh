@@ -5,7 +5,7 @@
 # (the tool, the examples, emulated boards, others' programs) .ci/run tests after it: `cmake --build --preset gcc` and
 # `ctest --preset gcc` have all.
 set -eu
-cd "$(dirname "$0")/.."
+CDPATH='' cd "$(dirname "$0")/.."
 
 sh tests/packages.sh build tests interop tool
 cmake --preset gcc

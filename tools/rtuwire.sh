@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSL-1.0
 # Installs what is missing, builds the tool and becomes it: sh tools/rtuwire.sh COMMAND [arguments]
 set -eu
-project=$(cd "$(dirname "$0")/.." && pwd)
+project=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 build=$project/build/tool
 
 # The tool's output stays alone on standard output; the steps before it speak when they fail.

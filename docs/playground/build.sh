@@ -10,8 +10,8 @@ set -eu
     exit 2
 }
 mkdir -p "$1"
-output=$(cd "$1" && pwd)
-cd "$(dirname "$0")/../.."
+output=$(CDPATH='' cd "$1" && pwd)
+CDPATH='' cd "$(dirname "$0")/../.."
 
 sh tests/packages.sh playground
 

@@ -5,7 +5,7 @@
 #
 #   sh examples/firmware/build.sh mps2_an385 controller controller.elf -DRTUWIRE_DRIVE=atv28
 set -eu
-here=$(cd "$(dirname "$0")" && pwd)
+here=$(CDPATH='' cd "$(dirname "$0")" && pwd)
 board=$1
 program=$2
 elf=$3

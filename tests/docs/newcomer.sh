@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSL-1.0
 # newcomer.py in a folder of its own, which is gone afterwards: sh tests/docs/newcomer.sh [arguments]
 set -eu
-here=$(cd "$(dirname "$0")" && pwd)
+here=$(CDPATH='' cd "$(dirname "$0")" && pwd)
 project=$(cd "$here/../.." && pwd)
 sh "$project/tests/packages.sh" newcomer
 place=$(mktemp -d)

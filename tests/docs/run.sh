@@ -4,7 +4,7 @@
 # Builds the documentation with all it needs, follows its links, and looks at it in Chromium. Screens are kept in
 # build/docs/screens.
 set -eu
-here=$(cd "$(dirname "$0")" && pwd)
+here=$(CDPATH='' cd "$(dirname "$0")" && pwd)
 project=$(cd "$here/../.." && pwd)
 build=$project/build/docs
 

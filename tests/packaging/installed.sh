@@ -4,10 +4,10 @@
 # Debian's packages in a Debian of their own: sh installed.sh RELEASE PLACE. Lintian looks at them; the tool is installed and
 # reads a simulated drive; purging it leaves nothing; then the packages' own tests run, as debian/tests/control lists them.
 set -eu
-release=$(cd "$1" && pwd)
+release=$(CDPATH='' cd "$1" && pwd)
 mkdir -p "$2"
-place=$(cd "$2" && pwd)
-here=$(cd "$(dirname "$0")" && pwd)
+place=$(CDPATH='' cd "$2" && pwd)
+here=$(CDPATH='' cd "$(dirname "$0")" && pwd)
 project=$(cd "$here/../.." && pwd)
 root=$place/root
 

@@ -4,7 +4,7 @@
 # The library's tests, compiled with a directory in which every header is the single one: sh single_header_tests.sh [ROOM...].
 # Without a room it is the whole tree, in which everything is built and every test runs.
 set -eu
-here=$(cd "$(dirname "$0")" && pwd)
+here=$(CDPATH='' cd "$(dirname "$0")" && pwd)
 project=$(cd "$here/../.." && pwd)
 place=$project/build/packaging/single
 cd "$project"

@@ -5,7 +5,7 @@
 #
 #   sh tests/playground/run.sh
 set -eu
-cd "$(dirname "$0")/../.."
+CDPATH='' cd "$(dirname "$0")/../.."
 
 sh tests/packages.sh playground browser
 tools=build/playground/npm
