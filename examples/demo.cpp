@@ -81,6 +81,9 @@ template <typename Demo> bool drive_motor(Demo& demo, simulated_process const* s
     if (ok and simulated != nullptr) {
         ok = disturb(demo, *simulated, timeout);
     }
+    if (simulated != nullptr) {
+        simulated->suffer("join"); // a signal may have come while the cable was cut
+    }
     demo.step("Stop");
     bool const is_stopped = demo.stop();
     say("\n%s\n", is_stopped ? "The motor stands." : "THE MOTOR WAS NOT SEEN TO STOP.");

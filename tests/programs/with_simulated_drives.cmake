@@ -30,6 +30,8 @@ add_program_test("motion law: S25 the demo starts no motor where nobody can read
     ways_out.py "${simulate}" "${demo}" atv320 nobody)
 add_program_test("motion law: S25 the demo leaves the motor without power at the second Ctrl-C"
     ways_out.py "${simulate}" "${demo}" atv320 twice)
+add_program_test("motion law: S25 the demo stops its motor when it is interrupted while the simulated cable is cut"
+    cut_cable.py "${demo}")
 
 # A program that uses the same parts, and breaks while its motor turns.
 add_executable(breaks breaks.cpp)
