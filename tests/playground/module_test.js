@@ -138,7 +138,7 @@ test("typed bytes reach the drive as they are, and a wrong CRC gets no answer", 
   assert.ok(engine.send("01 03 0C 81 00 01 D7 73"));
   engine.run(toSeconds);
   seen = engine.frames(next);
-  const damaged = seen.findIndex((each) => each.verdict === "damaged");
+  const damaged = seen.findIndex((each) => each.damaged);
   assert.ok(damaged >= 0);
   assert.notEqual(seen[damaged + 1].from, "drive");
 });
@@ -160,11 +160,14 @@ async function running(name = "atv320") {
   return engine;
 }
 
-// Numbers that wrap, at 16 or at 32 bits, to others that a drive would take; numbers between its steps; and none.
+// Numbers that wrap, at 16, at 32 or at 64 bits, to others that a drive would take; numbers between its steps; and none.
+const [tooHigh, tooLow, between] = ["value above the register's maximum", "value below the register's minimum", "value between two steps of the register"];
+const noNumber = "type a number first: digits and a point, no comma";
 const refusals = {
-  6583.6: "value above the register's maximum", "-6523.6": "value below the register's minimum", 99999: "value above the register's maximum",
-  429496759.6: "value above the register's maximum", 1e300: "value above the register's maximum", "-1e300": "value below the register's minimum",
-  Infinity: "value above the register's maximum", 0.04: "value between two steps of the register", NaN: "type a number first",
+  "6583.6": tooHigh, "-6523.6": tooLow, "99999": tooHigh, "429496759.6": tooHigh, "18446744073709.6": tooHigh, "99999999999999999999999": tooHigh,
+  "-99999999999999999999999": tooLow, "0.04": between, "49.99999999": between, "49.9999991": between, "30.0000000000000000001": between,
+  "": noNumber, "  ": noNumber, "2,5": noNumber, "0x10": noNumber, "1e3": noNumber, "1e309": noNumber, "--5": noNumber, "-": noNumber, "5.": noNumber,
+  ".5": noNumber, "1.2.3": noNumber, "5 0": noNumber, "NaN": noNumber, "Infinity": noNumber, "٣": noNumber, [`3${"0".repeat(30)}`]: noNumber, [`0.${"0".repeat(3000)}1`]: noNumber,
 };
 
 test("a reference is taken as it is typed, or refused with its reason", async () => {
@@ -173,18 +176,68 @@ test("a reference is taken as it is typed, or refused with its reason", async ()
     for (const [typed, reason] of Object.entries(refusals)) {
       for (const act of ["start", "change"]) {
         const before = engine.state().frames;
-        engine[act](Number(typed));
+        engine[act](typed);
         engine.run(2 * toSeconds);
         assert.equal(newest(engine).outcome, "not given: " + reason, `${name}: ${act} ${typed}`);
         assert.ok(!engine.frames(before).some((each) => each.summary.startsWith("write")), `${name}: ${act} ${typed}`);
       }
     }
     assert.equal(engine.state().drive.state, "switch on disabled");
-    engine.start(-12.3);
+    engine.start(" -12.300000000 ");
     engine.run(4 * toSeconds);
-    assert.match(newest(engine).what, /^start at -12.3 Hz$/);
+    assert.match(newest(engine).what, /^start at -12.300000000 Hz$/);
     assert.equal(engine.state().drive.frequency, -12300);
   }
+});
+
+test("the list of orders shows what was typed, whatever it is", async () => {
+  const engine = await powered();
+  const shown = { "2,5 é": "start at 2,5 é Hz", "\"\\\u0001": "start at \"\\\u0001 Hz", "": "start at no Hz", ["7".repeat(40)]: `start at ${"7".repeat(24)}… Hz` };
+  for (const [typed, what] of Object.entries(shown)) {
+    engine.start(typed);
+    assert.equal(newest(engine).what, what);
+  }
+});
+
+const endings = ["open", "not done", "done otherwise", "done"];
+const ended = (engine) => endings[newest(engine).ending];
+
+test("a motor that runs at the drive's limit is an order that was done", async () => {
+  const engine = await powered();
+  engine.start(60);
+  engine.run(8 * toSeconds);
+  assert.deepEqual([ended(engine), engine.state().drive.frequency], ["done otherwise", 50000]);
+  assert.match(newest(engine).outcome, /^done, at the drive's limit: the reference is outside the drive's limits/);
+  engine.change(-70);
+  engine.run(12 * toSeconds);
+  assert.deepEqual([ended(engine), engine.state().drive.frequency], ["done otherwise", -50000]);
+  engine.change(40);
+  engine.run(12 * toSeconds);
+  assert.deepEqual([ended(engine), engine.state().drive.frequency], ["done", 40000]);
+});
+
+test("another stop than the one ordered is told apart, and said before", async () => {
+  for (const [name, coasts, how] of [["atv12", false, "done"], ["atv28", false, "done"], ["atv320", true, "done otherwise"]]) {
+    const engine = await running(name);
+    assert.equal(engine.describe().coasts, coasts, name);
+    engine.stop(0);
+    engine.run(12 * toSeconds);
+    assert.equal(ended(engine), how, `${name}: ${newest(engine).outcome}`);
+    assert.equal(/another stop than the one ordered/.test(newest(engine).outcome), coasts, name);
+  }
+});
+
+test("an order that is under way stays in the list until its end is told", async () => {
+  const engine = await powered();
+  engine.start(30);
+  const { number } = newest(engine);
+  for (let i = 0; i < 40; ++i) engine.start(20);
+  const found = () => engine.state().orders.find((each) => each.number === number);
+  assert.equal(endings[found().ending], "open");
+  assert.equal(engine.state().orders.length, 12);
+  engine.run(6 * toSeconds);
+  assert.equal(endings[found().ending], "done");
+  assert.match(found().outcome, /^done/);
 });
 
 test("a time-out that is switched off while the motor runs is shown as it is, and given back by a loss of mains", async () => {

@@ -48,6 +48,21 @@ async function checkAxe(page, name) {
   console.log(`axe, ${name}: ${found.passes} rules passed, 0 violations`);
 }
 
+/// All that a screen reader is told from now on: what is added to the log.
+async function listen(page) {
+  await page.evaluate(() => {
+    window.heard = [];
+    window.listener?.disconnect();
+    window.listener = new MutationObserver((changes) => window.heard.push(...changes.flatMap((each) => [...each.addedNodes]).map((each) => each.textContent)));
+    window.listener.observe(document.getElementById("said"), { childList: true });
+  });
+}
+async function isHeard(page, times, ...texts) {
+  const heard = await page.evaluate(() => window.heard);
+  for (const each of texts) assert.equal(heard.filter((said) => said.startsWith(each)).length, times, `${each} in: ${heard.join("; ")}`);
+}
+const heardOnce = (page, ...texts) => isHeard(page, 1, ...texts);
+
 async function start(page) {
   await page.click("#pause");
   await page.click("#mains");
@@ -60,9 +75,9 @@ async function start(page) {
   assert.equal(await text(page, "p-freq"), "30.0 Hz");
   assert.equal(await text(page, "p-motor"), "turns forward");
   assert.equal(await text(page, "p-order"), "ordered it to run");
-  assert.match(await newestOrder(page), /^start at 30.0 Hz: done/);
+  assert.match(await newestOrder(page), /^start at 30 Hz: done/);
   assert.equal(await page.textContent("#machine .here text"), "operation enabled");
-  assert.match(await text(page, "said"), /^start at 30.0 Hz: done/);
+  assert.match(await text(page, "said"), /^start at 30 Hz: done/);
 }
 
 /// The frames of the start, oldest first, as the table shows them.
@@ -144,18 +159,62 @@ async function typeRequest(page) {
   assert.ok(asked >= 0, rows.slice(0, 12).join("\n"));
 }
 
-/// What is typed as a reference is what is asked for, or nothing is.
+/// What is typed as a reference is what is asked for, or nothing is; what is no number stands as it was typed.
 async function typeReference(page) {
-  for (const typed of ["6583.6", "-6523.6", "429496759.6", "1e300", "0.04", ""]) {
+  const numbers = ["6583.6", "-6523.6", "429496759.6", "0.04", "49.99999999"];
+  const others = ["", "2,5", "0x10", "1e300", "1e309", "--5", "5 0"];
+  for (const typed of [...numbers, ...others]) {
     await page.fill("#hertz", typed);
     for (const button of ["#start", "#change", "#reverse"]) {
       await page.click(button);
       await wait(page, 1);
-      assert.match(await newestOrder(page), /: not given: (value|type a number)/, `${button} with ${typed}`);
+      const reason = others.includes(typed) ? /: not given: type a number first/ : /: not given: value/;
+      assert.match(await newestOrder(page), reason, `${button} with ${typed}`);
+      assert.ok((await newestOrder(page)).includes(typed.replace("-", "")), `${button} with ${typed}`);
+      if (others.includes(typed)) assert.equal(await page.inputValue("#hertz"), typed);
     }
     await stands(page);
   }
+  await page.fill("#hertz", "-12.5");
+  assert.equal(await page.inputValue("#slider"), "-12.5");
+  await page.fill("#hertz", "2,5");
+  assert.equal(await page.inputValue("#slider"), "-12.5");
+  await page.fill("#slider", "7.5");
+  assert.equal(await page.inputValue("#hertz"), "7.5");
   await page.fill("#hertz", "30");
+}
+
+const newestKind = (page) => page.getAttribute("#orders li:first-child", "class");
+
+/// An order that was done, but not as it was given: its text begins with "done", and its colour is another.
+async function endOtherwise(page) {
+  await page.fill("#hertz", "60");
+  await page.click("#start");
+  await wait(page, 7);
+  assert.match(await newestOrder(page), /^start at 60 Hz: done, at the drive's limit: /);
+  assert.equal(await newestKind(page), "done otherwise");
+  assert.equal(await text(page, "p-freq"), "50.0 Hz");
+  assert.match(await text(page, "how-note"), /the motor coasts/);
+  await page.click("#stop");
+  await wait(page, 12);
+  assert.match(await newestOrder(page), /^stop: on the ramp: done.*another stop than the one ordered/);
+  assert.equal(await newestKind(page), "done otherwise");
+  await stands(page);
+  await page.fill("#hertz", "30");
+}
+
+/// An order that is under way is not pushed out of the list by those that are refused meanwhile.
+async function startAgainAndAgain(page) {
+  await listen(page);
+  for (let i = 0; i < 15; ++i) await page.click("#start");
+  const listed = () => page.$$eval("#orders li", (all) => all.map((each) => each.textContent));
+  assert.equal((await listed()).filter((each) => / Hz: under way/.test(each)).length, 1);
+  await wait(page, 5);
+  assert.equal((await listed()).filter((each) => /^start at 30 Hz: done/.test(each)).length, 1);
+  await heardOnce(page, "start at 30 Hz: done");
+  await page.click("#stop");
+  await wait(page, 12);
+  await stands(page);
 }
 
 const sentence = async (page, pattern) => assert.match(await text(page, "now"), pattern);
@@ -303,6 +362,8 @@ async function main() {
     await makeFault(page);
     await typeRequest(page);
     await typeReference(page);
+    await endOtherwise(page);
+    await startAgainAndAgain(page);
     await switchTimeOutOff(page);
     await runByTyping(page);
     await announceAgain(page);

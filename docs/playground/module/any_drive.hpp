@@ -31,7 +31,6 @@ struct client_sight {
     rtuwire::errc error;
     rtuwire::cia402::state state;
     std::int16_t frequency; ///< 0.1 Hz, below zero in reverse
-    std::uint16_t fault;    ///< LFT; 0 without a fault
 };
 
 class any_drive {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "client_orders.hpp"
 
+#include <algorithm>
+
 #include "catalog/value_text.hpp"
 
 namespace playground {
@@ -10,18 +12,36 @@ namespace {
 
 constexpr std::uint16_t short_time_out = 30; // TTO, 0.1 s
 
-/// Nothing is rounded into what a register takes: the register itself refuses what it cannot hold, with its reason.
-rtuwire::result<given_frequency> frequency_of(double hertz)
+/// A decimal number, read digit by digit: digits, and a point with more of them behind it. Nothing is rounded into what
+/// a register takes: the register itself refuses what it cannot hold, with its reason.
+rtuwire::result<given_frequency> frequency_of(std::string_view text)
 {
-    constexpr double farthest = 1e9, step = 1e6;
-    if (not(hertz < farthest)) {
-        return rtuwire::errc::value_too_high;
+    constexpr std::int64_t farthest = 1'000'000'000'000'000; // no register's limit, in millionths
+    bool const is_below = text.starts_with('-');
+    bool has_digit = false, has_point = false;
+    std::int64_t value = 0, place = 1'000'000;
+    for (char const each : text.substr(is_below ? 1 : 0)) {
+        if (each == '.' and has_digit and not has_point) {
+            has_point = true;
+            has_digit = false;
+            continue;
+        }
+        if (each < '0' or each > '9') {
+            return rtuwire::errc::malformed;
+        }
+        has_digit = true;
+        int const digit = each - '0';
+        if (not has_point) {
+            value = std::min(value * 10 + digit * place, farthest);
+            continue;
+        }
+        place /= 10;
+        value = place == 0 and digit != 0 ? value | 1 : value + digit * place; // finer ones: an odd one is no step
     }
-    if (not(hertz > -farthest)) {
-        return rtuwire::errc::value_too_low;
+    if (not has_digit) {
+        return rtuwire::errc::malformed;
     }
-    double const half = hertz < 0 ? -0.5 : 0.5; // what a binary fraction lacks of a decimal one
-    return given_frequency{static_cast<std::int64_t>(hertz * step + half)};
+    return given_frequency{is_below ? -value : value};
 }
 
 std::string fault_text(tool::drive_catalog const& drive, std::uint16_t code)
@@ -39,6 +59,16 @@ std::string finding_text(tool::drive_catalog const& drive, rtuwire::altivar::sup
     return found.address == 0 ? std::string{} : "; " + label + " is " + value;
 }
 
+ending ending_of(rtuwire::altivar::reason const& why)
+{
+    using rtuwire::altivar::outcome_kind;
+    if (why.kind == outcome_kind::reference_limited) {
+        return ending::done_otherwise;
+    }
+    ending const done = why.is_other_stop ? ending::done_otherwise : ending::done;
+    return why.kind == outcome_kind::succeeded ? done : ending::not_done;
+}
+
 } // namespace
 
 void client_orders::begin(std::uint64_t now_us)
@@ -51,12 +81,12 @@ void client_orders::begin(std::uint64_t now_us)
     }
 }
 
-void client_orders::start(asked_frequency const& reference, std::uint64_t now_us)
+void client_orders::start(std::string_view reference, std::uint64_t now_us)
 {
     give(start_, "start at ", reference, now_us);
 }
 
-void client_orders::change(asked_frequency const& reference, std::uint64_t now_us)
+void client_orders::change(std::string_view reference, std::uint64_t now_us)
 {
     give(change_, "change to ", reference, now_us);
 }
@@ -114,7 +144,7 @@ bool client_orders::is_free(given_order<Order>& order, std::string const& what, 
 {
     std::uint32_t const number = log_.add(what, now_us);
     if (order.conversation) {
-        log_.end(number, "not given: the one before has not ended", false);
+        log_.end(number, "not given: the one before has not ended", ending::not_done);
         return false;
     }
     order.number = number;
@@ -126,23 +156,30 @@ template <typename Order>
 void client_orders::replace(given_order<Order>& order, std::string const& what, std::uint64_t now_us)
 {
     if (order.conversation) {
-        log_.end(order.number, "a later one took its place", false);
+        log_.end(order.number, "a later one took its place", ending::not_done);
     }
     order.number = log_.add(what, now_us);
 }
 
 template <typename Order>
-void client_orders::give(given_order<Order>& order, std::string what, asked_frequency const& reference,
-                         std::uint64_t now_us)
+void client_orders::give(given_order<Order>& order, std::string what, std::string_view reference, std::uint64_t now_us)
 {
-    bool const is_any = not reference.text.empty();
-    if (not is_free(order, what + (is_any ? reference.text + " Hz" : "no frequency"), now_us)) {
-        return;
+    what += reference;
+    what += " Hz";
+    if (is_free(order, what, now_us)) {
+        auto const asked = frequency_of(reference);
+        refuse(order.number, asked ? drive_->make(order.conversation, *asked) : asked.error());
     }
-    auto const asked = frequency_of(reference.hertz);
-    auto const wrong = asked ? drive_->make(order.conversation, *asked) : asked.error();
+}
+
+/// Tells why no reference is given, if anything is wrong with it.
+void client_orders::refuse(std::uint32_t number, rtuwire::errc wrong)
+{
+    bool const is_number = wrong != rtuwire::errc::malformed;
     if (wrong != rtuwire::errc::none) {
-        log_.end(order.number, "not given: " + (is_any ? std::string{name(wrong)} : "type a number first"), false);
+        std::string outcome{"not given: "};
+        outcome += is_number ? name(wrong) : "type a number first: digits and a point, no comma";
+        log_.end(number, outcome, ending::not_done);
     }
 }
 
@@ -163,20 +200,22 @@ void client_orders::end(request const& settled, std::uint32_t number)
 {
     auto const outcome = settled.outcome();
     bool const is_done = outcome.has_value();
-    log_.end(number, is_done ? "done" : std::string{name(outcome.error())}, is_done);
+    log_.end(number, is_done ? "done" : std::string{name(outcome.error())}, is_done ? ending::done : ending::not_done);
 }
 
 template <typename Order> void client_orders::end(Order const& settled, std::uint32_t number)
 {
     rtuwire::altivar::reason const why = settled.reason();
     auto const text = rtuwire::altivar::text_of(why);
-    std::string outcome{std::string_view{text}};
+    bool const is_limited = why.kind == rtuwire::altivar::outcome_kind::reference_limited;
+    std::string outcome{is_limited ? "done, at the drive's limit: " : ""};
+    outcome += std::string_view{text};
     outcome += fault_text(drive_->catalog(), why.fault);
     if constexpr (requires { settled.supervision(); }) {
         auto const& found = settled.supervision();
         outcome += found.finding == why.kind ? finding_text(drive_->catalog(), found) : std::string{};
     }
-    log_.end(number, outcome, why.kind == rtuwire::altivar::outcome_kind::succeeded);
+    log_.end(number, outcome, ending_of(why));
 }
 
 } // namespace playground

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <rtuwire/client.hpp>
 #include <rtuwire/drives.hpp>
@@ -17,12 +18,6 @@
 #include "order_log.hpp"
 
 namespace playground {
-
-/// What a person wants the motor to turn at.
-struct asked_frequency {
-    double hertz;     ///< any number; also none
-    std::string text; ///< how the list of orders shows it; empty where it is none
-};
 
 /// What the client has to do with a motor that turns, or does not.
 enum class standing : std::uint8_t {
@@ -49,8 +44,9 @@ public:
     /// From now on the drive is watched; its time-out is made short enough to wait for, where it can be set.
     void begin(std::uint64_t now_us);
 
-    void start(asked_frequency const& reference, std::uint64_t now_us);
-    void change(asked_frequency const& reference, std::uint64_t now_us);
+    /// The reference as a person typed it, in Hz: any text.
+    void start(std::string_view reference, std::uint64_t now_us);
+    void change(std::string_view reference, std::uint64_t now_us);
     void reset_fault(std::uint64_t now_us);
     /// A newer stop takes the place of one that has not ended.
     void stop(rtuwire::altivar::stop_by how, std::string const& what, std::uint64_t now_us);
@@ -67,7 +63,8 @@ private:
     template <typename Order> bool is_free(given_order<Order>& order, std::string const& what, std::uint64_t now_us);
     template <typename Order> void replace(given_order<Order>& order, std::string const& what, std::uint64_t now_us);
     template <typename Order>
-    void give(given_order<Order>& order, std::string what, asked_frequency const& reference, std::uint64_t now_us);
+    void give(given_order<Order>& order, std::string what, std::string_view reference, std::uint64_t now_us);
+    void refuse(std::uint32_t number, rtuwire::errc wrong);
     template <typename Order>
     void attend(link& line, std::size_t slot, given_order<Order>& order, rtuwire::instant now);
 

@@ -49,8 +49,7 @@ public:
     void watch(link& line, std::size_t slot, instant now) noexcept override { line.converse(slot, watch_, now); }
     client_sight sight() const noexcept override
     {
-        return {not watch_.link_lost(),     watch_.rounds(), watch_.error(), watch_.state(),
-                watch_.frequency().count(), watch_.fault()};
+        return {not watch_.link_lost(), watch_.rounds(), watch_.error(), watch_.state(), watch_.frequency().count()};
     }
 
     rtuwire::errc make(std::optional<rtuwire::altivar::start>& order, given_frequency reference) const override

@@ -22,19 +22,6 @@ std::string_view name_of(sender from)
     return "";
 }
 
-std::string_view name_of(rtuwire::frame_verdict verdict)
-{
-    switch (verdict) {
-    case rtuwire::frame_verdict::good: return "good";
-    case rtuwire::frame_verdict::damaged: return "damaged";
-    case rtuwire::frame_verdict::late: return "late";
-    case rtuwire::frame_verdict::foreign: return "foreign";
-    case rtuwire::frame_verdict::echo: return "echo";
-    case rtuwire::frame_verdict::stray: break;
-    }
-    return "stray";
-}
-
 void put_line(json_text& out, std::uint32_t number, seen_frame const& frame)
 {
     out.open_object();
@@ -42,7 +29,7 @@ void put_line(json_text& out, std::uint32_t number, seen_frame const& frame)
     out.put("begin", frame.begin_us);
     out.put("end", frame.end_us);
     out.put("from", name_of(frame.from));
-    out.put("verdict", name_of(frame.verdict));
+    out.put("damaged", frame.is_damaged);
     out.put("unanswered", frame.is_unanswered);
     out.put("lost", frame.is_lost);
     out.put("exception", frame.is_exception);

@@ -9,8 +9,6 @@
 #include <string>
 #include <vector>
 
-#include <rtuwire/trace.hpp>
-
 #include "catalog/catalog.hpp"
 #include "json.hpp"
 
@@ -23,7 +21,7 @@ struct seen_frame {
     std::uint64_t begin_us{0}; ///< of its first byte
     std::uint64_t end_us{0};   ///< of its last byte
     sender from{sender::client};
-    rtuwire::frame_verdict verdict{rtuwire::frame_verdict::good};
+    bool is_damaged{false};
     bool is_unanswered{false}; ///< no frame: a request had no response
     bool is_lost{false};       ///< it did not get through the cable
     bool is_exception{false};

@@ -42,7 +42,7 @@ void json_text::quote(std::string_view value)
     text_ += '"';
     for (char const each : value) {
         auto const byte = static_cast<unsigned char>(each);
-        bool const is_plain = byte >= ' ' and byte <= '~';
+        bool const is_plain = byte >= ' ';
         if (not is_plain) {
             text_ += "\\u00";
             text_ += digits[byte >> 4U];

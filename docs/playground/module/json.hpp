@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Text in JSON, written member by member: what the module tells the page. Texts are ASCII; other bytes are taken as
-// Latin-1. The caller closes what it opens.
+// Text in JSON, written member by member: what the module tells the page. Texts are UTF-8. The caller closes what it opens.
 #pragma once
 
 #include <concepts>

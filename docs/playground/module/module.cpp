@@ -107,16 +107,10 @@ PLAYGROUND_EXPORT(playground_supervised) void playground_supervised(std::uint32_
     scene().set_supervised(is_supervised != 0);
 }
 
-/// With any number, also none: what the drive cannot take is refused with its reason in the list of orders, which
-/// shows the number as it stands in the input.
-PLAYGROUND_EXPORT(playground_start) void playground_start(double hertz, std::uint32_t length)
-{
-    scene().start({hertz, std::string{typed(length)}});
-}
-PLAYGROUND_EXPORT(playground_change) void playground_change(double hertz, std::uint32_t length)
-{
-    scene().change({hertz, std::string{typed(length)}});
-}
+/// With any text: what is no number, and what the drive cannot take, is refused with its reason in the list of orders,
+/// which shows the text as it stands in the input.
+PLAYGROUND_EXPORT(playground_start) void playground_start(std::uint32_t length) { scene().start(typed(length)); }
+PLAYGROUND_EXPORT(playground_change) void playground_change(std::uint32_t length) { scene().change(typed(length)); }
 PLAYGROUND_EXPORT(playground_stop) void playground_stop(std::uint32_t how)
 {
     scene().stop(static_cast<rtuwire::altivar::stop_by>(how));

@@ -198,7 +198,7 @@ void scene::take(rtuwire::heard_frame const& heard)
                     .from = is_typed     ? sender::person
                             : is_request ? sender::client
                                          : sender::drive,
-                    .verdict = heard.frame.verdict,
+                    .is_damaged = heard.frame.verdict == rtuwire::frame_verdict::damaged,
                     .is_unanswered = heard.is_unanswered,
                     .is_lost = is_request and not end().hears(),
                     .is_exception = heard.is_exception(),
@@ -282,7 +282,6 @@ void scene::put_client(json_text& out)
     out.put("error", seen.error == rtuwire::errc::none ? std::string_view{} : name(seen.error));
     out.put("state", std::string_view{name_of(seen.state)});
     out.put("frequency", seen.frequency);
-    out.put("fault", seen.fault == 0 ? std::string{} : named(catalog(), "LFT", seen.fault));
     out.put("order", name_of(orders_.standing()));
     out.close_object();
 }
@@ -294,6 +293,7 @@ std::string scene::description() const
     out.put("name", catalog().name);
     out.put("cmd", layout().cmd);
     out.put("eta", layout().eta);
+    out.put("coasts", layout().chcf != 0); // it may have an I/O profile: `altivar::stop` sends it 0000 for any stop
     out.open_list("stops");
     for (way_to_stop const& each : ways_to_stop) {
         if (has(layout(), each.how)) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <rtuwire/client.hpp>
@@ -51,8 +52,8 @@ public:
     void set_supervised(bool is_supervised);
 
     // At the client: orders, which end on their own and say how.
-    void start(asked_frequency const& reference) { orders_.start(reference, now_us_); }
-    void change(asked_frequency const& reference) { orders_.change(reference, now_us_); }
+    void start(std::string_view reference) { orders_.start(reference, now_us_); }
+    void change(std::string_view reference) { orders_.change(reference, now_us_); }
     void stop(rtuwire::altivar::stop_by how);
     void reset_fault() { orders_.reset_fault(now_us_); }
 

@@ -75,7 +75,7 @@ function drawStrip(frames, state, speed) {
     const from = Math.max(left, x(each.begin - 570)), to = x(each.end);
     const y = each.from === "drive" ? 39 : 9;
     context.globalAlpha = each.lost ? 0.35 : 1;
-    context.fillStyle = colour(each.exception || each.verdict === "damaged" ? "--stop" : { client: "--k1", drive: "--k2", you: "--k3" }[each.from]);
+    context.fillStyle = colour(each.exception || each.damaged ? "--stop" : { client: "--k1", drive: "--k2", you: "--k3" }[each.from]);
     context.fillRect(from, y, Math.max(2, to - from), 22);
     context.globalAlpha = 1;
     if (to - from > 90) {

@@ -25,6 +25,9 @@ function makeSvg(name, attributes = {}, ...children) {
   return element;
 }
 
+/// Whether the module reads a reference as a number: what shows it, as the slider does, needs one.
+const isNumber = (text) => /^-?\d+(\.\d+)?$/.test(text.trim());
+
 /// Announced by a screen reader: orders and trips, never single frames.
 let toSay = [];
 function say(text) { toSay.push(text); }

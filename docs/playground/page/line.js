@@ -61,8 +61,8 @@ class LogView {
   showRow(frame, at) {
     if (byId("hide").checked && !this.isNews(frame, at)) return;
     const note = frame.lost ? (frame.from === "drive" ? "lost in the cable: " : "does not reach the drive: ") : "";
-    const choose = make("button", { type: "button" }, note + (frame.summary || frame.verdict));
-    const kind = frame.unanswered || frame.lost ? "none" : frame.exception || frame.verdict === "damaged" ? "bad" : "";
+    const choose = make("button", { type: "button" }, note + frame.summary);
+    const kind = frame.unanswered || frame.lost ? "none" : frame.exception || frame.damaged ? "bad" : "";
     const row = make("tr", { class: kind, "data-number": frame.number },
       make("td", { class: "t mono" }, seconds(frame.end)),
       make("td", { class: "from " + frame.from }, frame.unanswered ? "" : frame.from),

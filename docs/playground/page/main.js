@@ -71,9 +71,14 @@ requestAnimationFrame(() => setTimeout(async () => {
   const on = (id, event, act) => byId(id).addEventListener(event, (how) => { act(how); show(); });
   const press = (id, isOn) => byId(id).setAttribute("aria-pressed", String(isOn));
   const toggle = (id, act) => on(id, "click", () => act(byId(id).getAttribute("aria-pressed") !== "true"));
-  /// What was typed, as it is: no number is none, and no limit is applied. The drive's register refuses.
-  const typed = () => byId("hertz").valueAsNumber;
-  const setHertz = (value) => { byId("hertz").value = value; byId("slider").value = value; };
+  /// What was typed, as it is: the module refuses what is no number, the drive's register what it cannot hold.
+  const typed = () => byId("hertz").value.trim();
+  const followTyped = () => { if (isNumber(typed())) byId("slider").value = typed(); };
+  function reverse() {
+    if (!isNumber(typed())) return;
+    byId("hertz").value = typed().startsWith("-") ? typed().slice(1) : "-" + typed();
+    followTyped();
+  }
 
   function open(index) {
     engine.open(index);
@@ -81,6 +86,7 @@ requestAnimationFrame(() => setTimeout(async () => {
     const drive = engine.describe();
     setText("p-name", drive.name.toUpperCase().replace("_", " "));
     byId("how").replaceChildren(...drive.stops.map((each) => make("option", { value: each.id }, each.name)));
+    setText("how-note", drive.coasts ? "Every stop sends 0000 to this type, as another word might run it: the motor coasts." : "");
     for (const view of [curves, scene, log]) view.clear();
     machine.draw(engine.machine());
     decode.setExamples(drive);
@@ -97,12 +103,12 @@ requestAnimationFrame(() => setTimeout(async () => {
   on("supervised", "change", (event) => engine.supervised(event.target.checked));
   on("start", "click", () => engine.start(typed()));
   on("change", "click", () => engine.change(typed()));
-  on("reverse", "click", () => { if (!Number.isNaN(typed())) setHertz(0 - typed()); engine.change(typed()); });
+  on("reverse", "click", () => { reverse(); engine.change(typed()); });
   on("stop", "click", () => engine.stop(Number(byId("how").value)));
   on("reset", "click", () => engine.reset());
   on("cable", "change", (event) => engine.cable(Number(event.target.value)));
   on("slider", "input", (event) => { byId("hertz").value = event.target.value; });
-  on("hertz", "input", (event) => { byId("slider").value = event.target.value; });
+  on("hertz", "input", followTyped);
   toggle("pause", pause);
   on("speed", "change", (event) => { speed = Number(event.target.value); });
   on("frame", "click", () => { pause(true); engine.nextFrame(); });

@@ -10,7 +10,7 @@ async function loadModule(moduleText) {
   api._initialize();
   const textAt = (place) => {
     const memory = new Uint8Array(api.memory.buffer);
-    return new TextDecoder("latin1").decode(memory.subarray(place, memory.indexOf(0, place)));
+    return new TextDecoder().decode(memory.subarray(place, memory.indexOf(0, place)));
   };
   const parsed = (place) => JSON.parse(textAt(place));
   const put = (text) => {
@@ -19,8 +19,11 @@ async function loadModule(moduleText) {
     new Uint8Array(api.memory.buffer).set(bytes, input);
     return bytes.length;
   };
-  /// How the list of orders shows a number; empty where it is none.
-  const shown = (hertz) => Number.isNaN(hertz) ? "" : Number.isInteger(hertz) ? hertz.toFixed(1) : String(hertz);
+  /// A reference as it was typed. A text that is too long to be shown is no number any more.
+  const putReference = (typed) => {
+    const text = String(typed).trim() || "no", longest = 24;
+    return put(text.length > longest ? text.slice(0, longest) + "…" : text);
+  };
   return {
     drives: () => parsed(api.playground_drives()),
     open: (drive) => api.playground_open(drive) === 1,
@@ -40,8 +43,8 @@ async function loadModule(moduleText) {
     local: (isLocal) => api.playground_local(isLocal ? 1 : 0),
     stopKey: () => api.playground_stop_key(),
     supervised: (is) => api.playground_supervised(is ? 1 : 0),
-    start: (hertz) => api.playground_start(hertz, put(shown(hertz))),
-    change: (hertz) => api.playground_change(hertz, put(shown(hertz))),
+    start: (reference) => api.playground_start(putReference(reference)),
+    change: (reference) => api.playground_change(putReference(reference)),
     stop: (how) => api.playground_stop(how),
     reset: () => api.playground_reset(),
     decode: (text) => parsed(api.playground_decode(put(text))),

@@ -5,6 +5,8 @@
 
 const wantsStillness = matchMedia("(prefers-reduced-motion: reduce)");
 
+const endingClasses = ["", "not", "done otherwise", "done"];
+
 class SceneView {
   constructor() { this.clear(); }
   clear() { this.angle = 0; this.time = 0; this.ended = new Set(); this.listed = ""; this.fault = ""; }
@@ -90,10 +92,10 @@ class SceneView {
     if (listed === this.listed) return;
     this.listed = listed;
     byId("orders").replaceChildren(...orders.slice().reverse().map((each) => make("li",
-      { class: each.ended ? (each.done ? "done" : "not") : "" }, make("b", {}, each.what),
-      each.ended ? `: ${each.outcome}` : each.what.startsWith("stop") ? ": under way; it gives up after 30 s" : ": under way", make("span", { class: "quiet" }, ` (${seconds(each.given, 1)})`))));
+      { class: endingClasses[each.ending] }, make("b", {}, each.what),
+      each.ending ? `: ${each.outcome}` : each.what.startsWith("stop") ? ": under way; it gives up after 30 s" : ": under way", make("span", { class: "quiet" }, ` (${seconds(each.given, 1)})`))));
     for (const each of orders) {
-      if (each.ended && !this.ended.has(each.number)) {
+      if (each.ending && !this.ended.has(each.number)) {
         this.ended.add(each.number);
         say(`${each.what}: ${each.outcome}`);
       }
