@@ -55,6 +55,19 @@ test("what is no bytes is told with its place", async () => {
   assert.equal(engine.decode("01 é 03").flaw, "character 4: not a hexadecimal digit");
   assert.equal(engine.decode("０１").flaw, "character 1: not a hexadecimal digit");
   assert.deepEqual([engine.decode("0x01, 0X03").flaw, engine.decode("0x01, 0X03").size], ["", 2]);
+  for (const typed of ["01 06 21 36 01 2C zz 99", "01 10 21 35 00 02 04 00 0F 01 2C x", "[12:34:56.123] TX 01 06 21 36 01 2C", "01 03 0C 81 00 01 D7 72 0"]) {
+    const { size, flaw, offer, frames } = engine.decode(typed);
+    assert.match(flaw, /^character \d+: /, typed);
+    assert.deepEqual([size, offer, frames, engine.send(typed)], [0, "", [], false], typed);
+  }
+  for (const typed of ["0000: 01 03 0C 81 00 01", "00000000: 0103 0c81", "00000000  01 03 0C", "00000010 01 03 0C", "0000   01 03", "01 03\n0010: 0C 81"]) {
+    assert.match(engine.decode(typed).flaw, /offset/, typed);
+    assert.equal(engine.send(typed), false, typed);
+  }
+  for (const typed of ["01:03:0C:81", "0103 0C81 0001 D772", "01030C81 0001D772", "01030C810001D772", "0103"]) assert.equal(engine.decode(typed).flaw, "", typed);
+  const long = "01 03 0C 81 00 01" + " ".repeat(2000);
+  assert.match(engine.decode(long).flaw, /^2017 characters: 2000 are read at most/);
+  assert.equal(engine.send(long), false);
   assert.equal(engine.send("zz"), false);
   assert.equal(engine.open(5), false);
 });
@@ -238,6 +251,17 @@ test("an order that is under way stays in the list until its end is told", async
   engine.run(6 * toSeconds);
   assert.equal(endings[found().ending], "done");
   assert.match(found().outcome, /^done/);
+});
+
+test("bytes that wait for a free line are not replaced", async () => {
+  const engine = await powered();
+  const seen = engine.state().frames;
+  assert.equal(engine.send("01 03 0C 81 00 01 D7 72"), true);
+  assert.equal(engine.send("01 06 21 35 00 06 13 CA"), false);
+  engine.run(toSeconds);
+  const own = engine.frames(seen).filter((each) => each.from === "you").map((each) => each.hex);
+  assert.deepEqual(own, ["01 03 0C 81 00 01 D7 72"]);
+  assert.equal(engine.send("01 03 0C 81 00 01 D7 72"), true);
 });
 
 test("a time-out that is switched off while the motor runs is shown as it is, and given back by a loss of mains", async () => {

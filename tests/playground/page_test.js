@@ -292,6 +292,29 @@ async function judgeBytes(page) {
     await page.fill("#bytes", typed);
     assert.match(await text(page, "judged"), judged, typed);
   }
+  for (const [typed, judged] of [["01 06 21 36 01 2C zz 99", /^character 19: not a hex/], ["01 10 21 35 00 02 04 00 0F 01 2C x", /^character 34: not a hex/],
+    ["[12:34:56.123] TX 01 06 21 36 01 2C", /^character 13: a byte has two/], ["0000: 01 06 21 36 01 2C", /offset/], ["01 06 21 36 01 2C" + " ".repeat(2000), /^2017 characters/]]) {
+    await page.fill("#bytes", typed);
+    assert.match(await text(page, "judged"), judged, typed);
+    assert.equal((await page.inputValue("#bytes")).length, typed.length);
+    assert.deepEqual([await page.isDisabled("#offer"), await page.isDisabled("#send"), await text(page, "typed")], [true, true, ""], typed);
+  }
+}
+
+/// While time stands the first bytes wait, and others do not take their place.
+async function sendTwice(page) {
+  await page.fill("#bytes", "01 03 0C 81 00 01 D7 72");
+  await page.click("#send");
+  assert.match(await text(page, "sent"), /^Your bytes leave/);
+  await page.fill("#bytes", "01 03 0C 81 00 02 97 73");
+  assert.equal(await text(page, "sent"), "");
+  await page.click("#send");
+  assert.match(await text(page, "sent"), /^Not sent: your bytes before these/);
+  assert.match(await text(page, "said"), /^Not sent/);
+  await wait(page, 1);
+  await page.click("#send");
+  assert.match(await text(page, "sent"), /^Your bytes leave/);
+  await wait(page, 1);
 }
 
 /// The examples one after the other, with the list closed; and a row that has the focus keeps it.
@@ -368,6 +391,7 @@ async function main() {
     await runByTyping(page);
     await announceAgain(page);
     await judgeBytes(page);
+    await sendTwice(page);
     await useKeyboard(page);
     await checkAxe(page, "light");
     await shot(page, "end");

@@ -28,9 +28,9 @@ bool is_word_character(char letter)
            (letter >= 'A' and letter <= 'Z');
 }
 
-std::string flaw_at(std::size_t at, std::string_view why)
+typed_bytes flaw_at(std::size_t at, std::string_view why)
 {
-    return "character " + std::to_string(at + 1) + ": " + std::string{why};
+    return {.flaw = "character " + std::to_string(at + 1) + ": " + std::string{why}};
 }
 
 std::vector<std::byte> with_crc(std::vector<std::byte> bytes)
@@ -117,18 +117,16 @@ typed_bytes read_typed(std::string_view text)
         auto const high = digit_of(text[at]);
         auto const low = at + 1 < text.size() ? digit_of(text[at + 1]) : std::nullopt;
         if (not high) {
-            read.flaw = flaw_at(at, "not a hexadecimal digit");
-            return read;
+            return flaw_at(at, "not a hexadecimal digit");
         }
         if (not low) {
-            read.flaw = flaw_at(at, "a byte has two digits");
-            return read;
+            return flaw_at(at, "a byte has two digits");
         }
         read.bytes.push_back(static_cast<std::byte>(*high << 4U | *low));
         at += 2;
     }
     if (read.bytes.size() > rtuwire::max_adu_size) {
-        read.flaw = std::to_string(read.bytes.size()) + " bytes: a frame has 256 at most";
+        return {.flaw = std::to_string(read.bytes.size()) + " bytes: a frame has 256 at most"};
     }
     return read;
 }

@@ -21,7 +21,7 @@ void put_frame(json_text& to, tool::decoded_frame const& frame);
 /// Hexadecimal digits in pairs, with "0x" before them, and anything between that is no letter and no digit.
 struct typed_bytes {
     std::vector<std::byte> bytes{};
-    std::string flaw{}; ///< what cannot be read, and where; empty where nothing is wrong
+    std::string flaw{}; ///< what cannot be read, and where: there are no bytes then; empty where nothing is wrong
 };
 [[nodiscard]] typed_bytes read_typed(std::string_view text);
 

@@ -123,13 +123,9 @@ PLAYGROUND_EXPORT(playground_decode) char const* playground_decode(std::uint32_t
     return give(playground::explain_typed(typed(length), scene().catalog()));
 }
 
-/// Puts what was typed on the line; 0 where it is no bytes.
+/// Puts what was typed on the line; 0 where it is no bytes, or where those before it have not left yet.
 PLAYGROUND_EXPORT(playground_send) std::uint32_t playground_send(std::uint32_t length)
 {
     auto const read = playground::read_typed(typed(length));
-    bool const can_be_sent = read.flaw.empty() and not read.bytes.empty();
-    if (can_be_sent) {
-        scene().send(read.bytes);
-    }
-    return can_be_sent ? 1 : 0;
+    return not read.bytes.empty() and scene().send(read.bytes) ? 1 : 0;
 }

@@ -57,8 +57,8 @@ public:
     void stop(rtuwire::altivar::stop_by how);
     void reset_fault() { orders_.reset_fault(now_us_); }
 
-    /// Bytes that leave as they are, once the line is free.
-    void send(rtuwire::byte_view bytes) { typed().give(bytes); }
+    /// Bytes that leave as they are, once the line is free; false where others still wait for that.
+    [[nodiscard]] bool send(rtuwire::byte_view bytes) { return typed().give(bytes); }
 
     /// What there is to see now, in JSON.
     [[nodiscard]] std::string state();

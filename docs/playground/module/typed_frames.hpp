@@ -15,8 +15,15 @@ namespace playground {
 
 class typed_frames {
 public:
-    /// Bytes that wait for the line to be free; newer ones replace older ones.
-    void give(rtuwire::byte_view bytes) { waiting_.assign(bytes.begin(), bytes.end()); }
+    /// Bytes that wait for the line to be free; refused while others wait.
+    [[nodiscard]] bool give(rtuwire::byte_view bytes)
+    {
+        bool const is_taken = waiting_.empty();
+        if (is_taken) {
+            waiting_.assign(bytes.begin(), bytes.end());
+        }
+        return is_taken;
+    }
 
     /// Says in each pass whether the line is free.
     void note_line(bool is_free) noexcept { is_free_ = is_free; }

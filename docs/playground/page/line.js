@@ -113,8 +113,9 @@ class DecodeView {
     byId("bytes").addEventListener("input", () => { byId("example").value = ""; this.show(); });
     byId("offer").addEventListener("click", () => { byId("bytes").value = this.offer; this.show(); byId("bytes").focus(); });
     byId("send").addEventListener("click", () => {
-      if (!this.engine.send(byId("bytes").value)) return;
-      say("Your bytes leave as soon as the line is free.");
+      const isTaken = this.engine.send(byId("bytes").value);
+      setText("sent", isTaken ? "Your bytes leave as soon as the line is free." : "Not sent: your bytes before these still wait for a free line.");
+      say(byId("sent").textContent);
       announce();
     });
     byId("example").addEventListener("change", (event) => {
@@ -144,7 +145,8 @@ class DecodeView {
     byId("judged").className = "judged " + kind;
     byId("judged").textContent = text;
     byId("offer").disabled = found.offer === "";
-    byId("send").disabled = found.size === 0 || found.flaw !== "";
+    byId("send").disabled = found.size === 0;
+    setText("sent", "");
     byId("typed").replaceChildren(...(found.size ? found.frames.flatMap(fieldsOf) : []));
   }
 }

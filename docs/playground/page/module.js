@@ -3,6 +3,16 @@
 // The module as functions of the page: texts go in and come out as JavaScript's. `moduleText` is the module in base64.
 "use strict";
 
+/// The first column of a dump, in any line: digits with a colon, or more digits than the bytes behind them have.
+const offsetColumn = /^[ \t]*(?:[0-9a-f]{4,8}:|[0-9a-f]{4}[ \t]{2,}[0-9a-f]|[0-9a-f]{8}[ \t]+[0-9a-f]{2}[ \t])/im;
+
+/// Why a text is not read as bytes at all; empty where it is.
+function unreadable(text) {
+  const longest = 2000;
+  if (text.length > longest) return `${text.length} characters: ${longest} are read at most, and a frame has 256 bytes at most`;
+  return offsetColumn.test(text) ? "a line begins with an offset, as in a dump: leave that column out" : "";
+}
+
 async function loadModule(moduleText) {
   const bytes = Uint8Array.from(atob(moduleText), (each) => each.charCodeAt(0));
   const { instance } = await WebAssembly.instantiate(bytes, {});
@@ -47,8 +57,8 @@ async function loadModule(moduleText) {
     change: (reference) => api.playground_change(putReference(reference)),
     stop: (how) => api.playground_stop(how),
     reset: () => api.playground_reset(),
-    decode: (text) => parsed(api.playground_decode(put(text))),
-    send: (text) => api.playground_send(put(text)) === 1,
+    decode: (text) => unreadable(text) ? { size: 0, flaw: unreadable(text), kind: "", offer: "", frames: [] } : parsed(api.playground_decode(put(text))),
+    send: (text) => !unreadable(text) && api.playground_send(put(text)) === 1,
   };
 }
 
