@@ -45,7 +45,7 @@ page=docs/playground/page
     printf '";\n'
 } >"$objects/module.txt"
 cat "$page/elements.js" "$page/module.js" "$page/machine.js" "$page/curves.js" "$page/line.js" "$page/scene.js" \
-    "$page/main.js" >"$objects/scripts.txt"
+    "$page/announcer.js" "$page/main.js" >"$objects/scripts.txt"
 awk -v style="$page/style.css" -v module="$objects/module.txt" -v scripts="$objects/scripts.txt" '
     function insert(mark, file,    at, line) {
         at = index($0, mark)

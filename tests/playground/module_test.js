@@ -264,6 +264,12 @@ test("bytes that wait for a free line are not replaced", async () => {
   assert.equal(engine.send("01 03 0C 81 00 01 D7 72"), true);
 });
 
+test("a client that has asked nothing yet has no error", async () => {
+  const engine = opened(await load(), "atv320");
+  const { client } = engine.state();
+  assert.deepEqual([client.rounds, client.linked, client.error], [0, false, ""]);
+});
+
 test("a time-out that is switched off while the motor runs is shown as it is, and given back by a loss of mains", async () => {
   for (const name of ["atv12", "atv28", "atv320"]) {
     const engine = await running(name);

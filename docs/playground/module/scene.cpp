@@ -276,10 +276,11 @@ void scene::put_drive(json_text& out)
 void scene::put_client(json_text& out)
 {
     client_sight const seen = drive_->sight();
+    bool const is_well = seen.error == rtuwire::errc::none or seen.error == rtuwire::errc::busy;
     out.open_object("client");
     out.put("linked", seen.is_linked);
     out.put("rounds", seen.rounds);
-    out.put("error", seen.error == rtuwire::errc::none ? std::string_view{} : name(seen.error));
+    out.put("error", is_well ? std::string_view{} : name(seen.error));
     out.put("state", std::string_view{name_of(seen.state)});
     out.put("frequency", seen.frequency);
     out.put("order", name_of(orders_.standing()));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Small words for the document: find, make, say, colour.
+// Small words for the document: find, make, colour.
 "use strict";
 
 const byId = (id) => document.getElementById(id);
@@ -27,18 +27,6 @@ function makeSvg(name, attributes = {}, ...children) {
 
 /// Whether the module reads a reference as a number: what shows it, as the slider does, needs one.
 const isNumber = (text) => /^-?\d+(\.\d+)?$/.test(text.trim());
-
-/// Announced by a screen reader: orders and trips, never single frames.
-let toSay = [];
-function say(text) { toSay.push(text); }
-
-/// All that was to be said since the last time, at once; the same words again differ by a space, so that they are announced.
-function announce() {
-  if (toSay.length === 0) return;
-  const text = toSay.join(". ");
-  toSay = [];
-  setText("said", byId("said").textContent === text ? text + "\u00a0" : text);
-}
 
 const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const seconds = (microseconds, digits = 3) => (microseconds / 1e6).toFixed(digits) + " s";

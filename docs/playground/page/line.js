@@ -23,7 +23,6 @@ class LogView {
   constructor(engine) {
     this.engine = engine;
     this.body = byId("frames").tBodies[0];
-    byId("hide").checked = true;
     byId("hide").addEventListener("change", () => this.redraw());
     this.clear();
   }
@@ -108,15 +107,15 @@ function judged(found, text) {
 }
 
 class DecodeView {
-  constructor(engine) {
+  constructor(engine, announcer) {
     this.engine = engine;
     byId("bytes").addEventListener("input", () => { byId("example").value = ""; this.show(); });
     byId("offer").addEventListener("click", () => { byId("bytes").value = this.offer; this.show(); byId("bytes").focus(); });
     byId("send").addEventListener("click", () => {
       const isTaken = this.engine.send(byId("bytes").value);
       setText("sent", isTaken ? "Your bytes leave as soon as the line is free." : "Not sent: your bytes before these still wait for a free line.");
-      say(byId("sent").textContent);
-      announce();
+      announcer.say(byId("sent").textContent);
+      announcer.announce();
     });
     byId("example").addEventListener("change", (event) => {
       if (event.target.value) { byId("bytes").value = event.target.value; this.show(); }

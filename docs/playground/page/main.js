@@ -12,8 +12,8 @@ requestAnimationFrame(() => setTimeout(async () => {
     document.body.prepend(make("p", { class: "trap", role: "alert" }, `The module does not start here: ${problem.message}`));
     return;
   }
-  const machine = new MachineView(), curves = new CurvesView(), scene = new SceneView();
-  const log = new LogView(engine), decode = new DecodeView(engine);
+  const machine = new MachineView(), curves = new CurvesView(), scene = new SceneView(), announcer = new Announcer();
+  const log = new LogView(engine), decode = new DecodeView(engine, announcer);
   let isPaused = false, speed = 1, last = null, owed = 0;
 
   function show() {
@@ -27,7 +27,8 @@ requestAnimationFrame(() => setTimeout(async () => {
     curves.note(state);
     curves.draw(state.time);
     drawStrip(recent, state, speed);
-    announce();
+    announcer.note(state);
+    announcer.announce();
     setText("time", seconds(state.time));
     setText("v-frequency", hertz(state.drive.frequency));
     setText("v-reference", (state.drive.reference / 10).toFixed(1) + " Hz");
@@ -45,6 +46,9 @@ requestAnimationFrame(() => setTimeout(async () => {
     press("local", drive.local);
     byId("supervised").checked = drive.supervised;
     for (const id of ["local", "key", "supervised"]) byId(id).disabled = !drive.on;
+    const mayTurn = drive.power || drive.shaft !== 0;
+    byId("drive").disabled = mayTurn;
+    setText("drive-note", mayTurn ? "Another type can be chosen once the motor stands without power." : "");
   }
 
   function trapped(problem) {
@@ -80,6 +84,15 @@ requestAnimationFrame(() => setTimeout(async () => {
     followTyped();
   }
 
+  /// A browser that comes back to the page restores its inputs; the drive begins anew, and they with it.
+  function restoreInputs() {
+    for (const each of document.querySelectorAll("input, textarea")) {
+      if (["checkbox", "radio"].includes(each.type)) each.checked = each.defaultChecked;
+      else each.value = each.defaultValue;
+    }
+    for (const each of document.querySelectorAll("option")) each.selected = each.defaultSelected;
+  }
+
   function open(index) {
     engine.open(index);
     document.querySelector("input[name=cable][value='0']").checked = true;
@@ -87,12 +100,13 @@ requestAnimationFrame(() => setTimeout(async () => {
     setText("p-name", drive.name.toUpperCase().replace("_", " "));
     byId("how").replaceChildren(...drive.stops.map((each) => make("option", { value: each.id }, each.name)));
     setText("how-note", drive.coasts ? "Every stop sends 0000 to this type, as another word might run it: the motor coasts." : "");
-    for (const view of [curves, scene, log]) view.clear();
+    for (const view of [curves, scene, log, announcer]) view.clear();
     machine.draw(engine.machine());
     decode.setExamples(drive);
     show();
   }
 
+  restoreInputs();
   byId("drive").replaceChildren(...engine.drives().map((name, at) => make("option", { value: at }, name.toUpperCase().replace("_", " "))));
   byId("drive").value = String(engine.drives().length - 1);
   on("drive", "change", (event) => open(Number(event.target.value)));
@@ -116,7 +130,9 @@ requestAnimationFrame(() => setTimeout(async () => {
     const step = 20000;
     for (let passed = 0; passed < 1000000; passed += step) {
       engine.run(step);
-      curves.note(engine.state());
+      const state = engine.state();
+      curves.note(state);
+      announcer.note(state);
     }
   });
   function pause(isOn) { isPaused = isOn; press("pause", isOn); }

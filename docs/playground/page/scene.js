@@ -5,11 +5,12 @@
 
 const wantsStillness = matchMedia("(prefers-reduced-motion: reduce)");
 
+const cableNames = ["whole", "cut", "cut towards the drive", "cut from the drive"];
 const endingClasses = ["", "not", "done otherwise", "done"];
 
 class SceneView {
   constructor() { this.clear(); }
-  clear() { this.angle = 0; this.time = 0; this.ended = new Set(); this.listed = ""; this.fault = ""; }
+  clear() { this.angle = 0; this.time = 0; this.listed = ""; }
 
   show(state, frames) {
     this.showClient(state.client);
@@ -18,23 +19,24 @@ class SceneView {
     this.showSilence(state.drive);
     this.showOrders(state.orders);
     setText("now", sentenceOf(state));
-    this.showPlainly();
+    this.showPlainly(state.cable);
     this.time = state.time;
   }
 
   showClient(client) {
     const isWatching = client.rounds > 0;
     setText("p-client", client.linked ? client.state : isWatching ? "no link" : "knows nothing");
-    setText("p-client-2", client.linked ? `reads ${(client.frequency / 10).toFixed(1)} Hz` : client.error && client.error !== "busy" ? client.error : "");
+    setText("p-client-2", client.linked ? `reads ${(client.frequency / 10).toFixed(1)} Hz` : client.error);
     setText("p-order", orderText(client));
   }
 
-  /// The picture's texts again, for a screen on which they are too small.
-  showPlainly() {
+  /// The picture's texts again: for a screen on which they are too small, and for those who do not see it.
+  showPlainly(cable) {
     const joined = (...ids) => ids.map((id) => byId(id).textContent).filter((each) => each !== "").join(", ");
     setText("t-client", joined("p-client", "p-client-2", "p-order"));
     setText("t-drive", joined("p-state", "p-freq", "p-fault"));
     setText("t-motor", joined("p-motor"));
+    setText("picture-text", `Client: ${joined("t-client")}. Cable: ${cableNames[cable]}. ${joined("p-name")}: ${joined("t-drive")}. Motor: ${joined("t-motor")}.`);
   }
 
   showDrive(drive) {
@@ -43,8 +45,6 @@ class SceneView {
     setText("p-freq", hertz(drive.frequency));
     setText("p-fault", !drive.on ? "no mains" : drive.fault || (drive.local ? "local control" : "no fault"));
     setText("p-motor", motorText(drive));
-    if (drive.fault && drive.fault !== this.fault) say(`The drive trips: ${drive.fault}`);
-    this.fault = drive.fault;
   }
 
   turn(state) {
@@ -94,12 +94,6 @@ class SceneView {
     byId("orders").replaceChildren(...orders.slice().reverse().map((each) => make("li",
       { class: endingClasses[each.ending] }, make("b", {}, each.what),
       each.ending ? `: ${each.outcome}` : each.what.startsWith("stop") ? ": under way; it gives up after 30 s" : ": under way", make("span", { class: "quiet" }, ` (${seconds(each.given, 1)})`))));
-    for (const each of orders) {
-      if (each.ending && !this.ended.has(each.number)) {
-        this.ended.add(each.number);
-        say(`${each.what}: ${each.outcome}`);
-      }
-    }
   }
 }
 
@@ -125,7 +119,7 @@ function sentenceOf(state) {
   if (drive.power && drive.shaft && !client.linked && cable) return unheardSentence(state);
   if (cable) return `The cable is cut. What the client believes and what the drive does are two things now: compare the boxes.${drive.shaft && !drive.power ? " " + coasting : ""}`;
   if (drive.shaft && !drive.power) return coasting;
-  if (drive.power && drive.shaft && ["none", "given up"].includes(client.order)) return strayingSentence(client);
+  if (drive.power && drive.shaft && ["none", "given up"].includes(client.order)) return strayingSentence(state);
   if (drive.local) return "Somebody took the drive over at its keypad. Orders from the line are refused with that reason.";
   if (!drive.supervised) return drive.power ? "The motor runs on if the line goes silent: the drive's time-out was switched off after the start." : "The drive would run on if its line went silent. The library refuses to start it.";
   if (drive.state === "operation enabled" && drive.halted && !drive.shaft) return "The motor is halted: it has power and its old reference, and any word 000F turns it again. Press Stop with \"on the ramp\" unless somebody waits beside it.";
@@ -157,8 +151,9 @@ function unheardSentence({ drive, client, cable }) {
 }
 
 /// The motor turns, and the client reads it without an order of its own.
-function strayingSentence(client) {
+function strayingSentence({ drive, client }) {
   const cause = client.order === "none" ? "The motor runs, and not by an order of this client."
     : "The motor runs without an order: the client gave its own up when it got no answers, and resumes nothing.";
-  return `${cause} Its reads keep the drive's time-out from running out. Press Stop.`;
+  const end = drive.supervised ? "Its reads keep the drive's time-out from running out." : "The drive's time-out is switched off: a silent line does not stop it either.";
+  return `${cause} ${end} Press Stop.`;
 }
