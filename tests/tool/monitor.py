@@ -17,6 +17,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "interop"))
 from line_between import LineBetween  # noqa: E402
 from screen import Screen  # noqa: E402
 from simulator import Checks, Simulator  # noqa: E402
+from support import Units  # noqa: E402
 
 KEYS = "q quit   up/down drive   p pause   +/- period   ? help"
 SIM = "sim:atv320:7,atv12:3,atv28:4"
@@ -116,6 +117,10 @@ def keys(tool, check):
 
 
 def reads(tool, check):
+    with Units({7: {100: 5, 611: 6}}, ignored=(43,)) as line:
+        with Screen(monitor(tool, line.name, "-u", "7", "--timeout", "0.2", "monitor", "100", "611")) as page:
+            check(page.until_shown(r"^ 100 .*5 \(0x0005\)") and page.until_shown("0x0263"), "a number of a menu that it may not have", page.text)
+            check("6 (0x0006)" not in page.text, "is not guessed", page.text)
     with Simulator(tool, "atv320:7", "atv12:3") as device, LineBetween(device) as line:
         with Screen(monitor(tool, line.name, "-u", "3,7", "monitor", "--every", "100ms")) as page:
             check(page.until_shown(r"^ +7 +atv320 +switch on disabled"), "they are recognised", page.text)

@@ -76,6 +76,47 @@ def check_parameters(tool, check):
         check(ended.status == USAGE and says in ended.errors, f"{words} is refused", ended)
 
 
+def check_menu_numbers(tool, check):
+    """A number means one register, whatever stands beside it and whether the drive was named."""
+    numbers = ["705.0", "512.2", "611", "704"]
+    wanted = ["NMA1", "HSP", "SLL", "TTO"]
+    for beside in ([], ["RFR"], ["3201.2"]):
+        for named in ([], ["-d", "atv310"]):
+            found = tool.run("-u", 5, *named, "--json", "read", *beside, *numbers).objects()
+            check([each["register"] for each in found][len(beside):] == wanted, f"menu numbers {beside} {named}", found)
+    found = [tool.run("-u", 5, "--json", "read", word).objects()[0]["register"] for word in numbers]
+    check(found == wanted, "each alone", found)
+    ended = tool.run("-u", 5, "--csv", "watch", "611", "--for", "0.1s")
+    check(list(ended.rows()[0])[2] == "SLL", "a watch does so, too", ended)
+    found = tool.run("-u", 7, "--json", "read", "3201.9", "3201.2").objects()
+    check([(each["register"], each["value"]) for each in found] == [("3201.9", True), ("3201.2", False)],
+          "a bit of a unit that nobody named is that bit", found)
+    found = tool.run("-u", 7, "--json", "read", "705.0", "611").objects()
+    check([each["address"] for each in found] == [705, 611], "another drive has addresses there", found)
+    found = tool.run("-u", 5, "--json", "read", "0x0263").objects()[0]
+    check(found["register"] == "611" and "error" in found, "a number in hexadecimal is an address", found)
+    ended = tool.run("-u", 5, "--write", "write", "512.2=30")
+    check(ended.status == USAGE and "512.2=30Hz" in ended.errors, "a value is told by the number typed", ended)
+    for command in ("read", "watch", "monitor"):
+        text = tool.run(command, "--help").output
+        check("without --drive the unit is asked" in text and "ETA.fault" in text, f"{command} --help says so")
+
+
+def check_unknown_units(tool, check):
+    """Without function 43: what refuses it is no ATV310; of what is silent to it nobody knows."""
+    for ignored, is_read in (((), True), ((43,), False)):
+        with Units({7: {100: 5, 611: 6, 705: 1}}, ignored=ignored) as line:
+            how = ["--port", line.name, "--no-listen", "--timeout", 0.2, "--retries", 0, "--json", "-u", 7, "read"]
+            check(tool.run(*how, "100", "100.0").objects()[0]["raw"] == 5 and {each[1] for each in line.requests} == {3},
+                  "other numbers are addresses: nobody is asked who it is")
+            ended = tool.run(*how, "611", "705.0")
+            if is_read:
+                check([each["raw"] for each in ended.objects()] == [6, 1], "a device that refuses 43 has no menu", ended)
+            else:
+                check(ended.status == DIFFERS and "0x0263" in ended.errors, "who is not known is not guessed", ended)
+                check(tool.run(*how, "0x0263").objects()[0]["raw"] == 6, "the word that is named works")
+
+
 def check_faults(program, tool, check):
     """The history: the last fault and those before, in words, with the state at each where the drive keeps it."""
     simulator = Simulator(program, "atv320:7", "atv28:4")
@@ -180,12 +221,14 @@ def main(check, program, libmodbus_server):
         check_forms(tool, check)
         check_words(tool, check)
         check_parameters(tool, check)
+        check_menu_numbers(tool, check)
         check_faults(program, tool, check)
         check_identity(tool, check)
     processes = []
     with Tool(program) as tool, tempfile.TemporaryDirectory(prefix="line-") as folder:
         check_ports(tool, check, program)
         check_no_identity(tool, check)
+        check_unknown_units(tool, check)
         try:
             others_servers(tool, check, libmodbus_server, folder, processes)
         finally:

@@ -77,6 +77,16 @@ TEST_CASE("an ATV310 takes the numbers of its menu; another drive has addresses 
     CHECK(selected({"701", "705.0"}) == "701, 705.0");
 }
 
+TEST_CASE("a number of some drive's menu is known as one, whoever is asked")
+{
+    CHECK(tool::first_menu_number(words{"3202", "100-800", "611"}) == "611");
+    CHECK(tool::first_menu_number(words{"RFR,705.7", "611"}) == "705.7");
+    CHECK(tool::first_menu_number(words{"3201.3", "0x0263", "705", "705.9", "RFR", ""}).empty());
+    CHECK(tool::ambiguity_of("611").find("an address: say --drive, or 0x0263") != std::string::npos);
+    CHECK(tool::ambiguity_of("705.0").find("a bit: say --drive, or 0x02C1.0") != std::string::npos);
+    CHECK(selected({"0x0263", "0x02C1.0"}, tool::catalog_named("atv310")) == "611, 705.0");
+}
+
 TEST_CASE("registers come in the order in which they were typed, each once")
 {
     CHECK(selected({"LCR", "3202", "RFR", "ETA,LCR,FRH"}) == "3204 LCR, 3202 RFR, 3201 ETA, 3203 FRH");
@@ -137,6 +147,7 @@ TEST_CASE("a search finds mnemonics, names, values and bits")
     CHECK(codes("overcurrent").find("LFT") != std::string::npos);
     CHECK(codes("switch on disabled").find("ETA") != std::string::npos);
     CHECK(codes("no such thing").empty());
+    CHECK(tool::search_registers(*tool::catalog_named("atv310"), "512.2").front()->code == "HSP");
 }
 
 TEST_CASE("patterns and distances")

@@ -82,7 +82,8 @@ void add_time_limit(CLI::App& command, choices& chosen)
              "500ms, 10s, 5min or 8h: more than 0, at most 366 days");
 }
 
-void add_operands(CLI::App& command, choices& chosen, char const* name, char const* what, bool is_required = false)
+void add_operands(CLI::App& command, choices& chosen, char const* name, std::string const& what,
+                  bool is_required = false)
 {
     auto* const words = command.add_option(name, chosen.words, what);
     if (is_required) {
@@ -90,7 +91,17 @@ void add_operands(CLI::App& command, choices& chosen, char const* name, char con
     }
 }
 
-constexpr char const* register_words = "mnemonics (RFR), globs ('DP*'), groups (@monitor), addresses (3202)";
+constexpr char const* register_words = "mnemonics (RFR), globs ('DP*'), groups (@monitor), bits (ETA.fault, 3201.3), "
+                                       "addresses (3202, 0x0C82), ranges (3201-3205), numbers of an ATV310's menu "
+                                       "(611, 705.0)";
+
+/// Of a unit that is asked: one number, one meaning, whatever stands beside it.
+std::string register_words_of_a_unit()
+{
+    return std::string{register_words} + ". A number that this menu has means it on an ATV310, elsewhere an address or "
+                                         "a bit: without --drive the unit "
+                                         "is asked who it is. 0x0263 is an address everywhere";
+}
 
 void add_reading(CLI::App& app, choices& chosen)
 {
@@ -104,17 +115,17 @@ void add_reading(CLI::App& app, choices& chosen)
         ->allow_extra_args(false);
     scan.add_option("--resume", chosen.scan.resume_file, "keeps what was found here, and goes on from there");
     add_command(app, chosen, "identify", "who is it?");
-    add_operands(add_command(app, chosen, "read", "read registers"), chosen, "REG", register_words, true);
+    add_operands(add_command(app, chosen, "read", "read registers"), chosen, "REG", register_words_of_a_unit(), true);
     CLI::App& watch = add_command(app, chosen, "watch", "read registers again and again, a line each time");
-    add_operands(watch, chosen, "REG", register_words, true);
+    add_operands(watch, chosen, "REG", register_words_of_a_unit(), true);
     add_period(watch, chosen);
     add_time_limit(watch, chosen);
     CLI::App& monitor = add_command(app, chosen, "monitor", "several drives on a full screen");
-    add_operands(monitor, chosen, "REG", register_words);
+    add_operands(monitor, chosen, "REG", register_words_of_a_unit());
     add_period(monitor, chosen);
     CLI::App& list = add_command(app, chosen, "list", "the registers of a drive, or the drives");
-    add_operands(list, chosen, "PATTERN", "mnemonics, globs, groups, addresses");
-    list.add_option("--search", chosen.search, "a word in the registers' names, values or bits");
+    add_operands(list, chosen, "PATTERN", "mnemonics, globs, groups, addresses, numbers of an ATV310's menu");
+    list.add_option("--search", chosen.search, "a word in the registers' names, values or bits, or a menu number");
     list.add_option("--group", chosen.group, "those of a group, such as motor_control");
     add_operands(add_command(app, chosen, "explain", "all that is known of a register, of one drive or of each"),
                  chosen, "REG", register_words, true);
@@ -132,11 +143,13 @@ void add_writing(CLI::App& app, choices& chosen)
     add_time_limit(start, chosen);
     CLI::App& stop = add_command(app, chosen, "stop", "stop a motor");
     auto* const ramp = stop.add_flag_callback(
-        "--ramp", [&chosen] { chosen.motion.stop_by = "ramp"; }, "by its ramp (as without a word)");
+        "--ramp", [&chosen] { chosen.motion.stop_by = "ramp"; },
+        "by its ramp (as without a word), if its type is named and no ATV320: else it coasts, 0000 goes first");
     auto* const freewheel = stop.add_flag_callback(
         "--freewheel", [&chosen] { chosen.motion.stop_by = "freewheel"; }, "without power");
     stop.add_flag_callback(
-            "--quick", [&chosen] { chosen.motion.stop_by = "quick"; }, "by its quick stop")
+            "--quick", [&chosen] { chosen.motion.stop_by = "quick"; },
+            "by its quick stop, if its type is named and no ATV320: else it coasts")
         ->excludes(ramp)
         ->excludes(freewheel);
     ramp->excludes(freewheel);

@@ -18,7 +18,8 @@ struct asked_registers {
     std::vector<chosen_register> registers;
 };
 
-/// Asks the unit what it is only where a word needs its table. Refuses words that name nothing.
+/// Asks the unit what it is only where a word needs its table, or is a number of some drive's menu. Refuses words that
+/// name nothing.
 asked_registers registers_asked(choices const& chosen, open_line& line);
 
 /// The registers that words mean; refuses those that name nothing.

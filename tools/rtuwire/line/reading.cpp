@@ -22,15 +22,18 @@ void measure(reading& it, register_entry const& entry, std::uint16_t word, std::
     it.text = full_text(entry, word, *step);
 }
 
+void show_bit(reading& it, int bit, std::uint16_t word)
+{
+    bool const is_set = (word >> bit & 1) != 0;
+    it.value = is_set;
+    it.text = is_set ? "1" : "0";
+}
+
 void explain(reading& it, chosen_register const& which, std::uint16_t word, register_reader const& from,
              drive_catalog const& drive)
 {
     register_entry const& entry = *which.entry;
-    if (which.bit >= 0) {
-        bool const is_set = (word >> which.bit & 1) != 0;
-        it.value = is_set;
-        it.text = is_set ? "1" : "0";
-    } else if (entry.is_amount()) {
+    if (entry.is_amount()) {
         auto const setting = entry.steps_set_by.empty() ? std::nullopt : from.known()(entry.steps_set_by);
         measure(it, entry, word, step_of(entry, drive, setting));
     } else {
@@ -44,7 +47,7 @@ void explain(reading& it, chosen_register const& which, std::uint16_t word, regi
 std::string label_of(chosen_register const& which)
 {
     if (which.entry == nullptr) {
-        return std::to_string(which.address);
+        return std::to_string(which.address) + (which.bit < 0 ? "" : "." + std::to_string(which.bit));
     }
     std::string const code{which.entry->code};
     if (which.bit < 0) {
@@ -59,6 +62,8 @@ reading reading_of(chosen_register const& which, register_reader const& from, dr
     reading it{label_of(which), from.at(which.address), {}, {}, {}};
     if (not it.word) {
         it.text = words_of(it.word.error());
+    } else if (which.bit >= 0) {
+        show_bit(it, which.bit, *it.word);
     } else if (which.entry != nullptr and drive != nullptr) {
         explain(it, which, *it.word, from, *drive);
     } else {

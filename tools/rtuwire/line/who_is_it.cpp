@@ -200,6 +200,8 @@ void recognise_by_registers(open_line& line, rtuwire::unit_id unit, errc outcome
                    "), and its registers are those of no drive of this program, or of several";
         who.outcome = exit_status::differs;
         who.has_answered = true;
+        // A drive that answers function 43 does not refuse it.
+        who.is_another = outcome == errc::illegal_function and found.empty();
     } else {
         who.note = words_of(outcome);
         who.outcome = status_of(outcome);
@@ -219,6 +221,7 @@ identity_words who_is_it(open_line& line, rtuwire::unit_id unit)
         recognise_by_registers(line, unit, outcome, who);
     } else {
         candidates left = of_family(who.product);
+        who.is_another = left.empty();
         tell_apart(line, unit, left);
         who.drive = left.size() == 1 ? std::string{left.front()->name} : std::string{};
     }

@@ -18,6 +18,7 @@ struct identity_words {
     std::string drive{}; ///< the name of a catalog
     std::string note{};  ///< why something is missing
     exit_status outcome{exit_status::done};
+    bool is_another{false};   ///< it said that it is none of these drives, or refused to say who it is and is none
     bool has_answered{false}; ///< though it did not say who it is: --drive helps
 };
 

@@ -94,6 +94,18 @@ void unit_reader::choose_registers(std::string const& word)
     }
 }
 
+std::string unit_reader::leave_out_menu_numbers()
+{
+    std::vector<std::string_view> const views{words_.begin(), words_.end()};
+    std::string_view const number = first_menu_number(views);
+    std::string const why = number.empty() ? std::string{} : ambiguity_of(number);
+    std::erase_if(words_, [](std::string const& word) {
+        std::string_view const one[]{word};
+        return not first_menu_number(one).empty();
+    });
+    return why;
+}
+
 bool unit_reader::identify(open_line& line)
 {
     identity_words const who = who_is_it(line, unit_.unit);
@@ -103,7 +115,9 @@ bool unit_reader::identify(open_line& line)
     if (who.drive.empty() and who.outcome == exit_status::no_answer) {
         return false;
     }
+    std::string const unclear = who.drive.empty() and not who.is_another ? leave_out_menu_numbers() : std::string{};
     begin(who.drive.empty() ? nullptr : catalog_named(who.drive));
+    shown_.note = unclear.empty() ? shown_.note : unclear;
     if (drive_ == nullptr and registers_.empty()) {
         shown_.note = "no drive of this program; say --name NAME=" + std::to_string(shown_.address) + ":DRIVE";
     }

@@ -33,6 +33,8 @@ public:
 
 private:
     void begin(drive_catalog const* drive);
+    /// Of a unit that did not say who it is: why they are left out; empty where there is none.
+    std::string leave_out_menu_numbers();
     /// False where it is silent.
     bool identify(open_line& line);
     bool read_state(open_line& line);

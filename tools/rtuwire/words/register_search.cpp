@@ -11,7 +11,7 @@ namespace {
 
 bool is_named(register_entry const& entry, std::string_view word)
 {
-    return holds_word(entry.code, word) or holds_word(entry.name, word);
+    return holds_word(entry.code, word) or holds_word(entry.name, word) or entry.menu.starts_with(word);
 }
 
 bool has_value_named(register_entry const& entry, std::string_view word)

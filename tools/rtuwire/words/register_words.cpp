@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "catalog/value_text.hpp"
+
 namespace tool {
 
 namespace {
@@ -189,27 +191,59 @@ refusal_or_none collector::add_code(std::string_view word)
     return unknown("unknown_register", word, not_among(*drive_), nearest_word(word, codes_of(*drive_)));
 }
 
+/// The parts of a word between its commas, which may be empty.
+std::vector<std::string_view> parts_of(std::string_view word)
+{
+    std::vector<std::string_view> parts;
+    while (true) {
+        std::size_t const comma = word.find(',');
+        parts.push_back(word.substr(0, comma));
+        if (comma == word.npos) {
+            return parts;
+        }
+        word.remove_prefix(comma + 1);
+    }
+}
+
 } // namespace
 
 register_selection select_registers(std::span<std::string_view const> words, drive_catalog const* drive)
 {
     collector found{drive};
-    for (std::string_view word : words) {
-        while (true) {
-            std::size_t const comma = word.find(',');
-            std::string_view const part = word.substr(0, comma);
+    for (std::string_view const word : words) {
+        for (std::string_view const part : parts_of(word)) {
             if (auto wrong = part.empty()
                                  ? refusal_or_none{unknown("wrong_address", word, "a register is missing here", "")}
                                  : found.add_word(part)) {
                 return {{}, std::move(wrong)};
             }
-            if (comma == word.npos) {
-                break;
-            }
-            word.remove_prefix(comma + 1);
         }
     }
     return {found.take(), {}};
+}
+
+std::string_view first_menu_number(std::span<std::string_view const> words)
+{
+    for (std::string_view const word : words) {
+        for (std::string_view const part : parts_of(word)) {
+            bool const is_any = std::ranges::any_of(
+                all_catalogs(), [part](drive_catalog const* each) { return each->by_menu(part) != nullptr; });
+            if (is_any) {
+                return part;
+            }
+        }
+    }
+    return {};
+}
+
+std::string ambiguity_of(std::string_view menu_number)
+{
+    std::size_t const dot = menu_number.find('.');
+    bool const is_bit = dot != menu_number.npos;
+    auto const address = word_number(menu_number.substr(0, dot));
+    std::string const number{menu_number};
+    return number + " is of an ATV310's menu, elsewhere " + (is_bit ? "a bit" : "an address") + ": say --drive, or " +
+           hex_word(*address) + (is_bit ? number.substr(dot) : "") + " for that";
 }
 
 } // namespace tool

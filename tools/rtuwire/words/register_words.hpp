@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -50,7 +51,13 @@ struct register_group {
 /// The registers that words name. Without a drive (null) there are only numbers.
 [[nodiscard]] register_selection select_registers(std::span<std::string_view const> words, drive_catalog const* drive);
 
-/// The registers whose mnemonic, name, or words of values or bits hold a word: those first whose own name does.
+/// The first word that is a number of some drive's menu: "611", "705.0". Elsewhere it is an address, or a bit.
+[[nodiscard]] std::string_view first_menu_number(std::span<std::string_view const> words);
+
+/// Why such a number is refused where nobody knows whose it is, and what to say instead.
+[[nodiscard]] std::string ambiguity_of(std::string_view menu_number);
+
+/// The registers whose mnemonic, name, or words of values or bits hold a word, or whose menu number begins with it: those first whose own name does.
 [[nodiscard]] std::vector<register_entry const*> search_registers(drive_catalog const& drive, std::string_view word);
 
 } // namespace tool

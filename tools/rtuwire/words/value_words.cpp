@@ -162,15 +162,17 @@ private:
     bool refuse_bare_number(std::string_view number)
     {
         register_entry const& entry = *found_.entry;
-        std::string const address = std::to_string(entry.address) + "=";
+        std::string_view const name = word_.substr(0, word_.find('='));
+        std::string const typed = name == entry.menu ? std::string{name} : std::to_string(entry.address);
+        std::string const address = typed + "=";
         bool const is_whole = number.find('.') == number.npos;
         std::string const raw = is_whole ? std::string{number} : "1";
         auto const hex = word_number(raw);
         std::string const with_unit = entry.unit.empty() ? std::string{entry.code} + "=" + std::string{number}
                                                          : address + std::string{number} + std::string{entry.unit};
-        return refuse("unit_missing", std::to_string(entry.address) + " is " + std::string{entry.code} + " (" +
-                                          std::string{entry.name} + "): say " + with_unit + ", or a raw count, " +
-                                          address + "#" + raw + (hex ? " or " + address + hex_word(*hex) : ""));
+        return refuse("unit_missing", typed + " is " + std::string{entry.code} + " (" + std::string{entry.name} +
+                                          "): say " + with_unit + ", or a raw count, " + address + "#" + raw +
+                                          (hex ? " or " + address + hex_word(*hex) : ""));
     }
 
     bool refuse_unit(std::string_view unit)
