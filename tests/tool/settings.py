@@ -203,7 +203,11 @@ def check_refusals(tool, check):
             check(ended.status == REFUSED and not writes(line) and "nothing was written" in ended.errors and says in ended.errors,
                   f"{words}: refused before the first write", ended)
     ended = tool.run("--port", "sim:atv12:7", "-u", 7, "--write", "--json", "restore", "other.json", "--with-inferred")
-    check(ended.status == REFUSED and "family" in ended.errors, "another drive's settings are refused", ended)
+    check(ended.status == REFUSED and "family" in ended.errors and len(ended.errors.splitlines()) == 1
+          and list(ended.objects()[0]) == ["unit", "error"] and len(ended.objects()) == 1,
+          "another drive's settings are refused by one sentence, and by one object", ended)
+    ended = tool.run("--port", "sim:atv12:7", "-u", 7, "restore", "other.json", "--dry-run")
+    check(ended.status == REFUSED and "family" in ended.errors and not ended.output, "for people as well", ended)
     own_file(tool, "old.json", drive="atv28", ACC=50)
     ended = tool.run("--port", "sim:atv28:7", "-u", 7, "--write", "restore", "old.json")
     check(ended.status == REFUSED and "not restored" in ended.errors, "an ATV28's are not restored", ended)

@@ -159,12 +159,18 @@ private:
 
     exit_status end(open_line& line, restored const& how, restore_record const& record, std::string const& note)
     {
-        show(record);
+        // Of another drive's settings nothing can be said register by register.
+        bool const is_other_drive = how.reason.kind == outcome_kind::other_family;
         std::string text = how.port_error != rtuwire::errc::none ? line.port().failure()
                            : how.was_ended                       ? "ended by a signal"
                                                                  : sentence_of(how.reason) + remedy_for(how.reason);
         text += note.empty() ? "" : "; " + note;
-        tell(record, text);
+        if (is_other_drive) {
+            tell_of_another_drive(text);
+        } else {
+            show(record);
+            tell(record, text);
+        }
         return how.port_error != rtuwire::errc::none ? exit_status::port
                : how.was_ended                       ? static_cast<exit_status>(128 + noted_signal())
                                                      : status_for(how.reason);
@@ -178,6 +184,16 @@ private:
         return why.kind == outcome_kind::unknown_register
                    ? ": this drive does not tell its inputs; see that no run input is closed, and say --inputs-open"
                    : "";
+    }
+
+    /// All that there is to say; to programs as a row.
+    void tell_of_another_drive(std::string const& text)
+    {
+        if (chosen_.form != output_form::table) {
+            results_.put({{"unit", std::int64_t{unit_.unit.byte()}}, {"error", text}});
+            results_.finish();
+        }
+        std::fprintf(stderr, "rtuwire: %s\n", text.c_str());
     }
 
     /// How it went, on the error output, so that results stay rows.
