@@ -70,6 +70,7 @@ int main()
     loop.stop();
     bool const has_stopped =
         line.run_until([&] { return line.drive().motor().is_at_rest(); }, milliseconds(20'000), loop);
+    std::cout << (has_run and has_stopped ? "cycle: it ran and stopped\n" : "cycle: it did not run, or not stop\n");
     //! [cycle]
 
     bool const is_right = faster.succeeded() and rest.succeeded() and has_run and has_stopped and
