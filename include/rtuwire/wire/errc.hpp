@@ -90,12 +90,12 @@ enum class errc : std::uint8_t {
     /// Remedy: Give `drive_client<Units>` or the bus one place for each motor of the line.
     too_many_ordered = 0x8B,
 
-    // A value that was to be written does not fit its register; nothing was sent.
-    /// Above the register's maximum.
-    /// Remedy: Write less, or find out where the value comes from.
+    // A value does not fit its register: one to be written was not sent, one that was read is not given.
+    /// Above the register's maximum; on reading, more than the value's type can count.
+    /// Remedy: To write, take less, or find its source. Reading: compare type and word order with the unit's manual.
     value_too_high = 0xA3,
-    /// Below the register's minimum.
-    /// Remedy: Write more, or find out where the value comes from.
+    /// Below the register's minimum; on reading, less than the value's type can count.
+    /// Remedy: To write, take more, or find its source. Reading: compare type and word order with the unit's manual.
     value_too_low = 0xA4,
     /// Not a whole number of the register's steps.
     /// Remedy: Round it to a step where it is made; the register table lists the steps.
@@ -103,8 +103,8 @@ enum class errc : std::uint8_t {
     /// Inside the limits, but never to be written.
     /// Remedy: Leave this value out: the unit's manual reserves it.
     value_never_written = 0xA6,
-    /// An enumerator that the register does not have.
-    /// Remedy: Take one that the register's table lists.
+    /// No value of the register: an enumerator that it does not have, not a number; on reading, the unit has none now.
+    /// Remedy: To write, take one that its table lists. Reading: compare type and word order with the unit's manual.
     value_without_meaning = 0xA7,
 
     // What was received is not what it should be; nothing of it was passed on.
