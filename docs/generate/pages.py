@@ -87,6 +87,14 @@ def title_of(text):
     return next(words for level, words in headings(text) if level == 1)
 
 
+def plain(page, heading):
+    """A heading without marks of code: Doxygen shows them as they are, in the list of contents and in the search."""
+    words = heading.replace("`", "")
+    if words != heading and re.search(r"[<>*&\\]", words):
+        raise BrokenLink(f"{page}: a heading with code that is more than a name: {heading}")
+    return words
+
+
 class Pages:
     """All pages of the project by their path, and what links between them become."""
 
@@ -174,11 +182,11 @@ class Pages:
                 raise BrokenLink(f"{page}: behind a mark of what the build makes stands '{line}', no line '{HOST_NOTE}...' for git hosts")
             heading = HEADING.match(line)
             if heading and len(heading[1]) == 1:
-                out.append(f"# {heading[2]} {{#{identifier(page) if page != 'README.md' else 'mainpage'}}}")
+                out.append(f"# {plain(page, heading[2])} {{#{identifier(page) if page != 'README.md' else 'mainpage'}}}")
                 if has_contents:
                     out += ["", "[TOC]", ""]
             elif heading:
-                out.append(f"{heading[1]} {heading[2]} {{#{self.anchor(page, slug(heading[2]))}}}")
+                out.append(f"{heading[1]} {plain(page, heading[2])} {{#{self.anchor(page, slug(heading[2]))}}}")
             else:
                 out.append(self.linked(page, bold.line(line)))
         if is_made:

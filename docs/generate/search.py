@@ -12,7 +12,7 @@ import re
 import shutil
 import sys
 
-ERRORS, GLOSSARY = "errors", "glossary"
+ERRORS, GLOSSARY, CHANGES = "errors", "glossary", "changelog"
 HEADING = re.compile(r'<h[1-6]><a class="anchor" id="(?P<anchor>[\w-]+)"></a>\s*(?P<words>.*?)\s*</h[1-6]>', re.DOTALL)
 TITLE = re.compile(r'<div class="title">(.*?)\s*</div>', re.DOTALL)
 ERROR = re.compile(r"errors-(?:errc-\w+|late-answer)")
@@ -25,7 +25,8 @@ FEWEST = {"errors": 30, "headings": 150, "words": 150}  # less means that a page
 
 
 def text_of(markup):
-    return " ".join(html.unescape(re.sub(r"<[^>]*>", "", markup)).split())
+    words = html.unescape(re.sub(r"<[^>]*>", "", markup))
+    return " ".join(re.sub(r"</?(?:tt|code)>", "", words).split())
 
 
 def entry(words, shown, place, scope):
@@ -71,6 +72,11 @@ def headings(name, page):
         shown, place = text_of(found["words"]), f"{name}.html#{found['anchor']}"
         for words in (*by_each_word(shown), f"{title} {shown}"):
             yield entry(words, shown, place, title)
+
+
+def in_order(names):
+    """The pages of which each name is; what has changed comes behind what is."""
+    return sorted(names, key=lambda name: (name == CHANGES, name))
 
 
 def rows(page):
@@ -140,8 +146,8 @@ def add(place, entries):
 def main(site):
     site = pathlib.Path(site)
     pages = {path.stem: path.read_text(encoding="utf-8") for path in sorted(site.glob("*.html"))}
-    found = {"words": list(glossary(pages[GLOSSARY])), "headings": [each for name, page in pages.items() if TITLE.search(page)
-                                                                    for each in headings(name, page)],
+    found = {"words": list(glossary(pages[GLOSSARY])), "headings": [each for name in in_order(pages) if TITLE.search(pages[name])
+                                                                    for each in headings(name, pages[name])],
              "errors": list(errors(pages[ERRORS]))}
     empty = list(without_answer(site, pages[GLOSSARY]))
     if empty:

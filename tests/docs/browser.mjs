@@ -33,7 +33,10 @@ const wanted = {"xyzzy": null, "blocking_client": "blocking_client", "wiring": "
     "windows": "POSIX", "write register": "write_single_register", "read holding registers": "read_holding_registers", "endian": "word_order",
     "word order": "word_order", "dma": "response_frame", "latency": "adapters", "acceleration ramp": "ACC", "slf": "reset_fault", "python": "--json",
     "install": "include/", "license": "BSL-1.0", "slave": "server", "master": "client", "thread": "one context", "no response": "timed_out",
-    "multi drop": "32 units", "unit address": "unit", "eta": "state and warnings", "retries": "retries"};
+    "multi drop": "32 units", "unit address": "unit", "eta": "state and warnings", "retries": "retries",
+    "read coils": "coil", "mbpoll": "mbpoll", "how to stop": "stop_by", "pump": "cyclic", "restore": "rtuwire restore", "backup": "rtuwire backup"};
+/// What these find first: what has changed is no answer.
+const foremost = {"restore": "rtuwire restore", "backup": "rtuwire backup"};
 
 const address = (page) => pathToFileURL(path.join(site, `${page}.html`)).href;
 const guides = fs.readdirSync(site).filter((name) => /^[a-z][a-z0-9_]*\.html$/.test(name))
@@ -107,6 +110,7 @@ async function search(browser, words, expected) {
     await results.first().waitFor();
     const texts = await results.allInnerTexts();
     assert.ok(texts.some((text) => text.includes(expected)), `'${words}' finds ${texts.join(", ")}`);
+    assert.ok(texts[0].includes(foremost[words] ?? ""), `'${words}' finds first ${texts[0]}`);
     await results.filter({hasText: expected}).first().locator("a").first().click();
     await page.waitForURL(/\.html/);
     await page.close();

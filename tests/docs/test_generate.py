@@ -106,6 +106,16 @@ class Search(Folder):
         self.assertEqual(found, {"ATV12": "drives_atv12.html", "Scanner and cycle": "drives_atv12.html#drives_atv12-scanner",
                                  "cycle": "drives_atv12.html#drives_atv12-scanner", "ATV12 Scanner and cycle": "drives_atv12.html#drives_atv12-scanner"})
 
+    def test_a_heading_with_code_is_its_words(self):
+        found = [each["words"] for each in search.headings("a", page_of("A", heading("a-b", "The &lt;tt&gt;rtuwire&lt;/tt&gt; tool")))]
+        self.assertEqual(found, ["A", "The rtuwire tool", "rtuwire tool", "tool", "A The rtuwire tool"])
+        self.assertEqual(pages.plain("a.md", "The `rtuwire` tool"), "The rtuwire tool")
+        with self.assertRaises(pages.BrokenLink):
+            pages.plain("a.md", "A `table<...>` of registers")
+
+    def test_what_has_changed_is_found_last(self):
+        self.assertEqual(search.in_order(["changelog", "tool", "maintenance"]), ["maintenance", "tool", "changelog"])
+
     def rows(self, *cells):
         return '<tr class="markdownTableRowOdd">' + "".join(f'<td class="x">{cell}</td>' for cell in cells) + "</tr>"
 

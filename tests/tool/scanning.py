@@ -38,7 +38,7 @@ def check_whole_line(program, tool, check, share=BUSY_SHARE):
         most = allowed(ADDRESSES, share)
         check(spent < most, f"the scan takes {spent:.2f} s, allowed {most:.2f} s")
         lines = ended.errors.splitlines()
-        check(5 < len(lines) < 20 and all(re.match(r"\d+ of 247, unit \d+, \d found", line) for line in lines),
+        check(5 < len(lines) < 20 and all(re.match(r"\d+ of 247, asking unit \d+, \d found", line) for line in lines),
               "a line of progress now and then, where it is no terminal", lines)
         check("\r" not in ended.errors and "\x1b" not in ended.errors, "without a terminal's characters")
         shown = tool.on_terminal(*how, "scan", "--units", "1-20").output

@@ -76,7 +76,7 @@ private:
             if (noted_signal() != 0 or not results_.is_open()) {
                 return false;
             }
-            bar_.show(done_, ", unit " + std::to_string(unit) + ", " + std::to_string(count_) + " found");
+            bar_.show(done_, ", asking unit " + std::to_string(unit) + ", " + std::to_string(count_) + " found");
             if (not log_.is_done(how, unit)) {
                 if (not line) {
                     line = std::make_unique<open_line>(choices_here(), how);

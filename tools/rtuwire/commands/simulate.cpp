@@ -109,7 +109,7 @@ exit_status serve(Port& port, std::string const& path, line_timing const& timing
     if (not listen(line, port.now() + timing.frame_end() + timing.frame_end(), timing.frame_end())) {
         return exit_status::port;
     }
-    complain("simulate: what answers here is simulated, whoever it says has made it\n");
+    complain("simulate: these drives are simulated, whatever maker they name\n");
     for (auto const& each : drives) {
         say("%s unit %u on %s\n", each.drive.c_str(), unsigned{each.unit}, path.c_str());
     }
