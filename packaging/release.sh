@@ -111,6 +111,8 @@ fi
     sha256sum -- * >"$work/sums"
     mv "$work/sums" SHA256SUMS
 )
+# Between these two no signal ends it: the folder of work, which goes at the end, has the old release.
+trap '' HUP INT TERM
 [ ! -e "$output" ] || mv "$output" "$place/before"
 mv "$made" "$output"
 step "$output"

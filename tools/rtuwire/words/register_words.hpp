@@ -57,7 +57,8 @@ struct register_group {
 /// Why such a number is refused where nobody knows whose it is, and what to say instead.
 [[nodiscard]] std::string ambiguity_of(std::string_view menu_number);
 
-/// The registers whose mnemonic, name, or words of values or bits hold a word, or whose menu number begins with it: those first whose own name does.
+/// The registers whose mnemonic, name, or words of values or bits hold a word, or whose menu number begins with it: those
+/// first whose own name does.
 [[nodiscard]] std::vector<register_entry const*> search_registers(drive_catalog const& drive, std::string_view word);
 
 } // namespace tool
