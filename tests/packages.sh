@@ -10,7 +10,8 @@ packages_of() {
     case $1 in
         examples) echo cmake make c++ ;;
         build) echo cmake ninja-build g++ ;;
-        tests) echo catch2 libfmt-dev python3 binutils spin ;;
+        tests) echo catch2 libfmt-dev python3 binutils ;;
+        models) echo spin ;;
         interop) echo pkg-config libmodbus-dev mbpoll python3 python3-pymodbus python3-serial python3-serial-asyncio socat tshark ;;
         tool) echo pkg-config libcli11-dev libcsv-dev libfmt-dev nlohmann-json3-dev libncurses-dev tmux python3 python3-pyte zsh ;;
         arm) echo gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib ;;
@@ -28,7 +29,7 @@ packages_of() {
         newcomer) echo debootstrap ;;
         cache) echo ccache ;;
         *)
-            echo "packages.sh: no group '$1'; the groups are examples build tests interop tool arm emulator clang afl bench portability avr packaging style docs playground browser newcomer cache" >&2
+            echo "packages.sh: no group '$1'; the groups are examples build tests models interop tool arm emulator clang afl bench portability avr packaging style docs playground browser newcomer cache" >&2
             return 1
             ;;
     esac
@@ -76,7 +77,7 @@ apt() {
     $as_root env DEBIAN_FRONTEND=noninteractive \
         apt-get -q -y -o DPkg::Lock::Timeout=600 "$@" </dev/null
 }
-echo "Installing:$missing"
+echo "Installing, which takes as long as the network does:$missing"
 # The lists at hand may be good enough where the mirror cannot be reached.
 apt update || echo "packages.sh: the package lists could not be refreshed" >&2
 # shellcheck disable=SC2086 # a list of names

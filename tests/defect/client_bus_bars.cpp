@@ -166,7 +166,8 @@ double answers_of_all_alive()
 
 TEST_CASE("defect: D7 in an hour of thirty units each dead one is probed within a fifth of the "
           "mean, and the live keep "
-          "nine tenths")
+          "nine tenths",
+          "[rest]")
 {
     double const all_alive = answers_of_all_alive();
     for (std::size_t const count : {std::size_t{1}, std::size_t{5}, std::size_t{15}, std::size_t{29}}) {
@@ -186,7 +187,7 @@ TEST_CASE("defect: D7 in an hour of thirty units each dead one is probed within 
     }
 }
 
-TEST_CASE("defect: D7 a unit that comes back is found within one round of the silent ones")
+TEST_CASE("defect: D7 a unit that comes back is found within one round of the silent ones", "[rest]")
 {
     constexpr std::uint64_t share = 10;
     for (std::size_t const count : {std::size_t{1}, std::size_t{5}, std::size_t{15}, std::size_t{29}}) {

@@ -119,7 +119,7 @@ TEST_CASE("defect: D1 the answer to a repetition is never the value of the next 
     }
 }
 
-TEST_CASE("defect: D1 the same on a bus, where another unit is asked all the time")
+TEST_CASE("defect: D1 the same on a bus, where another unit is asked all the time", "[rest]")
 {
     for (unsigned const function : {3U, 6U, 16U, 22U, 23U}) {
         unsigned wrong = 0;

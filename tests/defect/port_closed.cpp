@@ -7,17 +7,19 @@
 #include <utility>
 
 #include "support/catch.hpp"
+#include "support/soon.hpp"
 
 #include <rtuwire/port/pseudo_terminal.hpp>
 
 using namespace rtuwire;
+using test::soon;
 
 namespace {
 
 template <typename Port> void check_is_closed(Port& port)
 {
     std::array<std::byte, 8> place{};
-    instant const until = steady_now() + milliseconds(5'000);
+    instant const until = soon();
     CHECK(port.read(place, until) == errc::device_not_open);
     CHECK(port.write(place, until) == errc::device_not_open);
     CHECK(port.write({}, until) == errc::device_not_open);
@@ -43,12 +45,12 @@ TEST_CASE("defect: (i) a port that was closed, or moved from, says so at once")
     REQUIRE(port.open(line.path()));
     // Something is there to read, which goes with the port.
     std::array<std::byte, 3> const bytes{std::byte{1}, std::byte{0xFF}, std::byte{2}};
-    REQUIRE(line.write(bytes, steady_now() + milliseconds(1'000)));
+    REQUIRE(line.write(bytes, soon()));
     std::array<std::byte, 1> place{};
-    REQUIRE(port.read(place, steady_now() + milliseconds(1'000)));
+    REQUIRE(port.read(place, soon()));
     posix_serial moved{std::move(port)};
     check_is_closed(port); // NOLINT(bugprone-use-after-move)
-    auto const rest = moved.read(place, steady_now() + milliseconds(1'000));
+    auto const rest = moved.read(place, soon());
     REQUIRE(rest);
     CHECK(to_u8((*rest)[0]) == 0xFF);
     moved.close();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/proof.hpp"
+#include "support/soon.hpp"
 
 #include <rtuwire/client/blocking.hpp>
 #include <rtuwire/core/hex.hpp>
@@ -19,6 +20,7 @@
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 
 using namespace rtuwire;
+using test::soon;
 
 namespace {
 
@@ -151,8 +153,6 @@ template <std::size_t Size> line_events with_damage(std::array<std::byte, Size> 
     }
     return events;
 }
-
-instant soon() { return steady_now() + milliseconds(2'000); }
 
 } // namespace
 
