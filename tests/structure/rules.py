@@ -8,8 +8,6 @@ import pathlib
 import re
 import sys
 
-import declarations
-
 # "wire": {"core"} reads "wire may include core" and, with it, whatever core may include.
 MAY_INCLUDE = {
     "core": set(),
@@ -49,11 +47,6 @@ MULTIPLIES = {"core/crc16/carryless.hpp": {"wmmintrin.h", "arm_neon.h"}}
 
 SPDX = ("// SPDX-FileCopyrightText: 2026 The rtuwire authors",
         "// SPDX-License-Identifier: BSL-1.0")
-LONGEST, LARGEST_CLASS = 350, 200
-# Lines of the median header; percent of lines with a comment.
-MEDIAN, COMMENTS, TABLE_OF_A_DRIVE = (90, 140), (15, 25), re.compile(r"altivar/(device|parameters)/atv")
-# Headers side by side; one file a function there.
-MOST_IN_A_FOLDER, AS_LONG_AS_THE_SPECIFICATION = 14, {"wire/pdu"}
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]+)[>"]', re.MULTILINE)
 
@@ -110,47 +103,8 @@ def reach(room):
 
 def form(tree):
     for header, text in tree.texts.items():
-        lines = text.splitlines()
-        if tuple(lines[:2]) != SPDX:
+        if tuple(text.splitlines()[:2]) != SPDX:
             yield f"{header}: does not start with the two SPDX lines"
-        if len(lines) > LONGEST:
-            yield f"{header}: {len(lines)} lines, more than {LONGEST}"
-
-
-def folders(tree):
-    """Rooms that a person can look through."""
-    held = {}
-    for header in tree.texts:
-        held.setdefault(header.rpartition("/")[0], []).append(header)
-    for folder, headers in held.items():
-        if len(headers) > MOST_IN_A_FOLDER and folder not in AS_LONG_AS_THE_SPECIFICATION:
-            yield f"{folder}: {len(headers)} headers side by side, more than {MOST_IN_A_FOLDER}"
-
-
-def classes(tree):
-    """Classes that a person can keep in mind: from the head to the closing brace."""
-    for header, text in tree.texts.items():
-        code = declarations.code_of(text)
-        for space, begin, end in declarations.statements(code):
-            words = code[begin:end]
-            found = declarations.name_of(words)
-            lines = words.strip().count("\n") + 1
-            if found and found[0] == "type" and lines > LARGEST_CLASS:
-                yield f"{header}: {found[1]} has {lines} lines, more than {LARGEST_CLASS}"
-
-
-def shape(tree):
-    """The house as a whole: the median header, and how much of it is comments. Tables of registers are left out."""
-    texts = [text for header, text in tree.texts.items() if "/" in header and not TABLE_OF_A_DRIVE.search(header)]
-    lengths = sorted(text.count("\n") for text in texts)
-    median = lengths[len(lengths) // 2]
-    if not MEDIAN[0] <= median <= MEDIAN[1]:
-        yield f"the median header has {median} lines, not {MEDIAN[0]} to {MEDIAN[1]}"
-    lines = [line for text in texts for line in text.splitlines()[len(SPDX):]
-             if line.strip() and not line.startswith("#include")]
-    share = 100 * sum("//" in line for line in lines) // max(len(lines), 1)
-    if not COMMENTS[0] <= share <= COMMENTS[1]:
-        yield f"{share} % of the lines hold a comment, not {COMMENTS[0]} to {COMMENTS[1]} %"
 
 
 def layers(tree):
@@ -220,7 +174,7 @@ def umbrella(tree):
             yield f"{UMBRELLA}: includes {header}, which has too many registers for every program"
 
 
-RULES = {rule.__name__: rule for rule in (form, folders, classes, shape, layers, standard_includes, cycles, umbrella)}
+RULES = {rule.__name__: rule for rule in (form, layers, standard_includes, cycles, umbrella)}
 
 
 def main(project, *names):

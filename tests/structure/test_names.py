@@ -98,10 +98,7 @@ class Names(unittest.TestCase):
                "| `a`, `sim::b`, `operator\"\"_Hz` | `c` |\n"
         self.assertEqual(names.sections(page), {"client.hpp": ["a", "sim::b", 'operator""_Hz']})
 
-    def test_too_few_too_many_twice(self):
-        def found(many):
-            return list(names.count({"client.hpp": ["a"] * many}))
-        self.assertEqual([len(found(many)) for many in (69, 70, 132, 133)], [1, 0, 0, 1])
+    def test_a_name_stands_once(self):
         self.assertEqual(len(list(names.twice({"client.hpp": ["a"], "server.hpp": ["a", "b"]}))), 1)
 
     def test_programs_use_doors_and_public_names(self):
