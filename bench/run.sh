@@ -21,6 +21,6 @@ for preset in bench bench-clang; do
             --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true \
             --benchmark_out_format=json --benchmark_out="$made/${program##*/}.json" >/dev/null
     done
-    python3 bench/speed/report.py "$made"
+    /usr/bin/python3 -B bench/speed/report.py "$made"
     "$made/bench/pseudo_terminal"
 done

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSL-1.0
 """Lays the manifests where their registries want them, an archive for each registry.
 
-    python3 -B packaging/lay_out.py SOURCE ARCHIVE OUTPUT --url URL --epoch SECONDS
+    /usr/bin/python3 -B packaging/lay_out.py SOURCE ARCHIVE OUTPUT --url URL --epoch SECONDS
 
 SOURCE is the unpacked ARCHIVE of a release. The manifests name its version, its address below URL and its checksums. Times,
 owners and order in an archive are fixed, so that the same release gives the same bytes.

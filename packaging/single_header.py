@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSL-1.0
 """Writes the whole library as one header, and a directory in which every header of the library is that one.
 
-    python3 -B packaging/single_header.py OUTPUT [--shim DIRECTORY]
+    /usr/bin/python3 -B packaging/single_header.py OUTPUT [--shim DIRECTORY]
 
 The header has a part for what needs no operating system, which comes always, and one for each of `port.hpp`, `print.hpp`
 and the doors to all parameters and to what is done with all of them, where the program defines RTUWIRE_PORT, RTUWIRE_PRINT or RTUWIRE_PARAMETERS before the

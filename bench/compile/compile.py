@@ -3,7 +3,7 @@
 """What headers cost to compile: user time of each file against the first of its group, and how many
 templates Clang instantiates for it.
 
-    python3 bench/compile/compile.py [--rounds N]
+    /usr/bin/python3 bench/compile/compile.py [--rounds N]
 
 The files take turns, and the best round of each counts.
 """

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSL-1.0
 """What headers cost the compiler, in its own instructions under callgrind: the same on an idle and on a busy machine.
 
-    python3 bench/compile/instructions.py [BEFORE]
+    /usr/bin/python3 bench/compile/instructions.py [BEFORE]
 
 With BEFORE, another checkout, the change is shown as well. Needs GCC and Valgrind; takes half a minute a header.
 """

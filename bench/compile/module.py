@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSL-1.0
 """What a file costs Clang 19 that imports the module, against the same file with the headers: user time.
 
-    python3 bench/compile/module.py [--rounds N]
+    /usr/bin/python3 bench/compile/module.py [--rounds N]
 
 The files take turns, and the best round of each counts. The bar is for a file that uses the client and instantiates little:
 what a program instantiates, it pays for in either way.

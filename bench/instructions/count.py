@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSL-1.0
 """Instructions of single operations: on Cortex-M0+ and M3 by an emulator, on this host by callgrind.
 
-    python3 bench/instructions/count.py            a table, against baseline.json
-    python3 bench/instructions/count.py --update   writes baseline.json anew
+    /usr/bin/python3 bench/instructions/count.py            a table, against baseline.json
+    /usr/bin/python3 bench/instructions/count.py --update   writes baseline.json anew
 
 Counts are exact and repeatable for the same compiler. Of others, measured the same way with the same
 compilers: nanoMODBUS on a Cortex-M3 / M0+, libmodbus on a host.

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSL-1.0
 """What each size trick of the headers saves: builds the images without it, by a change of text in a copy of them.
 
-    python3 bench/size/notes.py [WORD...]   rows of docs/size-notes.md, of the tricks whose names or files hold a word
-    python3 bench/size/notes.py --update    writes the table of docs/size-notes.md anew
+    /usr/bin/python3 bench/size/notes.py [WORD...]   rows of docs/size-notes.md, of the tricks whose names or files hold a word
+    /usr/bin/python3 bench/size/notes.py --update    writes the table of docs/size-notes.md anew
 
 A change whose text is not found exactly once is an error. A figure is the flash that the image has more without
 the trick, on a Cortex-M0+, or with --m3 on a Cortex-M3; a negative one is what the trick costs there.

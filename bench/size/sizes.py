@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSL-1.0
 """Flash, RAM and stack of small images for Cortex-M0+, M3 and rv32imc, each against an empty firmware; all by GCC.
 
-    python3 bench/size/sizes.py            a table; fails where a figure grew by over 2 % since reached.json
-    python3 bench/size/sizes.py --update   writes reached.json anew
+    /usr/bin/python3 bench/size/sizes.py            a table; fails where a figure grew by over 2 % since reached.json
+    /usr/bin/python3 bench/size/sizes.py --update   writes reached.json anew
 
 baseline.json stays: the bar is how much some images may gain over it.
 

@@ -3,7 +3,7 @@
 """Typed access against the same by hand, and of a full map against that of a small table, in bytes on a Cortex-M0+:
 names must cost nothing.
 
-    python3 bench/size/twins.py
+    /usr/bin/python3 bench/size/twins.py
 """
 import pathlib
 import subprocess

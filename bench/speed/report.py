@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSL-1.0
 """Medians and ratios out of what the benchmark programs wrote.
 
-    python3 bench/speed/report.py FOLDER    reads FOLDER/bench_*.json, writes speed.json and speed.svg there
+    /usr/bin/python3 bench/speed/report.py FOLDER    reads FOLDER/bench_*.json, writes speed.json and speed.svg there
 
 Ratios are of times in one run: how many times faster than the baseline a form is. Compared is like with like: the CRC with
 the CRC, and whole stacks of both ends with whole stacks over the same pair of sockets. What has no counterpart (the codec

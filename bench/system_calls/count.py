@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSL-1.0
 """System calls of either end for one transaction over a real pseudo-terminal, counted by strace.
 
-    python3 bench/system_calls/count.py
+    /usr/bin/python3 bench/system_calls/count.py
 
 The difference between many transactions and twice as many, so that start and end do not count.
 """

@@ -3,7 +3,7 @@
 """What the tests run of the portable headers, by lines and branches.
 
     cmake --preset coverage && cmake --build --preset coverage
-    python3 tests/coverage/coverage.py [--list]
+    /usr/bin/python3 tests/coverage/coverage.py [--list]
 
 Runs every test program of the build, merges the instantiations of each template, and holds what was not
 run against the reasons in accepted.txt. Fails where something else was not run, or a reason is for nothing.

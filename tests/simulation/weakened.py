@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSL-1.0
 """Weakens one constant of the engines at a time, and looks whether the simulation reports it.
 
-    python3 tests/simulation/weakened.py [--requests N] [--seed S] [--bad B] [--jobs J] [--compiler C] [--headers H]
+    /usr/bin/python3 tests/simulation/weakened.py [--requests N] [--seed S] [--bad B] [--jobs J] [--compiler C] [--headers H]
                                        [--anyway] [NAME...]
 
 Each weakening is an exact change of one text in a copy of the headers. It fails where that text is not there
