@@ -15,6 +15,7 @@ sys.path.insert(0, str(HERE.parent / "structure"))
 
 import declarations  # noqa: E402
 import names  # noqa: E402
+import rules  # noqa: E402
 
 MODULE = "include/rtuwire/rtuwire.cppm"
 # Needs an operating system: a program includes this door beside the module.
@@ -28,15 +29,9 @@ USING = re.compile(r"^using (?P<path>[^;]+);$", re.MULTILINE)
 ANY_USING = re.compile(r"\busing\b")
 
 
-def house_of(root):
-    include = root / "include" / "rtuwire"
-    return names.House({path.relative_to(include).as_posix(): path.read_text(encoding="utf-8")
-                        for path in include.rglob("*.hpp")})
-
-
 def free_operators(house):
     """Operators that a namespace of public names holds."""
-    for header in house.reached("rtuwire.hpp"):
+    for header in house.tree.reached("rtuwire.hpp"):
         code = declarations.code_of(house.tree.texts[header])
         for space, begin, end in declarations.statements(code):
             head = declarations.declared(code[begin:end])
@@ -90,7 +85,7 @@ def differences(public, module):
 
 def main(project, *options):
     root = pathlib.Path(project)
-    public = public_names(house_of(root), (root / names.PAGE).read_text(encoding="utf-8"))
+    public = public_names(names.House(rules.Tree.read(root)), (root / names.PAGE).read_text(encoding="utf-8"))
     place = root / MODULE
     module = place.read_text(encoding="utf-8")
     if "--write" in options:

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
 """Compiles the doors and a header of each folder for an older language: the first error is our sentence, with the
-flag that the tool takes. That every header includes core/version.hpp before its own text, builds.py checks.
+flag that the tool takes. That every header includes core/version.hpp before its own text, rules.py checks.
 
     python3 language.py INCLUDE COMPILER
 """

@@ -58,8 +58,8 @@ def path_of(declaration):
 class House:
     """What the headers declare: by header, whether the header is internal, and what it holds."""
 
-    def __init__(self, texts):
-        self.tree = rules.Tree(texts)
+    def __init__(self, tree):
+        self.tree = tree
         self.held = {header: list(declarations.declarations(text)) for header, text in self.tree.texts.items()}
         self.internal = {header for header, text in self.tree.texts.items()
                          if INTERNAL_HEADER.search(text.partition("#pragma once")[0])}
@@ -70,15 +70,6 @@ class House:
             for each in held:
                 if each.space in SPACES or each.space == "rtuwire::altivar::atv28":
                     yield header, each
-
-    def reached(self, door):
-        found, ahead = set(), [door]
-        while ahead:
-            header = ahead.pop()
-            if header not in found:
-                found.add(header)
-                ahead += self.tree.ours.get(header, ())
-        return found
 
     def is_marked(self, header, declaration):
         return header in self.internal or INTERNAL.search(declaration.comment) is not None
@@ -111,7 +102,7 @@ def wrongly_listed(house, listed):
             if any(house.is_marked(*place) for place in places[name]):
                 yield f"{PAGE}: {name} is marked internal"
             for door in doors:
-                reached = house.reached(door)
+                reached = house.tree.reached(door)
                 if not any(header in reached for header, _ in places[name]):
                     yield f"{PAGE}: {door} does not have {name}"
 
@@ -167,9 +158,7 @@ def doors_of(house):
 
 def main(project):
     root = pathlib.Path(project)
-    include = root / "include" / "rtuwire"
-    house = House({path.relative_to(include).as_posix(): path.read_text(encoding="utf-8")
-                   for path in include.rglob("*.hpp")})
+    house = House(rules.Tree.read(project))
     listed = sections((root / PAGE).read_text(encoding="utf-8"))
     public = {name for names in listed.values() for name in names}
     found = [*unlisted(house, public), *wrongly_listed(house, listed), *twice(listed)]

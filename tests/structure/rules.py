@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""Checks the #include lines and the outer form of the headers; the facts of the rule stand first.
+"""Checks the #include lines, the namespace and the outer form of the headers; the facts of the rule stand first.
 
     python3 rules.py PROJECT RULE...
 """
@@ -45,6 +45,14 @@ SHOWS_A_NAME = {"wire/errc_name.hpp", "altivar/procedure/outcome.hpp"}
 # The compiler's own headers, behind the macros that say they are there.
 MULTIPLIES = {"core/crc16/carryless.hpp": {"wmmintrin.h", "arm_neon.h"}}
 
+# Everything is in the namespace that names the build; before it stand directives and macros only, one of them the include of
+# what defines it. The version itself, tests/packaging/versions.py checks.
+VERSION = "core/version.hpp"
+OURS = re.compile(r"\bnamespace[ \t]+rtuwire\b([^\n{]*)\{")
+OF_THE_BUILD = re.compile(r"::inline RTUWIRE_BUILD\b(::\w+)*\s*$")
+COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+DIRECTIVE = re.compile(r"^[ \t]*#(?:[^\n\\]|\\.|\\\n)*", re.MULTILINE)
+
 SPDX = ("// SPDX-FileCopyrightText: 2026 The rtuwire authors",
         "// SPDX-License-Identifier: BSL-1.0")
 
@@ -70,6 +78,16 @@ class Tree:
         root = pathlib.Path(project, "include", "rtuwire")
         return cls({path.relative_to(root).as_posix(): path.read_text(encoding="utf-8")
                     for path in root.rglob("*.hpp")})
+
+    def reached(self, door):
+        """What a program has that includes this header."""
+        found, ahead = set(), [door]
+        while ahead:
+            header = ahead.pop()
+            if header not in found:
+                found.add(header)
+                ahead += self.ours.get(header, ())
+        return found
 
     def portable(self):
         return [header for header in self.texts
@@ -158,12 +176,7 @@ def umbrella(tree):
     if UMBRELLA not in tree.texts:
         yield f"{UMBRELLA} is missing"
         return
-    reached, ahead = set(), [UMBRELLA]
-    while ahead:
-        header = ahead.pop()
-        if header not in reached:
-            reached.add(header)
-            ahead += tree.ours.get(header, ())
+    reached = tree.reached(UMBRELLA)
     for header in tree.portable():
         if header not in reached and not APART.match(header):
             yield f"{UMBRELLA}: does not include {header}"
@@ -174,7 +187,22 @@ def umbrella(tree):
             yield f"{UMBRELLA}: includes {header}, which has too many registers for every program"
 
 
-RULES = {rule.__name__: rule for rule in (form, layers, standard_includes, cycles, umbrella)}
+def build(tree):
+    for header, text in tree.texts.items():
+        code = COMMENT.sub("", text)
+        opened = list(OURS.finditer(code))
+        for one in opened:
+            if not OF_THE_BUILD.match(one[1]):
+                yield f"{header}: opens `{one[0][:-1].strip()}`, which names no build"
+        before = code[:opened[0].start()] if opened else code
+        declared = DIRECTIVE.sub("", before).strip()
+        if declared:
+            yield f"{header}: declares something outside the namespace of the build: {declared.splitlines()[0]}"
+        if opened and header != VERSION and ("<", f"rtuwire/{VERSION}") not in INCLUDE.findall(before):
+            yield f"{header}: does not include {VERSION} before it opens the namespace"
+
+
+RULES = {rule.__name__: rule for rule in (form, layers, standard_includes, cycles, umbrella, build)}
 
 
 def main(project, *names):

@@ -5,6 +5,7 @@ import unittest
 
 import declarations
 import names
+import rules
 
 HEADER = """// Head.
 #pragma once
@@ -42,7 +43,7 @@ constexpr int box<int>::outside() { return 1; }
 
 
 def house(**texts):
-    return names.House({path.replace("__", "/") + ".hpp": text for path, text in texts.items()})
+    return names.House(rules.Tree({path.replace("__", "/") + ".hpp": text for path, text in texts.items()}))
 
 
 def in_rtuwire(words, head=""):
