@@ -5,6 +5,7 @@
     python3 motion.py TOOL moments [COUNT]    kills the tool in so many moments of `start`, by each signal
     python3 motion.py TOOL ways               the other ways out, each on a drive of its own, all at once
     python3 motion.py TOOL orders             what is refused; `stop` and `reset`
+    python3 motion.py TOOL settings           what is written to a drive whose motor runs, or stands
 """
 import concurrent.futures
 import fcntl
@@ -420,9 +421,62 @@ def orders(program, check):
     resets_and_misses(program, check)
 
 
+# Settings.
+
+def keeps_speed(program, name, check):
+    """A motor that runs keeps its speed and its ramps, and one that is enabled at 0 Hz stays there; a drive without power
+    takes all of it."""
+    from simulator import Registers
+
+    at = Registers(name)
+    words = ("LSP=10Hz", "HSP=45Hz", "ACC=1s", "DEC=1s", "LSP=5Hz DEC=2s", *(() if "310" in name else ("SP2=20Hz",)))
+    with Motor(program, name) as motor:
+        def tool(*words):
+            return end(motor.tool(program, "--drive", name, "--json", *words))
+
+        def held():
+            _, out, _ = tool("read", "LSP", "HSP", "ACC", "DEC", "ITH")
+            return [json.loads(line)["raw"] for line in out.splitlines()]
+
+        before = held()
+        for reference in (0, SPEED):
+            for word in (6, 7, 15):
+                motor.write(at.cmd, word)
+            motor.write(at.lfr, 10 * reference)
+            check(soon(lambda: motor.shown()[:2] == (RUNS, reference)), f"it runs at {reference} Hz", motor.shown())
+            for each in words:
+                found, out, error = tool("--write", "write", *each.split())
+                is_told = each.split("=", maxsplit=1)[0] in error and RUNS in error and "--allow-run" in error
+                check(found == 5 and is_told, f"{each} at {reference} Hz", (found, out, error))
+            time.sleep(0.3)
+            check(motor.shown()[:2] == (RUNS, reference), f"it still runs at {reference} Hz", motor.shown())
+            check(held() == before, "nothing was written", held())
+        found, out, error = tool("--write", "write", f"ITH=#{before[4]}")
+        check(found == 0, "what moves nothing is written while it runs", (found, out, error))
+        found, out, error = tool("--write", "--allow-run", "write", "LSP=10Hz")
+        check(found == 0 and held()[0] == 100, "--allow-run allows it", (found, out, error))
+        motor.write(at.cmd, 0)
+        check(soon(lambda: motor.shown()[:2] == (DISABLED, 0)), "it stands", motor.shown())
+        for each in words:
+            found, out, error = tool("--write", "write", *each.split())
+            check(found == 0, f"{each} at rest", (found, out, error))
+
+
+def settings(program, check):
+    def one(name):
+        def checked(is_right, what, *details):
+            with checks_lock:
+                check(is_right, f"{name}: {what}", *details)
+
+        keeps_speed(program, name, checked)
+
+    with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
+        list(pool.map(one, DRIVES))
+
+
 def main(program, what, *words):
     check = Checks()
-    {"moments": moments, "ways": ways, "orders": orders}[what](program, check, *map(int, words))
+    {"moments": moments, "ways": ways, "orders": orders, "settings": settings}[what](program, check, *map(int, words))
     return check.status()
 
 

@@ -76,6 +76,9 @@ std::string effect_of(register_entry const& entry, drive_catalog const& drive)
     if (std::string const why = why_it_may_move(entry); not why.empty()) {
         add("it " + why + ": a motor may turn after it");
     }
+    if (std::string const why = why_it_runs_otherwise(entry); not why.empty()) {
+        add("it " + why + ": a motor that runs turns otherwise after it, so a drive with power needs --allow-run");
+    }
     for (std::uint16_t const value : std::initializer_list<std::uint16_t>{0, 1, 4, 5}) {
         bool const is_value = entry.names.empty() ? value == 0 : text_of(entry, value)[0] != '#';
         std::string const why = is_value ? why_it_runs_on(entry.address, value, drive) : std::string{};

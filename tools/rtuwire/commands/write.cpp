@@ -48,6 +48,9 @@ public:
         open_line line{chosen_.line};
         drive_ = &catalog_of(line, unit_.unit, unit_.drive);
         std::vector<value_to_write> const values = checked(line);
+        if (std::optional<ended> const why = why_not_now(values, line, unit_.unit, *drive_, chosen_.allowed)) {
+            throw ended{*why};
+        }
         std::vector<held_text> const before = read(line, values);
         if (not is_confirmed(values, before)) {
             return exit_status::refused;
@@ -143,9 +146,14 @@ private:
         return answer == 'y' or answer == 'Y';
     }
 
-    /// Writes, and says what the unit holds then: what was read back, whatever was answered to the write.
+    /// Writes, and says what the unit holds then: what was read back, whatever was answered to the write. Since the values
+    /// were checked somebody was asked, and others were written: a motor may run by now.
     exit_status write(open_line& line, value_to_write const& value, held_text const& before)
     {
+        if (auto const why = why_not_now({value}, line, unit_.unit, *drive_, chosen_.allowed)) {
+            show(value, before, before, std::string{"not written: "} + why->what(), {});
+            return why->status;
+        }
         auto const outcome = line.ask(unit_.unit, rtuwire::write_single_register{value.address, value.word});
         bool const is_taken = outcome.error() == errc::none;
         // An order is no value that stays, and a drive that saves is silent meanwhile.

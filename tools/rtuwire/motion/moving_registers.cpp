@@ -60,6 +60,7 @@ bool is_moving_role(register_entry const& entry)
     case parameter_role::setting:
     case parameter_role::step_size:
     case parameter_role::frequency_limit:
+    case parameter_role::motion:
     case parameter_role::link_timeout:
     case parameter_role::other_link:
     case parameter_role::link:
@@ -99,6 +100,12 @@ std::string why_it_may_move(register_entry const& entry)
     }
     bool const names_a_signal = has_value_named(entry, "LI1") or has_value_named(entry, "AI1");
     return names_a_signal ? "says which signal does it, and that may be on now" : "";
+}
+
+std::string why_it_runs_otherwise(register_entry const& entry)
+{
+    bool const acts = entry.is_writable() and rtuwire::altivar::acts_on_running_motor(role_of(entry));
+    return acts and why_it_may_move(entry).empty() ? reason_for(entry) : std::string{};
 }
 
 std::string why_it_runs_on(std::uint16_t address, std::uint16_t word, drive_catalog const& drive)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Registers after whose writing a motor may turn that did not, or turn otherwise.
+// Registers after whose writing a motor may turn that did not, or turn otherwise, by their roles in the library's list.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,12 @@ namespace tool {
 /// these.
 bool commands_a_motor(std::uint16_t address, drive_catalog const& drive);
 
-/// Why a motor may turn after a write to a register, or turn otherwise, as what follows its name; empty where it may not.
+/// Why a motor may turn after a write to a register, though it stood, as what follows its name; empty where it may not.
 std::string why_it_may_move(register_entry const& entry);
+
+/// Why a motor that runs turns otherwise after it, as what follows its name: a speed, a ramp, a limit. Empty where it does
+/// not, and where a motor that stands may turn after it, too.
+std::string why_it_runs_otherwise(register_entry const& entry);
 
 /// What a value does to what stops a motor, as what follows "SLL=0": the drive's watch of its link, or its reaction to a
 /// fault. A motor that runs then runs on. Empty where that stays.

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "motion/unsafe_write.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "exit_status.hpp"
+#include "line/register_reader.hpp"
 #include "motion/moving_registers.hpp"
 
 namespace tool {
@@ -31,7 +33,46 @@ void refuse_unsafe_value(register_entry const& entry, std::uint16_t word, drive_
     }
 }
 
+/// What is wrong with a drive that has to be without power; nothing where nothing is.
+std::optional<ended> why_not_at_rest(open_line& line, rtuwire::unit_id unit, drive_catalog const& drive)
+{
+    std::uint16_t const eta = drive.layout.eta;
+    std::uint16_t const rfr = drive.layout.rfr;
+    register_reader status{{{eta, drive.at(eta)}, {rfr, drive.at(rfr)}}, &drive};
+    status.read(line, unit);
+    if (status.first_error() != rtuwire::errc::none) {
+        return ended{status_of(status.first_error()),
+                     "the drive does not tell whether its motor runs: " + words_of(status.first_error())};
+    }
+    auto const state = rtuwire::cia402::decode(*status.at(eta));
+    if (not rtuwire::cia402::is_at_rest(state)) {
+        return ended{exit_status::refused, "the drive is in \"" + std::string{std::string_view{name_of(state)}} + '"'};
+    }
+    if (*status.at(rfr) != 0) {
+        return ended{exit_status::refused, "the drive's output frequency is not 0"};
+    }
+    return std::nullopt;
+}
+
 } // namespace
+
+std::optional<ended> why_not_now(std::vector<value_to_write> const& values, open_line& line, rtuwire::unit_id unit,
+                                 drive_catalog const& drive, permissions const& allowed)
+{
+    auto const which = std::ranges::find_if(values, [](value_to_write const& each) {
+        return each.entry != nullptr and not why_it_runs_otherwise(*each.entry).empty();
+    });
+    if (allowed.may_run or which == values.end()) {
+        return std::nullopt;
+    }
+    std::optional<ended> const why = why_not_at_rest(line, unit, drive);
+    if (not why) {
+        return std::nullopt;
+    }
+    return ended{why->status, std::string{which->entry->code} + " " + why_it_runs_otherwise(*which->entry) +
+                                  ": a motor that runs turns otherwise after it, and " + why->what() +
+                                  "; to write it to a drive with power, say --allow-run besides"};
+}
 
 void refuse_unsafe_write(value_to_write const& value, drive_catalog const& drive, permissions const& allowed)
 {

@@ -3,8 +3,13 @@
 // Which writes are refused for safety, before a frame leaves.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "catalog/catalog.hpp"
 #include "choices.hpp"
+#include "exit_status.hpp"
+#include "line/open_line.hpp"
 #include "words/value_words.hpp"
 
 namespace tool {
@@ -12,5 +17,11 @@ namespace tool {
 /// Ends the command where a value is never written, or needs --allow-run that was not said. A value that is not known
 /// yet, because another register sets its step, is looked at once it is.
 void refuse_unsafe_write(value_to_write const& value, drive_catalog const& drive, permissions const& allowed);
+
+/// Why none of these values may be written now: one of them changes how a running motor turns, --allow-run was not said,
+/// and the drive is not read to be without power, its output frequency 0. Nothing where they may. Asks the drive where
+/// that depends on it; what it said is as old as that answer, so this is asked before each write.
+std::optional<ended> why_not_now(std::vector<value_to_write> const& values, open_line& line, rtuwire::unit_id unit,
+                                 drive_catalog const& drive, permissions const& allowed);
 
 } // namespace tool

@@ -21,6 +21,7 @@ enum class parameter_role : std::uint8_t {
     macro,           ///< sets many others
     step_size,       ///< says what the counts of others mean
     frequency_limit, ///< LSP <= HSP <= TFR at any time
+    motion,          ///< how a motor turns that runs: speeds, ramps, how it is regulated, braked and stopped
     supervision,     ///< can switch off what stops the motor, its brake and its contactors among it
     restart,         ///< lets the drive do something by itself, or a fault be reset by an input
     run_input,       ///< an input that is closed may act at once
@@ -38,6 +39,15 @@ enum class parameter_role : std::uint8_t {
 
 /// Whether a parameter of this role belongs to a configuration, and may be restored at all.
 [[nodiscard]] constexpr bool is_restorable(parameter_role role) noexcept { return role < parameter_role::read_only; }
+
+/// Whether a write of this role changes how a motor turns that runs, at once: what sets its speed or its ramps, the limits
+/// of both, the size of their steps, and their other forms. At rest it is an ordinary setting. What may let a motor turn
+/// that stands has other roles.
+[[nodiscard]] constexpr bool acts_on_running_motor(parameter_role role) noexcept
+{
+    return role == parameter_role::motion or role == parameter_role::frequency_limit or
+           role == parameter_role::step_size or role == parameter_role::derived;
+}
 
 /// Parameters of one role for one reason: their mnemonics, with a space between.
 /// Internal.
@@ -59,7 +69,7 @@ inline constexpr role_entry special_parameters[]{
     {parameter_role::order, "loads a parameter set", "VAL"},
     {parameter_role::order, "runs and stops the function blocks", "FBCD"},
     {parameter_role::order, "accepts a wrong configuration", "CIC"},
-    {parameter_role::order, "switches an output", "OL1R AO1R"},
+    {parameter_role::order, "switches an output", "OL1R AO1R IOLR AOR"},
     {parameter_role::order, "is passed on by the scanner, to the command word among others",
      "NC1 NC2 NC3 NC4 NC5 NC6 NC7 NC8"},
     {parameter_role::measured, "counts time", "TAC TAC2 PET"},
@@ -70,7 +80,25 @@ inline constexpr role_entry special_parameters[]{
      "SLSA SLT SLSP SLTT SS1A SSRT SSRU SSSL SSTT STOA PWRM LIDT LIRT"},
     {parameter_role::macro, "sets inputs, channels and many others", "CFG"},
     {parameter_role::step_size, "says what the counts of others mean", "INR INTP"},
-    {parameter_role::frequency_limit, "is written so that LSP <= HSP <= TFR", "TFR HSP LSP"},
+    {parameter_role::frequency_limit, "limits the speed, and is written so that LSP <= HSP <= TFR", "TFR HSP LSP"},
+    {parameter_role::motion, "is a speed of the motor",
+     "SP2 SP3 SP4 SP5 SP6 SP7 SP8 SP9 SP10 SP11 SP12 SP13 SP14 SP15 SP16 JGF LFF HSP2 HSP3 HSP4"},
+    {parameter_role::motion, "sets speeds and their limits", "BFR SRP STR MFR RIN"},
+    {parameter_role::motion, "says which speeds the motor skips, or does not stay at", "JPF JF2 JF3 JFH TLS SLE JGT"},
+    {parameter_role::motion, "says what reference a signal or a word stands for",
+     "SDS SPFN SPFD BSP AI1E AI1F AI1L AI1S AI1T AI2E AI2F AI2L AI2S AI2T AI3E AI3F AI3L AI3S AI3T AIC2 CRH CRL CRH1 "
+     "CRL1 CRH3 CRL3 UIH1 UIH2 UIL1 UIL2 PFI PFR PIL"},
+    {parameter_role::motion, "sets a ramp", "ACC DEC AC2 DE2 FRT RPT TA1 TA2 TA3 TA4 BRA"},
+    {parameter_role::motion, "says how the motor stops",
+     "STT DOTD QSTD DCF FFT ADC IDC TDC TDI SDC1 TDC1 TDC2 DSF STD SFD NLS STM TSM"},
+    {parameter_role::motion, "belongs to the PI regulator, which sets the speed",
+     "RPI RP2 RP3 RP4 RPG RIG RDG PRP RPH RPL POH POL PIC PIF PIF1 PIF2 PII PIM PIP1 PIP2 PSR FBS FPI RSL SFS UPP"},
+    {parameter_role::motion, "starts and stops pumps as the flow changes", "FON FOF TON TOF RON ROF MDE FFD LFD NFD"},
+    {parameter_role::motion, "belongs to the brake and to hoisting",
+     "BED BEN BET BIP BIR BRH BRR BRT BST JDC TBE TTR CP1 CP2 LP1 LP2 COF COR HSO LBA LBC LBC1 LBC2 LBC3 LBF OSP RSTL "
+     "SCL TOS DAS DBS"},
+    {parameter_role::motion, "winds: it moves the speed up and down", "DTF QSH QSL TBO TDN TRH TRL TUP"},
+    {parameter_role::motion, "tunes how the motor follows its reference", "FLG STA SLP UFR PFL SPG SIT SFC SPGU CLI"},
     {parameter_role::supervision, "can let the motor run on without its link", "SLL COL CLL"},
     {parameter_role::supervision, "can switch off the reaction to a fault",
      "EPL IPL OPL OHL OLL TNL LFL1 LFL3 UDL ODL MPI SSB DLB RSD USB STP SAT FBSM FBDF"},
@@ -85,6 +113,7 @@ inline constexpr role_entry special_parameters[]{
     {parameter_role::restart, "lets the drive tune by itself when power comes", "AUT"},
     {parameter_role::run_input, "says how the terminals command", "TCC TCT RRS NPL"},
     {parameter_role::run_input, "lets an input or a key move the motor", "JOG TUL FLI FLU FN1 FN2 FN3 FN4 BMP"},
+    {parameter_role::run_input, "says what an input does, which may be on now", "LI3 LI4 AI2"},
     {parameter_role::run_input, "lets an input choose other settings, or start the function blocks",
      "CHA1 CHA2 CNF1 CNF2 FBRM"},
     {parameter_role::channel, "says who commands the motor", "CHCF CD1 CD2 CCS FLO FLOT COP"},
@@ -100,12 +129,26 @@ inline constexpr role_entry special_parameters[]{
     {parameter_role::link, "is the drive's place on this line", "ADD TBR TFO"},
 };
 
-/// A mnemonic as a number, which orders the list; 0 for one of more than 8 characters, which the list does not have.
+/// How many mnemonics the list has.
+/// Internal.
+[[nodiscard]] consteval std::size_t count_special_parameters() noexcept
+{
+    std::size_t count = 0;
+    for (role_entry const& each : special_parameters) {
+        ++count;
+        for (char const letter : each.codes) {
+            count += letter == ' ' ? 1U : 0U;
+        }
+    }
+    return count;
+}
+
+/// A mnemonic as a number, which orders the list; 0 for one of more than 7 characters, which the list does not have.
 /// Internal.
 [[nodiscard]] constexpr std::uint64_t mnemonic_key(char const* first, char const* last) noexcept
 {
     std::uint64_t key = 0;
-    if (last - first <= 8) {
+    if (last - first <= 7) {
         for (; first != last; ++first) {
             key = (key << 8U) | static_cast<unsigned char>(*first);
         }
@@ -124,7 +167,7 @@ public:
             char const* begin = codes.begin();
             for (char const* at = begin; at <= codes.end(); ++at) {
                 if (at == codes.end() or *at == ' ') {
-                    insert({mnemonic_key(begin, at), static_cast<std::uint8_t>(entry)});
+                    insert(place_of(mnemonic_key(begin, at)) | entry);
                     begin = at + 1;
                 }
             }
@@ -134,37 +177,37 @@ public:
     /// The entry of a mnemonic; null where it is in no list.
     [[nodiscard]] constexpr role_entry const* find(literal code) const noexcept
     {
-        std::uint64_t const key = mnemonic_key(code.begin(), code.end());
+        std::uint64_t const wanted = place_of(mnemonic_key(code.begin(), code.end()));
         std::size_t first = 0;
         std::size_t last = size_;
         while (first < last) {
             std::size_t const middle = first + (last - first) / 2;
-            if (places_[middle].key < key) {
+            if (places_[middle] < wanted) {
                 first = middle + 1;
             } else {
                 last = middle;
             }
         }
-        return first < size_ and places_[first].key == key ? &special_parameters[places_[first].entry] : nullptr;
+        bool const is_listed = first < size_ and place_of(places_[first] >> 8U) == wanted;
+        return is_listed ? &special_parameters[places_[first] & 0xFFU] : nullptr;
     }
 
 private:
-    struct place {
-        std::uint64_t key{0};
-        std::uint8_t entry{0};
-    };
-    static constexpr std::size_t most = 224;
+    static_assert(std::size(special_parameters) <= 256);
 
-    constexpr void insert(place const& what) noexcept
+    /// A mnemonic with room for the number of its entry behind it.
+    [[nodiscard]] static constexpr std::uint64_t place_of(std::uint64_t key) noexcept { return key << 8U; }
+
+    constexpr void insert(std::uint64_t what) noexcept
     {
         std::size_t at = size_++;
-        for (; at > 0 and what.key < places_[at - 1].key; --at) {
+        for (; at > 0 and what < places_[at - 1]; --at) {
             places_[at] = places_[at - 1];
         }
         places_[at] = what;
     }
 
-    std::array<place, most> places_{};
+    std::array<std::uint64_t, count_special_parameters()> places_{};
     std::size_t size_{0};
 };
 /// Internal.

@@ -142,7 +142,8 @@ struct restore_report {
         break;
     case parameter_role::setting:
     case parameter_role::step_size:
-    case parameter_role::frequency_limit: break;
+    case parameter_role::frequency_limit:
+    case parameter_role::motion: break;
     case parameter_role::read_only:
     case parameter_role::derived:
     case parameter_role::measured:
