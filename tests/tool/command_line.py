@@ -180,6 +180,11 @@ def check_times(tool, check):
             ended = tool.run("--port", CABINET, "-u", "7", "-y", *words, f"--for={each}", limit=5)
             check(ended.status == USAGE and "--for" in ended.errors and not ended.output,
                   f"{words} --for={each} is refused", ended)
+    for option, words in (("--timeout", ("nan", "NaN", "-nan", "nan(1)", "inf", "0", "31")), ("--listen", ("nan", "-nan", "inf"))):
+        for each in words:
+            ended = tool.run("--port", CABINET, "-u", "7", f"{option}={each}", "read", "RFR", limit=5)
+            check(ended.status == USAGE and option in ended.errors and not ended.output,
+                  f"defect: D41 {option}={each} is refused", ended)
     for each in LENGTHS:
         ended = tool.run("--port", CABINET, "-u", "7", "watch", "RFR", "--every", "0.00001h", "--for", each, limit=5)
         check(ended.status == DONE, f"--for {each}", ended)

@@ -16,6 +16,7 @@ import pty
 import signal
 import subprocess
 import sys
+import tempfile
 import termios
 import threading
 import time
@@ -394,10 +395,10 @@ def stops(program, check):
 
 
 def resets_and_misses(program, check):
-    with Motor(program) as motor:
+    with Motor(program) as motor, tempfile.TemporaryDirectory() as folder:
         motor.suffer("fault")
         time.sleep(0.1)
-        home = {**os.environ, "XDG_STATE_HOME": "/nonexistent"}
+        home = {**os.environ, "XDG_STATE_HOME": folder}
         found, out, _ = end(motor.tool(program, "--json", "--write", "reset", env=home))
         check(found == 1 and "OCF" in out and "still in fault" in out, "a fault whose cause is there", (found, out))
         found, _, error = end(motor.start(program))
@@ -430,9 +431,12 @@ def keeps_speed(program, name, check):
 
     at = Registers(name)
     words = ("LSP=10Hz", "HSP=45Hz", "ACC=1s", "DEC=1s", "LSP=5Hz DEC=2s", *(() if "310" in name else ("SP2=20Hz",)))
-    with Motor(program, name) as motor:
+    with Motor(program, name) as motor, tempfile.TemporaryDirectory() as folder:
+        home = {**os.environ, "XDG_STATE_HOME": folder}
+        file = pathlib.Path(folder) / "wanted.csv"
+
         def tool(*words):
-            return end(motor.tool(program, "--drive", name, "--json", *words))
+            return end(motor.tool(program, "--drive", name, "--json", *words, env=home))
 
         def held():
             _, out, _ = tool("read", "LSP", "HSP", "ACC", "DEC", "ITH")
@@ -453,6 +457,9 @@ def keeps_speed(program, name, check):
             check(held() == before, "nothing was written", held())
         found, out, error = tool("--write", "write", f"ITH=#{before[4]}")
         check(found == 0, "what moves nothing is written while it runs", (found, out, error))
+        file.write_text("register,value\nHSP,45 Hz\n", encoding="utf-8")
+        found, out, error = tool("--write", "--allow-run", "-y", "restore", str(file), "--with-inferred")
+        check(found == 5 and held() == before, "nothing is restored while it runs", (found, out, error))
         found, out, error = tool("--write", "--allow-run", "write", "LSP=10Hz")
         check(found == 0 and held()[0] == 100, "--allow-run allows it", (found, out, error))
         motor.write(at.cmd, 0)

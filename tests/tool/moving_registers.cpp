@@ -4,7 +4,6 @@
 // register that can be written while the motor runs is in one of them, or moves a motor that stands, too.
 #include "motion/moving_registers.hpp"
 
-#include <algorithm>
 #include <set>
 #include <sstream>
 #include <string>

@@ -66,10 +66,14 @@ REFUSALS = [
     ("7010=0", REFUSED, ["SLL=0", "supervision of the link off", "--allow-run"]),
     ("SLL=4", REFUSED, ["SLL=4", "without its link", "--allow-run"]),
     ("SLL=RLS", REFUSED, ["SLL=5", "without its link", "--allow-run"]),
+    # Defect D41: an address that nobody can ask.
+    ("ADD=0", REFUSED, ["ADD=0", "no address", "--allow-run"]),
+    ("6001=#0", REFUSED, ["ADD=0", "no address", "--allow-run"]),
     ("ATR=YES", REFUSED, ["ATR", "a motor may turn", "--allow-run"]),
 ]
 REGISTERS = {3201: 0x0250, 3104: 500, 3105: 0, 9001: 30, 9020: 1, 8401: 1, 3202: 0, 8501: 0, 8502: 0, 8504: 0, 8602: 0,
-             12345: 7, 12721: 8501, 12722: 8602, 12761: 0, 8413: 164, 8423: 10, 8431: 0, 7122: 0, 7010: 1, 3103: 600}
+             12345: 7, 12721: 8501, 12722: 8602, 12761: 0, 8413: 164, 8423: 10, 8431: 0, 7122: 0, 7010: 1, 3103: 600,
+             6001: 7}
 
 
 def check_refusals(tool, check):
@@ -227,16 +231,23 @@ def check_log(tool, check):
             check(tool.run(*how, "reset", limit=5).status == PORT, f"the log is {what}: reset")
         check(not line.heard, "nothing was sent", line.heard)
         log.unlink()
+        (tool.place / "wanted.csv").write_text("register,value\nHSP,45 Hz\n")
         os.rmdir(folder)
         folder.write_text("in the way")
         ended = tool.run(*how, "write", "CMI=2")
         check(ended.status == PORT and "Not a directory" in ended.errors, "the log's folder is a file", ended)
         folder.unlink()
         kept = {name: tool.environment.pop(name) for name in ("HOME", "XDG_STATE_HOME")}
-        note = tool.run(*how, "--json", "write", "CMI=2").objects()[0]["note"]
-        check(note == "not noted: there is no home for writes.log; how often this user has saved to EEPROM is not known; an "
-                      "EEPROM bears a limited number of writes", "not noted", note)
+        places = {"defect: D41 there is no home": ({}, "no home"),
+                  "defect: D41 the log's folder cannot be made": ({"XDG_STATE_HOME": "/proc/nowhere"}, "/proc/nowhere")}
+        for what, (place, says) in places.items():
+            tool.environment.update(place)
+            for words in (("write", "CMI=2"), ("write", "ACC=1s"), ("reset",), ("restore", "wanted.csv")):
+                ended = tool.run(*how, *words)
+                is_told = "nothing is written" in ended.errors and says in ended.errors
+                check(ended.status == PORT and is_told, f"{what}: {words[0]}", ended)
         tool.environment.update(kept)
+        check(not line.heard, "nothing was sent", line.heard)
 
 
 def check_terminal(program, tool, check):

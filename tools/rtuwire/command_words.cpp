@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "command_words.hpp"
 
+#include <cmath>
+#include <cstdlib>
+
 #include <CLI/CLI.hpp>
 
 #include "help/tool_texts.hpp"
@@ -14,6 +17,12 @@ namespace {
 constexpr char const* ends_with = "Exit status: 0 done, 1 differs or refused by the device, 2 usage, 3 no answer,\n"
                                   "4 port, 5 refused for safety.";
 
+/// A range takes "nan", which is neither below nor above anything.
+std::string why_no_number(std::string const& word)
+{
+    return std::isnan(std::strtod(word.c_str(), nullptr)) ? "'" + word + "' is no number" : std::string{};
+}
+
 void add_line_options(CLI::App& app, line_choices& line)
 {
     app.add_option("-p,--port", line.port, "/dev/ttyUSB0, tcp://host:4001, sim:atv320:7,atv12:3 or a capture file");
@@ -23,11 +32,13 @@ void add_line_options(CLI::App& app, line_choices& line)
     app.add_option("-d,--drive", line.drive, "the drive's type, instead of asking it");
     app.add_option("--name", line.names, "a unit's name: fan=7:atv320")->allow_extra_args(false);
     app.add_option("--timeout", line.response_timeout, "seconds to wait for a response")
+        ->check(why_no_number)
         ->check(CLI::Range(0.001, 30.0));
     app.add_option("--retries", line.retries, "how often a request is repeated")
         ->check(CLI::Range(0, 10))
         ->capture_default_str();
     app.add_option("--listen", line.listen, "seconds to listen before the first frame")
+        ->check(why_no_number)
         ->check(CLI::Range(0.0, 3'600.0))
         ->capture_default_str();
     app.add_flag("--no-listen", line.must_not_listen, "speak at once, on a line in use, too");

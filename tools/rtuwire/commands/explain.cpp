@@ -77,12 +77,15 @@ std::string effect_of(register_entry const& entry, drive_catalog const& drive)
         add("it " + why + ": a motor may turn after it");
     }
     if (std::string const why = why_it_runs_otherwise(entry); not why.empty()) {
-        add("it " + why + ": a motor that runs turns otherwise after it, so a drive with power needs --allow-run");
+        add("it " + why +
+            ": a motor that runs turns otherwise after it, so a drive with power takes it with --allow-run only");
     }
     for (std::uint16_t const value : std::initializer_list<std::uint16_t>{0, 1, 4, 5}) {
         bool const is_value = entry.names.empty() ? value == 0 : text_of(entry, value)[0] != '#';
         std::string const why = is_value ? why_it_runs_on(entry.address, value, drive) : std::string{};
         add(why.empty() ? why : std::to_string(value) + " " + why);
+        std::string const lost = value == 0 ? why_it_is_out_of_reach(entry, value) : std::string{};
+        add(lost.empty() ? lost : std::to_string(value) + " " + lost);
         std::string const never = value == 1 ? why_it_is_never_written(entry, value, drive) : std::string{};
         add(never);
     }

@@ -148,6 +148,11 @@ private:
             if (each.last.outcome != restore_outcome::planned or not word or chosen_.allowed.may_run) {
                 continue;
             }
+            std::string const out_of_reach = why_it_is_out_of_reach(*each.entry, *word);
+            if (not out_of_reach.empty()) {
+                refuse_for_safety("nothing was written: " + std::string{each.entry->code} + " " + out_of_reach +
+                                  "; to restore it, say --allow-run besides");
+            }
             std::string const moves = why_it_may_move(*each.entry);
             std::string const why = moves.empty() ? why_it_runs_on(each.entry->address, *word, *drive_) : moves;
             if (not why.empty()) {

@@ -43,6 +43,20 @@ std::string place_of(std::string const& port, unsigned unit)
     return '\t' + plain_text(port) + '\t' + std::to_string(unit) + '\t';
 }
 
+/// Adds to the file, which is made where it is missing. Why it could not; empty where it could.
+std::string add_to_log(std::string const& lines)
+{
+    std::filesystem::path const file = write_log_file();
+    if (file.empty()) {
+        return "there is no home for writes.log: set HOME or XDG_STATE_HOME";
+    }
+    std::error_code ignored; // the file itself tells
+    std::filesystem::create_directories(file.parent_path(), ignored);
+    appended_file log{file};
+    log.write(lines);
+    return log.failure().empty() ? std::string{} : file.string() + ": " + log.failure();
+}
+
 } // namespace
 
 std::string write_log_file()
@@ -57,23 +71,14 @@ std::string write_log_file()
 
 std::string log_write(written_value const& what)
 {
-    std::filesystem::path const file = write_log_file();
-    if (file.empty()) {
-        return "there is no home for writes.log";
-    }
-    std::error_code ignored; // the file itself tells
-    std::filesystem::create_directories(file.parent_path(), ignored);
-    appended_file log{file};
-    log.write(time_now() + '\t' + user_name() + place_of(what.port, what.unit) + what.label + '\t' + what.before +
-              '\t' + what.after + '\n');
-    return log.failure().empty() ? std::string{} : file.string() + ": " + log.failure();
+    return add_to_log(time_now() + '\t' + user_name() + place_of(what.port, what.unit) + what.label + '\t' +
+                      what.before + '\t' + what.after + '\n');
 }
 
 void refuse_wrong_log()
 {
-    std::string const file = write_log_file();
-    if (std::string const why = why_no_regular_file(file); not why.empty()) {
-        throw ended{exit_status::port, "nothing is written, because nothing could be noted: " + file + ": " + why};
+    if (std::string const why = add_to_log({}); not why.empty()) {
+        throw ended{exit_status::port, "nothing is written, because nothing could be noted: " + why};
     }
 }
 

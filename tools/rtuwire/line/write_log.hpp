@@ -19,7 +19,8 @@ struct written_value {
 /// Adds a line: time, user, port, unit, register, before, after. Why the file cannot be written; empty where it was.
 std::string log_write(written_value const& what);
 
-/// Ends the command where the log is something else than a file that can grow: before anything is written.
+/// Ends the command where the log cannot be added to, before anything is written: it has no place, is something else than a
+/// file, or may not be written. Makes an empty one where there is none.
 void refuse_wrong_log();
 
 /// How many orders to save to EEPROM the file has for a unit, this one included.

@@ -127,6 +127,14 @@ std::string why_it_runs_on(std::uint16_t address, std::uint16_t word, drive_cata
     return word == off or (is_reaction(*entry) and runs_on) ? reason_for(*entry) : std::string{};
 }
 
+std::string why_it_is_out_of_reach(register_entry const& entry, std::uint16_t word)
+{
+    return entry.code == "ADD" and word == 0
+               ? "switches the drive's address off: it responds at no address any more, and "
+                 "takes broadcasts only"
+               : "";
+}
+
 std::string why_it_is_never_written(register_entry const& entry, std::uint16_t word, drive_catalog const& drive)
 {
     if (entry.address == drive.layout.cmi and word != save_to_eeprom) {

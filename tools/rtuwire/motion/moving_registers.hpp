@@ -26,6 +26,10 @@ std::string why_it_runs_otherwise(register_entry const& entry);
 /// fault. A motor that runs then runs on. Empty where that stays.
 std::string why_it_runs_on(std::uint16_t address, std::uint16_t word, drive_catalog const& drive);
 
+/// What a value does to a drive's place on its line, as what follows "ADD=0": nobody can ask it any more. Empty where it
+/// stays within reach.
+std::string why_it_is_out_of_reach(register_entry const& entry, std::uint16_t word);
+
 /// Why this program never writes a value, as what follows "CMI=1": an order that takes settings away. Empty where it
 /// does.
 std::string why_it_is_never_written(register_entry const& entry, std::uint16_t word, drive_catalog const& drive);

@@ -27,9 +27,13 @@ void refuse_unsafe_value(register_entry const& entry, std::uint16_t word, drive_
     if (std::string const never = why_it_is_never_written(entry, word, drive); not never.empty()) {
         refuse_for_safety(never);
     }
+    std::string const value = std::string{entry.code} + "=" + std::to_string(word) + " ";
     if (std::string const why = why_it_runs_on(entry.address, word, drive); not why.empty()) {
-        refuse_without_run(allowed, std::string{entry.code} + "=" + std::to_string(word) + " " + why +
-                                        ": a motor runs on when its controller, its cable or something else fails");
+        refuse_without_run(allowed,
+                           value + why + ": a motor runs on when its controller, its cable or something else fails");
+    }
+    if (std::string const why = why_it_is_out_of_reach(entry, word); not why.empty()) {
+        refuse_without_run(allowed, value + why + ": nobody can read it, nor stop it alone");
     }
 }
 

@@ -78,7 +78,8 @@ constexpr bool each_has_its_step(parameter_map const& map)
 constexpr bool care_is_taken()
 {
     using role = parameter_role;
-    for (role const each : {role::setting, role::step_size, role::frequency_limit, role::link_timeout, role::link}) {
+    for (role const each :
+         {role::setting, role::step_size, role::frequency_limit, role::motion, role::link_timeout, role::link}) {
         if (care_for(each) != write_care::rest) {
             return false;
         }
