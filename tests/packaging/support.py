@@ -6,6 +6,8 @@ import pathlib
 import re
 import subprocess
 import tarfile
+import tempfile
+import unittest
 
 PROJECT = pathlib.Path(__file__).resolve().parent.parent.parent
 HERE = PROJECT / "tests" / "packaging"
@@ -16,9 +18,22 @@ RELEASE = pathlib.Path(os.environ.get("RTUWIRE_RELEASE", PROJECT / "build" / "pa
 LIBRARY_ALONE = ["-DRTUWIRE_BUILD_TESTS=OFF", "-DRTUWIRE_BUILD_EXAMPLES=OFF", "-DRTUWIRE_BUILD_TOOL=OFF"]
 
 
-def version():
+# Where the version is decided.
+DECIDED = "include/rtuwire/core/version.hpp"
+
+
+class InAFolder(unittest.TestCase):
+    """Tests that write into `place`, which is gone afterwards."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.place = pathlib.Path(folder.name)
+
+
+def version(root=PROJECT):
     """The version in figures, read from the header as the compiler reads it."""
-    text = (PROJECT / "include/rtuwire/core/version.hpp").read_text(encoding="utf-8")
+    text = (root / DECIDED).read_text(encoding="utf-8")
     number = int(re.search(r"^#define RTUWIRE_VERSION (\d+)$", text, re.MULTILINE)[1])
     return f"{number // 10000}.{number // 100 % 100}.{number % 100}"
 

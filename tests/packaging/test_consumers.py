@@ -3,20 +3,16 @@
 """Programs of users, each built with the library in one of the ways that it is given out, and run: their frame is the one
 of the drive's manual, or they end with another status than 0."""
 import hashlib
-import pathlib
-import tempfile
 import unittest
 
-from support import CONSUMER, LIBRARY_ALONE, PROJECT, archive, build, run, unpack, version
+from support import CONSUMER, LIBRARY_ALONE, PROJECT, InAFolder, archive, build, run, unpack, version
 
 FIND = PROJECT / "tests" / "consumer" / "find_package"
 
 
-class Consumers(unittest.TestCase):
+class Consumers(InAFolder):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.place = pathlib.Path(folder.name)
+        super().setUp()
         self.source = unpack(archive(), self.place) / f"rtuwire-{version()}"
 
     def installed(self, *options):

@@ -6,13 +6,12 @@ import json
 import pathlib
 import re
 import sys
-import tempfile
 import unittest
 
 import yaml
 
 import platformio_filter
-from support import HERE, LIBRARY_ALONE, PROJECT, archive, build, run, unpack, version
+from support import HERE, LIBRARY_ALONE, PROJECT, InAFolder, archive, build, run, unpack, version
 
 STUBS = HERE / "stubs"
 FIND = PROJECT / "tests" / "consumer" / "find_package"
@@ -22,12 +21,7 @@ sys.path.insert(0, str(STUBS))
 import conan_stub  # noqa: E402
 
 
-class Form(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.place = pathlib.Path(folder.name)
-
+class Form(InAFolder):
     def laid(self, registry):
         return unpack(archive(registry), self.place / registry)
 

@@ -4,10 +4,9 @@
 used. The list of what came later is that of CMake's release notes as far as a project of this kind may meet it."""
 import json
 import pathlib
-import tempfile
 import unittest
 
-from support import LIBRARY_ALONE, PROJECT, run
+from support import LIBRARY_ALONE, PROJECT, InAFolder, run
 
 OLDEST = PROJECT / "tests" / "packaging" / "cmake_3_16.cmake"
 # Commands, and words among the arguments of a command, by the version that brought them.
@@ -59,12 +58,7 @@ def calls_of(place, source, *options):
     return own, sorted({pathlib.Path(line["file"]) for line in own})
 
 
-class OlderCMake(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.place = folder.name
-
+class OlderCMake(InAFolder):
     def test_the_library_the_examples_and_the_tool_use_nothing_newer(self):
         calls, files = calls_of(self.place, PROJECT, f"-DCMAKE_PROJECT_INCLUDE={OLDEST}")
         read = {path.relative_to(PROJECT).as_posix() for path in files}

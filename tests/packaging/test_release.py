@@ -3,23 +3,19 @@
 """packaging/release.sh: nothing that it did not make is touched, its place is named in any way, settings of git change no
 byte, and a signal leaves nothing behind."""
 import os
-import pathlib
 import signal
 import subprocess
-import tempfile
 import unittest
 
-from support import PROJECT, run
+from support import PROJECT, InAFolder, run
 
 QUICKLY = {"RTUWIRE_RELEASE_WITHOUT": "debian docs"}
 
 
-class Release(unittest.TestCase):
+class Release(InAFolder):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
-        self.clone = self.root / "clone"
+        super().setUp()
+        self.clone = self.place / "clone"
         run("git", "clone", "-q", "--no-hardlinks", PROJECT, self.clone)
 
     def release(self, output, script="packaging/release.sh", **environment):
@@ -32,14 +28,14 @@ class Release(unittest.TestCase):
         self.assertEqual(self.everything(), before)
 
     def everything(self):
-        return {path: path.read_bytes() for path in self.root.rglob("*")
+        return {path: path.read_bytes() for path in self.place.rglob("*")
                 if path.is_file() and self.clone not in path.parents}
 
     def sums(self, output):
         return (output / "SHA256SUMS").read_text(encoding="utf-8")
 
     def test_a_folder_that_is_no_release_stays(self):
-        foreign = self.root / "downloads"
+        foreign = self.place / "downloads"
         foreign.mkdir()
         (foreign / "letter.txt").write_text("precious", encoding="utf-8")
         for sums in ("", "00  letter.txt\n", "00  letter.txt\n00  rtuwire.hpp\n"):
@@ -48,54 +44,54 @@ class Release(unittest.TestCase):
                 self.refused(foreign, "is no release")
 
     def test_a_release_with_a_file_of_somebody_else_stays(self):
-        made = self.root / "made"
+        made = self.place / "made"
         self.release(made)
         (made / "notes.txt").write_text("precious", encoding="utf-8")
         self.refused(made, "holds more than one")
 
     def test_its_place_is_replaced_however_it_is_named(self):
-        made = self.root / "made"
-        beside = [self.root / "made.made", self.root / "made.work"]
+        made = self.place / "made"
+        beside = [self.place / "made.made", self.place / "made.work"]
         for folder in beside:
             folder.mkdir()
             (folder / "letter.txt").write_text("precious", encoding="utf-8")
         self.release(f"{made}/")
         first = self.sums(made)
-        for name in (f"{made}/", f"../{made.name}", f"{self.root}/./made//"):
+        for name in (f"{made}/", f"../{made.name}", f"{self.place}/./made//"):
             with self.subTest(name):
                 self.release(name)
                 self.assertEqual(self.sums(made), first)
-        self.assertEqual(sorted(path.name for path in self.root.iterdir()), ["clone", "made", "made.made", "made.work"])
+        self.assertEqual(sorted(path.name for path in self.place.iterdir()), ["clone", "made", "made.made", "made.work"])
         for folder in beside:
             self.assertEqual((folder / "letter.txt").read_text(encoding="utf-8"), "precious")
 
     def test_settings_of_git_change_no_byte(self):
-        self.release(self.root / "plain")
+        self.release(self.place / "plain")
         for setting, value in (("core.autocrlf", "true"), ("core.eol", "crlf"), ("tar.umask", "0077")):
             run("git", "config", setting, value, cwd=self.clone)
-        self.release(self.root / "set")
-        self.assertEqual(self.sums(self.root / "set"), self.sums(self.root / "plain"))
+        self.release(self.place / "set")
+        self.assertEqual(self.sums(self.place / "set"), self.sums(self.place / "plain"))
 
     def test_another_place_for_cd_changes_nothing(self):
-        elsewhere = self.root / "elsewhere"
+        elsewhere = self.place / "elsewhere"
         (elsewhere / "packaging").mkdir(parents=True)
-        self.release(self.root / "made", CDPATH=str(elsewhere))
-        self.assertIn("  rtuwire.hpp\n", self.sums(self.root / "made"))
+        self.release(self.place / "made", CDPATH=str(elsewhere))
+        self.assertIn("  rtuwire.hpp\n", self.sums(self.place / "made"))
 
     def test_an_archive_is_no_commit(self):
-        self.release(self.root / "made")
-        archive = next((self.root / "made").glob("rtuwire-[0-9.]*[0-9].tar.gz"))
+        self.release(self.place / "made")
+        archive = next((self.place / "made").glob("rtuwire-[0-9.]*[0-9].tar.gz"))
         # Within another repository, too.
-        for place in (self.root / "alone", self.clone / "unpacked"):
+        for place in (self.place / "alone", self.clone / "unpacked"):
             place.mkdir()
             run("tar", "-xzf", archive, "-C", place, "--strip-components=1")
             with self.subTest(place), self.assertRaisesRegex(AssertionError, "finds no repository of its own"):
-                run("sh", place / "packaging/release.sh", self.root / "again", **QUICKLY)
+                run("sh", place / "packaging/release.sh", self.place / "again", **QUICKLY)
 
     def test_a_signal_leaves_nothing_behind(self):
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             with self.subTest(number.name):
-                output = self.root / f"cut_{number.name}"
+                output = self.place / f"cut_{number.name}"
                 process = subprocess.Popen(["sh", "packaging/release.sh", str(output)], cwd=self.clone, start_new_session=True,
                                            env={**os.environ, **QUICKLY}, stdout=subprocess.PIPE, text=True)
                 self.addCleanup(process.stdout.close)
@@ -103,7 +99,7 @@ class Release(unittest.TestCase):
                 self.assertIn("archive", process.stdout.readline())
                 os.killpg(process.pid, number)
                 self.assertEqual(process.wait(60), 128 + number)
-                self.assertEqual(list(self.root.glob("cut_*")), [])
+                self.assertEqual(list(self.place.glob("cut_*")), [])
 
 
 if __name__ == "__main__":

@@ -2,15 +2,13 @@
 # SPDX-License-Identifier: BSL-1.0
 """The single header: the same bytes each time, no warning from three compilers, two files of a program, each part only where
 it is asked for; and what packaging/single_header.py does not know how to write is refused."""
-import pathlib
 import re
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
-from support import HERE, PROJECT, run
+from support import HERE, PROJECT, InAFolder, run
 
 MAKER = PROJECT / "packaging" / "single_header.py"
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion", "-Wshadow", "-Wswitch-enum", "-Weffc++",
@@ -23,11 +21,9 @@ def make(output, *options):
     return run(sys.executable, "-B", MAKER, output, *options)
 
 
-class SingleHeader(unittest.TestCase):
+class SingleHeader(InAFolder):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.place = pathlib.Path(folder.name)
+        super().setUp()
         self.one = self.place / "rtuwire.hpp"
         make(self.one)
 

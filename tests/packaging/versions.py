@@ -11,16 +11,12 @@ import sys
 
 import yaml
 
-DECIDED = "include/rtuwire/core/version.hpp"
+from support import DECIDED, PROJECT, version
+
 # Filled in where a release lays them out, so none of these may name a version itself.
 FILLED = ("packaging/conan/conandata.yml", "packaging/conan/config.yml", "packaging/meson/meson.build",
           "packaging/meson/rtuwire.wrap", "packaging/vcpkg/portfile.cmake", "packaging/vcpkg/vcpkg.json",
           "packaging/pkg-config/rtuwire.pc.in")
-
-
-def decided(root):
-    number = int(re.search(r"^#define RTUWIRE_VERSION (\d+)$", (root / DECIDED).read_text(encoding="utf-8"), re.MULTILINE)[1])
-    return f"{number // 10000}.{number // 100 % 100}.{number % 100}"
 
 
 def named(root):
@@ -32,25 +28,25 @@ def named(root):
 
 
 def complaints(root):
-    version = decided(root)
+    number = version(root)
     for place, says in named(root):
-        if says != version:
-            yield f"{place}: says {says}, and {DECIDED} {version}"
+        if says != number:
+            yield f"{place}: says {says}, and {DECIDED} {number}"
     for place in FILLED:
         text = (root / place).read_text(encoding="utf-8")
         if "@VERSION@" not in text and "@PROJECT_VERSION@" not in text:
             yield f"{place}: has no place for the version"
-        if version in text:
-            yield f"{place}: names {version} itself"
+        if number in text:
+            yield f"{place}: names {number} itself"
     cmake = (root / "CMakeLists.txt").read_text(encoding="utf-8")
     if re.search(r"\bVERSION\s+\"?\d+\.\d+\.\d+\b", cmake):
         yield "CMakeLists.txt: names a version itself"
 
 
-def main(project=pathlib.Path(__file__).resolve().parent.parent.parent):
+def main(project=PROJECT):
     root = pathlib.Path(project)
     found = list(complaints(root))
-    print("\n".join(found) or f"{len(list(named(root)))} places say {decided(root)}, {len(FILLED)} are filled in")
+    print("\n".join(found) or f"{len(list(named(root)))} places say {version(root)}, {len(FILLED)} are filled in")
     return 1 if found else 0
 
 
