@@ -5,29 +5,16 @@ watched, shown on a full screen, and refused while others talk to them.
 
     python3 others_servers.py TOOL LIBMODBUS_SERVER
 """
-import os
 import subprocess
 import sys
-import tempfile
 
 from line_between import LineBetween
 from screen import Screen
 from support import DIFFERS, DONE, HERE, REFUSED, USAGE, Tool, runs
 
-from pair import wait_for_line, wait_for_server  # noqa: I100
+from pair import Programs  # noqa: I100
 
 QUIET = ["--listen", "0.05"]
-
-
-def serve(command, folder, processes):
-    """A line with that server at its end; the other end."""
-    ends = [os.path.join(folder, name) for name in ("server", "client")]
-    processes.append(subprocess.Popen(["socat", *[f"pty,raw,echo=0,link={end}" for end in ends]]))
-    wait_for_line(processes[-1], ends)
-    processes.append(subprocess.Popen([ends[0] if word == "@" else word for word in command], stdout=subprocess.PIPE,
-                                      stderr=subprocess.DEVNULL, text=True))
-    wait_for_server(processes[-1])
-    return ends[1]
 
 
 def finds(tool, check, what, identity):
@@ -95,19 +82,14 @@ def main(check, program, libmodbus_server):
     servers = {"libmodbus": ([libmodbus_server, "@"], ""),
                "pymodbus": ([sys.executable, "-B", str(HERE.parent / "interop" / "pymodbus_server.py"), "@"], "pymodbus")}
     for what, (command, identity) in servers.items():
-        processes = []
-        with Tool(program) as tool, tempfile.TemporaryDirectory(prefix="line-") as folder:
-            try:
-                tool.port = serve(command, folder, processes)
-                finds(tool, check, what, identity)
-                reads(tool, check, what)
-                writes(tool, check, what)
-                shows(tool, check, what, tool.port)
-                refuses(tool, check, what, tool.port)
-            finally:
-                for process in reversed(processes):
-                    process.kill()
-                    process.wait()
+        with Tool(program) as tool, Programs() as others:
+            near, tool.port = others.line()
+            others.serve(near, command, stderr=subprocess.DEVNULL)
+            finds(tool, check, what, identity)
+            reads(tool, check, what)
+            writes(tool, check, what)
+            shows(tool, check, what, tool.port)
+            refuses(tool, check, what, tool.port)
 
 
 if __name__ == "__main__":

@@ -4,15 +4,12 @@
 
     python3 reading.py TOOL LIBMODBUS_SERVER
 """
-import os
 import subprocess
 import sys
-import tempfile
 
 from support import (DIFFERS, DONE, DRIVES, HERE, NO_ANSWER, PORT, USAGE, Simulator, Tool, Units, runs)
 
-from pair import wait_for_line, wait_for_server  # noqa: I100
-from rtu_over_tcp import device_server, free_port, listens, wait_until
+from pair import Programs, free_port, wait_for_listener  # noqa: I100
 
 CABINET = "sim:atv320:7,atv12:3,atv28:4,atv310:5,atv310_2026:6"
 UNITS = {"atv320": 7, "atv12": 3, "atv28": 4, "atv310": 5, "atv310_2026": 6}
@@ -179,28 +176,22 @@ def check_no_identity(tool, check):
               "a silent unit is asked once more, not for each register", (ended, line.requests))
 
 
-def others_servers(tool, check, libmodbus_server, folder, processes):
+def others_servers(tool, check, libmodbus_server, others):
     servers = {"libmodbus": [libmodbus_server, "@"],
                "pymodbus": [sys.executable, "-B", str(HERE.parent / "interop" / "pymodbus_server.py"), "@"]}
     for name, command in servers.items():
-        ends = [os.path.join(folder, name + end) for end in ("server", "client")]
-        processes.append(subprocess.Popen(["socat", *[f"pty,raw,echo=0,link={end}" for end in ends]]))
-        wait_for_line(processes[-1], ends)
-        processes.append(subprocess.Popen([ends[0] if word == "@" else word for word in command],
-                                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True))
-        wait_for_server(processes[-1])
-        check_no_drive(tool, check, name, ["--port", ends[1], "--listen", "0.05"])
+        near, far = others.line()
+        others.serve(near, command, stderr=subprocess.DEVNULL)
+        check_no_drive(tool, check, name, ["--port", far, "--listen", "0.05"])
     # The same over TCP: a server of its own, and drives behind a serial device server.
     number = free_port()
-    processes.append(subprocess.Popen([*servers["pymodbus"][:-1], f"tcp:{number}"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True))
-    wait_for_server(processes[-1])
-    wait_until(lambda: listens(number), "nobody listens")
+    others.serve(f"tcp:{number}", servers["pymodbus"], stderr=subprocess.DEVNULL)
+    wait_for_listener(number)
     check_no_drive(tool, check, "pymodbus over TCP", ["--port", f"tcp://127.0.0.1:{number}", "--listen", "0.05"])
     number = free_port()
-    far = device_server(folder, number, processes)
-    processes.append(tool.start("simulate", "atv320:7", port=far))
-    processes[-1].stdout.readline()
-    wait_until(lambda: listens(number), "nobody listens")
+    others.processes.append(tool.start("simulate", "atv320:7", port=others.device_server(number)))
+    others.processes[-1].stdout.readline()
+    wait_for_listener(number)
     ended = tool.run("--port", f"tcp://127.0.0.1:{number}", "--listen", "0.05", "--json", "-u", 7, "read", "RFR")
     check(ended.status == DONE and ended.objects()[0]["value"] == 0.0, "a drive behind a serial device server", ended)
 
@@ -224,17 +215,11 @@ def main(check, program, libmodbus_server):
         check_menu_numbers(tool, check)
         check_faults(program, tool, check)
         check_identity(tool, check)
-    processes = []
-    with Tool(program) as tool, tempfile.TemporaryDirectory(prefix="line-") as folder:
+    with Tool(program) as tool, Programs() as others:
         check_ports(tool, check, program)
         check_no_identity(tool, check)
         check_unknown_units(tool, check)
-        try:
-            others_servers(tool, check, libmodbus_server, folder, processes)
-        finally:
-            for process in reversed(processes):
-                process.kill()
-                process.wait()
+        others_servers(tool, check, libmodbus_server, others)
         with Units({1: dict.fromkeys(range(10), 3)}) as line:
             check(tool.run("--port", line.name, "--listen", "0.05", "identify").status != PORT, "a unit that says nothing")
 
