@@ -8,7 +8,6 @@ its headings, its links lead to pages of the site, and its marks are replaced:
                                                            host shows instead, is left out
 """
 import os
-import pathlib
 import re
 
 FENCE = re.compile(r"^( *)(```+)(.*)$")

@@ -17,7 +17,7 @@ import mutation
 import registers
 import snippets
 import tables
-from pages import BrokenLink, Pages, headings, identifier, lines_with_code, title_of
+from pages import BrokenLink, Pages, headings, identifier, lines_with_code
 
 CONTENTS = "docs/README.md"
 ENTRY = re.compile(r"^- \[([^\]]+)\]\(([^)]+)\)")

@@ -8,13 +8,9 @@ from pymodbus.exceptions import ModbusIOException
 from pymodbus.mei_message import ReadDeviceInformationRequest
 from pymodbus.pdu import ExceptionResponse
 
-failures = 0
+from simulator import Checks
 
-
-def expect(is_right, what, detail=""):
-    global failures
-    print("ok  " if is_right else "FAIL", what, detail)
-    failures += not is_right
+expect = Checks()
 
 
 def refused(answer, code):
@@ -50,7 +46,7 @@ def main(device):
     expect(refused(line.read_holding_registers(100, 64, slave=1), 3), "exception 03")
     nobody = line.read_holding_registers(100, 1, slave=9)
     expect(isinstance(nobody, ModbusIOException), "silence of another unit", nobody)
-    return 1 if failures else 0
+    return expect.status()
 
 
 if __name__ == "__main__":

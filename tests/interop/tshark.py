@@ -7,6 +7,8 @@ import subprocess
 import sys
 import tempfile
 
+from simulator import Checks
+
 UDP = ["-o", "mbrtu.udp.port:5020", "-o", "mbrtu.crc_verification:TRUE"]
 SERIAL = ["-d", "rtacser.data,mbrtu", "-o", "mbrtu.crc_verification:TRUE"]
 WRONG = re.compile(r"malformed|incorrect|expert info|exception occurred|bad checksum", re.IGNORECASE)
@@ -34,13 +36,7 @@ FRAMES = ["3 3102 4", "3 40,0,0,0", "6 3103 000d", "6 3103 000d", "8 0 a537", "8
           "21 6 262151 3 06af04be100d", "21 6 262151 3 06af04be100d",
           "22 3104 0x00f2 0x0025", "22 3104 0x00f2 0x0025", "24 1246", "24 2 01b81284"]
 CHECKED = len(FRAMES) - FRAMES.count(SHORT)
-failures = 0
-
-
-def expect(is_right, what, detail=""):
-    global failures
-    print("ok  " if is_right else f"FAIL {detail}", what)
-    failures += not is_right
+expect = Checks()
 
 
 def tshark(capture, *words):
@@ -77,7 +73,7 @@ def main(write_captures):
         check_captures(captures)
         subprocess.run([write_captures, folder, "damaged"], check=True)
         check_damaged(captures)
-    return 1 if failures else 0
+    return expect.status()
 
 
 if __name__ == "__main__":

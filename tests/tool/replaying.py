@@ -12,9 +12,8 @@ import signal
 import subprocess
 import time
 
-from listening import listen
 from line_between import LineBetween
-from support import DIFFERS, DONE, NO_ANSWER, REFUSED, USAGE, Simulator, Tool, runs, with_crc  # noqa: F401
+from support import DIFFERS, DONE, USAGE, Simulator, Tool, runs, with_crc
 
 SEEDS = (1, 2, 3, 4, 5)
 KINDS = {"client": {"good", "damaged", "late", "stray"}, "server": {"good", "damaged", "foreign", "stray"}}
