@@ -219,3 +219,44 @@ TEST_CASE("LSP counts for a reference of 0, in the direction that is asked for")
     it.wait(6'000);
     CHECK(it.frequency() == 20'000);
 }
+
+TEST_CASE("a speed that is less than a step of LFR has a direction, too")
+{
+    test::all_drives::for_each([]<typename Device>() {
+        for (std::uint16_t const bit : std::array<std::uint16_t, 2>{0x0000, 0x0800}) {
+            for (int const rpm : {-1, -2, 1, 2}) {
+                drive_bench<Device> it;
+                REQUIRE(it.tell(Device::layout.direct_control != 0 ? 251 : lsp, 50) == errc::none);
+                it.run(0);
+                REQUIRE(it.tell(Device::speed_reference.address, static_cast<std::uint16_t>(rpm)) == errc::none);
+                REQUIRE(it.command(static_cast<std::uint16_t>(0x000F | bit)) == errc::none);
+                it.wait(6'000);
+                bool const is_reverse = (rpm < 0) != (bit != 0);
+                CHECK(it.frequency() == (is_reverse ? -5'000 : 5'000));
+                CHECK((it.eta() & 0x8800) == (is_reverse ? 0x8800 : 0x0800));
+                REQUIRE(it.refer(0) == errc::none); // another sign is forgotten
+                it.wait(6'000);
+                CHECK(it.frequency() == (bit != 0 ? -5'000 : 5'000));
+            }
+        }
+    });
+}
+
+TEST_CASE("a speed that stands in for the reference of a lost link has the direction of that reference")
+{
+    constexpr std::uint16_t falls_back = 4;
+    for (bool const by_bit : {false, true}) {
+        drive_bench<atv320::device> it;
+        REQUIRE(it.tell(sll, falls_back) == errc::none);
+        REQUIRE(it.tell(lsp, 50) == errc::none);
+        REQUIRE(it.tell(tto, 50) == errc::none);
+        it.run(by_bit ? 300 : -300);
+        REQUIRE(it.command(by_bit ? 0x080F : 0x000F) == errc::none);
+        it.drive().note_contact();
+        it.wait(4'000);
+        REQUIRE(it.frequency() == -30'000);
+        it.wait(5'001);
+        it.wait(4'000);
+        CHECK(it.frequency() == -5'000);
+    }
+}

@@ -39,7 +39,13 @@ public:
         return falls_back ? 0 : given;
     }
 
-    [[nodiscard]] constexpr bool is_backwards() const noexcept { return (asked() < 0) != commands_.is_reversed(); }
+    /// The direction that is asked for: that of the reference and of the command. A reference has one even where it is no
+    /// step of LFR, or another speed is taken for it.
+    [[nodiscard]] constexpr bool is_backwards() const noexcept
+    {
+        bool const is_negative = registers_.get_signed(at.lfr) < 0 or registers_.get_signed(at.lfrd) < 0;
+        return (refers_to_link() ? is_negative : analog_ < 0) != commands_.is_reversed();
+    }
 
     /// How the motor is being stopped; `none` while it may turn.
     [[nodiscard]] constexpr stopping how_it_stops() const noexcept
