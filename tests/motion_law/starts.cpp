@@ -2,82 +2,23 @@
 // SPDX-License-Identifier: BSL-1.0
 // Starts and changes of the reference, cut between any two frames: the motor never turns otherwise than was asked
 // before or is asked now.
+#include "motion_law/plant.hpp"
 #include "support/catch.hpp"
 #include "support/drives.hpp"
-#include "support/simulated_bus.hpp"
 
 #include <cstdint>
 
-#include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/procedure/motion/change_reference.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
-#include <rtuwire/ask/access.hpp>
-#include <rtuwire/ask/single_request.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
+using test::cut_after;
+using test::plant;
 using state = cia402::state;
-using bytes = std::vector<std::byte>;
-
-namespace {
-
-constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
-
-template <typename Device> struct plant : test::simulated_bus<drive_client<4>, Device> {
-    static constexpr station<Device> drive{unit_id{3}};
-
-    plant() : test::simulated_bus<drive_client<4>, Device>{drive_client<4>{test::bus_timing, patient}}
-    {
-        this->add(unit_id{3});
-        this->idle(milliseconds(20));
-    }
-    sim::drive<Device>& far() { return this->unit(0).drive(); }
-    std::int32_t millihertz() { return far().motor().frequency(); }
-
-    /// Lets the motor run at a frequency, told by the direction bit or by the sign, as another master may have.
-    void turn(std::int32_t hertz, bool by_bit)
-    {
-        auto const word = static_cast<std::uint16_t>((by_bit and hertz < 0 ? -hertz : hertz) * 10);
-        std::uint16_t const bit = by_bit and hertz < 0 ? reverse_bit : std::uint16_t{0};
-        for (auto const& [address, value] :
-             {std::pair{Device::layout.cmd, std::uint16_t{6}}, std::pair{Device::layout.cmd, std::uint16_t{7}},
-              std::pair{Device::frequency_reference.address, word},
-              std::pair{Device::layout.cmd, static_cast<std::uint16_t>(0x000F | bit)}}) {
-            single_request tell{drive.unit(), write_single_register{address, value}};
-            REQUIRE(this->run(tell));
-            REQUIRE(tell.outcome());
-        }
-        this->idle(milliseconds(6'000));
-        REQUIRE(millihertz() == hertz * 1'000);
-    }
-};
-
-/// Runs a conversation whose requests are all lost from the n-th on, or only the responses; the frequencies of the
-/// motor, lowest and highest, from then on. False where the conversation ended before.
-template <typename Device, typename Conversation>
-bool cut_after(plant<Device>& it, Conversation conversation, unsigned frames, bool only_answers, std::int32_t& lowest,
-               std::int32_t& highest)
-{
-    unsigned passed = 0;
-    it.disturb([&](bytes& frame, bool is_request) {
-        passed += is_request ? 1 : 0;
-        if (passed > frames and is_request != only_answers) {
-            frame.clear();
-        }
-    });
-    lowest = highest = it.millihertz();
-    instant const end = it.now() + milliseconds(8'000);
-    while (not reached(it.now(), end)) {
-        it.step([&](instant now) { it.link().converse(conversation, now); }, milliseconds(50));
-        lowest = std::min(lowest, it.millihertz());
-        highest = std::max(highest, it.millihertz());
-    }
-    return passed > frames;
-}
-
-} // namespace
+using bytes = test::frame_bytes;
 
 TEST_CASE("motion law: S17 a start that is cut after any frame turns the motor no other way, and no faster")
 {
@@ -216,18 +157,6 @@ TEST_CASE("motion law: S27 a negative reference and reverse at once are refused,
     REQUIRE(it.run(go));
     CHECK(go.reason().kind == outcome_kind::contradictory);
     CHECK(it.requests() == before);
-}
-
-TEST_CASE("motion law: S31 reference 0 with LSP above 0 keeps the direction that was asked for")
-{
-    plant<atv12::device> it;
-    auto slowest = write<atv12::lsp>(it.drive, 10_Hz);
-    REQUIRE(it.run(slowest));
-    start go{it.drive, 0_Hz};
-    REQUIRE(it.run(go));
-    it.idle(milliseconds(3'000));
-    CHECK(go.running());
-    CHECK(it.millihertz() == 10'000);
 }
 
 TEST_CASE("motion law: S32 60 Hz under a limit of 50 Hz is limited, never reached")

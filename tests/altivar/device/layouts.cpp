@@ -42,13 +42,14 @@ constexpr bool are(T Part::*field, same<T> of_12, same<T> of_310, same<T> of_310
            in<atv28::device>(field) == of_28;
 }
 
-// Words: control and status, each with its extension, the last fault, the output frequency.
+// Words: control and status, each with its extension, the last fault, the output frequency and its lower limit.
 STATIC_CHECK(are(&drive::cmd, 8501, 8501, 8501, 8501, 400));
 STATIC_CHECK(are(&drive::eta, 3201, 3201, 3201, 3201, 458));
 STATIC_CHECK(are(&drive::lft, 7121, 7121, 7121, 7121, 457));
 STATIC_CHECK(are(&drive::cmi, 8504, 8504, 8504, 8504, 402));
 STATIC_CHECK(are(&drive::eti, 3206, 3206, 3206, 3206, 459));
 STATIC_CHECK(are(&drive::rfr, 3202, 3202, 3202, 3202, 451));
+STATIC_CHECK(are(&drive::lsp, 3105, 3105, 3105, 3105, 251));
 
 // The chart: 3B is drawn for all but the ATV28; a quick stop ends by itself on an ATV12 and an ATV310, while the ATV320
 // (QSTD as delivered) and the ATV28 wait for "disable voltage"; nobody has transition 16. A configuration that is

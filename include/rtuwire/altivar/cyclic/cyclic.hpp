@@ -40,7 +40,8 @@ public:
           tolerated_misses_{its_options.tolerated_misses}
     {}
 
-    /// Orders operation at a speed (a frequency where the drive's cycle writes one), negative in reverse. False, with
+    /// Orders operation at a speed (a frequency where the drive's cycle writes one), negative in reverse; 0 in reverse, or
+    /// while the motor turns in reverse, is one count in reverse, so that it does not turn forward at LSP. False, with
     /// nothing changed, until the drive was checked, before the first exchange and after a loss; in a fault, in local
     /// control, in a quick stop, while a stop has not ended, after another conversation's stop until the drive was
     /// read again, and for a negative reference together with `run_direction::reverse`.
@@ -53,7 +54,8 @@ public:
         }
         bool const was_ordered = control().is_ordered();
         // The direction is in the word of the reference: no write of several words is assumed to take effect whole.
-        bool const is_taken = steps_.run(is_reverse ? asked.reversed().word : asked.word);
+        std::uint16_t const status = control().is_running() ? control().status() : std::uint16_t{0};
+        bool const is_taken = steps_.run((is_reverse ? asked.reversed() : asked.keeping(status)).word);
         if (is_taken and not was_ordered) {
             enable_end_ = now_ + enable_timeout_;
             this->note_order_to_run();

@@ -248,6 +248,7 @@ struct device {
                                          .cmi = cmi.address,
                                          .eti = eti.address,
                                          .rfr = rfr.address,
+                                         .lsp = lsp.address,
                                          .state_machine = {.quick_stop_waits = true},
                                          .mains_bit_is_inverted = true,
                                          .refuses_commands_in_local = true,

@@ -201,6 +201,7 @@ struct device : family_device {
                                          .cmi = cmi.address,
                                          .eti = eti.address,
                                          .rfr = rfr.address,
+                                         .lsp = lsp.address,
                                          .state_machine = {.enables_from_ready = true},
                                          .safeguards = {.sll = sll.address,
                                                         .tto = tto.address,

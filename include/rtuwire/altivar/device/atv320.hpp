@@ -230,6 +230,7 @@ struct device : family_device {
                                          .cmi = cmi.address,
                                          .eti = eti.address,
                                          .rfr = rfr.address,
+                                         .lsp = lsp.address,
                                          .state_machine = {.enables_from_ready = true, .quick_stop_waits = true},
                                          .chcf = chcf.address,
                                          .safeguards = {.sll = sll.address,

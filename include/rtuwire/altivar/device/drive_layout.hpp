@@ -51,12 +51,13 @@ struct safeguard_layout {
 /// Addresses and behaviour of one drive, as a controller has to know them. Its scanner and its cycle are in
 /// altivar/device/cycle_registers.hpp.
 struct drive_layout {
-    std::uint16_t cmd; ///< control word
-    std::uint16_t eta; ///< status word
-    std::uint16_t lft; ///< last fault
-    std::uint16_t cmi; ///< extended control word
-    std::uint16_t eti; ///< extended status word
-    std::uint16_t rfr; ///< output frequency, signed, 0.1 Hz
+    std::uint16_t cmd;    ///< control word
+    std::uint16_t eta;    ///< status word
+    std::uint16_t lft;    ///< last fault
+    std::uint16_t cmi;    ///< extended control word
+    std::uint16_t eti;    ///< extended status word
+    std::uint16_t rfr;    ///< output frequency, signed, 0.1 Hz
+    std::uint16_t lsp{0}; ///< the motor's lowest frequency, 0.1 Hz; 0: its register is not known
     cia402::state_machine_options state_machine{};
     bool mains_bit_is_inverted{false};              ///< status bit 4 is 1 without mains
     bool refuses_commands_in_local{false};          ///< with an exception, instead of ignoring them

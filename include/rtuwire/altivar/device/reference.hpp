@@ -27,10 +27,18 @@ struct reference_write {
     [[nodiscard]] constexpr bool is_reverse() const noexcept { return (word & 0x8000U) != 0; }
     [[nodiscard]] constexpr bool is_zero() const noexcept { return word == 0; }
 
-    /// The same speed in the other direction.
+    /// The same speed in the other direction. A word of 0 has no sign, and a motor with LSP above 0 turns at LSP for it:
+    /// turned round, 0 is one count. -32768 has no counterpart: it is 32767.
     [[nodiscard]] constexpr reference_write reversed() const noexcept
     {
-        return {address, static_cast<std::uint16_t>(0U - word)};
+        bool const has_no_other = (word & 0x7FFFU) == 0;
+        return {address, static_cast<std::uint16_t>(has_no_other ? ~unsigned{word} : 0U - word)};
+    }
+
+    /// The write for a motor in operation with this status: 0 names no direction, so one that turns in reverse keeps to it.
+    [[nodiscard]] constexpr reference_write keeping(std::uint16_t status) const noexcept
+    {
+        return is_zero() and (status & runs_backwards_bit) != 0 ? reversed() : *this;
     }
 
     /// The write for a drive that turns in the other direction while bit 11 of its control word is set.
@@ -40,7 +48,8 @@ struct reference_write {
     }
 };
 
-/// A reference for one device: 1500_rpm or 50_Hz; a negative one is in reverse.
+/// A reference for one device: 1500_rpm or 50_Hz; a negative one is in reverse. One of 0 has no direction of its own: see
+/// the conversation that it is given to.
 template <device_type Device> class reference {
     static_assert(parts_check<Device>::passed);
     using speed = setting<Device::speed_reference>;

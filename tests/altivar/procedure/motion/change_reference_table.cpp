@@ -149,6 +149,27 @@ constexpr std::array<stage_row<8>, 7> other_rows{{
 constexpr reference_procedure forward{layout, {speed, 1'500}}, reverse{layout, {speed, 0xFA24}};
 constexpr reference_procedure zero{layout, {speed, 0}};
 
+// A reference of 0 keeps the direction of the motor: LSP is read where the word for it has a sign.
+constexpr cell lsp = reads(3105);
+constexpr cell write_0 = writes(speed, 0), write_back = writes(speed, 0xFFFF), write_1 = writes(speed, 1);
+constexpr std::array<answer, 5> lows{{
+    {"0", word(0)},
+    {"10 Hz", word(100)},
+    {"no response", failed(errc::timed_out)},
+    {"refused", failed(errc::illegal_data_address)},
+    {"limit over", late},
+}};
+constexpr std::uint16_t back = 0x8237, by_sign = 0x000F, by_bit = 0x080F;
+constexpr std::array<stage_row<5>, 3> low_rows{{
+    {"LSP, in reverse by the sign",
+     {begun, word(back), word(by_sign)},
+     {write_0, write_back, silent, write_back, aborted}},
+    {"LSP, in reverse by bit 11", {begun, word(back), word(by_bit)}, {write_0, write_1, silent, write_1, aborted}},
+    {"LSP, forward under bit 11",
+     {begun, word(enabled_word), word(by_bit)},
+     {write_0, write_back, silent, write_back, aborted}},
+}};
+
 } // namespace
 
 TEST_CASE("a change of the reference does at each look what its table says")
@@ -161,6 +182,19 @@ TEST_CASE("a change of the reference does at each look what its table says")
 TEST_CASE("a change of the reference does in each stage, at each answer, what its table says")
 {
     check_table(forward, others, other_rows);
+}
+
+TEST_CASE("a change to 0 reads LSP where it would turn the motor round, and keeps its direction unless that is 0")
+{
+    check_table(zero, lows, low_rows);
+    CHECK(does(led(zero, {begun, word(back)}), word(by_sign), lsp));
+    CHECK(does(led(zero, {begun, word(back)}), word(by_bit), lsp));
+    CHECK(does(led(zero, {begun, word(enabled_word)}), word(by_bit), lsp));
+    CHECK(does(led(zero, {begun, word(enabled_word)}), word(by_sign), write_0));
+    static constexpr drive_layout unlimited{
+        .cmd = layout.cmd, .eta = layout.eta, .lft = 1, .cmi = 2, .eti = 3, .rfr = 4};
+    constexpr reference_procedure elsewhere{unlimited, {speed, 0}};
+    CHECK(does(led(elsewhere, {begun, word(back)}), word(by_sign), write_back));
 }
 
 TEST_CASE("a change of the reference begins with a look, and leaves a halt")

@@ -101,6 +101,23 @@ TEST_CASE("a start does in each stage, at each answer, what its table says")
     check_table(checked_before, answers, rows);
 }
 
+TEST_CASE("a start at 0 in reverse, or of a motor that turns in reverse, is sent with the sign for it")
+{
+    supervision_procedure const check{layout, commissioned()};
+    start_procedure const ahead{layout, {8602, 0}, run_direction::forward, check};
+    start_procedure const back{layout, {8602, 0}, run_direction::reverse, check};
+    constexpr std::uint16_t runs_back = 0x8237, disabled_back = 0x8250;
+    constexpr cell least_back = writes(8602, 0xFFFF), zero = writes(8602, 0), least = writes(8602, 1);
+    CHECK(does(led(back, {begun, word(on), confirmed}), word(on), least_back));
+    CHECK(does(led(ahead, {begun, word(on), confirmed}), word(on), zero));
+    CHECK(does(led(ahead, {begun, word(disabled_back), confirmed, word(on), confirmed}), word(on), zero));
+    CHECK(does(led(ahead, {begun, word(runs_back)}), word(0x000F), least_back));
+    CHECK(does(led(ahead, {begun, word(runs_back)}), word(0x080F), least));
+    CHECK(does(led(ahead, {begun, word(enabled)}), word(0x000F), zero));
+    CHECK(does(led(ahead, {begun, word(enabled)}), word(0x080F), least_back));
+    CHECK(does(led(back, {begun, word(enabled)}), word(0x080F), least));
+}
+
 TEST_CASE("a start that checks its drive first ends with the check")
 {
     way const examining{begun, word(disabled)};

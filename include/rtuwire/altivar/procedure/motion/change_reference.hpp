@@ -29,6 +29,9 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// |               | other                               |                     | reached                             |
 /// | CMD           | with the halt bit                   | end: halted         |                                     |
 /// |               | other                               | write the reference |                                     |
+/// |               | other, 0 would be 1 count           | read LSP            |                                     |
+/// | LSP           | 0                                   | write 0             |                                     |
+/// |               | other, or refused                   | write 1 count       |                                     |
 /// | LFT           | any                                 | end: in_fault       | end: in_fault                       |
 /// | the reference | confirmed                           | wait                |                                     |
 /// | a wait        | over                                |                     | read ETA                            |
@@ -38,7 +41,8 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// |               | limit over                          | end: aborted        | end: state_timeout                  |
 ///
 /// "Reached" waits the first time, and ends as `succeeded` the second time in a row; "limited" does so as
-/// `reference_limited`. A reference of 0 has no direction.
+/// `reference_limited`. A reference of 0 has no direction: it keeps that of the motor, where LSP may be above 0 by one
+/// count with the sign for it.
 /// Internal.
 class reference_procedure : public procedure {
 public:
@@ -55,7 +59,8 @@ public:
         case event::kind::pause_over: return ask(asked::status, layout().eta);
         case event::kind::word_read: return on_response(what.word);
         case event::kind::written: is_written_ = true; return to_pause(status_period);
-        case event::kind::failed: return end(what.error);
+        case event::kind::failed:
+            return asked_ == asked::lowest and is_exception(what.error) ? tell() : end(what.error);
         case event::kind::late: break;
         }
         return asked_ == asked::fault ? end_in_fault(0)
@@ -63,7 +68,7 @@ public:
     }
 
 private:
-    enum class asked : std::uint8_t { status, fault, control, frequency };
+    enum class asked : std::uint8_t { status, fault, control, lowest, frequency };
 
     constexpr action ask(asked what, std::uint16_t address) noexcept
     {
@@ -77,6 +82,7 @@ private:
         case asked::status: return judge(word);
         case asked::fault: return end_in_fault(word);
         case asked::control: return write(word);
+        case asked::lowest: told_ = word == 0 ? reference_ : told_; return tell();
         case asked::frequency: break;
         }
         return count(word != 0 ? outcome_kind::succeeded : outcome_kind::pending);
@@ -98,6 +104,7 @@ private:
                                      : outcome_kind::aborted);
         }
         if (not is_written_) {
+            told_ = reference_.keeping(status);
             return ask(asked::control, layout().cmd);
         }
         if ((status & reference_limited_bit) != 0) {
@@ -126,20 +133,27 @@ private:
         if ((control & layout().halt) != 0) {
             return end(outcome_kind::halted);
         }
-        reference_write const told = reference_.under(control);
-        return to_enable(told.address, told.word);
+        told_ = told_.under(control);
+        bool const stands_for_zero = reference_.is_zero() and not told_.is_zero();
+        return stands_for_zero and layout().lsp != 0 ? ask(asked::lowest, layout().lsp) : tell();
+    }
+    constexpr action tell() noexcept
+    {
+        asked_ = asked::status;
+        return to_enable(told_.address, told_.word);
     }
 
     reference_write reference_;
+    reference_write told_{reference_};          ///< as this drive has to be told it
     outcome_kind shown_{outcome_kind::pending}; ///< at the look before
     asked asked_{asked::status};
     bool is_written_{false};
 };
 
-/// Changes the reference of a drive in operation; a negative one is in reverse. Done where two status reads after the
-/// write show that it is reached, and the motor turns in that direction; `reference_limited` where two show that the
-/// drive limits it, `halted` where the halt bit is set, `state_timeout` where the drive does not reach it in time. A long ramp needs
-/// a long limit. A drive that leaves operation ends it as `stop_key` or `fell_back`; one not in operation at the
+/// Changes the reference of a drive in operation; a negative one is in reverse, and 0 keeps the direction in which the
+/// motor turns. Done where two status reads after the write show that it is reached, and the motor turns in that
+/// direction; `reference_limited` where two show that the drive limits it, `halted` where the halt bit is set,
+/// `state_timeout` where the drive does not reach it in time. A long ramp needs a long limit. A drive that leaves operation ends it as `stop_key` or `fell_back`; one not in operation at the
 /// first read as `aborted`, or as `stop_key` if that stopped it.
 class change_reference : public procedure_runner<reference_procedure> {
 public:

@@ -246,6 +246,7 @@ private:
     constexpr action run(std::uint16_t status) noexcept
     {
         if (stage_ != stage::enabled) {
+            reference_ = reference_.keeping(status);
             stage_ = stage::reading_direction;
             return once(to_read(layout().cmd));
         }
@@ -306,8 +307,10 @@ private:
 };
 
 /// Starts a drive at a reference. `station`, then 1500_rpm or 50_Hz, then the direction; a negative reference is in
-/// reverse, and one together with `run_direction::reverse` is refused. It settles once operation is enabled, without
-/// waiting for the ramp; a start that fails settles when its commands are withdrawn, up to 30 s after its limit.
+/// reverse, and one together with `run_direction::reverse` is refused. A reference of 0 in reverse, or for a motor that
+/// turns in reverse, is sent as one count in reverse, so that the motor does not turn forward at LSP. It settles once
+/// operation is enabled, without waiting for the ramp; a start that fails settles when its commands are withdrawn, up to
+/// 30 s after its limit.
 ///
 /// A drive that would not stop by itself, or that another source commands, is refused before anything is written, with
 /// the outcomes of `check_supervision`; `supervision()` names the register. The check takes about nine reads; the

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A reference in reverse that was 0, or became 0 on its way, turned a motor with LSP above 0 forward. Shown by the motor.
+#include "motion_law/plant.hpp"
+#include "support/catch.hpp"
+#include "support/drives.hpp"
+
+#include <cstdint>
+
+#include <rtuwire/altivar/cyclic/cyclic.hpp>
+#include <rtuwire/altivar/procedure/motion/change_reference.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+using test::plant;
+using kind = outcome_kind;
+
+namespace {
+
+constexpr std::int32_t lowest = 10'000; ///< LSP, in mHz
+constexpr duration long_enough = milliseconds(5'000);
+
+template <typename Device> struct slow_plant : plant<Device> {
+    slow_plant() { this->tell(Device::layout.lsp, 100); }
+
+    /// Runs it to its end, and the motor to a speed; false where it turned forward, or the limit was not told.
+    template <typename Conversation> bool turns_back_by(Conversation conversation)
+    {
+        bool const stayed = this->watch(conversation, long_enough).highest <= 0;
+        return stayed and this->millihertz() == -lowest and conversation.reason().kind == kind::reference_limited;
+    }
+};
+
+} // namespace
+
+TEST_CASE("defect: D20 a change of the reference to 0 does not turn a motor round that runs in reverse")
+{
+    test::all_drives::for_each([]<typename Device>() {
+        slow_plant<Device> it;
+        it.turn(-30, false);
+        CHECK(it.turns_back_by(change_reference{it.drive, 0_Hz}));
+        slow_plant<Device> by_bit;
+        by_bit.turn(-30, true);
+        CHECK(by_bit.turns_back_by(change_reference{by_bit.drive, 0_Hz}));
+    });
+}
+
+TEST_CASE("defect: D20 a start at 0 in reverse does not turn the motor forward")
+{
+    test::all_drives::for_each([]<typename Device>() {
+        slow_plant<Device> it;
+        CHECK(it.turns_back_by(start{it.drive, 0_Hz, run_direction::reverse}));
+    });
+}
+
+TEST_CASE("defect: D20 a cycle at 0 in reverse does not turn the motor forward")
+{
+    test::all_drives::for_each([]<typename Device>() {
+        slow_plant<Device> it;
+        cyclic<Device> loop{it.drive};
+        it.watch(loop, milliseconds(1'000));
+        using at = setting<cycle_layout<Device>::reference>;
+        REQUIRE(loop.run(*at::checked(typename at::value_type{0}), run_direction::reverse));
+        CHECK(it.watch(loop, long_enough).highest == 0);
+        CHECK(it.millihertz() == -lowest);
+    });
+}
+
+TEST_CASE("defect: D20 a start at 1 or 2 rpm in reverse does not turn the motor forward")
+{
+    test::all_drives::for_each([]<typename Device>() {
+        slow_plant<Device> one, two;
+        CHECK(one.turns_back_by(start{one.drive, -1_rpm}));
+        CHECK(two.turns_back_by(start{two.drive, 2_rpm, run_direction::reverse}));
+    });
+}
+
+TEST_CASE("defect: D20 the least word of a reference is no reference forward under the direction bit")
+{
+    test::all_drives::for_each([]<typename Device>() {
+        plant<Device> it;
+        it.turn(-30, true);
+        change_reference all{it.drive, *setting<Device::speed_reference>::checked(signed_rpm{-32'768})};
+        CHECK(it.watch(all, long_enough).highest < 0);
+        CHECK(it.millihertz() == -50'000);
+    });
+}
