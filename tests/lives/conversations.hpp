@@ -50,11 +50,20 @@ template <typename Device> station<Device> station_of(drive_setting const& set)
 /// A stop of all drives of a life.
 using everyone = std::variant<std::monostate, a::broadcast_stop<1>, a::broadcast_stop<2>>;
 
-/// A frequency in half hertz, with its sign.
-template <typename Device> a::reference<Device> reference_of(int half_hertz)
+/// What an order asks for: a frequency in half hertz, and its direction, which 0 has, too.
+struct asked_motion {
+    int half_hertz{0};
+    bool is_reverse{false};
+
+    int signed_half_hertz() const { return is_reverse ? -half_hertz : half_hertz; }
+    a::run_direction direction() const { return is_reverse ? a::run_direction::reverse : a::run_direction::forward; }
+};
+
+/// With its sign, which 0 has none of.
+template <typename Device> a::reference<Device> reference_of(asked_motion asked)
 {
     using hertz_setting = rtuwire::setting<Device::frequency_reference>;
-    auto const count = static_cast<std::int16_t>(half_hertz * 5);
+    auto const count = static_cast<std::int16_t>(asked.signed_half_hertz() * 5);
     return hertz_setting::clamped(signed_decihertz{count});
 }
 
@@ -68,9 +77,9 @@ inline a::supervision_options risks_of(drive_setting const& set)
 }
 
 /// How a start is made; here alone.
-template <typename Device> a::start make_start(drive_setting const& set, int half_hertz, duration limit)
+template <typename Device> a::start make_start(drive_setting const& set, asked_motion asked, duration limit)
 {
-    return a::start{station_of<Device>(set), reference_of<Device>(half_hertz), a::run_direction::forward, limit,
+    return a::start{station_of<Device>(set), reference_of<Device>({asked.half_hertz}), asked.direction(), limit,
                     risks_of(set)};
 }
 
@@ -85,14 +94,12 @@ template <typename Device> a::cyclic<Device> make_cycle(drive_setting const& set
 }
 
 /// Orders a cycle to run; whether it was taken.
-template <typename Device> bool run_cycle(a::cyclic<Device>& loop, int half_hertz)
+template <typename Device> bool run_cycle(a::cyclic<Device>& loop, asked_motion asked)
 {
     using reference = rtuwire::setting<a::cycle_layout<Device>::reference>;
-    if constexpr (a::cycle_layout<Device>::has_scanner) {
-        return loop.run(reference::clamped(signed_rpm{static_cast<std::int16_t>(half_hertz * 15)}));
-    } else {
-        return loop.run(reference::clamped(signed_decihertz{static_cast<std::int16_t>(half_hertz * 5)}));
-    }
+    constexpr int steps = a::cycle_layout<Device>::has_scanner ? 15 : 5;
+    auto const count = static_cast<std::int16_t>(asked.half_hertz * steps);
+    return loop.run(reference::clamped(typename reference::value_type{count}), asked.direction());
 }
 
 } // namespace rtuwire::lives

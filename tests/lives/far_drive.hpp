@@ -38,6 +38,7 @@ struct drive_setting {
     std::uint16_t tto{100};      ///< 0.1 s
     bool is_link_ignored{false}; ///< NTO of an ATV28
     std::uint16_t ramp{10};      ///< 0.1 s from 0 to 50 Hz
+    std::uint16_t lsp{0};        ///< 0.1 Hz
 
     /// Whether a lost link takes the motor's power away.
     bool is_supervised() const
@@ -120,6 +121,7 @@ private:
         std::uint16_t const ramps = Device::layout.direct_control != 0 ? 252 : 9'001; // ACC, then DEC
         put(ramps, set_.ramp);
         put(static_cast<std::uint16_t>(ramps + 1), set_.ramp);
+        put(Device::layout.direct_control != 0 ? 251 : 3'105, set_.lsp);
     }
 
     drive_setting set_;

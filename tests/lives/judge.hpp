@@ -31,22 +31,31 @@ public:
 
     // What the user does.
 
-    /// An order to run, in mHz with its sign.
-    void note_order(std::size_t place, moment now, std::int32_t asked, bool is_by_cycle, bool is_alone)
+    /// An order to run, in mHz, and the direction.
+    void note_order(std::size_t place, moment now, std::int32_t asked, bool is_reverse, bool is_by_cycle, bool is_alone)
     {
         if (not has_power_ and not has_order()) {
             most_forward_ = most_reverse_ = 0;
             is_foreign_ = false;
         }
-        note_reference(asked);
+        note_reference(asked, is_reverse);
         bool const has_begun = orders_[place].is_there and orders_[place].has_begun;
         orders_[place] = {true, has_begun, is_by_cycle, is_by_cycle, is_alone, now};
         ordered_at_ = now;
     }
-    void note_reference(std::int32_t asked)
+    /// The motor turns no slower than LSP.
+    void note_reference(std::int32_t asked, bool is_reverse)
     {
-        most_forward_ = std::max(most_forward_, asked);
-        most_reverse_ = std::min(most_reverse_, asked);
+        std::int32_t const most = std::max(asked, set_.lsp * 100);
+        most_forward_ = is_reverse ? most_forward_ : std::max(most_forward_, most);
+        most_reverse_ = is_reverse ? std::min(most_reverse_, -most) : most_reverse_;
+    }
+    /// A change to 0 has no direction, and may turn the motor in none in which it does not turn already.
+    void note_change(std::int32_t asked, bool is_reverse)
+    {
+        if (asked != 0) {
+            note_reference(asked, is_reverse);
+        }
     }
     void note_stop(moment now, bool is_halt)
     {
@@ -55,7 +64,7 @@ public:
         ordered_at_ = 0;
         taken_at_ = now;
         if (is_orphan_) { // whatever it runs at
-            note_reference(drive_.frequency());
+            note_reference(std::abs(drive_.frequency()), drive_.frequency() < 0);
         }
         is_orphan_ = false;
         is_halting_ = is_halt;

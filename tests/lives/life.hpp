@@ -26,7 +26,7 @@ struct slot {
     bool is_away{false};
     bool asks_again{false};
     bool is_halt{false};
-    std::int32_t asked{0}; ///< mHz, by a change of the reference
+    asked_motion asked{}; ///< by a change of the reference
 };
 
 template <typename Link> class life {

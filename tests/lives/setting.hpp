@@ -55,6 +55,7 @@ inline drive_setting drive_of(sim::random_source& chance, std::uint8_t address, 
     set.is_link_ignored = is_unsupervised;
     set.tto = chance.below(3) == 0 ? static_cast<std::uint16_t>(1 + chance.below(300)) : times[chance.below(8)];
     set.ramp = static_cast<std::uint16_t>(chance.below(4) == 0 ? 30 : 1 + chance.below(10));
+    set.lsp = static_cast<std::uint16_t>(chance.below(2) == 0 ? 0 : 1 + chance.below(200));
     return set;
 }
 

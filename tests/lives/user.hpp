@@ -61,7 +61,13 @@ protected:
     drive_setting const& set_of(std::size_t unit) const { return how_.drive[unit]; }
     judge& law_of(std::size_t unit) { return nodes_[unit]->law; }
 
-    int any_reference() { return static_cast<int>(chance_.below(201)) - 100; }
+    asked_motion any_reference()
+    {
+        bool const is_reverse = chance_.below(2) == 0;
+        return {chance_.below(6) == 0 ? 0 : static_cast<int>(chance_.below(101)), is_reverse};
+    }
+    /// For a printed life; the sign of 0, too.
+    static double hertz(asked_motion asked) { return (asked.is_reverse ? -1 : 1) * (asked.half_hertz / 2.0); }
     a::stop_by any_way() { return static_cast<a::stop_by>(chance_.below(5)); }
     duration any_limit() { return milliseconds(chance_.below(3) == 0 ? 300U + chance_.below(2'000) : 30'000U); }
 
@@ -122,7 +128,7 @@ protected:
     }
 
     /// An order to run. Changes of the reference that are under way may come behind it.
-    void note_order(std::size_t place, std::int32_t asked, bool is_by_cycle)
+    void note_order(std::size_t place, asked_motion asked, bool is_by_cycle)
     {
         std::size_t const unit = slots_[place].unit;
         bool is_alone = everyone_.index() == 0;
@@ -131,23 +137,23 @@ protected:
             bool const is_other = i != place and each.unit == unit and each.what.index() != 0;
             is_alone = is_alone and not(is_other and looks_at_state(each.what));
         }
-        law_of(unit).note_order(place, now_, asked, is_by_cycle, is_alone);
+        law_of(unit).note_order(place, now_, asked.half_hertz * 500, asked.is_reverse, is_by_cycle, is_alone);
         for (slot const& each : slots_) {
             if (each.unit == unit and std::holds_alternative<a::change_reference>(each.what)) {
-                law_of(unit).note_reference(each.asked);
+                law_of(unit).note_change(each.asked.half_hertz * 500, each.asked.is_reverse);
             }
         }
     }
 
     void begin_start(std::size_t place, std::size_t unit)
     {
-        int const asked = any_reference();
+        asked_motion const asked = any_reference();
         counts_.note(event::started);
         duration const limit = milliseconds(500 + chance_.below(3'000));
         with_device(set_of(unit).which,
                     [&]<typename Device>(Device) { put(place, unit, make_start<Device>(set_of(unit), asked, limit)); });
-        said_.say("start in place %zu: drive %u at %.1f Hz", place, set_of(unit).address, asked / 2.0);
-        note_order(place, asked * 500, false);
+        said_.say("start in place %zu: drive %u at %.1f Hz", place, set_of(unit).address, hertz(asked));
+        note_order(place, asked, false);
     }
 
     void begin_direct_start(std::size_t place, std::size_t unit)
@@ -155,13 +161,14 @@ protected:
         if (set_of(unit).which != model::atv28) {
             return begin_start(place, unit);
         }
-        int const asked = any_reference();
+        asked_motion asked = any_reference();
+        asked.is_reverse = asked.is_reverse and asked.half_hertz != 0; // it takes no direction but the sign
         counts_.note(event::started_directly);
         put(place, unit,
             a::atv28::direct_start{station_of<a::atv28::device>(set_of(unit)), reference_of<a::atv28::device>(asked),
                                    milliseconds(3'000), risks_of(set_of(unit))});
-        said_.say("direct start in place %zu: drive %u at %.1f Hz", place, set_of(unit).address, asked / 2.0);
-        note_order(place, asked * 500, false);
+        said_.say("direct start in place %zu: drive %u at %.1f Hz", place, set_of(unit).address, hertz(asked));
+        note_order(place, asked, false);
     }
 
     void count_stop(a::stop_by how)
@@ -235,12 +242,12 @@ protected:
 
     template <typename Device> void run(std::size_t place, a::cyclic<Device>& loop)
     {
-        int const asked = any_reference();
+        asked_motion const asked = any_reference();
         bool const is_taken = run_cycle<Device>(loop, asked);
-        said_.say("run in place %zu: %.1f Hz, taken %d", place, asked / 2.0, int{is_taken});
+        said_.say("run in place %zu: %.1f Hz, taken %d", place, hertz(asked), int{is_taken});
         counts_.note(is_taken ? event::cycle_ran : event::cycle_refused_to_run);
         if (is_taken) {
-            note_order(place, asked * 500, true);
+            note_order(place, asked, true);
         }
     }
 
@@ -255,15 +262,15 @@ protected:
 
     void change(std::size_t place, std::size_t unit)
     {
-        int const asked = any_reference();
+        asked_motion const asked = any_reference();
         counts_.note(event::reference_changed);
         with_device(set_of(unit).which, [&]<typename Device>(Device) {
             put(place, unit,
                 a::change_reference{station_of<Device>(set_of(unit)), reference_of<Device>(asked), any_limit()});
         });
-        said_.say("change in place %zu: drive %u to %.1f Hz", place, set_of(unit).address, asked / 2.0);
-        slots_[place].asked = asked * 500;
-        law_of(unit).note_reference(asked * 500);
+        said_.say("change in place %zu: drive %u to %.1f Hz", place, set_of(unit).address, hertz(asked));
+        slots_[place].asked = asked;
+        law_of(unit).note_change(asked.half_hertz * 500, asked.is_reverse);
     }
 
     void reset(std::size_t place, std::size_t unit)
