@@ -5,7 +5,6 @@
 set -eu
 here=$(CDPATH='' cd "$(dirname "$0")" && pwd)
 project=$(dirname "$here")
-build=$project/build/examples
 
 if [ $# -eq 0 ] || [ ! -f "$here/$1.cpp" ]; then
     echo "usage: sh examples/run.sh NAME [arguments], where NAME is one of:" >&2
@@ -15,15 +14,16 @@ fi
 name=$1
 shift
 
-# The output of the example stays alone on standard output; the steps before it speak when they fail.
-quietly() {
-    "$@" >"$build/log" 2>&1 </dev/null && return
-    cat "$build/log" >&2
-    exit 1
-}
-mkdir -p "$build"
-quietly sh "$project/tests/packages.sh" examples
+build=$project/build/examples
+program=$build/examples/example_$name
+failed=1
+. "$project/cmake/first_build.sh"
+
+step "[1/3] installs what is missing of CMake, make and a compiler"
+sh "$project/tests/packages.sh" examples >&2 </dev/null || exit "$failed"
+step "[2/3] configures, in $build"
 quietly cmake -S "$project" -B "$build" -DCMAKE_BUILD_TYPE=Release -DRTUWIRE_BUILD_EXAMPLES=ON \
     -DRTUWIRE_BUILD_TESTS=OFF -DRTUWIRE_INSTALL=OFF
-quietly cmake --build "$build" --target "example_$name"
-exec "$build/examples/example_$name" "$@"
+step "[3/3] builds $name, one file and the library's headers: less than a minute"
+telling cmake --build "$build" --target "example_$name"
+exec "$program" "$@"

@@ -5,17 +5,15 @@
 set -eu
 project=$(CDPATH='' cd "$(dirname "$0")/.." && pwd)
 build=$project/build/tool
+program=$build/tools/rtuwire/rtuwire
+failed=4
+. "$project/cmake/first_build.sh"
 
-# The tool's output stays alone on standard output; the steps before it speak when they fail.
-quietly() {
-    "$@" >"$build/log" 2>&1 </dev/null && return
-    cat "$build/log" >&2
-    exit 4
-}
-mkdir -p "$build"
-[ -x "$build/tools/rtuwire/rtuwire" ] || echo "rtuwire.sh: builds the tool first, which takes some minutes" >&2
-quietly sh "$project/tests/packages.sh" build tool
+step "[1/3] installs what is missing of the tool's packages"
+sh "$project/tests/packages.sh" build tool >&2 </dev/null || exit "$failed"
+step "[2/3] configures, in $build"
 quietly cmake -S "$project" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DRTUWIRE_BUILD_TOOL=ON \
     -DRTUWIRE_BUILD_EXAMPLES=OFF -DRTUWIRE_BUILD_TESTS=OFF -DRTUWIRE_INSTALL=OFF -DRTUWIRE_COMPILE_JOINED=ON
-quietly cmake --build "$build" --target rtuwire_tool
-exec "$build/tools/rtuwire/rtuwire" "$@"
+step "[3/3] builds the tool, which takes some minutes"
+telling cmake --build "$build" --target rtuwire_tool
+exec "$program" "$@"
