@@ -79,8 +79,9 @@ unsigned lines_of(std::string const& path)
 
 TEST_CASE("a sixth drive is described in less than a hundred lines")
 {
-    std::string const here = __FILE__;
-    CHECK(lines_of(here.substr(0, here.size() - 3) + "hpp") < 100);
+    // Not by __FILE__, which a compiler behind a cache is told in its own way.
+    std::string const list = RTUWIRE_OWN_LIST;
+    CHECK(lines_of(list.substr(0, list.rfind("parameters/")) + "device/sixth_drive.hpp") < 100);
 }
 
 TEST_CASE("no drive of the library has a register where the sixth has one of its words")
