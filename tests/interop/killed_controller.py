@@ -5,7 +5,7 @@ itself within its time-out, and to stay stopped when the controller comes back.
 
     python3 killed_controller.py SIMULATE DEMO DRIVE MOMENT...
 
-A moment is a text that the demo prints, and the seconds after it: "Reverse+0.5".
+A moment is a text that the demo prints, or that and what the motor then comes to, in Hz: "Reverse below 10".
 """
 import os
 import subprocess
@@ -18,11 +18,11 @@ from simulator import Checks, Registers, Simulator, asked
 
 UNIT = 3
 TTO = 10  # in 0.1 s
-LIMIT = 30  # in seconds, for what has to happen
+LIMIT = 60  # in seconds, for what has to happen
 
 
 def open_line(device):
-    line = ModbusSerialClient(device, baudrate=19200, parity="N", stopbits=1, timeout=1, retries=0)
+    line = ModbusSerialClient(device, baudrate=19200, parity="N", stopbits=1, timeout=5, retries=0)
     if not line.connect():
         raise RuntimeError("pymodbus cannot open the device")
     return line
@@ -41,11 +41,12 @@ def demo(program, device, drive, *options):
                              "--svg", os.devnull, *options], stdout=subprocess.PIPE, text=True)
 
 
-def kill_at(controller, moment):
-    text, _, seconds = moment.partition("+")
+def kill_at(controller, moment, simulator):
+    text, _, frequency = moment.partition(" below ")
     for line in controller.stdout:
         if text in line:
-            time.sleep(float(seconds or 0))
+            while frequency and simulator.shown(UNIT)[1] >= float(frequency):
+                time.sleep(0.01)
             controller.kill()
             return True
     return False
@@ -73,7 +74,7 @@ def main(simulate, program, drive, *moments):
                 asked(lambda: line.write_register(at.tto, TTO, slave=UNIT))
             line.close()
             controller = demo(program, device, drive, "--allow-run")
-            check(kill_at(controller, moment), f"killed at {moment}")
+            check(kill_at(controller, moment, simulator), f"killed at {moment}")
             controller.wait()
             time.sleep(TTO / 10 if at.tto else 7)
             check.soon(lambda: stands(simulator), "the drive stops by itself", LIMIT)

@@ -52,7 +52,7 @@ int main(int argc, char** argv)
         std::fprintf(stderr, "libmodbus cannot open the device: %s\n", modbus_strerror(errno));
         return 2;
     }
-    modbus_set_response_timeout(line, 1, 0);
+    modbus_set_response_timeout(line, 5, 0);
     check_registers(line);
     check_exceptions(line);
     modbus_close(line);

@@ -50,7 +50,7 @@ int main(int argc, char** argv)
         std::fprintf(stderr, "libmodbus cannot open the device: %s\n", modbus_strerror(errno));
         return 2;
     }
-    modbus_set_response_timeout(line, 1, 0);
+    modbus_set_response_timeout(line, 5, 0);
     int failures = argc < 5 ? 1 : 0;
     for (int i = 2; i + 2 < argc; i += 3) {
         failures += walk(line, std::atoi(argv[i]), std::atoi(argv[i + 1]), std::atoi(argv[i + 2]));

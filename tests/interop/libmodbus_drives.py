@@ -15,7 +15,7 @@ def main(program, client):
     with Simulator(program, *(f"{name}:{unit}" for unit, name in units)) as device:
         words = [str(word) for unit, name in units
                  for word in (unit, Registers(name).cmd, Registers(name).eta)]
-        return subprocess.run([client, device, *words], timeout=40, check=False).returncode
+        return subprocess.run([client, device, *words], timeout=240, check=False).returncode
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@ import subprocess
 import sys
 
 # Verbose: it shows the bytes it sends.
-LINE = ["-v", "-m", "rtu", "-b", "19200", "-P", "even", "-0", "-1", "-o", "2"]
+LINE = ["-v", "-m", "rtu", "-b", "19200", "-P", "even", "-0", "-1", "-o", "5"]
 failures = 0
 
 
@@ -13,7 +13,7 @@ def mbpoll(device, *words, unit="1"):
     options = [word for word in words if not word.startswith("=")]
     values = [word[1:] for word in words if word.startswith("=")]
     done = subprocess.run(["mbpoll", *LINE, "-a", unit, *options, device, *values], text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=20, check=False)
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=60, check=False)
     return done.returncode, done.stdout
 
 

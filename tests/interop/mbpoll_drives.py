@@ -11,7 +11,7 @@ import sys
 
 from simulator import DRIVES, Checks, Registers, Simulator
 
-LINE = ["-m", "rtu", "-b", "19200", "-P", "even", "-0", "-1", "-o", "2"]
+LINE = ["-m", "rtu", "-b", "19200", "-P", "even", "-0", "-1", "-o", "5"]
 ROUNDS = 3
 LONG = 300  # in 0.1 s: a drive's own time-out, which must not end between two processes of a busy machine
 
@@ -19,13 +19,13 @@ LONG = 300  # in 0.1 s: a drive's own time-out, which must not end between two p
 def mbpoll(device, unit, start, count):
     done = subprocess.run(["mbpoll", *LINE, "-a", str(unit), "-r", str(start), "-c", str(count),
                            device], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          timeout=20, check=False)
+                          timeout=60, check=False)
     return {int(at): int(word) for at, word in re.findall(r"\[(\d+)\]: \t(\d+)", done.stdout)}
 
 
 def write(device, unit, address, word):
     done = subprocess.run(["mbpoll", *LINE, "-a", str(unit), "-r", str(address), device, str(word)],
-                          text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=20,
+                          text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=60,
                           check=False)
     return done.returncode == 0
 

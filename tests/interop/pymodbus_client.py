@@ -19,7 +19,7 @@ def refused(answer, code):
 
 def main(device):
     # A pseudo-terminal keeps no parity, and pyserial takes that for an error.
-    line = ModbusSerialClient(device, baudrate=19200, parity="N", stopbits=1, timeout=1, retries=0)
+    line = ModbusSerialClient(device, baudrate=19200, parity="N", stopbits=1, timeout=5, retries=0)
     if not line.connect():
         print("pymodbus cannot open the device")
         return 2

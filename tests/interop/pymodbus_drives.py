@@ -98,7 +98,7 @@ def main(program, name, *how):
         if how == ("lossy",):
             device = between.enter_context(LossyLine(device))
         # A pseudo-terminal keeps no parity, and pyserial takes that for an error.
-        line = ModbusSerialClient(device, baudrate=19200, parity="N", stopbits=1, timeout=1,
+        line = ModbusSerialClient(device, baudrate=19200, parity="N", stopbits=1, timeout=5,
                                   retries=0)
         if not line.connect():
             print("pymodbus cannot open the device")

@@ -109,7 +109,7 @@ class Checks:
             print("failed:", what)
         return 1 if self.failed else 0
 
-    def soon(self, is_right, what, limit=5):
+    def soon(self, is_right, what, limit=60):
         """Looks until it is so. For what takes its time in a drive: looking must not change anything."""
         end = time.monotonic() + limit
         while not (is_so := is_right()) and time.monotonic() < end:

@@ -40,7 +40,7 @@ expect = Checks()
 
 
 def tshark(capture, *words):
-    return subprocess.run(["tshark", "-n", "-r", capture, *words], text=True, timeout=20,
+    return subprocess.run(["tshark", "-n", "-r", capture, *words], text=True, timeout=60,
                           stdout=subprocess.PIPE, check=True).stdout
 
 

@@ -14,7 +14,7 @@ from simulator import Checks, Registers, Simulator  # noqa: E402,F401
 
 UNIT = 3
 TTO = 300  # in 0.1 s: the drive's own time-out comes too late to be taken for a stop by the program
-LIMIT = 30  # in seconds, for what has to happen
+LIMIT = 60  # in seconds, for what has to happen
 
 DISABLED = "switch on disabled"
 RUNS = "operation enabled"

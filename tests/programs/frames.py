@@ -60,16 +60,33 @@ class Line:
     def say(self, data):
         os.write(self.near, data)
 
+    def hear(self, data):
+        self.heard += data
+
     def forward(self):
         watched = [self.near, self.ends[0]] + ([self.far] if self.far else [])
         while True:
             ready, _, _ = select.select(watched, [], [])
             if self.near in ready:
                 data = os.read(self.near, 512)
-                self.heard += data
+                self.hear(data)
                 if self.far:
                     os.write(self.far, data)
             if self.far in ready:
                 self.say(os.read(self.far, 512))
             if self.ends[0] in ready:
                 return
+
+
+class CountedLine(Line):
+    """Acts at the client's n-th request, before that reaches `far`: a moment that does not depend on how fast anybody is."""
+
+    def __init__(self, far, number=0, act=None):
+        super().__init__(far)
+        self.number, self.act, self.requests = number, act, 0
+
+    def hear(self, data):
+        super().hear(data)
+        self.requests += 1  # a client writes a request at once, and waits then
+        if self.requests == self.number:
+            self.act()

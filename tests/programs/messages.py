@@ -33,7 +33,7 @@ REFUSED = [
 
 def run(program, words, stdout=subprocess.PIPE):
     return subprocess.run([program, *words.split()], stdin=subprocess.DEVNULL, stdout=stdout,
-                          stderr=subprocess.PIPE, text=True, timeout=20, check=False)
+                          stderr=subprocess.PIPE, text=True, timeout=60, check=False)
 
 
 def check_refusals(demo, check):
@@ -55,7 +55,7 @@ def check_help(demo, check):
 def check_drawing(demo, simulate, check):
     with Simulator(simulate, "atv12:1") as device, open(os.devnull, "rb") as nothing:
         ended = subprocess.run([demo, "--drive", "atv12", "--port", device, "--svg", "/dev/full"], stdin=nothing,
-                               stdout=subprocess.PIPE, text=True, timeout=20, check=False)
+                               stdout=subprocess.PIPE, text=True, timeout=60, check=False)
     check(ended.returncode == 1 and "NO drawing could be written to /dev/full" in ended.stdout,
           "a drawing that cannot be written is a failure", ended.returncode)
 

@@ -7,7 +7,6 @@ set(demo "$<TARGET_FILE:example_demo>")
 function(add_program_test name script)
     add_test(NAME "${name}"
         COMMAND "${RTUWIRE_PYTHON}" -B "${CMAKE_CURRENT_SOURCE_DIR}/${script}" ${ARGN})
-    set_tests_properties("${name}" PROPERTIES TIMEOUT 120)
 endfunction()
 
 foreach(way HUP INT QUIT TERM USR1 ABRT SEGV)

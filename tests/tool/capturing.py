@@ -14,7 +14,7 @@ import tempfile
 import time
 
 from line_between import LineBetween
-from support import DONE, Simulator, Tool, crc, runs, with_crc
+from support import DONE, LIMIT, Simulator, Tool, crc, runs, with_crc
 
 UDP = ["-o", "mbrtu.udp.port:1502", "-o", "mbrtu.crc_verification:TRUE"]
 # To be asked to end is how a capture ends.
@@ -27,7 +27,7 @@ def shown_by_tshark(file):
                            "-e", "udp.payload"], capture_output=True, text=True, check=False)
 
 
-def wait_for(is_so, seconds=15):
+def wait_for(is_so, seconds=LIMIT):
     end = time.monotonic() + seconds
     while not is_so():
         if time.monotonic() > end:
@@ -60,7 +60,7 @@ def ended_in_the_middle(tool, line, check):
         check(wait_for(lambda: file.stat().st_size > 6_000), "and grows while the line talks")
         line.say_to_tap(bytes.fromhex("07030C"))  # a frame has begun
         process.send_signal(number)
-        process.communicate(timeout=10)
+        process.communicate(timeout=LIMIT)
         line.is_tapped = False
         client.kill()
         client.communicate()
@@ -98,7 +98,7 @@ def as_interface(tool, line, extcap, check):
         words = ["-n", "-i", "rtuwire", "-o", f"extcap.rtuwire.port:{line.tap_name}", "-c", "40"]
         shown = subprocess.run([*user, "tshark", *words, *UDP, "-T", "fields", "-e", "modbus.func_code", "-e",
                                 "modbus.response_time", "-e", "frame.comment"], env=environment, capture_output=True,
-                               text=True, check=False, timeout=60)
+                               text=True, check=False, timeout=LIMIT)
         rows = [row.split("\t") for row in shown.stdout.splitlines()]
         good = [row for row in rows if not row[2]]
         check(len(rows) == 40 and len(good) > 30 and all(row[0] == "3" for row in good), "tshark shows the line live",
@@ -106,7 +106,7 @@ def as_interface(tool, line, extcap, check):
         check(sum(bool(row[1]) for row in good) > 10, "and pairs what it shows", good[:4])
         file = pathlib.Path(place, "live.pcapng")
         kept = subprocess.run([*user, "tshark", "-q", *words, "-w", str(file)], env=environment, capture_output=True,
-                              text=True, check=False, timeout=60)
+                              text=True, check=False, timeout=LIMIT)
         replay = tool.run("--json", "replay", file)
         found = [each for each in replay.objects() if each["role"] != "silence"]
         check(replay.status == DONE and len(found) == 40, "what Wireshark keeps of it is replayed", (kept, replay.errors))

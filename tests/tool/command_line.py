@@ -138,7 +138,7 @@ def check_configuration(tool, check):
     os.mkfifo(tool.place / "pipe")
     for name, reason in (("missing.toml", "No such file or directory"), ("/dev/zero", "is a device"), (".", "is a directory"),
                          ("pipe", "is a pipe"), ("", "missing")):
-        ended = tool.run("--config", name, "list", limit=5)
+        ended = tool.run("--config", name, "list")
         check(ended.status == USAGE and name in ended.errors and reason in ended.errors, f"--config {name!r}", ended)
     (tool.place / "rtuwire.toml").mkdir()
     ended = tool.run("list")
@@ -177,7 +177,7 @@ def check_times(tool, check):
     """The same lengths of time for every command that has some; zero, and what is none, are refused by each."""
     for words in LASTING:
         for each in NO_LENGTHS:
-            ended = tool.run("--port", CABINET, "-u", "7", "-y", *words, f"--for={each}", limit=5)
+            ended = tool.run("--port", CABINET, "-u", "7", "-y", *words, f"--for={each}")
             check(ended.status == USAGE and "--for" in ended.errors and not ended.output,
                   f"{words} --for={each} is refused", ended)
     for option, words in (("--timeout", ("nan", "NaN", "-nan", "nan(1)", "inf", "0", "31")), ("--listen", ("nan", "-nan", "inf"))):
@@ -186,12 +186,12 @@ def check_times(tool, check):
             check(ended.status == USAGE and option in ended.errors and not ended.output,
                   f"defect: D41 {option}={each} is refused", ended)
     for each in LENGTHS:
-        ended = tool.run("--port", CABINET, "-u", "7", "watch", "RFR", "--every", "0.00001h", "--for", each, limit=5)
+        ended = tool.run("--port", CABINET, "-u", "7", "watch", "RFR", "--every", "0.00001h", "--for", each)
         check(ended.status == DONE, f"--for {each}", ended)
     ended = tool.run("--port", CABINET, "-u", "7", "-y", "--allow-run", "start", "--frequency", "9Hz", "--for", "300ms")
     check(ended.status == DONE and "for 0.3 s" in ended.errors and "the time is over" in ended.errors, "start --for 300ms", ended)
     for each in ("-1s", "1m", "fast", "1e10s"):
-        ended = tool.run("--port", CABINET, "-u", "7", "watch", "RFR", f"--every={each}", limit=5)
+        ended = tool.run("--port", CABINET, "-u", "7", "watch", "RFR", f"--every={each}")
         check(ended.status == USAGE and "--every" in ended.errors, f"--every={each} is refused", ended)
 
 

@@ -1,13 +1,24 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
 """A line between a client and simulated drives, that keeps what the client sent."""
+import array
+import fcntl
 import os
 import pty
 import select
+import termios
 import threading
+import time
 import tty
 
 SIZES = {3: 8, 4: 8, 43: 7}  # bytes of requests that only read
+
+
+def _target(link):
+    try:
+        return os.readlink(link)
+    except OSError:
+        return None
 
 
 class LineBetween:
@@ -47,6 +58,22 @@ class LineBetween:
                 if self.is_tapped:
                     os.write(self.tap, moved)
                 os.write(other[each], moved)
+
+    def listen_to(self, process):
+        """From when the process has the tap open, and has dropped what was there before."""
+        folder = f"/proc/{process.pid}/fd"
+        while process.poll() is None and self.tap_name not in map(_target, (f"{folder}/{each}" for each in os.listdir(folder))):
+            time.sleep(0.01)
+        time.sleep(0.15)
+        self.is_tapped = True
+
+    def wait_until_read(self, settles=0.3):
+        """Until the listener has read what was said, and has seen the silence behind it."""
+        left = array.array("i", [1])
+        while left[0]:
+            time.sleep(0.01)
+            fcntl.ioctl(self.tap_end, termios.FIONREAD, left)
+        time.sleep(settles)
 
     def say_to_tap(self, data):
         """Bytes that only the listener gets."""

@@ -17,7 +17,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "interop"))
 from line_between import LineBetween  # noqa: E402
 from screen import Screen  # noqa: E402
 from simulator import Checks, Simulator  # noqa: E402
-from support import Units  # noqa: E402
+from support import LIMIT, Units  # noqa: E402
 
 KEYS = "q quit   up/down drive   p pause   +/- period   ? help"
 SIM = "sim:atv320:7,atv12:3,atv28:4"
@@ -109,7 +109,7 @@ def keys(tool, check):
             check(page.until(lambda: ("It writes nothing" in page.text) == (i % 2 == 0)), "the help comes and goes")
             times.append(time.monotonic() - began)
         # Keys that wait for a silent unit would take a second, half of its time-out.
-        check(statistics.median(times) < 0.6, "keys do not wait for units that are silent", times)
+        check(statistics.median(times) < 0.6, "busy? Keys do not wait for units that are silent", times)
         page.type("?p")
         check(page.until_shown("PAUSED"), "p", page.lines[0])
         page.type("q")
@@ -163,7 +163,7 @@ def ways_out(tool, check):
         with Screen(monitor(tool, device, "-u", "7", "monitor")) as page:
             page.until_shown(r"^ +7 +atv320 +switch on disabled")
             page.close()
-            check(page.process.wait(timeout=10) == 128 + signal.SIGHUP, "its terminal is closed: it ends")
+            check(page.process.wait(timeout=LIMIT) == 128 + signal.SIGHUP, "its terminal is closed: it ends")
         drawn = ends_by(tool, device, check, "the port vanishes", lambda page: drives.process.kill(), 4)
         said = drawn.rpartition("\x1b[?1049l")[2]
         check(f"rtuwire: {device}" in said, "it says which port", said)

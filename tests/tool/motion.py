@@ -23,16 +23,15 @@ import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "programs"))
 
-from controller import DISABLED, RUNS, UNIT, Checks, Drive, own_group, soon  # noqa: E402
-from frames import Line, are_frames  # noqa: E402
+from controller import DISABLED, RUNS, TTO, UNIT, Checks, Drive, own_group, soon  # noqa: E402
+from frames import CountedLine, Line, are_frames  # noqa: E402
 
 AT_ONCE = 12  # simulated drives, each with its own process
-LIMIT = 20  # in seconds, for what has to happen
+LIMIT = 60  # in seconds, for what has to happen
 QUICK = 15  # TTO of a drive that has to stop by itself, in 0.1 s
 DRIVES = ("atv320", "atv28", "atv12", "atv310", "atv310_2026")
 SIGNALS = ("INT", "TERM", "HUP", "PIPE", "KILL")
 SPEED = 40  # in Hz
-LIFE = 2.6  # seconds of a `start --for 1s`, from its first frame to the end of its stop
 
 checks_lock = threading.Lock()
 
@@ -43,6 +42,8 @@ class Motor(Drive):
     def __init__(self, program, name="atv320", tto=None, ramp=5):
         super().__init__(program, name)
         self.tto, self.ramp = tto, ramp
+        # Half of what the program may keep its drive waiting: a machine that is busy is no lost line.
+        self.timeout = min(1, (tto or TTO) / 60)
 
     def __enter__(self):
         from simulator import Registers
@@ -65,7 +66,7 @@ class Motor(Drive):
                "preexec_fn": own_group, **how}
         self.controllers.append(subprocess.Popen(
             [program, "--port", device or self.device, "--unit", str(UNIT), "--no-listen",
-             *(("--timeout", "0.2", "--retries", "0") if self.tto == QUICK else ("--timeout", "0.4")), *words], **how))
+             "--timeout", str(self.timeout), "--retries", "0", *words], **how))
         return self.controllers[-1]
 
     def start(self, program, *words, **how):
@@ -89,30 +90,46 @@ def end(process, limit=LIMIT):
 
 # Moments.
 
-def kill_at(program, drive, name, moment):
-    """Whether it turned; what is wrong, or nothing."""
+def requests_of(program, drive):
+    """How many a whole `start --for 1s` makes, when nobody ends it."""
+    with Motor(program, drive) as motor, CountedLine(motor.device) as line:
+        end(motor.start(program, "--for", "1s", device=line.name))
+        return line.requests
+
+
+def kill_at(program, drive, name, number):
+    """Whether it turned when the n-th request was on its way; what is wrong, or nothing. On a busy machine fewer are made
+    in that second: then it has ended by itself."""
     is_killed = name == "KILL"
-    with Motor(program, drive, tto=QUICK if is_killed else None) as motor:
-        process = motor.start(program, "--for", "1s")
-        time.sleep(moment)
-        turned = motor.turns()
+    turned = []
+    has_begun = threading.Event()
+
+    def kill():
+        has_begun.wait()
+        turned.append(motor.turns())
         process.send_signal(getattr(signal, "SIG" + name))
+
+    with Motor(program, drive, tto=QUICK if is_killed else None) as motor, \
+            CountedLine(motor.device, number, kill) as line:
+        process = motor.start(program, "--for", "1s", device=line.name)
+        has_begun.set()
         status, _, text = end(process)
         if status == "it does not end":
-            return turned, status
+            return any(turned), status
         if is_killed:
             # Without its time-out it would turn for ever; how long that is, tests in virtual time tell.
-            return turned, None if soon(motor.has_stopped, LIMIT) else f"turns on: {motor.shown()}"
-        return turned, None if motor.stands() else f"{motor.shown()}, status {status}, {text}"
+            return any(turned), None if soon(motor.has_stopped, LIMIT) else f"turns on: {motor.shown()}"
+        return any(turned), None if motor.stands() else f"{motor.shown()}, status {status}, {text}"
 
 
 def moments(program, check, count=20):
     """The motor stops, whenever it comes; by KILL within the drive's time-out."""
+    whole = {drive: requests_of(program, drive) for drive in ("atv320", "atv28")}
     runs = []
     for name in SIGNALS:
         for i in range(count):
             drive = DRIVES[i % 2] if name != "KILL" else "atv320" if i % 10 else "atv28"
-            runs.append((drive, name, 0.02 + LIFE * i / count))
+            runs.append((drive, name, 1 + whole[drive] * i // count))
     with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
         ends = list(pool.map(lambda run: kill_at(program, *run), runs))
     for name in SIGNALS:
@@ -120,7 +137,7 @@ def moments(program, check, count=20):
         wrong = [(run, found[1]) for run, found in of_one if found[1]]
         check(not wrong, f"{name}: the motor stops in each of {len(of_one)} moments", wrong[:3])
     turned = sum(found[0] for found in ends)
-    check(turned > len(ends) / 8, "it turned in many of them", f"{turned} of {len(ends)}")
+    check(turned > len(ends) / 8, "it turned in many of them", f"{turned} of {len(ends)}, of {whole} requests")
 
 
 # Ways out.
@@ -192,7 +209,7 @@ def by_two_interrupts(motor, program, check):
     process = motor.start(program)
     check(soon(lambda: motor.shown()[1] == 40), "twice Ctrl-C: it turns")
     process.send_signal(signal.SIGINT)
-    time.sleep(0.4)
+    check(soon(lambda: 0 < motor.shown()[1] < 40), "twice Ctrl-C: its ramp has begun", motor.shown())
     process.send_signal(signal.SIGINT)
     found, _, error = end(process)
     check(found in (0, 1) and "power" in error or "stands" in error, "twice Ctrl-C: its status", (found, error))
@@ -397,7 +414,7 @@ def stops(program, check):
 def resets_and_misses(program, check):
     with Motor(program) as motor, tempfile.TemporaryDirectory() as folder:
         motor.suffer("fault")
-        time.sleep(0.1)
+        check(soon(lambda: motor.shown()[0] == "fault"), "a fault", motor.shown())
         home = {**os.environ, "XDG_STATE_HOME": folder}
         found, out, _ = end(motor.tool(program, "--json", "--write", "reset", env=home))
         check(found == 1 and "OCF" in out and "still in fault" in out, "a fault whose cause is there", (found, out))
@@ -410,10 +427,9 @@ def resets_and_misses(program, check):
         check(found == 0 and "OCF" in out and json.loads(out)["outcome"].startswith("reset"), "reset", (found, out))
         check(motor.shown()[0] == DISABLED, "it is reset", motor.shown())
         motor.suffer("cut")
-        begin = time.monotonic()
+        motor.timeout = 0.2
         found, out, _ = end(motor.tool(program, "--json", "stop"))
-        took = time.monotonic() - begin
-        check(found == 3 and "not reached" in out and took < 8, "stop of a drive that is off", (found, out, took))
+        check(found == 3 and "not reached" in out, "stop of a drive that is off, which ends", (found, out))
 
 
 def orders(program, check):

@@ -103,7 +103,7 @@ def check_unknown_units(tool, check):
     """Without function 43: what refuses it is no ATV310; of what is silent to it nobody knows."""
     for ignored, is_read in (((), True), ((43,), False)):
         with Units({7: {100: 5, 611: 6, 705: 1}}, ignored=ignored) as line:
-            how = ["--port", line.name, "--no-listen", "--timeout", 0.2, "--retries", 0, "--json", "-u", 7, "read"]
+            how = ["--port", line.name, "--no-listen", "--timeout", 1, "--retries", 0, "--json", "-u", 7, "read"]
             check(tool.run(*how, "100", "100.0").objects()[0]["raw"] == 5 and {each[1] for each in line.requests} == {3},
                   "other numbers are addresses: nobody is asked who it is")
             ended = tool.run(*how, "611", "705.0")
@@ -158,14 +158,14 @@ def check_no_identity(tool, check):
     """Units that do not say who they are: function 43 is ignored, as by something between that does not let it pass."""
     for drive in ("atv320", "atv12", "atv28"):
         with Units({7: registers_of(tool, drive)}, ignored=(43,)) as line:
-            ended = tool.run("--port", line.name, "--no-listen", "--timeout", 0.2, "--retries", 0, "--json", "-u", 7, "read", "RFR")
+            ended = tool.run("--port", line.name, "--no-listen", "--timeout", 1, "--retries", 0, "--json", "-u", 7, "read", "RFR")
             check(ended.status == DONE and ended.objects()[0]["raw"] == 0, f"an {drive} is known by its registers", ended)
             check({request[1] for request in line.requests} == {3, 43}, "by reads only")
     everything = dict.fromkeys(range(65_536), 0)
     for what, registers, ignored in (("few registers", {100: 5}, (43,)), ("any register", everything, (43,)),
                                      ("any register, and refuses function 43", everything, ())):
         with Units({7: registers}, ignored=ignored) as line:
-            how = ["--port", line.name, "--no-listen", "--timeout", 0.2, "--retries", 0, "-u", 7]
+            how = ["--port", line.name, "--no-listen", "--timeout", 1, "--retries", 0, "-u", 7]
             ended = tool.run(*how, "read", "RFR")
             check(ended.status == DIFFERS and "unit 7: answers" in ended.errors and "--drive" in ended.errors,
                   f"a unit with {what} is no drive, and --drive is named", ended)

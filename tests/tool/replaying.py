@@ -13,7 +13,7 @@ import subprocess
 import time
 
 from line_between import LineBetween
-from support import DIFFERS, DONE, USAGE, Simulator, Tool, runs, with_crc
+from support import DIFFERS, DONE, LIMIT, USAGE, Simulator, Tool, runs, with_crc
 
 SEEDS = (1, 2, 3, 4, 5)
 KINDS = {"client": {"good", "damaged", "late", "stray"}, "server": {"good", "damaged", "foreign", "stray"}}
@@ -87,7 +87,7 @@ def listener(tool, check):
                     time.sleep(pause)
             time.sleep(0.7)
             process.send_signal(signal.SIGINT)
-            shown, _ = process.communicate(timeout=10)
+            shown, _ = process.communicate(timeout=LIMIT)
         played = tool.run("--json", "replay", file)
         verdicts = collections.Counter(each["verdict"] for each in played.objects())
         check(shown == played.output and {"good", "damaged"} <= set(verdicts),

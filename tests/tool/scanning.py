@@ -10,35 +10,37 @@ import re
 import signal
 import time
 
-from support import DONE, NO_ANSWER, PORT, REFUSED, USAGE, Simulator, Tool, Units, runs, with_crc
+from support import DONE, LIMIT, NO_ANSWER, PORT, REFUSED, USAGE, CountedLine, Simulator, Tool, Units, runs, with_crc
 
 THERE = {3: "atv12", 7: "atv320", 130: "atv310"}
+DRIVES = [f"{drive}:{unit}" for unit, drive in THERE.items()]
 ADDRESSES = 247
-TIMEOUT = 0.03  # s
+TIMEOUT = 0.05  # s, in which a drive on a busy machine answers
 RATE = 19_200
 REQUEST = (8 + 3.5) * 11 / RATE  # s on the wire, with its silence
 
-SHARE = 1.15  # of the time-outs, on a machine with nothing else to do
-BUSY_SHARE = 2.0  # on any other
+SHORT_TIMEOUT = 0.03  # s, on a machine with nothing else to do
+SHARE = 1.15  # of the time-outs alone, there
 
 
-def allowed(units, share=BUSY_SHARE):
-    """So many times of what the time-outs alone cost, and the requests themselves."""
-    return (share * TIMEOUT + REQUEST) * units
-
-
-def check_whole_line(program, tool, check, share=BUSY_SHARE):
-    with Simulator(program, *(f"{drive}:{unit}" for unit, drive in THERE.items())) as device:
-        how = ["--port", device, "--no-listen", "--timeout", TIMEOUT]
+def check_share(program, tool, check):
+    with Simulator(program, *DRIVES) as device:
         began = time.monotonic()
-        ended = tool.run(*how, "--json", "scan")
+        ended = tool.run("--port", device, "--no-listen", "--timeout", SHORT_TIMEOUT, "--json", "scan")
         spent = time.monotonic() - began
+        check({row["unit"]: row["drive"] for row in ended.objects()} == THERE, "busy? Three drives, and nothing else", ended)
+        most = (SHARE * SHORT_TIMEOUT + REQUEST) * ADDRESSES
+        check(spent < most, f"busy? The scan takes {spent:.2f} s, allowed {most:.2f} s")
+
+
+def check_whole_line(program, tool, check):
+    with Simulator(program, *DRIVES) as device:
+        how = ["--port", device, "--no-listen", "--timeout", TIMEOUT]
+        ended = tool.run(*how, "--json", "scan", limit=2 * LIMIT)
         found = {row["unit"]: row["drive"] for row in ended.objects()}
         check(ended.status == DONE and found == THERE, "three drives among 247 addresses, and nothing else", ended)
-        most = allowed(ADDRESSES, share)
-        check(spent < most, f"the scan takes {spent:.2f} s, allowed {most:.2f} s")
         lines = ended.errors.splitlines()
-        check(5 < len(lines) < 20 and all(re.match(r"\d+ of 247, asking unit \d+, \d found", line) for line in lines),
+        check(5 < len(lines) and all(re.match(r"\d+ of 247, asking unit \d+, \d found", line) for line in lines),
               "a line of progress now and then, where it is no terminal", lines)
         check("\r" not in ended.errors and "\x1b" not in ended.errors, "without a terminal's characters")
         shown = tool.on_terminal(*how, "scan", "--units", "1-20").output
@@ -50,8 +52,8 @@ def check_whole_line(program, tool, check, share=BUSY_SHARE):
 
 
 def check_resume(program, tool, check):
-    with Simulator(program, *(f"{drive}:{unit}" for unit, drive in THERE.items())) as device:
-        words = ["--port", device, "--no-listen", "--timeout", TIMEOUT, "--json", "scan", "--units", "1-40,130", "--resume", "found"]
+    with Simulator(program, *DRIVES) as device, CountedLine(device) as line:
+        words = ["--port", line.name, "--no-listen", "--timeout", TIMEOUT, "--json", "scan", "--units", "1-40,130", "--resume", "found"]
         process = tool.start(*words)
         first = process.stdout.readline()
         second = process.stdout.readline()
@@ -61,15 +63,13 @@ def check_resume(program, tool, check):
               "Ctrl-C leaves what was found", (first, second, rest))
         check("goes on from there" in errors, "and says how it goes on", errors)
         seen = len((tool.place / "found").read_text().splitlines()) - 1
-        began = time.monotonic()
+        line.requests = 0
         ended = tool.run(*words)
-        spent = time.monotonic() - began
         check([row["unit"] for row in ended.objects()] == sorted(THERE), "it goes on, and shows all", ended)
-        most = allowed(41 - seen) + 0.2
-        check(seen >= 7 and spent < most, f"without asking again: {spent:.2f} s, allowed {most:.2f} s")
-        began = time.monotonic()
+        check(seen >= 7 and line.requests <= 43 - seen, "without asking again", (seen, line.requests))
+        line.requests = 0
         again = tool.run(*words)
-        check(again.output == ended.output and time.monotonic() - began < 0.3, "and asks nobody when it is through")
+        check(again.output == ended.output and line.requests == 0, "and asks nobody when it is through", line.requests)
         os.remove(tool.place / "found")
         (tool.place / "found").write_text("something else\n")
         check(tool.run(*words).status != DONE and (tool.place / "found").read_text() == "something else\n",
@@ -108,7 +108,7 @@ def check_damaged(tool, check):
     for name, reason in (("/dev/full", "is a device"), (".", "is a directory"), ("pipe", "is a pipe"),
                          ("missing/scan", "No such file or directory")):
         os.mkfifo(tool.place / "pipe") if name == "pipe" else None
-        ended = tool.run(*words, name, limit=5)
+        ended = tool.run(*words, name)
         check(ended.status in (USAGE, PORT) and f"{name}: {reason}" in ended.errors, f"--resume {name}", ended)
     # What a device says of itself reaches no terminal as it is, whichever way it takes.
     with Sayer({7: {}}) as line:
@@ -143,18 +143,19 @@ class Sayer(Units):
 def check_listening(tool, check):
     """A line on which another master speaks is not scanned."""
     with Units({}) as line:
-        process = tool.start("--port", line.name, "--listen", "0.6", "scan")
-        time.sleep(0.2)
-        line.say(bytes.fromhex("07030C820001270C"))
-        output, errors = process.communicate(timeout=10)
+        process = tool.start("--port", line.name, "--listen", "1", "scan")
+        while process.poll() is None:
+            line.say(bytes.fromhex("07030C820001270C"))
+            time.sleep(0.1)
+        output, errors = process.communicate(timeout=LIMIT)
         check(process.returncode == REFUSED and "talking" in errors and not output, "a line in use is not scanned", errors)
         check(not line.heard, "nothing was sent", line.heard)
         began = time.monotonic()
         process = tool.start("--port", line.name, "--timeout", TIMEOUT, "scan", "--units", "1-3")
-        while not line.heard and time.monotonic() - began < 5:
+        while not line.heard and time.monotonic() - began < LIMIT:
             time.sleep(0.01)
         check(time.monotonic() - began > 0.95, "it listens for a second before it speaks")
-        process.communicate(timeout=10)
+        process.communicate(timeout=LIMIT)
     with Units({9: {}}) as line:
         rows = tool.run("--port", line.name, "--no-listen", "--timeout", TIMEOUT, "--json", "scan", "--units", "5-12").objects()
         check([(row["unit"], row["drive"]) for row in rows] == [(9, "")], "a unit that only refuses is one", rows)
@@ -163,7 +164,7 @@ def check_listening(tool, check):
 def main(check, program, part=""):
     with Tool(program) as tool:
         if part == "share":
-            check_whole_line(program, tool, check, SHARE)
+            check_share(program, tool, check)
             return
         check_whole_line(program, tool, check)
         check_resume(program, tool, check)

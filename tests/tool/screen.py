@@ -15,6 +15,7 @@ import time
 
 import pyte
 
+LIMIT = 60.0  # s, for what has to happen
 KEPT_BY_NCURSES = pathlib.Path(__file__).resolve().parent / "kept_by_ncurses.txt"
 LEAVES = b"\x1b[?1049l"  # the end of the whole screen
 FORM = {"TERM": "screen-256color", "LC_ALL": "C.UTF-8"}  # what pyte understands
@@ -90,7 +91,7 @@ class Screen:
     def text(self):
         return "\n".join(self.lines)
 
-    def until(self, is_so, seconds=8.0):
+    def until(self, is_so, seconds=LIMIT):
         """Whether something becomes true of the screen. In steps that are short beside what a person notices."""
         until = time.monotonic() + seconds
         while not is_so():
@@ -99,7 +100,7 @@ class Screen:
             self.take(0.02)
         return True
 
-    def until_shown(self, pattern, seconds=8.0):
+    def until_shown(self, pattern, seconds=LIMIT):
         return self.until(lambda: re.search(pattern, self.text, re.MULTILINE), seconds)
 
     def is_red(self, text):
@@ -111,7 +112,7 @@ class Screen:
                     return True
         return False
 
-    def end(self, seconds=10.0):
+    def end(self, seconds=LIMIT):
         """The status with which the program ends by itself; None where it does not."""
         self.until(lambda: self.process.poll() is not None, seconds)
         self.take(0.05)

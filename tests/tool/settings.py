@@ -11,7 +11,7 @@ import resource
 import signal
 import time
 
-from support import (DIFFERS, DONE, NO_ANSWER, PORT, REFUSED, USAGE, Simulator, Tool, Units, runs)
+from support import (DIFFERS, DONE, LIMIT, NO_ANSWER, PORT, REFUSED, USAGE, Simulator, Tool, Units, runs)
 
 # What the test's own unit holds, as an ATV12 has it: at rest, not commanded.
 AT_REST = {3201: 0x0040, 8501: 0, 3202: 0, 3103: 600, 3104: 500, 3105: 0, 9001: 30, 9002: 40, 8401: 1, 8423: 10, 8413: 164,
@@ -26,8 +26,9 @@ def registers_of_drive(tool, **words):
     return {**{int(row["address"]): 0 for row in rows}, **AT_REST, **words}
 
 
-def how(line, *words):
-    return ["--port", line.name, "--no-listen", "--timeout", "0.2", "--retries", "0", "-u", 7, "-d", "atv12", *words]
+def how(line, *words, timeout=5):
+    """The time-out is short only where a unit falls silent."""
+    return ["--port", line.name, "--no-listen", "--timeout", timeout, "--retries", "0", "-u", 7, "-d", "atv12", *words]
 
 
 def writes(line):
@@ -239,7 +240,7 @@ def check_cut(tool, check):
         whole = len(line.requests)
     for left in range(whole // 2 - 4, whole + 1, max(1, whole // 24)):
         with Dying(left, {7: registers_of_drive(tool)}) as line:
-            ended = tool.run(*how(line), "--write", "--json", "restore", "wanted.json")
+            ended = tool.run(*how(line, timeout=0.2), "--write", "--json", "restore", "wanted.json")
             held = {code: line.units[7][addresses[code]] for code in WANTED}
             check(all(held[code] in (OLD[code], WANTED[code]) for code in WANTED), f"cut after {left}: old or new", held)
             if left < whole:
@@ -262,11 +263,11 @@ def check_interrupt(tool, check):
     own_file(tool, "wanted.json", **WANTED)
     with Units({7: registers_of_drive(tool)}, bits_per_second=9_600) as line:
         process = tool.start(*how(line), "--write", "--json", "restore", "wanted.json")
-        end = time.monotonic() + 30
+        end = time.monotonic() + LIMIT
         while not writes(line) and time.monotonic() < end:
             time.sleep(0.002)
         process.send_signal(signal.SIGINT)
-        output, errors = process.communicate(timeout=30)
+        output, errors = process.communicate(timeout=LIMIT)
         done = [row["register"] for row in map(json.loads, output.splitlines()) if row["outcome"] == "written and read back"]
         check(process.returncode == 130 and "signal" in errors, "its status is that of the signal", (process.returncode, errors))
         check(1 <= len(done) == len(writes(line)) < len(WANTED), "each write is told, and the rest is not begun", (done, errors))

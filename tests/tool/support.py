@@ -16,10 +16,10 @@ HERE = pathlib.Path(__file__).resolve().parent
 for room in ("interop", "programs"):
     sys.path.insert(0, str(HERE.parent / room))
 
-from frames import Line, crc, with_crc  # noqa: E402,F401
+from frames import CountedLine, Line, crc, with_crc  # noqa: E402,F401
 from simulator import DRIVES, Checks, Simulator  # noqa: E402,F401
 
-LIMIT = 20  # s, for a command that ends by itself
+LIMIT = 60  # s, for a command that ends by itself
 DONE, DIFFERS, USAGE, NO_ANSWER, PORT, REFUSED = range(6)
 
 

@@ -27,12 +27,12 @@ def check_period(tool, check):
     # On a busy machine a line may be late; the next ones come at their times, or as soon as they can.
     check(all(each > i * 0.2 - 0.05 for i, each in enumerate(seconds)), "counted from the beginning, and none too soon", seconds)
     check(seconds == sorted(seconds), "one after the other", seconds)
-    check(min(after - before for before, after in zip(seconds, seconds[1:])) < 0.3, "and none left out", seconds)
+    check(min(after - before for before, after in zip(seconds, seconds[1:])) < 0.3, "busy? None left out", seconds)
     times = [datetime.fromisoformat(row["time"].replace("Z", "+00:00")) for row in came]
     check(times == sorted(times) and times[0] < times[-1], "with the time of day", times)
     check(all(row["RFR"] == 0.0 and row["ETA"] is not None for row in came), "and the values")
     ended = tool.run("--csv", "-u", 7, "watch", "RFR", "--every", "100ms", "--for", "0.45s", port="sim:atv320:7")
-    check(ended.status == DONE and 1 < len(ended.rows()) <= 5, "for a time", ended)
+    check(ended.status == DONE and 1 <= len(ended.rows()) <= 5, "for a time", ended)
 
 
 def check_reader(tool, check):
@@ -48,14 +48,15 @@ def check_reader(tool, check):
 def check_silence(tool, check):
     """A unit that falls silent is a line with an error, and the watch goes on."""
     with Units({7: {100: 5}}) as line:
-        process = tool.start("--port", line.name, "--no-listen", "--json", "-u", 7, "--timeout", 0.3, "--retries", 0, "watch", "100",
-                             "--every", "100ms", "--for", "3s")
+        process = tool.start("--port", line.name, "--no-listen", "--json", "-u", 7, "--timeout", 1, "--retries", 0, "watch", "100",
+                             "--every", "100ms", "--for", f"{LIMIT}s")
         rows = [json.loads(process.stdout.readline())]
         line.units = {}
         rows += [json.loads(process.stdout.readline()) for _ in range(3)]
         line.units = {7: {100: 6}}
-        output, _ = process.communicate(timeout=LIMIT)
-        last = json.loads(output.splitlines()[-1])
+        last = next((row for row in map(json.loads, process.stdout) if not row["error"]), rows[-1])
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=LIMIT)
         check(rows[0]["100"] == 5 and rows[-1]["100"] is None and rows[-1]["error"], "its error is in the line", rows)
         check(last["100"] == 6 and not last["error"] and process.returncode == DONE, "and it comes back", last)
         line.units = {}
@@ -72,7 +73,7 @@ def check_share(tool, check):
     took = (seconds[-1] - seconds[4]) / (len(seconds) - 5)
     exchange = (8 + 5 + 2 * COUNT + 7) * 11 / RATE
     share = exchange / took
-    check(share >= LEAST, f"{share:.3f} of what the line allows: {1000 * took:.2f} ms a round for {1000 * exchange:.2f} ms")
+    check(share >= LEAST, f"busy? {share:.3f} of what the line allows: {1000 * took:.2f} ms a round for {1000 * exchange:.2f} ms")
 
 
 def main(check, program, part=""):

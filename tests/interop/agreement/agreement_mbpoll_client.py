@@ -25,7 +25,7 @@ class Client:
 
     def run(self, *words):
         done = subprocess.run(["mbpoll", *LINE, *map(str, words)], text=True, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, timeout=20, check=False)
+                              stderr=subprocess.STDOUT, timeout=60, check=False)
         if "timed out" in done.stdout:
             raise Lost
         if done.returncode != 0:
