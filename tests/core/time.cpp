@@ -41,6 +41,21 @@ STATIC_CHECK(reached(instant{0}, instant{0xFFFF'FFFF}));
 STATIC_CHECK(not reached(instant{0xFFFF'FFFF}, instant{0}));
 STATIC_CHECK(instant{4} - instant{0xFFFF'FFFE} == microseconds(6));
 
+// What was named at `late`, up to 35 minutes ahead, is over after a pause that makes it look as if it lay ahead; nothing
+// is over because a clock steps back by a few seconds, and nothing that has just begun looks over.
+STATIC_CHECK(within_reach(late, late) == late);
+STATIC_CHECK(within_reach(late, late + duration{0x7FFF'FFFF}) == late + duration{0x7FFF'FFFF});
+STATIC_CHECK(within_reach(late, late - milliseconds(16'000)) == late - milliseconds(16'000));
+constexpr bool finds_over(std::uint32_t pause)
+{
+    instant const now = late + duration{pause};
+    instant const at = within_reach(late, now);
+    return reached(at, late) and reached(at, late + longest_duration + milliseconds(20'000)) and
+           not reached(at, now + microseconds(1));
+}
+STATIC_CHECK(finds_over(0x8000'0000U) and finds_over(0x8000'0000U + 1) and finds_over(0xC000'0000U) and
+             finds_over(0xFEFF'FFFFU - 2));
+
 STATIC_CHECK(earlier(late, late + milliseconds(10'000)) == deadline{late});
 STATIC_CHECK(earlier(late + milliseconds(10'000), late) == deadline{late});
 STATIC_CHECK(earlier({}, late) == deadline{late} and earlier(late, {}) == deadline{late});

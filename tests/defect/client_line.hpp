@@ -158,6 +158,9 @@ public:
         arrive(time_ + after + length_of(bytes.size()), bytes, tag);
     }
 
+    /// The program is stopped for so many microseconds: nobody makes a pass, whatever the client says.
+    void stop(std::uint64_t length) { time_ += length; }
+
     /// Passes for so many microseconds, sleeping as long as the client says.
     template <typename Converse> void run(std::uint64_t length, Converse converse)
     {

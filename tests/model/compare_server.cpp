@@ -167,6 +167,14 @@ struct world {
         case 2: now += times.t3_5 + roll.below(3) - 1; break;
         case 3: now += times.frame_end + roll.below(3) - 1; break;
         case 4: now += roll.below(200'000); break;
+        case 5:
+            if (not next and pending.empty()) {
+                now += time{roll.below(11'000)} * 1'000'000; // nothing is due for hours
+            } else if (roll.chance(10)) {                    // the program is stopped
+                now += time{roll.any<unsigned>({1, 36, 50, 71, 110, 142})} * 60'000'000;
+                advance();
+            }
+            break;
         default:
             if (next and *next > now and pending.empty()) {
                 now = std::max(now, *next + (roll.chance(80) ? 0 : time{roll.below(3)} - 1));

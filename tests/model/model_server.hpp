@@ -122,8 +122,11 @@ public:
     std::optional<time> poll_deadline() const
     {
         if (phase_ == phase::listening) {
-            if (not line_.is_known or line_.at == receiver::state::between) {
+            if (not line_.is_known) {
                 return std::nullopt;
+            }
+            if (line_.at == receiver::state::between) {
+                return line_.is_quiet ? std::nullopt : std::optional{line_.last + line_.times.silence};
             }
             return line_.last + (is_open_end_ ? line_.times.t3_5 : line_.times.frame_end);
         }

@@ -214,7 +214,7 @@ constexpr bool broadcast_glued()
     two_units it;
     it.hear(request);
     it.hear(request);
-    bool const ends = not it.node.poll_deadline();
+    bool const ends = it.node.poll_deadline() == deadline{it.now + host_line.silence()}; // not that of a frame's end
     it.hear("00 06 00 01 00 03 99 DA"_hex);
     return ends and it.bank.get(1) == 3;
 }

@@ -55,7 +55,8 @@ result<void> finish_pass(Engine& engine, Port& port, byte_span place, instant un
     return receive_from(port, engine, place, *earlier(engine.poll_deadline(), until));
 }
 
-/// Sends requests and waits for their outcomes. Borrows its port, which must outlive it.
+/// Sends requests and waits for their outcomes. May be left unused for any time. Borrows its port, which must outlive
+/// it.
 template <serial_port Port> class blocking_client {
 public:
     blocking_client(Port& its_port, line_timing const& its_line, client_options const& its_options = {}) noexcept

@@ -60,8 +60,7 @@ public:
     constexpr void advance(instant now) noexcept
     {
         is_urgent_ = false;
-        client_.advance(now);
-        places::advance_slots(now);
+        places::advance_slots(client_.advance_within_reach(now));
     }
 
     /// Gives a slot's conversation its outcome, and takes its next request when it is its turn. While nobody

@@ -22,7 +22,8 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Sends one request at a time, for any number of conversations. In each pass call `receive` with what arrived, `sent`
 /// when the last stop bit has left, `advance`; then `converse` for each conversation, in the same order; then send
-/// what `poll_transmit` returns. Sleep no longer than until `poll_deadline`.
+/// what `poll_transmit` returns. Sleep no longer than until `poll_deadline`. Whoever comes later, even by
+/// hours, finds over what was in force: a program may be stopped, and a client left unused, for any time.
 ///
 /// Lifetimes: a conversation may be destroyed, moved or begun anew between any two calls. A request, and each
 /// repetition of it, leaves only in a pass in which its conversation visits (`converse` is called for it); the bytes
@@ -39,6 +40,7 @@ class basic_client : public conversation_desk<transaction<Statistics, Line, Opti
     using desk::is_held_back_;
     using desk::orders_;
     using desk::reservation_;
+    using desk::seen_;
     using desk::turns_;
 
 public:
@@ -51,14 +53,21 @@ public:
     using desk::desk;
 
     /// Lets time pass.
-    constexpr void advance(instant now) noexcept
+    constexpr void advance(instant now) noexcept { static_cast<void>(advance_within_reach(now)); }
+
+    /// The same. Returns the time by which what was in force before is to be judged: see `within_reach`.
+    /// Internal.
+    constexpr instant advance_within_reach(instant now) noexcept
     {
-        bool const is_silence_over = orders_.advance(now);
-        if ((duty::advance(now) or is_silence_over) and is_held_back_) {
+        instant const at = seen_ == instant{0} ? now : within_reach(seen_, now); // 0: the first time
+        seen_ = now;
+        bool const is_silence_over = orders_.advance(at);
+        if ((duty::advance(now, at) or is_silence_over) and is_held_back_) {
             is_held_back_ = false;
             turns_.void_marks();
             turns_.note_waiting();
         }
+        return at;
     }
 
     /// When the next pass has something to do.

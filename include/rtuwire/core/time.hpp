@@ -4,6 +4,9 @@
 // Time as the caller supplies it: wrapping 32-bit microseconds. The portable headers never read a clock. The
 // count wraps after 71.6 minutes, so instants cannot be sorted: the only test is "has this deadline been
 // reached", right for deadlines up to 35 minutes away on either side.
+//
+// The law of a time that is kept: whoever keeps one names a deadline for it, and who calls late, even an hour after it,
+// finds it over. So an engine judges by `within_reach` of its last `advance`, or of what it last heard.
 #pragma once
 
 #include <compare>
@@ -143,6 +146,23 @@ struct instant {
 {
     return (now.microseconds - deadline.microseconds) < 0x8000'0000U;
 }
+
+/// The time at which deadlines that were named up to `before` are judged `now`: after a pause of more than half the
+/// counter, which makes what is over look as if it lay ahead, 35.5 minutes after `before`, when all of them were over.
+/// A pause of a whole turn of the counter shows as none: what was in force may then last once more, but no longer than
+/// it was set for. A clock that goes back by less than 16 s is no such pause.
+/// Internal.
+[[nodiscard]] constexpr instant within_reach(instant before, instant now) noexcept
+{
+    constexpr std::uint32_t half = 0x8000'0000U;
+    constexpr std::uint32_t back = 0x0100'0000U;
+    bool const is_long = (now - before).microseconds - half < half - back;
+    return is_long ? instant{before.microseconds + (half - back)} : now;
+}
+
+/// Keeps a time that is over, by `at`, from looking as if it lay ahead some day. `at` is `within_reach` of the last call.
+/// Internal.
+constexpr void keep_over(instant& end, instant now, instant at) noexcept { end = reached(at, end) ? now : end; }
 
 /// When something has to happen next, or never.
 using deadline = std::optional<instant>;

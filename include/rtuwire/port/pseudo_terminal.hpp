@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <string>
 #include <utility>
@@ -75,8 +76,8 @@ public:
     result<byte_span> read(byte_span place, instant until)
     {
         auto const bytes = near_.read(place, until);
-        if (bytes and bytes->empty() and reached(now(), next_look_)) {
-            next_look_ = now() + milliseconds(1'000);
+        if (bytes and bytes->empty() and clock::now() >= next_look_) {
+            next_look_ = clock::now() + std::chrono::seconds{1};
             unlock_far_end();
         }
         return bytes;
@@ -86,6 +87,8 @@ public:
     [[nodiscard]] static instant now() noexcept { return steady_now(); }
 
 private:
+    using clock = std::chrono::steady_clock;
+
     /// A program that was killed while it used the far end exclusively (TIOCEXCL) cannot release it, and the
     /// far end is never closed. Where it is locked (flock), a program still uses it.
     void unlock_far_end() const noexcept
@@ -103,7 +106,7 @@ private:
     descriptor near_;
     descriptor far_;
     std::string path_;
-    instant next_look_{steady_now()};
+    clock::time_point next_look_{clock::now()}; ///< counts 64 bits: nobody may read for an hour
 };
 
 } // namespace rtuwire

@@ -40,10 +40,11 @@ public:
         if (activity_ == activity::unknown) {
             note_activity(now);
         }
-        if (reached(now, last_ + line().silence())) {
+        instant const at = within_reach(last_, now);
+        if (reached(at, last_ + line().silence())) {
             activity_ = activity::quiet;
         }
-        if (waits_for_silence() and reached(now, last_ + end_silence())) {
+        if (waits_for_silence() and reached(at, last_ + end_silence())) {
             on_silence();
         }
     }
@@ -60,11 +61,15 @@ public:
         }
     }
 
-    /// The same for a receiver that does not send: when silence ends the frame being received, or the bytes
-    /// being ignored. A separate plain form, which is smaller (docs/size-notes.md).
+    /// The same for a receiver that has nothing to send: when silence ends the frame being received, or the bytes
+    /// being ignored; between frames, when the line counts as quiet. A separate plain form, which is smaller
+    /// (docs/size-notes.md).
     [[nodiscard]] constexpr deadline poll_end_deadline() const noexcept
     {
-        return activity_ == activity::unknown or not waits_for_silence() ? deadline{} : deadline{last_ + end_silence()};
+        if (activity_ == activity::unknown or not(waits_for_silence() or activity_ == activity::busy)) {
+            return {};
+        }
+        return last_ + (waits_for_silence() ? end_silence() : line().silence());
     }
 
     /// Whether a frame ended, whole or damaged, once.

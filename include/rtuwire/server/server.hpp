@@ -41,7 +41,7 @@ template <typename Diagnostics, typename Functions, typename... Entries> class s
 
 /// Serves one unit address. In each pass call `receive` with what arrived, `sent` when the last stop bit of a
 /// response was sent, `advance`, `serve`; then send what `poll_transmit` returns. Sleep no longer than until
-/// `poll_deadline`; call `advance` at least every 35 minutes. `now` never goes back.
+/// `poll_deadline`; whoever comes later, even by hours, finds over what was in force. `now` never goes back.
 ///
 /// How frames end. Bytes are ignored until the line was silent for `frame_end` once; before the first `advance`, time
 /// is not known and all bytes are ignored. Then a frame begins with the next byte. It ends

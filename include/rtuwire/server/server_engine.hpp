@@ -58,7 +58,7 @@ public:
     /// for `frame_end` since the last byte; a `sent` after that does no harm.
     constexpr void advance(instant now) noexcept
     {
-        if (phase_ != phase::listening and reached(now, until_)) {
+        if (phase_ != phase::listening and reached(within_reach(framer_.last_activity(), now), until_)) {
             if (phase_ == phase::transmitting) {
                 framer_.resynchronise();
                 phase_ = phase::listening;
@@ -85,9 +85,10 @@ public:
         return {framer_.storage().data(), size};
     }
 
-    /// When `advance` is due next. Listening: never between frames and before the first `advance`; with a frame
-    /// begun, or while bytes are ignored, the last byte + `frame_end` (t3.5 with an open end). In any other phase:
-    /// the time limit; the last byte + the silence before sending before that, until `advance` has processed it.
+    /// When `advance` is due next. Listening: never before the first `advance`; with a frame begun, or while bytes are
+    /// ignored, the last byte + `frame_end` (t3.5 with an open end); between frames, and in any other phase, the last
+    /// byte + the silence before sending, until `advance` has processed it; after that never between frames, and in
+    /// any other phase the time limit, which may come first.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
         if (phase_ == phase::listening) {

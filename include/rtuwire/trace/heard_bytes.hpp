@@ -54,6 +54,8 @@ public:
         has_damage_ = true;
     }
 
+    [[nodiscard]] constexpr bool has_damage() const noexcept { return has_damage_; }
+
     /// Nothing that comes from here on belongs to what was damaged.
     constexpr void forget_damage() noexcept { has_damage_ = false; }
 

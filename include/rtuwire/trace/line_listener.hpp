@@ -36,9 +36,9 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 ///     tap.advance(now, ...);
 class line_listener : detail::frame_search {
 public:
-    /// A request without a response after `response_limit` is unanswered; the response is late from then on. Let it be
-    /// shorter than the time after which the line's client repeats a request: before, a repetition of functions 05, 06,
-    /// 08 and 22 is taken for the response, whose bytes are the same.
+    /// A request without a response after `response_limit` is unanswered; the response is late from then on, for up to 35
+    /// minutes. Let it be shorter than the time after which the line's client repeats a request: before, a repetition of
+    /// functions 05, 06, 08 and 22 is taken for the response, whose bytes are the same.
     explicit constexpr line_listener(line_timing const& timing, duration response_limit = milliseconds(400)) noexcept
         : timing_{timing}, limit_{response_limit}
     {}
@@ -62,17 +62,23 @@ public:
         last_ = now;
     }
 
-    /// Lets time pass; at the latest at `poll_deadline`, and within 35 minutes.
+    /// Lets time pass; at the latest at `poll_deadline`.
     template <typename Take> constexpr void advance(instant now, Take&& take) { let_pass(now, take); }
 
     /// When `advance` has something to do.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
         earliest next;
-        if (not held_.is_empty()) {
+        if (not held_.is_empty() or held_.has_damage()) {
             next.add(last_ + timing_.frame_end());
         } else if (pending_.is_any()) {
             next.add(pending_.end() + limit_);
+        }
+        if (lost_.is_any()) {
+            next.add(lost_.end() + limit_);
+        }
+        if (given_up_.is_any()) {
+            next.add(given_up_.end() + longest_duration);
         }
         return next;
     }
@@ -94,8 +100,10 @@ private:
     }
 
     /// The line was as it is up to a time.
-    template <typename Take> constexpr void let_pass(instant until, Take& take)
+    template <typename Take> constexpr void let_pass(instant now, Take& take)
     {
+        instant const until = within_reach(seen_, now);
+        seen_ = now;
         if (reached(until, last_ + timing_.frame_end())) {
             cut(true, take);
             held_.forget_damage();
@@ -105,6 +113,9 @@ private:
         }
         if (lost_.is_any() and reached(until, lost_.end() + limit_)) {
             lost_.forget();
+        }
+        if (given_up_.is_any() and reached(until, given_up_.end() + longest_duration)) {
+            given_up_.forget();
         }
     }
 
@@ -215,6 +226,7 @@ private:
     line_timing timing_;
     duration limit_;
     instant last_{0};
+    instant seen_{0}; ///< up to when time has passed
 };
 
 } // namespace rtuwire

@@ -126,7 +126,9 @@ public:
 
     constexpr void advance(instant now) noexcept
     {
+        instant const at = has_begun_ ? within_reach(now_, now) : now;
         now_ = now;
+        keep_over(enable_end_, now, at);
         if (control().is_ordered() and this->is_overruled() and not is_asking_) {
             steps_.yield();
         }
@@ -139,7 +141,7 @@ public:
             has_begun_ = true;
             due_ = now;
         }
-        is_due_ = is_due_ or reached(now, due_);
+        is_due_ = is_due_ or reached(at, due_);
     }
 
     constexpr std::optional<request_frame> next() noexcept

@@ -34,6 +34,7 @@ public:
     /// Processes the time: starts the clock, ends pauses, and ends the conversation at its limit.
     constexpr void advance(instant now) noexcept
     {
+        instant const at = has_begun_ ? within_reach(now_, now) : now;
         now_ = now;
         if (not has_begun_) {
             has_begun_ = true;
@@ -47,6 +48,7 @@ public:
             }
             take(procedure_.step({event::kind::begun}));
         }
+        keep_over(late_at_, now, at);
         if (settled() or is_asking_) {
             return;
         }
@@ -65,7 +67,7 @@ public:
             if (is_late_ or not procedure_.takes_back()) { // else it uses its grace for that
                 take(procedure_.step({event::kind::late}));
             }
-        } else if (has_length() and reached(now, pause_end_)) {
+        } else if (has_length() and reached(at, pause_end_)) {
             bool const is_pause = action_.what == action::kind::pause;
             take(procedure_.step(is_pause ? event{event::kind::pause_over}
                                           : event{event::kind::failed, 0, errc::bus_jam}));

@@ -35,6 +35,7 @@ protected:
     std::uint16_t size_{0}; ///< of the request
     length_hint longest_{}; ///< of its responses; stored, which saves 57 instructions of a read
     instant deadline_{0};
+    instant seen_{0}; ///< the latest `advance`
 };
 
 /// How many bytes of noise may still be skipped before a response; constant options that allow none take no memory.

@@ -74,6 +74,9 @@ public:
         ++unanswered_;
     }
 
+    /// Lets time pass: what was owed by then is not owed later.
+    constexpr void advance(instant now, instant at) noexcept { keep_over(owed_until_, now, at); }
+
     /// Until when responses may come, where none has come. Never before `now`, so that it can be compared with other
     /// times that lie ahead.
     [[nodiscard]] constexpr instant owed_until(instant now) const noexcept

@@ -73,21 +73,22 @@ public:
         }
     }
 
-    /// Lets time pass. Returns whether a unit may be asked again from here on.
-    [[gnu::always_inline]] constexpr bool advance(instant now) noexcept
+    /// Lets time pass. Returns whether a unit may be asked again from here on. `at` is `within_reach` of the latest call.
+    [[gnu::always_inline]] constexpr bool advance(instant now, instant at) noexcept
     {
         is_woken_ = false;
         framer().advance(now);
+        retries_.advance(now, at);
         if (phase_ == phase::awaiting) {
             take_frame(now);
         }
         if (phase_ == phase::handed_out) {
             limit_sending(now);
             phase_ = phase::transmitting;
-        } else if (is_under_way(phase_) and reached(now, deadline_)) {
+        } else if (is_under_way(phase_) and reached(at, deadline_)) {
             on_timeout(now);
         }
-        return quarantine_.advance(now);
+        return quarantine_.advance(at);
     }
 
     /// Gives up the request under way, of whichever conversation; its outcome is `cancelled`. A write may have taken

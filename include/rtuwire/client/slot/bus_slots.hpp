@@ -188,10 +188,11 @@ protected:
         return true;
     }
 
-    /// Whether a unit has to be asked before `end`, where it may wait no longer than `gap`.
+    /// Whether a unit has to be asked before `end`, where it may wait no longer than `gap`. It may have been asked an
+    /// hour ago.
     static constexpr bool is_before(slot const& other, duration gap, instant end) noexcept
     {
-        return gap != duration{} and not reached(other.last_asked + gap, end);
+        return gap != duration{} and end - other.last_asked > gap;
     }
 
     basic_client<Statistics, stored<line_timing>, stored<client_options>, quarantine<Slots>, shared_memory,

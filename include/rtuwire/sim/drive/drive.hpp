@@ -61,9 +61,9 @@ public:
     constexpr void advance(instant now) noexcept
     {
         duration const passed = now - now_;
+        memory_.advance(within_reach(now_, now));
         now_ = now;
         control_.initialised();
-        memory_.advance(now);
         turn(passed);
         if (link_watchdog_.is_lost(now, set().time_out())) {
             lose_link();

@@ -69,6 +69,13 @@ public:
         at_ = now;
     }
 
+    /// The same by the calendar, after any length of time: for a host that may be stopped for an hour.
+    constexpr void advance(instant now, std::uint64_t unix_microseconds) noexcept
+    {
+        time_ = unix_microseconds;
+        at_ = now;
+    }
+
     /// The block of a frame; after `begin`. A frame may be up to 35 minutes older than the one before. The view is valid until the
     /// next call.
     [[nodiscard]] constexpr byte_view packet(traced_frame const& frame) noexcept
@@ -201,6 +208,10 @@ public:
 
     /// As `pcapng_blocks::advance`.
     constexpr void advance(instant now) noexcept { blocks_.advance(now); }
+    constexpr void advance(instant now, std::uint64_t unix_microseconds) noexcept
+    {
+        blocks_.advance(now, unix_microseconds);
+    }
 
     constexpr void take(traced_frame const& frame) noexcept
     {

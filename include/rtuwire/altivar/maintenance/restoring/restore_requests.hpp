@@ -64,7 +64,13 @@ protected:
     [[nodiscard]] constexpr bool is_asking() const noexcept { return is_asking_; }
     [[nodiscard]] constexpr bool is_stopping() const noexcept { return does_ == effect::stopping; }
 
-    constexpr void tick(instant now) noexcept { now_ = now; }
+    constexpr void tick(instant now) noexcept
+    {
+        if (now_is_ == kind::pause) {
+            keep_over(pause_end_, now, within_reach(now_, now));
+        }
+        now_ = now;
+    }
     [[nodiscard]] constexpr bool is_pause_over() const noexcept
     {
         return now_is_ == kind::pause and reached(now_, pause_end_);

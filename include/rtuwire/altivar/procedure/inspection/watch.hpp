@@ -89,12 +89,13 @@ public:
 
     constexpr void advance(instant now) noexcept
     {
+        instant const at = has_begun_ ? within_reach(now_, now) : now;
         now_ = now;
         if (not has_begun_) {
             has_begun_ = true;
             due_ = now;
         }
-        is_due_ = is_due_ or reached(now, due_);
+        is_due_ = is_due_ or reached(at, due_);
     }
 
     constexpr std::optional<request_frame> next() noexcept

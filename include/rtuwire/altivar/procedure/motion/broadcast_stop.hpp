@@ -125,12 +125,14 @@ public:
 
     constexpr void advance(instant now) noexcept
     {
+        instant const at = has_begun_ ? within_reach(now_, now) : now;
+        now_ = now;
         if (not has_begun_) {
             has_begun_ = true;
             last_at_ = now + options_.last_after;
             this->note_stop();
         }
-        is_last_due_ = is_last_due_ or reached(now, last_at_);
+        is_last_due_ = is_last_due_ or reached(at, last_at_);
         if (rounds_.is_over()) {
             for (stop& each : stops_) {
                 each.advance(now);
@@ -277,6 +279,7 @@ private:
     broadcast_rounds rounds_;
     broadcast_stop_options options_;
     std::array<std::byte, 8> frame_{};
+    instant now_{0};
     instant last_at_{0};
     std::size_t at_{0};
     bool has_begun_{false};

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// A waiting client that nobody used for up to an hour and more, or for days: the next stop leaves as from a client that is
+// new, be its drive there or lost before.
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
+#include <rtuwire/altivar/procedure/motion/stop.hpp>
+#include <rtuwire/client/blocking.hpp>
+#include <rtuwire/sim/drive/unit.hpp>
+#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+
+namespace {
+
+using device = atv320::device;
+constexpr line_timing timing{19'200, character_format::even_8_1};
+constexpr station<device> motor{unit_id{3}};
+constexpr std::uint64_t minute = 60'000'000;
+
+/// A port with a simulated drive behind it, in virtual time of 64 bits.
+struct drive_port {
+    std::uint64_t time{0xFFFF'FFFFU - 3'000'000U};
+    sim::unit<device> unit{motor.unit(), timing, instant{static_cast<std::uint32_t>(time)}};
+    std::vector<std::uint64_t> departures{};
+    bool is_cut{false};
+
+    drive_port() { pass(100'000); }
+    instant now() const { return instant{static_cast<std::uint32_t>(time)}; }
+
+    /// Time in which nobody calls the client. The drive lives through it.
+    void pass(std::uint64_t length)
+    {
+        for (std::uint64_t const end = time + length; time < end;) {
+            time = std::min(end, time + 1'000'000);
+            unit.advance(now());
+        }
+    }
+    result<void> write(byte_view bytes, instant)
+    {
+        departures.push_back(time);
+        time += timing.characters(bytes.size()).microseconds;
+        unit.receive(bytes, now());
+        return {};
+    }
+    result<byte_span> read(byte_span place, instant until)
+    {
+        while (not reached(now(), until)) {
+            instant const next = *earlier(unit.poll_deadline(), until);
+            time += reached(now(), next) ? 1 : (next - now()).microseconds;
+            unit.advance(now());
+            if (byte_view const frame = unit.poll_transmit(); not frame.empty()) {
+                time += timing.characters(frame.size()).microseconds;
+                std::copy(frame.begin(), frame.end(), place.begin());
+                unit.sent(now());
+                return place.first(is_cut ? 0 : frame.size());
+            }
+        }
+        return place.first(0);
+    }
+};
+
+struct stopped {
+    std::uint64_t first_frame_after;
+    outcome_kind how;
+};
+
+/// A motor was started; nobody used the client for so long, and then it is stopped.
+stopped stop_after(std::uint64_t pause, bool was_lost)
+{
+    drive_port port;
+    blocking_client line{port, timing, {.response_timeout = milliseconds(100), .retries = 1}};
+    start go{motor, 30_Hz};
+    static_cast<void>(line.run(go));
+    REQUIRE(go.succeeded());
+    port.is_cut = was_lost;
+    for (unsigned i = 0; i < 3; ++i) {
+        CHECK(line.ask(motor.unit(), read_holding_registers{device::layout.eta, 1}).has_value() != was_lost);
+    }
+    port.is_cut = false;
+    port.pass(pause);
+    std::uint64_t const begin = port.time;
+    std::size_t const before = port.departures.size();
+    stop halt{motor};
+    static_cast<void>(line.run(halt));
+    REQUIRE(port.departures.size() > before);
+    return {port.departures[before] - begin, halt.reason().kind};
+}
+
+} // namespace
+
+TEST_CASE("motion law: S45 a stop leaves at once, however long its client was not used")
+{
+    for (bool const was_lost : {false, true}) {
+        // Two minutes are longer than anything that is in force for a drive.
+        stopped const usual = stop_after(2 * minute, was_lost);
+        CHECK(usual.first_frame_after < 5'000);
+        for (std::uint64_t const pause :
+             {36 * minute, 40 * minute, 50 * minute, 71 * minute, 110 * minute, 142 * minute, 24 * 60 * minute}) {
+            INFO("not used for " << pause / minute << " minutes, " << (was_lost ? "lost" : "not lost") << " before");
+            stopped const it = stop_after(pause, was_lost);
+            CHECK(it.first_frame_after == usual.first_frame_after);
+            CHECK(it.how == usual.how);
+        }
+    }
+}
