@@ -15,7 +15,7 @@ exit_status run_capture(choices const& chosen)
 {
     note_signals();
     any_port port = open_to_listen(chosen);
-    line_calendar calendar{port.now(), unix_now()};
+    line_calendar const calendar{unix_now()};
     capture_output file{chosen.file,
                         {.form = capture_form_in(chosen.capture_form), .bits_per_second = chosen.line.baud},
                         port,

@@ -39,7 +39,7 @@ exit_status run_sniff(choices const& chosen)
     note_signals();
     frame_records show{chosen};
     any_port port = open_to_listen(chosen);
-    line_calendar calendar{port.now(), unix_now()};
+    line_calendar const calendar{unix_now()};
     std::unique_ptr<capture_output> const file = kept(chosen, port, calendar);
     auto const take = [&](tapped_frame const& it) {
         show.put(it);

@@ -65,7 +65,7 @@ exit_status run_timing(choices const& chosen)
     auto const take = [&line](tapped_frame const& it) { line.take(it); };
     if (chosen.file.empty() and not is_capture(chosen)) {
         any_port port = open_to_listen(chosen);
-        line_calendar calendar{port.now(), unix_now()};
+        line_calendar const calendar{unix_now()};
         listen(port, chosen, calendar, take, [] { return true; });
     } else {
         play_capture(capture_in(chosen), setting_in(chosen.line), take);

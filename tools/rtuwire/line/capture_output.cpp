@@ -11,13 +11,14 @@ namespace tool {
 
 capture_output::capture_output(std::string const& file, rtuwire::capture_options options, any_port const& port,
                                line_calendar const& calendar)
-    : name_{file}, file_{file == "-" ? stdout : std::fopen(file.c_str(), "wb"), &std::fclose}
+    : name_{file}, file_{file == "-" ? stdout : std::fopen(file.c_str(), "wb"), &std::fclose}, calendar_{calendar}
 {
     if (not file_) {
         fail();
     }
     options.interface_name = port.device();
-    write(blocks_.begin(options, {.unix_microseconds = calendar.of(calendar.last()), .at = calendar.last()}));
+    rtuwire::instant const now = port.now();
+    write(blocks_.begin(options, {.unix_microseconds = calendar.of(now), .at = now}));
 }
 
 void capture_output::put(rtuwire::traced_frame const& frame)

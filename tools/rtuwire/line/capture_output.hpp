@@ -19,13 +19,13 @@ namespace tool {
 class capture_output {
 public:
     /// Opens the file ("-": standard output) and says which line it is of. The bit rate is in `options`. Ends where the
-    /// file cannot be written, as do all others.
+    /// file cannot be written, as do all others. The calendar must outlive it.
     capture_output(std::string const& file, rtuwire::capture_options options, any_port const& port,
                    line_calendar const& calendar);
 
     void put(rtuwire::traced_frame const& frame);
-    /// The line was silent until then: at least every 35 minutes.
-    void advance(rtuwire::instant now) { blocks_.advance(now); }
+    /// The line was silent until then, now.
+    void advance(rtuwire::instant now) { blocks_.advance(now, calendar_.of(now)); }
 
     /// False once the reader of a pipe has gone.
     bool is_open() const { return is_open_; }
@@ -37,6 +37,7 @@ private:
 
     std::string name_;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+    line_calendar const& calendar_;
     rtuwire::pcapng_blocks blocks_{};
     std::size_t frames_{0};
     bool is_open_{true};

@@ -59,13 +59,17 @@ public:
     }
 
 private:
-    /// Lets a listener see the silence up to then. After two seconds of it nothing waits any more, however long it is.
+    /// Lets a listener see the silence up to then. After two seconds of it nothing waits any more, and after another 35
+    /// minutes no response is late, however long it is.
     void pass_until(std::uint64_t end)
     {
         constexpr std::uint64_t settled = 2'000'000;
         if (last_ < end) {
             last_ = end - last_ > settled ? last_ + settled : end;
             tap_->advance(instant_of(last_), [this](auto const& it) { hand_on(it); });
+            if (end - last_ > rtuwire::longest_duration.microseconds) {
+                tap_->advance(instant_of(last_) + rtuwire::longest_duration, [this](auto const& it) { hand_on(it); });
+            }
             last_ = end;
         }
     }

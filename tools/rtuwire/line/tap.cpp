@@ -16,7 +16,7 @@ using std::chrono::steady_clock;
 
 any_port open_to_listen(choices const& chosen) { return open_port(chosen.line, setting_in(chosen.line)); }
 
-void listen(any_port& port, choices const& chosen, line_calendar& calendar, take_frame const& take,
+void listen(any_port& port, choices const& chosen, line_calendar const& calendar, take_frame const& take,
             std::function<bool()> const& goes_on)
 {
     line_setting const how = setting_in(chosen.line);
@@ -33,7 +33,6 @@ void listen(any_port& port, choices const& chosen, line_calendar& calendar, take
             throw ended{exit_status::port, port.failure()};
         }
         instant const now = port.now();
-        calendar.advance(now);
         auto const hand_on = [&](rtuwire::heard_frame const& it) { take({it, calendar.of(it.frame.at), wire}); };
         tap.receive(*bytes, now, hand_on);
         if (port.take_receive_error()) {

@@ -25,7 +25,7 @@ struct tapped_frame {
 using take_frame = std::function<void(tapped_frame const&)>;
 
 /// Listens until the chosen time is over, somebody ends the program, or `goes_on` says no. Ends where the port fails.
-void listen(any_port& port, choices const& chosen, line_calendar& calendar, take_frame const& take,
+void listen(any_port& port, choices const& chosen, line_calendar const& calendar, take_frame const& take,
             std::function<bool()> const& goes_on);
 
 /// Opens the port that the choices name, without a word to it.

@@ -3,6 +3,7 @@
 #include "line/traffic.hpp"
 
 #include <array>
+#include <chrono>
 #include <set>
 #include <string>
 
@@ -53,13 +54,14 @@ private:
 
 void refuse_traffic(any_port& port, rtuwire::duration time)
 {
-    rtuwire::instant const end = port.now() + time;
+    using clock = std::chrono::steady_clock;
+    auto const end = clock::now() + rtuwire::to_chrono(time);
     rtuwire::line_listener tap{port.timing()};
     talkers heard;
     auto const note = [&heard](rtuwire::heard_frame const& it) { heard.note(it); };
     std::array<std::byte, 512> place;
-    while (not reached(port.now(), end)) {
-        auto const bytes = port.read(place, end);
+    while (clock::now() < end) {
+        auto const bytes = port.read(place, port.now() + rtuwire::to_duration(end - clock::now()));
         if (not bytes) {
             throw ended{exit_status::port, port.failure()};
         }
@@ -68,7 +70,7 @@ void refuse_traffic(any_port& port, rtuwire::duration time)
             heard.note_damage();
         }
     }
-    tap.advance(end + rtuwire::milliseconds(2'000), note);
+    tap.advance(port.now() + rtuwire::milliseconds(2'000), note);
     if (not heard.is_silent()) {
         refuse_for_safety(port.device() + ": somebody is talking on this line: " + heard.words() +
                           ". A second client disturbs the first, and keeps a drive running that its own has left. To "

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <memory>
 #include <optional>
 
@@ -39,8 +40,9 @@ template <rtuwire::device_type Device> class motor_of final : public motor {
     }
     ();
     using setting = rtuwire::setting<written>;
+    using clock = std::chrono::steady_clock;
     static constexpr unsigned shown_words = 3; ///< RFR, another, LCR
-    static constexpr rtuwire::duration shown_every = rtuwire::milliseconds(200);
+    static constexpr std::chrono::milliseconds shown_every{200};
 
 public:
     motor_of(motor_line const& line, rtuwire::unit_id unit, asked_motion const& asked)
@@ -49,7 +51,7 @@ public:
           reference_{setting::checked(typename setting::value_type{asked.count})},
           direction_{asked.is_reverse ? rtuwire::altivar::run_direction::reverse
                                       : rtuwire::altivar::run_direction::forward},
-          unit_{unit}, shown_at_{port_.now()}
+          unit_{unit}, shown_at_{clock::now()}
     {}
 
     rtuwire::result<void> pass() override
@@ -58,7 +60,7 @@ public:
         bus_.advance(now);
         bus_.converse(0, cycle_, now);
         if (not shown_ and cycle_.supervision().finding == rtuwire::altivar::outcome_kind::succeeded and
-            reached(now, shown_at_)) {
+            clock::now() >= shown_at_) {
             asks_fault_ = cycle_.control().state() == rtuwire::cia402::state::fault and sight_.fault == 0;
             shown_.emplace(unit_, asks_fault_ ? rtuwire::read_holding_registers{.start = Device::layout.lft, .count = 1}
                                               : rtuwire::read_holding_registers{.start = Device::layout.rfr,
@@ -66,7 +68,7 @@ public:
         }
         if (shown_) {
             bus_.converse(1, *shown_, now);
-            take_shown(now);
+            take_shown();
         }
         return finish_pass(bus_, port_, input_, now + rtuwire::milliseconds(10));
     }
@@ -116,7 +118,7 @@ private:
         return options.response_timeout * (1U + options.retries) + rtuwire::milliseconds(30);
     }
 
-    void take_shown(rtuwire::instant now)
+    void take_shown()
     {
         if (not shown_->settled()) {
             return;
@@ -132,7 +134,7 @@ private:
         }
         is_old_ = false;
         shown_.reset();
-        shown_at_ = asks_fault_ ? now : now + shown_every;
+        shown_at_ = asks_fault_ ? clock::now() : clock::now() + shown_every;
     }
 
     any_port& port_;
@@ -142,7 +144,7 @@ private:
     rtuwire::altivar::run_direction direction_;
     rtuwire::unit_id unit_;
     std::optional<rtuwire::single_request<rtuwire::read_holding_registers>> shown_{};
-    rtuwire::instant shown_at_;
+    clock::time_point shown_at_; ///< counts 64 bits: a link may be lost for an hour
     motor_sight sight_{};
     std::array<std::byte, rtuwire::max_adu_size> input_{};
     bool asks_fault_{false};

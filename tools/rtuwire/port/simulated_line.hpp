@@ -153,7 +153,9 @@ public:
         // Nothing came until then; whatever came since is read in the next pass, however late that is.
         bool const is_damaged = has_receive_error();
         rtuwire::instant const now = bytes->empty() and not is_damaged ? *until : port_.now();
-        last_ = rtuwire::reached(now, last_) ? now : last_;
+        // An hour in which the program was stopped looks as if the time had gone back, but by more than a pass takes.
+        bool const goes_back = last_ - now < rtuwire::milliseconds(10'000);
+        last_ = goes_back ? last_ : now;
         for (auto const& each : drives_) {
             each->receive(*bytes, last_);
             if (is_damaged) {
