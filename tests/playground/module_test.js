@@ -200,6 +200,9 @@ test("a reference is taken as it is typed, or refused with its reason", async ()
     engine.run(4 * toSeconds);
     assert.match(newest(engine).what, /^start at -12.300000000 Hz$/);
     assert.equal(engine.state().drive.frequency, -12300);
+    engine.change("-0");
+    engine.run(6 * toSeconds);
+    assert.deepEqual([newest(engine).what, engine.state().drive.frequency], ["change to -0 Hz", -100]);
   }
 });
 

@@ -131,6 +131,11 @@ TEST_CASE("a value that does not fit is refused with what would be right")
     CHECK(checked("atv12", "LFR=1500rpm").refused->nearest == "LFRD=1500rpm");
     CHECK(outcome("atv12", "RFR=5Hz") == "read_only");
     CHECK(outcome("atv12", "ACC=1,3s") == "decimal_comma");
+    for (char const* const word : {"LFR=-0Hz", "LFR=-0.0", "LFRD=-0rpm"}) { // it would turn a motor forward
+        CHECK(outcome("atv12", word) == "zero_with_a_sign");
+    }
+    CHECK(holds(sentence("atv12", "LFR=-0Hz"), "-0.1 Hz"));
+    CHECK(outcome("atv12", "LFR=0Hz") == "0 = 0.0 Hz");
     CHECK(holds(sentence("atv12", "ACC=1,3s"), "1.3, not 1,3"));
     CHECK(outcome("atv12", "ACC=fast") == "not_a_number");
     CHECK(outcome("atv12", "ACC=1.3.4s") == "wrong_unit");

@@ -13,9 +13,11 @@ namespace {
 constexpr std::uint16_t short_time_out = 30; // TTO, 0.1 s
 
 /// A decimal number, read digit by digit: digits, and a point with more of them behind it. Nothing is rounded into what
-/// a register takes: the register itself refuses what it cannot hold, with its reason.
+/// a register takes: the register itself refuses what it cannot hold, with its reason. Only "-0", which no register holds,
+/// is the least frequency in reverse.
 rtuwire::result<given_frequency> frequency_of(std::string_view text)
 {
+    constexpr std::int64_t step_of_reference = 100'000;      // LFR of every drive, in millionths
     constexpr std::int64_t farthest = 1'000'000'000'000'000; // no register's limit, in millionths
     bool const is_below = text.starts_with('-');
     bool has_digit = false, has_point = false;
@@ -41,7 +43,7 @@ rtuwire::result<given_frequency> frequency_of(std::string_view text)
     if (not has_digit) {
         return rtuwire::errc::malformed;
     }
-    return given_frequency{is_below ? -value : value};
+    return given_frequency{not is_below ? value : value == 0 ? -step_of_reference : -value};
 }
 
 std::string fault_text(tool::drive_catalog const& drive, std::uint16_t code)

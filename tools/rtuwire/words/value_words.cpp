@@ -148,6 +148,10 @@ private:
                                                      amount_text(above, *step, entry.unit));
         }
         count_ = below < entry.lowest_count() ? below : above;
+        if (count_ == 0 and text.starts_with('-') and entry.lowest_count() < 0) {
+            return refuse("zero_with_a_sign",
+                          "a register's 0 has no sign: the least below it is " + amount_text(-1, *step, entry.unit));
+        }
         return true;
     }
 
