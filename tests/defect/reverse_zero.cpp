@@ -18,7 +18,7 @@ using kind = outcome_kind;
 
 namespace {
 
-constexpr std::int32_t lowest = 10'000; ///< LSP, in mHz
+constexpr std::int32_t slowest = 10'000; ///< LSP, in mHz
 constexpr duration long_enough = milliseconds(5'000);
 
 template <typename Device> struct slow_plant : plant<Device> {
@@ -28,7 +28,7 @@ template <typename Device> struct slow_plant : plant<Device> {
     template <typename Conversation> bool turns_back_by(Conversation conversation)
     {
         bool const stayed = this->watch(conversation, long_enough).highest <= 0;
-        return stayed and this->millihertz() == -lowest and conversation.reason().kind == kind::reference_limited;
+        return stayed and this->millihertz() == -slowest and conversation.reason().kind == kind::reference_limited;
     }
 };
 
@@ -63,7 +63,7 @@ TEST_CASE("defect: D20 a cycle at 0 in reverse does not turn the motor forward")
         using at = setting<cycle_layout<Device>::reference>;
         REQUIRE(loop.run(*at::checked(typename at::value_type{0}), run_direction::reverse));
         CHECK(it.watch(loop, long_enough).highest == 0);
-        CHECK(it.millihertz() == -lowest);
+        CHECK(it.millihertz() == -slowest);
     });
 }
 

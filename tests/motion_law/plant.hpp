@@ -15,7 +15,7 @@
 
 namespace rtuwire::test {
 
-inline constexpr client_options plant_patience{.response_timeout = milliseconds(100), .retries = 1};
+inline constexpr client_options plant_policy{.response_timeout = milliseconds(100), .retries = 1};
 
 /// The lowest and the highest frequency of a motor, in mHz.
 struct seen_frequencies {
@@ -33,7 +33,7 @@ struct seen_frequencies {
 template <typename Device> struct plant : simulated_bus<drive_client<4>, Device> {
     static constexpr station<Device> drive{unit_id{3}};
 
-    plant() : simulated_bus<drive_client<4>, Device>{drive_client<4>{bus_timing, plant_patience}}
+    plant() : simulated_bus<drive_client<4>, Device>{drive_client<4>{bus_timing, plant_policy}}
     {
         this->add(unit_id{3});
         this->idle(milliseconds(20));
