@@ -11,10 +11,10 @@ CDPATH='' cd "$(dirname "$0")/.."
 repetitions=${1:-9}
 
 sh tests/packages.sh build tests clang bench
-for preset in bench bench-clang; do
-    made=build/$preset
-    cmake --preset "$preset"
-    cmake --build --preset "$preset"
+for compiler in g++ clang++; do
+    made=build/bench-$compiler
+    cmake --preset bench -B "$made" -DCMAKE_CXX_COMPILER=$compiler
+    cmake --build "$made"
     for program in "$made"/bench/bench_*; do
         [ -x "$program" ] || continue
         "$program" --benchmark_repetitions="$repetitions" --benchmark_min_time=0.02 \

@@ -8,8 +8,8 @@ set -eu
 CDPATH='' cd "$(dirname "$0")/.."
 seconds=${1:-60}
 sh tests/packages.sh build clang afl
-cmake --preset afl
-cmake --build --preset afl
+cmake --preset fuzz -B build/afl -DCMAKE_CXX_COMPILER=afl-clang-fast++
+cmake --build build/afl
 
 export AFL_NO_UI=1 AFL_NO_AFFINITY=1 AFL_SKIP_CPUFREQ=1 AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1
 seed=$(mktemp -d)

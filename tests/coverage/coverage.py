@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSL-1.0
 """What the tests run of the portable headers, by lines and branches.
 
-    cmake --preset coverage && cmake --build --preset coverage
+    cmake --preset clang -B build/coverage -DRTUWIRE_STATIC_TESTS=OFF -DRTUWIRE_BUILD_EXAMPLES=OFF \\
+        -DCMAKE_CXX_FLAGS="-fprofile-instr-generate -fcoverage-mapping" && cmake --build build/coverage
     /usr/bin/python3 tests/coverage/coverage.py [--list]
 
 Runs every test program of the build, merges the instantiations of each template, and holds what was not
@@ -35,7 +36,7 @@ def programs():
         [BUILD / "tests" / "simulation" / name for name in LONG]
     runnable = [path for path in found if path.is_file() and os.access(path, os.X_OK)]
     if not runnable:
-        raise SystemExit("coverage.py: nothing was built (cmake --build --preset coverage)")
+        raise SystemExit("coverage.py: nothing was built in build/coverage")
     return runnable
 
 

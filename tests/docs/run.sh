@@ -1,8 +1,10 @@
 #!/bin/sh
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-# Builds the documentation with all it needs, follows its links, and looks at it in Chromium. Screens are kept in
-# build/docs/screens.
+# Builds the documentation with all it needs and follows its links; with `browser` looks at it in Chromium, too. Screens
+# are kept in build/docs/screens.
+#
+#   sh tests/docs/run.sh [browser]
 set -eu
 here=$(CDPATH='' cd "$(dirname "$0")" && pwd)
 project=$(cd "$here/../.." && pwd)
@@ -11,6 +13,7 @@ build=$project/build/docs
 /usr/bin/python3 -B "$here/test_generate.py"
 /usr/bin/python3 -B "$project/docs/generate/snippets.py" "$project"
 sh "$project/docs/build.sh"
+[ "${1:-}" = browser ] || exit 0
 
 sh "$project/tests/packages.sh" browser
 mkdir -p "$build/browser"

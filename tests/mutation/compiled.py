@@ -9,7 +9,7 @@ import sys
 import tempfile
 import threading
 
-from programs import CARRYLESS, COMPILE, PROJECT, TESTS, complaints, escaped, runs, sources
+from programs import CARRYLESS, COMPILE, OWN_FILE, PROJECT, TESTS, complaints, escaped, included, runs, sources
 
 sys.path.insert(0, str(TESTS / "fail"))
 import refusal  # noqa: E402  pylint: disable=wrong-import-position
@@ -18,7 +18,12 @@ import refusal  # noqa: E402  pylint: disable=wrong-import-position
 ALSO = {"core": ["wire"], "wire": ["server"], "rtu": ["server"], "ask": ["client", "defect"], "client": ["defect"], "server": ["defect"],
         "table": ["client"], "altivar": ["motion_law"]}
 PROOF = re.compile(r"\bstatic_assert|\bSTATIC_(?:REQUIRE|CHECK)")
-INCLUDE = re.compile(r"#include [<\"](\w+/[\w/]+\.hpp)[>\"]")
+
+
+def rooms_of(header):
+    """The rooms whose tests see most of a header."""
+    room = header.split("/")[0]
+    return [room, *ALSO.get(room, [])]
 
 
 class Compiler:
@@ -28,7 +33,7 @@ class Compiler:
         self.most = most
         self.folder, self.common, self.headers = folder, common, headers
         self.run = ["--abort", "".join(f'~"{escaped(name)}"' for name in too_long)]
-        self.lock, self.kills, self.seen = threading.Lock(), {}, {}
+        self.lock, self.kills = threading.Lock(), {}
         self.refused = sorted((TESTS / "fail").glob("*.cpp"))
 
     def survives(self, change, is_switch=False):
@@ -61,29 +66,16 @@ class Compiler:
     def passes(self, path, flags, copy, program):
         if path.parent.name == "fail":
             return not refusal.complaint("g++", str(copy), str(path))
-        return not complaints([*flags, "-o", program, path, "-lCatch2WithMain", "-pthread"]) and \
+        return not complaints([*flags, "-o", program, path, self.folder / OWN_FILE, "-lCatch2WithMain", "-pthread"]) and \
             runs([program, *self.run], 60)
 
     def ordered(self, header, refused):
         """The header's own tests first, by name or by what they include, then those that killed most."""
-        room, stem = header.split("/")[0], pathlib.Path(header).stem
+        stem = pathlib.Path(header).stem
         itself = f"<rtuwire/{header}>"
-        tests = [path for path in sources([room, *ALSO.get(room, [])]) + refused if header in self.included(path)]
+        tests = [path for path in sources(rooms_of(header)) + refused if header in included(path)]
         with self.lock:
             return sorted(tests, key=lambda path: (path.stem != stem, path.stem.split("_")[0] != stem.split("_")[0],
                                                    itself not in path.read_text(encoding="utf-8"),
                                                    -self.kills.get(path, 0), path.parent.name == "fail",
                                                    path.stat().st_size))[:self.most]
-
-    def included(self, path):
-        """Which headers a file includes, also through others."""
-        if path not in self.seen:
-            found = set()
-            self.seen[path] = found
-            for name in INCLUDE.findall(path.read_text(encoding="utf-8")):
-                if name.startswith("rtuwire/"):
-                    found.add(name.removeprefix("rtuwire/"))
-                    found |= self.included(PROJECT / "include" / name)
-                elif (TESTS / name).exists():
-                    found |= self.included(TESTS / name)
-        return self.seen[path]

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSL-1.0
 """Changes an operator or a constant in the portable headers and looks whether the tests see it.
 
-    python3 tests/mutation/mutate.py [--sample N] [--seed S] [--jobs J] [--work DIR] [headers, or folders of them]
+    python3 tests/mutation/mutate.py [--since COMMIT [--most N]] [--jobs J] [--work DIR] [headers, or folders of them]
 
 The tests are compiled once, with every change behind a switch; they run with one switch turned at a time, and
 only those that come by it. What they do not see and survivors.txt does not explain is tried with the second engines
@@ -11,9 +11,10 @@ their proofs. A change that is no switch (a type, an array's size, what only the
 once. A change is killed by a test that fails, crashes or does not end in time, and by a build that fails.
 survivors.txt says why no test can see a change; open.txt lists those that nobody has explained yet, and may only get
 shorter. Survivors that stand in neither are printed as they are found, and rows that are for nothing at the end;
-either is a failure, but of a --sample, for which only the likeliest tests are compiled, one in four may survive
-so. Without --sample all changes are tried, in the order of the arguments. tried.txt keeps what whole runs found: a
-header that has changed since is named. --note writes open.txt and tried.txt anew for the headers asked.
+either is a failure. With --since only lines are changed that differ from that commit, of more than N (40) changes some
+drawn by chance; the tests of their headers' rooms come first, and the others only for what those do not see. Without
+it all changes are tried, in the order of the arguments. tried.txt keeps what whole runs found: a header that has changed
+since is named. --note writes open.txt and tried.txt anew for the headers asked.
 """
 import argparse
 import collections
@@ -21,16 +22,18 @@ import concurrent.futures
 import contextlib
 import pathlib
 import random
+import re
+import subprocess
 import sys
 import tempfile
 import threading
 import time
 
 from changes import changes_of
-from compiled import Compiler
+from compiled import Compiler, rooms_of
 from ledger import Ledger
 from models import Models
-from programs import PROJECT, Switchboard, precompiled
+from programs import PROJECT, ROOMS, Switchboard, precompiled
 import switches
 
 HEADERS = PROJECT / "include" / "rtuwire"
@@ -49,9 +52,22 @@ def headers(asked):
             if header.startswith(begin) and not header.startswith(LEFT_OUT)]
 
 
-def switched_tests(folder, common, pool, changes, may_switch):
+def lines_since(commit):
+    """The lines of each header that differ from a commit."""
+    said = subprocess.run(["git", "diff", "-U0", "--no-ext-diff", "--relative", commit, "--", "."], cwd=HEADERS,
+                          text=True, check=True, stdout=subprocess.PIPE).stdout
+    found, header = {}, None
+    for line in said.splitlines():
+        if line.startswith("+++ "):
+            header = line.removeprefix("+++ b/")
+        elif hunk := re.match(r"@@ \S+ \+(\d+)(?:,(\d+))? @@", line):
+            found.setdefault(header, set()).update(range(int(hunk[1]), int(hunk[1]) + int(hunk[2] or 1)))
+    return found
+
+
+def switched_tests(folder, common, pool, changes, may_switch, rooms):
     """The tests with these changes behind switches. What the compiler refuses becomes none, by lines."""
-    board = Switchboard(folder, common, pool)
+    board = Switchboard(folder, common, pool, rooms, {change.header for change in changes})
     while True:
         switches.write(folder / "include", HEADERS, changes, sorted(may_switch))
         wrong = board.complaints_of_headers() or board.compile()
@@ -66,28 +82,44 @@ def switched_tests(folder, common, pool, changes, may_switch):
     return board
 
 
-def outcomes(folder, pool, changes, most, is_explained, report):
-    """Whether each change survives; `report` is told of each. `most`: see Compiler."""
+def outcomes(folder, pool, changes, is_explained, report, rooms=ROOMS, is_first=False):
+    """Whether each change survives the tests of these rooms. The first of two times the engines and what only the
+    compiler proves are not asked, and of a change that is no switch the likeliest tests alone."""
+    folder.mkdir(parents=True, exist_ok=True)
     common = precompiled(folder)
     may_switch = {number for number, change in enumerate(changes) if change.first >= 0 and
                   (change.header, change.becomes) not in NO_SWITCH}
-    board = switched_tests(folder, common, pool, changes, may_switch)
+    board = switched_tests(folder, common, pool, changes, may_switch, rooms)
     cases = board.cases()
-    report.say(f"{len(may_switch)} switches, {len(cases)} test cases of {sum(case.seconds for case in cases):.1f} s")
-    compiler = Compiler(folder, common, HEADERS, board.too_long, most)
-    models = Models(folder, pool)
+    report.say(f"{len(changes)} changes, {len(may_switch)} of them switches; {len(cases)} test cases of "
+               f"{sum(case.seconds for case in cases):.1f} s")
+    compiler = Compiler(folder, common, HEADERS, board.too_long, LIKELIEST if is_first else None)
+    models = None if is_first else Models(folder, pool)
 
     def lives(number):
         change = changes[number]
         killed = board.kills(number, cases) if number in may_switch else None
-        is_switch = killed is not None
-        if not is_switch:
+        if killed is None and (is_first or rooms is ROOMS or number not in may_switch):
             killed = not compiler.survives(change)
-        elif not killed and not is_explained(change):
-            killed = models.kills(number, change.header) or not compiler.survives(change, is_switch)
-        report.note(change, not killed)
+        elif not killed and not is_first and not is_explained(change):
+            killed = models.kills(number, change.header) or not compiler.survives(change, True)
+        if not is_first:
+            report.note(change, not killed)
         return not killed
     return list(pool.map(lives, range(len(changes))))
+
+
+def outcomes_by_rooms(folder, pool, changes, is_explained, report):
+    """The same for few changes: their own rooms first, and the others for what those do not see."""
+    own = sorted({room for change in changes for room in rooms_of(change.header)})
+    lives = outcomes(folder / "own", pool, changes, is_explained, report, own, True)
+    left = [number for number, is_alive in enumerate(lives) if is_alive]
+    if left:
+        others = [room for room in ROOMS if room not in own]
+        again = outcomes(folder / "others", pool, [changes[number] for number in left], is_explained, report, others)
+        for number, is_alive in zip(left, again):
+            lives[number] = is_alive
+    return lives
 
 
 class Report:
@@ -122,53 +154,57 @@ class Report:
 
 def main():
     options = argparse.ArgumentParser()
-    options.add_argument("--sample", type=int)
-    options.add_argument("--seed", type=int, default=1)
+    options.add_argument("--since", help="change only lines that differ from this commit")
+    options.add_argument("--most", type=int, default=40, help="so many of them")
     options.add_argument("--jobs", type=int, default=2)
     options.add_argument("--note", action="store_true", help="write open.txt and tried.txt for these headers")
     options.add_argument("--work", help="where to build; else a folder that is gone afterwards")
     options.add_argument("headers", nargs="*", default=[""])
     asked = options.parse_args()
     chosen = headers(asked.headers)
+    lines = lines_since(asked.since) if asked.since else None
+    chosen = [header for header in chosen if lines is None or header in lines]
     texts = {header: (HEADERS / header).read_text(encoding="utf-8") for header in chosen}
-    possible = tried = [change for header in chosen for change in changes_of(header, texts[header])]
+    possible = [change for header in chosen for change in changes_of(header, texts[header])]
     places = collections.Counter(change.key for change in possible)
     ledger = Ledger(chosen)
     report = Report(ledger)
 
     def is_explained(change):
         return ledger.explained[change.key] >= places[change.key]
-    if asked.sample:
-        drawn = random.Random(asked.seed).sample(possible, min(asked.sample, len(possible)))
-        tried = [change for change in drawn if not is_explained(change)]
-        print(f"{len(drawn)} of {len(possible)} changes drawn, {len(drawn) - len(tried)} of them explained, not tried")
+    tried = possible
+    if asked.since:
+        there = [change for change in possible if change.line in lines[change.header]]
+        random.seed(asked.since)
+        tried = [change for change in there if not is_explained(change)]
+        tried = random.sample(tried, min(asked.most, len(tried)))
+        print(f"{len(there)} changes in the lines that differ from {asked.since}: {len(tried)} to be tried")
+        if not tried:
+            return 0
     changed = ledger.changed(texts)
     for header in changed:
         count = sum(change.header == header for change in tried)
         print(f"changed since all of its changes were tried: {header}, {count} to be tried")
     with contextlib.ExitStack() as stack:
         folder = pathlib.Path(asked.work or stack.enter_context(tempfile.TemporaryDirectory()))
-        folder.mkdir(parents=True, exist_ok=True)
         pool = stack.enter_context(concurrent.futures.ThreadPoolExecutor(asked.jobs))
-        most = LIKELIEST if asked.sample else None
-        survive = outcomes(folder, pool, tried, most, is_explained, report)
+        how = outcomes_by_rooms if asked.since else outcomes
+        survive = how(folder, pool, tried, is_explained, report)
     counts, new, idle = report.total(tried, survive)
-    idle = [] if asked.sample else idle
+    idle = [] if asked.since else idle
     for change in new:
         print(f"nobody has explained: {change.header}:{change.line}: {change.becomes}")
     for header, line in idle:
         print(f"survivors.txt or open.txt names what is killed, or gone: {header} | {line}")
-    if asked.note and not asked.sample:
+    if asked.note and not asked.since:
         ledger.write(texts, counts, [change.key for change, lives in zip(tried, survive) if lives])
     of = collections.Counter()
     for count in counts.values():
         of.update(count)
-    # Headers that are new have changes that nobody has tried yet: 8 of 58 survived. All of them: 0.
-    allowed = len(tried) // 4 if asked.sample else 0
     killed = len(tried) - of["explained"] - of["open"] - of["new"]
     report.say(f"{killed} of {len(tried)} changes killed ({100 * killed / max(1, len(tried)):.1f} %), "
                f"{of['explained']} explained, {of['open']} open, {of['new']} new; {len(possible)} possible")
-    return 1 if len(new) > allowed or idle else 0
+    return 1 if new or idle else 0
 
 
 if __name__ == "__main__":

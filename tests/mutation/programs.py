@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSL-1.0
 """Compiles the tests and runs them, unchanged and with a change."""
 import collections
+import functools
 import os
 import pathlib
 import re
@@ -23,12 +24,10 @@ CARRYLESS = ("-mpclmul", "-DRTUWIRE_TEST_CARRYLESS")
 # A place too far ends the program, as far as that is seen cheaply.
 COMPILE = ["g++", "-std=c++20", "-w", "-O0", "-D_GLIBCXX_ASSERTIONS", "-fsanitize=bounds",
            "-fsanitize-undefined-trap-on-error", f"-I{TESTS}"]
-# Lists that tests read when they run, as in tests/CMakeLists.txt.
-LISTS = {"RTUWIRE_FACTS": "parameters/facts.tsv", "RTUWIRE_OWN_LIST": "altivar/parameters/own_list.csv",
-         "RTUWIRE_ROLES": "altivar/maintenance/whole/roles.tsv"}
-COMPILE += [f'-D{name}="{TESTS / path}"' for name, path in LISTS.items()]
+OWN_FILE = "own_file.cpp"
 COMMON = ["algorithm", "array", "bit", "chrono", "compare", "concepts", "cstddef", "cstdint", "functional", "map",
           "optional", "ratio", "span", "string", "type_traits", "utility", "vector", "support/catch.hpp"]
+INCLUDE = re.compile(r"#include [<\"](\w+/[\w/]+\.hpp)[>\"]")
 ERROR = re.compile(r"^(?:\S*/include/rtuwire/)?([a-z0-9_/]+\.hpp):(\d+):\d+: (?:fatal )?error", re.MULTILINE)
 
 Case = collections.namedtuple("Case", "program name seconds reached")
@@ -37,6 +36,18 @@ Case = collections.namedtuple("Case", "program name seconds reached")
 def sources(rooms):
     found = [path for room in rooms for path in sorted((TESTS / room).rglob("*.cpp"))]
     return [path for path in found if not LEFT_OUT.search(str(path))]
+
+
+@functools.cache
+def included(path):
+    """Which headers a file includes, also through others."""
+    found = set()
+    for name in INCLUDE.findall(path.read_text(encoding="utf-8")):
+        if name.startswith("rtuwire/"):
+            found |= {name.removeprefix("rtuwire/")} | included(PROJECT / "include" / name)
+        elif (TESTS / name).exists():
+            found |= included(TESTS / name)
+    return found
 
 
 def complaints(command, limit=300):
@@ -73,7 +84,9 @@ def escaped(name):
 
 
 def precompiled(folder):
-    """What every test includes and no change touches, translated once."""
+    """What every test includes and no change touches, translated once; and where the lists are that tests read."""
+    (folder / OWN_FILE).write_text('#include "support/own_file.hpp"\n'
+                                   f'char const* const rtuwire::test::folder_of_tests = "{TESTS}";\n', encoding="utf-8")
     header = folder / "common.hpp"
     header.write_text("".join(f"#include <{name}>\n" for name in COMMON), encoding="utf-8")
     subprocess.run([*COMPILE, "-x", "c++-header", "-o", f"{header}.gch", header], check=True)
@@ -81,15 +94,16 @@ def precompiled(folder):
 
 
 class Switchboard:
-    """The tests with every change behind its switch: one program of all rooms, one of the CRC by carry-less
-    multiplication."""
+    """The tests of these headers with every change behind its switch: one program of these rooms, one of the CRC by
+    carry-less multiplication."""
 
-    def __init__(self, folder, common, pool):
+    def __init__(self, folder, common, pool, rooms, headers):
         self.folder, self.common, self.pool = folder, common, pool
-        rooms = [file for room in ROOMS for file in join.in_files(sources([room]), folder / "joined", room)]
+        rooms = [file for room in rooms for file in
+                 join.in_files([path for path in sources([room]) if headers & included(path)], folder / "joined", room)]
         self.parts = {"all": (rooms, ()),
                       "carryless": ([TESTS / "core" / "crc16.cpp", TESTS / "core" / "crc16_forms.cpp"], CARRYLESS)}
-        self.parts = {name: ([*paths, LISTENER], flags)
+        self.parts = {name: ([*paths, LISTENER, folder / OWN_FILE], flags)
                       for name, (paths, flags) in self.parts.items()}
         self.too_long = []
         self.waiting = [(name, path) for name, (paths, _) in self.parts.items() for path in paths]

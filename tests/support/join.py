@@ -37,15 +37,15 @@ def included(source):
             yield f'#include "{named(beside)}"' if line.endswith('"') and beside.exists() else line
 
 
-def groups(sources):
+def groups(sources, most=MOST):
     together = []
     for source in sources:
         if is_alone(source):
             yield [source]
         else:
             together.append(source)
-    for first in range(0, len(together), MOST):
-        yield together[first:first + MOST]
+    for first in range(0, len(together), most):
+        yield together[first:first + most]
 
 
 def in_files(sources, folder, room):
@@ -63,7 +63,7 @@ def in_files(sources, folder, room):
 def joined(sources):
     lines = dict.fromkeys(line for source in sources for line in included(source))
     for number, source in enumerate(sources):
-        name = re.sub(r"\W", "_", source.stem)
+        name = re.sub(r"^(?=\d)|\W", "_", source.stem)
         lines |= dict.fromkeys([f"namespace {name}_{number} {{", f'#include "{named(source)}"', f"}} // {number}"])
     return "\n".join(lines) + "\n"
 

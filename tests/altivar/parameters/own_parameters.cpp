@@ -5,6 +5,7 @@
 
 #include "altivar/parameters/own_parameters.hpp"
 #include "support/catch.hpp"
+#include "support/own_file.hpp"
 
 #include <cmath>
 #include <fstream>
@@ -114,7 +115,7 @@ void check_line(std::vector<std::string> const& line)
 TEST_CASE("parameters of one's own: each line of the list is a row, and each row a line")
 {
     std::set<std::string> codes;
-    for (auto const& line : list_of(RTUWIRE_OWN_LIST)) {
+    for (auto const& line : list_of(test::own_file("altivar/parameters/own_list.csv"))) {
         CAPTURE(line[0]);
         CHECK(codes.insert(line[0]).second);
         check_line(line);

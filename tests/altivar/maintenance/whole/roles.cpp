@@ -9,6 +9,7 @@
 #include <string>
 
 #include "support/catch.hpp"
+#include "support/own_file.hpp"
 
 #include <rtuwire/altivar/atv12_parameters.hpp>
 #include <rtuwire/altivar/atv310_parameters.hpp>
@@ -40,7 +41,7 @@ std::map<parameter_role, std::string> const role_names{{parameter_role::setting,
 
 std::map<std::string, std::string> listed_roles()
 {
-    std::ifstream file{RTUWIRE_ROLES};
+    std::ifstream file{test::own_file("altivar/maintenance/whole/roles.tsv")};
     std::map<std::string, std::string> found;
     for (std::string line; std::getline(file, line);) {
         std::size_t const end = line.find('\t');

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "support/catch.hpp"
+#include "support/own_file.hpp"
 
 #include <charconv>
 #include <cstdint>
@@ -77,7 +78,7 @@ inline fact fact_of(std::vector<std::string> const& columns)
 /// The lines of one drive in the public list; of the ATV310 those of its manual, too, for what only it has.
 inline std::vector<fact> facts_of(std::string const& drive)
 {
-    std::ifstream file{RTUWIRE_FACTS};
+    std::ifstream file{own_file("parameters/facts.tsv")};
     std::map<std::uint16_t, fact> found;
     for (std::string line; std::getline(file, line);) {
         auto const columns = split(line, '\t');
