@@ -113,5 +113,6 @@ TEST_CASE("motion law: L8 a drive that shows later that it runs is not told to s
     start go{press, 50_Hz, run_direction::forward, milliseconds(3'000), test::commissioned()};
     REQUIRE(it.run(go));
     CHECK(go.running());
+    CHECK(it.link().motor_orders().is_ordered(press.unit().byte())); // a loss would stop it
     CHECK(it.words == std::vector<std::uint16_t>{0x0006, 0x0007, 0x000F});
 }

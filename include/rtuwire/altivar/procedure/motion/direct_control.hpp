@@ -248,7 +248,11 @@ private:
         if (at != cia402::state::operation_enabled) {
             bool const has_fallen = cia402::enable_rank(at) < rank_;
             rank_ = cia402::enable_rank(at);
-            return has_fallen ? abort(outcome_kind::fell_back) : to_pause(status_period);
+            if (has_fallen) {
+                return abort(outcome_kind::fell_back);
+            }
+            static_cast<void>(take_rest()); // the word to run stands: it may run at any moment
+            return to_pause(status_period);
         }
         return end((status & reference_limited_bit) != 0 ? outcome_kind::reference_limited : outcome_kind::succeeded);
     }
