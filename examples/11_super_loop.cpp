@@ -71,20 +71,24 @@ int main()
         instant const now = board.now();
         board.line.deliver_to(link, now);
         link.advance(now);
-        if (panel.settled() and reached(now, panel_due)) { // begun anew before it is offered to the client
+        if (panel.settled() and reached(now, panel_due)) { // a round is over, and the next is due
             failures += panel.outcome() ? 0 : 1;
             ++rounds;
-            panel.begin();
+            panel.again();
             panel_due = now + milliseconds(100);
         }
         if (life_sign.settled() and reached(now, life_sign_due)) {
             failures += life_sign.outcome() ? 0 : 1;
             ++signs;
-            life_sign.begin();
+            life_sign.again();
             life_sign_due = now + milliseconds(250);
         }
-        link.converse(panel, now); // in the same order in each pass
-        link.converse(life_sign, now);
+        if (not panel.settled()) { // one that has ended rests: a visit would take its outcome back
+            link.converse(panel, now);
+        }
+        if (not life_sign.settled()) { // in the same order in each pass
+            link.converse(life_sign, now);
+        }
         if (byte_view const frame = link.poll_transmit(); not frame.empty()) {
             board.send(frame);
         }

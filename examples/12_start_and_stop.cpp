@@ -33,7 +33,7 @@ int main()
     // The drive has to stop by itself soon enough when the line goes silent, or it is not started.
     static_cast<void>(bench.run(broadcast_setting<atv320::device, atv320::tto>(3_s)));
 
-    start go{drive, 50_Hz}; // an order is used once: `go = start{...}` is the next one
+    start go{drive, 50_Hz}; // run again it is a new order; another reference is another one: `go = start{...}`
     show("start at 50 Hz", bench.run(go), outcome_kind::succeeded);
     stop rest{drive, stop_by::ramp};
     show("stop on the ramp", bench.run(rest), outcome_kind::succeeded);

@@ -34,7 +34,7 @@ int main()
     auto const again = [&](auto& panel, int which) { // counts a round, and begins the next
         if (panel.settled()) {
             ++(panel.outcome() ? rounds : failures)[which];
-            panel.begin();
+            panel.again();
         }
     };
     // The slots are numbered as the conversations stand here. In a firmware: link.converse(0, of_press, now)...

@@ -45,7 +45,7 @@ struct both_ends {
     }
     std::uint32_t ask()
     {
-        request.begin();
+        request.again();
         link.converse(request, now);
         pass(timing.t3_5());
         link.converse(request, now);
@@ -109,7 +109,7 @@ struct both_sockets {
     }
     std::uint32_t ask()
     {
-        request.begin();
+        request.again();
         instant const start = near.now();
         link.advance(start);
         link.converse(request, start);

@@ -36,7 +36,7 @@ void loop()
         if (panel.outcome()) {
             show(panel.latest().get<altivar::atv320::rfr>());
         }
-        panel.begin();
+        panel.again();
     }
     if (byte_view const frame = link.poll_transmit(); not frame.empty()) {
         digitalWrite(driver_enable, HIGH);

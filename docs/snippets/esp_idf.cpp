@@ -54,7 +54,7 @@ extern "C" void app_main()
             if (panel.outcome()) {
                 show(panel.latest().get<altivar::atv320::rfr>());
             }
-            panel.begin();
+            panel.again();
         }
         if (byte_view const frame = link.poll_transmit(); not frame.empty()) {
             uart_write_bytes(port, frame.data(), frame.size());

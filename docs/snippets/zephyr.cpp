@@ -69,7 +69,7 @@ int main()
             if (panel.outcome()) {
                 show(panel.latest().get<altivar::atv320::rfr>());
             }
-            panel.begin();
+            panel.again();
         }
         if (byte_view const frame = link.poll_transmit(); not frame.empty()) {
             send(link, frame);

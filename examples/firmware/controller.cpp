@@ -92,7 +92,7 @@ bool poll_rounds(controller& it, unsigned seconds)
     poller<monitor> panel{drive};
     for (unsigned second = 0; second < seconds; ++second) {
         instant const due = board::now() + milliseconds(1'000);
-        panel.begin();
+        panel.again();
         it.run(panel);
         if (not panel.outcome()) {
             board::print("no values: ");

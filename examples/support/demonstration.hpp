@@ -294,7 +294,7 @@ private:
     /// Begins the next round of the panel.
     void ask()
     {
-        panel_.begin();
+        panel_.again();
         asked_at_ = time();
     }
 

@@ -73,7 +73,7 @@ PROOF("a value known at run time is written as one known at compile time", write
 template <typename Conversation> constexpr bool is_refused(Conversation conversation, errc why)
 {
     bool ok = conversation.settled() and not conversation.next() and conversation.outcome() == why;
-    conversation.begin();
+    conversation.again();
     return ok and conversation.settled() and not conversation.next();
 }
 constexpr bool refuses_what_does_not_fit()

@@ -61,8 +61,8 @@ constexpr bool begins_anew()
 {
     return holds_for_all([](auto conversation) {
         conversation.accept(errc::timed_out);
-        if constexpr (requires { conversation.begin(); }) {
-            conversation.begin();
+        if constexpr (requires { conversation.again(); }) {
+            conversation.again();
             return not conversation.settled() and conversation.outcome() == errc::busy and conversation.next();
         }
         return true;
@@ -73,7 +73,7 @@ PROOF("one that begins anew is not settled again", begins_anew)
 constexpr bool keeps_what_cannot_be_sent()
 {
     sized_request<10, 5> request{unit_id{2}, write_multiple_registers{1, register_block{1}}};
-    request.begin();
+    request.again();
     return request.settled() and request.outcome() == errc::buffer_too_small and not request.next();
 }
 PROOF("a request that could not be encoded does not begin anew", keeps_what_cannot_be_sent)

@@ -49,7 +49,7 @@ constexpr bool keeps_what_went_wrong()
     single_request ask{one, two_runs};
     ask.accept(errc::timed_out);
     bool const is_late = ask.outcome() == errc::timed_out;
-    ask.begin();
+    ask.again();
     ask.accept(response{"14 02 01 06"_hex});
     return is_late and ask.settled() and ask.outcome() == errc::response_mismatch;
 }

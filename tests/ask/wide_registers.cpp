@@ -201,7 +201,7 @@ STATIC_CHECK(other_pair::requests()[0] == address_block{40, 6} and other_pair::r
 template <typename Plan> constexpr poller<Plan> polled()
 {
     poller<Plan> panel{unit};
-    panel.begin();
+    panel.again();
     while (not panel.settled()) {
         auto const frame = panel.next()->frame();
         auto const function = to_u8(frame[1]);
@@ -236,7 +236,7 @@ PROOF("a plan over four kinds stores what each function answered", stores_by_kin
 constexpr bool refuses_another_size()
 {
     poller<all_of_it> panel{unit};
-    panel.begin();
+    panel.again();
     panel.accept(result<response>{response{"03 04 00 00 00 00"_hex}});
     return panel.outcome() == errc::wrong_length;
 }

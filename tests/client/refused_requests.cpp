@@ -82,11 +82,11 @@ TEST_CASE("a round that fails leaves the last whole snapshot")
     panel.accept(errc::timed_out);
     CHECK(panel.outcome() == errc::timed_out);
     CHECK_FALSE(panel.next());
-    panel.begin();
+    panel.again();
     constexpr std::array<std::byte, 6> two_words{std::byte{3}, std::byte{4}};
     panel.accept(result<response>{response{two_words}});
     CHECK(panel.outcome() == errc::wrong_length);
-    panel.begin();
+    panel.again();
     panel.accept(result<response>{response{byte_view{two_words}.first(3)}});
     CHECK_FALSE(panel.outcome());
     CHECK(panel.latest().get<atv12::acc>().count() == 0);

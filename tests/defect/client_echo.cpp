@@ -29,7 +29,9 @@ void run_on(wire& line, Conversation& conversation, course const& what, std::siz
 {
     bool is_said = false;
     line.run(2'000'000, [&](instant now) {
-        line.link.converse(conversation, now);
+        if (not conversation.settled()) {
+            line.link.converse(conversation, now);
+        }
         if (is_said or line.departures.empty()) {
             return;
         }

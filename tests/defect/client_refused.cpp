@@ -88,7 +88,7 @@ TEST_CASE("defect: a silent share outside of 1 to 100 is the nearer of the two, 
             now = now + milliseconds(1);
             link.advance(now);
             if (ask.settled()) {
-                ask.begin();
+                ask.again();
             }
             link.converse(0, ask, now);
             if (not link.poll_transmit().empty()) {

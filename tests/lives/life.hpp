@@ -209,7 +209,7 @@ private:
             }
         } else if constexpr (std::is_same_v<Conversation, poll>) {
             if (what.settled() and own.asks_again) {
-                what.begin();
+                what.again();
             }
         } else if (what.settled() and not own.has_told) {
             own.has_told = true;

@@ -3,6 +3,7 @@
 // What a second attack on the promises of the headers found: reads that were never waited for, stops of units that have
 // no place, a set-up under a start's feet.
 #include "support/catch.hpp"
+#include "support/remembered.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <cstdint>
@@ -88,7 +89,7 @@ TEST_CASE("motion law: L4 reads that nobody waits for do not keep a motor runnin
                 auto const work = [&](instant at) { it.link().converse(look, at); };
                 it.pass(work, milliseconds(each_ms));
                 if (how == giving_up::begun_anew) {
-                    look.begin();
+                    look.again();
                     it.pass(work, milliseconds(each_ms));
                 } else if (how == giving_up::cancelled) {
                     it.link().cancel(look, it.now());
@@ -113,7 +114,7 @@ TEST_CASE("motion law: L3 a stop is nobody's but its unit's, however many units 
         }
         it.run_by_another(1);
         it.run_by_another(2);
-        stop one{drives[0]}, two{drives[1]}, three{drives[2]};
+        test::remembered<stop> one{drives[0]}, two{drives[1]}, three{drives[2]};
         it.pass(
             [&](instant at) {
                 it.link().converse(one, at);
@@ -151,7 +152,7 @@ TEST_CASE("motion law: L3 a unit is not held for ever by another one's stop that
     it.pass(
         [&](instant at) {
             if (look.settled()) {
-                look.begin();
+                look.again();
             }
             it.link().converse(look, at);
         },
@@ -168,7 +169,7 @@ TEST_CASE("motion law: L3 a stop that goes on keeps holding its unit when anothe
     REQUIRE(it.run(keep));
     it.run_by_another(1);
     it.mute = std::byte{4};
-    stop slow{drives[1]}, quick{drives[2]};
+    test::remembered<stop> slow{drives[1]}, quick{drives[2]};
     auto const stops = [&](instant at) {
         it.link().converse(slow, at);
         it.link().converse(quick, at);
@@ -206,7 +207,7 @@ TEST_CASE("motion law: L4 everyone's stop leaves a unit alone that does not answ
             seen = it.requests();
             it.link().converse(all, at);
             if (look.settled()) {
-                look.begin();
+                look.again();
             }
             it.link().converse(look, at);
         },
@@ -223,8 +224,8 @@ TEST_CASE("motion law: L4 a unit that is left alone keeps its place, whoever els
         it.mute = std::byte{3};
         stop first{drives[0], stop_by::ramp, milliseconds(3'000)};
         REQUIRE(it.run(first));
-        stop second{drives[1]};
-        start go{drives[1], 30_Hz};
+        test::remembered<stop> second{drives[1]};
+        test::remembered<start> go{drives[1], 30_Hz};
         single_request look{unit_id{3}, read_holding_registers{3'201, 1}};
         bool is_asked = false;
         it.pass(
@@ -287,7 +288,7 @@ TEST_CASE("motion law: L9 a drive that was looked at once is not said to disobey
     start go{drives[0], 30_Hz};
     REQUIRE(it.run(go));
     it.idle(milliseconds(4'000));
-    stop rest{drives[0], stop_by::ramp, milliseconds(3'000), word_meaning::cia402};
+    test::remembered<stop> rest{drives[0], stop_by::ramp, milliseconds(3'000), word_meaning::cia402};
     auto const work = [&](instant at) { it.link().converse(rest, at); };
     // The word, the look and one frequency are answered, then nothing any more.
     std::size_t const before = it.answers(0);

@@ -4,6 +4,7 @@
 // and no motor loses its power to a set-up.
 #include "support/catch.hpp"
 #include "support/commissioned.hpp"
+#include "support/remembered.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <cstdint>
@@ -77,8 +78,8 @@ TEST_CASE("motion law: L10 no word to run goes behind a set-up that gives the wo
             register_block const backwards{std::uint16_t{0xFE0C}}; // -50 Hz, from before
             REQUIRE(it.drive().write(lfr, backwards) == errc::none);
             start go{it.press, 30_Hz, run_direction::forward, milliseconds(8'000)};
-            set_channel by_bits{it.press,
-                                channel_settings<atv320::device>{}.with<atv320::chcf>(atv320::channel_mode::io)};
+            test::remembered<set_channel> by_bits{
+                it.press, channel_settings<atv320::device>{}.with<atv320::chcf>(atv320::channel_mode::io)};
             it.run(go, by_bits, after_ms);
             CHECK_FALSE(it.runs_as_io);
             CHECK_FALSE((by_bits.succeeded() and it.has_power()));
@@ -97,7 +98,7 @@ TEST_CASE("motion law: L10 a motor that was started by direct control does not l
         for (std::uint32_t after_ms = 0; after_ms < 1'500; after_ms += 10) {
             INFO("order at each " << between_ms << " ms, released after " << after_ms << " ms");
             hall<atv28::device> it{between_ms};
-            atv28::direct_start go{it.press, 30_Hz};
+            test::remembered<atv28::direct_start> go{it.press, 30_Hz};
             atv28::release_link give{it.press};
             it.run(go, give, after_ms);
             CHECK(go.succeeded() == it.has_power());

@@ -76,13 +76,15 @@ TEST_CASE("motion law: S13 everyone is stopped while a start climbs and a cycle 
         };
         it.run_for(milliseconds(after_ms), work);
         broadcast_stop all{press, mixer, fan};
+        bool is_done = false;
         it.run_for(milliseconds(20'000), [&](instant at) {
             it.link().run_urgent(all, at);
+            is_done = is_done or all.succeeded();
             work(at);
         });
         REQUIRE(all.settled());
         CHECK_FALSE(it.has_any_power());
-        CHECK(all.succeeded());
+        CHECK(is_done);
         // Neither does what was ordered before come back, nor does a stray command to run start anybody.
         it.run_for(milliseconds(5'000), work);
         CHECK_FALSE(it.has_any_power());
@@ -104,7 +106,11 @@ TEST_CASE("motion law: S14 the broadcast that stops leaves at once behind a ques
         start go{press, 50_Hz};
         it.bring_up(1, go);
         single_request request{absent.unit(), read_holding_registers{3'201, 1}};
-        auto const ask = [&](instant at) { it.link().converse(0, request, at); };
+        auto const ask = [&](instant at) {
+            if (not request.settled()) {
+                it.link().converse(0, request, at);
+            }
+        };
         it.run_for(milliseconds(after_ms), ask);
         REQUIRE_FALSE(request.settled());
         broadcast_stop all{press, mixer, fan};
@@ -135,7 +141,7 @@ TEST_CASE("motion law: S14 an answer that is arriving is let in, and one that an
     auto const ask = [&](instant at) { it.link().converse(0, request, at); };
     for (bool const cuts : {false, true}) {
         INFO("cuts an ATV28 short: " << cuts);
-        request.begin();
+        request.again();
         it.run_for(milliseconds(100), ask);
         REQUIRE_FALSE(request.settled());
         broadcast_stop all{broadcast_stop_options{.cuts_short = cuts}, press, mixer, fan};
@@ -166,7 +172,9 @@ TEST_CASE("motion law: S14 the broadcast never speaks into an answer that has be
         broadcast_stop all{press, mixer};
         it.run_for(milliseconds(60), [&](instant at) {
             it.link().run_urgent(all, at);
-            it.link().converse(0, request, at);
+            if (not request.settled()) {
+                it.link().converse(0, request, at);
+            }
         });
         CHECK(it.wire().spoke_over() == 0);
         arrived += request.outcome().has_value() ? 1U : 0U;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // What random lives found, each reduced to the few frames that it takes.
 #include "support/catch.hpp"
+#include "support/remembered.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <optional>
@@ -89,8 +90,8 @@ TEST_CASE("motion law: two stops at once are not blocked by an answer that nobod
     it.pass([&](instant at) { it.link().converse(*poll, at); }, milliseconds(5));
     poll.reset(); // its response comes, and it does not
     it.pass([](instant) {}, milliseconds(50));
-    stop first{it.motor};
-    stop second{it.other};
+    test::remembered<stop> first{it.motor};
+    test::remembered<stop> second{it.other};
     auto const work = [&](instant at) {
         it.link().converse(first, at);
         it.link().converse(second, at);
@@ -140,8 +141,8 @@ TEST_CASE("motion law: the STOP key pressed behind a start's first look ends it"
 {
     for (bool const is_direct : {false, true}) {
         hall<atv28::device> it;
-        start go{it.motor, 40_Hz};
-        atv28::direct_start run{it.motor, 40_Hz};
+        test::remembered<start> go{it.motor, 40_Hz};
+        test::remembered<atv28::direct_start> run{it.motor, 40_Hz};
         auto const work = [&](instant at) {
             if (is_direct) {
                 it.link().converse(run, at);
@@ -191,7 +192,7 @@ TEST_CASE("motion law: S22 the same of a start whose next look is lost")
 {
     using device = atv320::device;
     hall<device> it;
-    start go{it.motor, 40_Hz};
+    test::remembered<start> go{it.motor, 40_Hz};
     auto const work = [&](instant at) { it.link().converse(go, at); };
     REQUIRE(it.run(
         work, [&] { return it.drive_state() == state::ready_to_switch_on; }, milliseconds(500)));
@@ -226,7 +227,7 @@ TEST_CASE("motion law: a halt that may not look becomes the ramp within a second
                    milliseconds(1'000)));
     loses = false;
     REQUIRE(it.has_power());
-    stop rest{it.motor, stop_by::halt, milliseconds(30'000), word_meaning::cia402};
+    test::remembered<stop> rest{it.motor, stop_by::halt, milliseconds(30'000), word_meaning::cia402};
     auto const work = [&](instant at) { it.link().converse(1, rest, at); };
     CHECK(it.pass_until_told(work, 0x0007, milliseconds(1'100)));
     it.pass(work, milliseconds(4'000));
@@ -264,7 +265,7 @@ TEST_CASE("motion law: a DC injection gives no power to a drive whose motor stan
         auto told = ramp; // by whoever it is: not a stop that this one would take the drive from
         REQUIRE(it.run(told));
         it.pass([](instant) {}, milliseconds(after_ms));
-        stop brake{it.motor, stop_by::dc_injection};
+        test::remembered<stop> brake{it.motor, stop_by::dc_injection};
         bool is_given_back = false;
         auto const work = [&](instant at) { it.link().converse(brake, at); };
         bool had_power = true;
@@ -415,7 +416,7 @@ TEST_CASE("motion law: L2 of two orders to run a drive the later one counts")
 {
     using device = atv12::device;
     hall<device> it;
-    start first{it.motor, 40_Hz};
+    test::remembered<start> first{it.motor, 40_Hz};
     it.pass([&](instant at) { it.link().converse(first, at); }, milliseconds(60));
     REQUIRE_FALSE(first.settled());
     start second{it.motor, 10_Hz};
@@ -452,7 +453,7 @@ TEST_CASE("motion law: L4 a stop that nobody answers is followed by silence, tho
         [&](instant at) {
             it.link().converse(look, at);
             if (look.settled()) {
-                look.begin();
+                look.again();
             }
         },
         milliseconds(20'000));

@@ -102,7 +102,7 @@ TEST_CASE("motion law: S12 a cycle whose answers get lost lets the drive's own t
             it.link().converse(0, loop, at);
             it.link().converse(1, poll, at);
             if (poll.settled()) {
-                poll.begin();
+                poll.again();
             }
         };
         it.pass(work, milliseconds(1'000));
@@ -151,7 +151,7 @@ TEST_CASE("motion law: S12 a probe of a silent unit does not feed it")
         [&](instant at) {
             it.link().converse(1, poll, at);
             if (poll.settled()) {
-                poll.begin();
+                poll.again();
             }
         },
         milliseconds(60'000));

@@ -5,6 +5,7 @@
 #include "support/catch.hpp"
 #include "support/commissioned.hpp"
 #include "support/drives.hpp"
+#include "support/remembered.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <string>
@@ -82,7 +83,7 @@ void stop_at_every_moment(Order const& order, Prepare prepare, unsigned steps)
     for (unsigned i = 1; i < steps; ++i) {
         pair<Device> it;
         prepare(it);
-        Order told = order;
+        test::remembered<Order> told{order};
         stop halt{it.drive};
         outcome_kind const kind = it.end_of(told, halt, milliseconds(3 * i));
         if (kind == outcome_kind::pending) {
@@ -128,7 +129,7 @@ TEST_CASE("motion law: L2 an order that a stop of all brings down ends as overru
     for (unsigned i = 5; i < 150; i += 5) {
         pair<atv320::device> it;
         runs_before(it);
-        change_reference order{it.drive, 50_Hz};
+        test::remembered<change_reference> order{it.drive, 50_Hz};
         broadcast_stop all{it.drive};
         instant const at = it.now() + milliseconds(i);
         while (not(order.settled() and all.settled())) {

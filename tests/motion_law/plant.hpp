@@ -71,7 +71,13 @@ template <typename Device> struct plant : simulated_bus<drive_client<4>, Device>
         seen_frequencies seen{millihertz()};
         instant const end = this->now() + length;
         while (not reached(this->now(), end)) {
-            this->step([&](instant now) { this->link().converse(conversation, now); }, milliseconds(50));
+            this->step(
+                [&](instant now) {
+                    if (not conversation.settled()) {
+                        this->link().converse(conversation, now);
+                    }
+                },
+                milliseconds(50));
             seen.add(millihertz());
         }
         return seen;

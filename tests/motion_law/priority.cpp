@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A stop is the strongest thing on the line: whatever else is asked of its drive, it goes first, and keeps the drive.
 #include "support/catch.hpp"
+#include "support/remembered.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <optional>
@@ -59,7 +60,7 @@ TEST_CASE("motion law: S9 a stop that is asked while a start climbs keeps the dr
         hall it;
         start go{motor, 50_Hz};
         it.pass([&](instant at) { it.link().converse(0, go, at); }, milliseconds(after_ms));
-        stop rest{motor};
+        test::remembered<stop> rest{motor};
         it.pass(
             [&](instant at) {
                 it.link().converse(0, go, at);
@@ -81,10 +82,10 @@ TEST_CASE("motion law: S9 a start that was begun before a stop has ended is not 
     REQUIRE(it.run([&](instant at) { it.link().converse(0, first, at); }, [&] { return first.settled(); },
                    milliseconds(3'000)));
     it.pass([](instant) {}, milliseconds(4'000));
-    stop rest{motor, stop_by::quick_stop, milliseconds(30'000), word_meaning::cia402};
+    test::remembered<stop> rest{motor, stop_by::quick_stop, milliseconds(30'000), word_meaning::cia402};
     it.pass([&](instant at) { it.link().converse(1, rest, at); }, milliseconds(100));
     REQUIRE_FALSE(rest.settled());
-    start meanwhile{motor, 30_Hz};
+    test::remembered<start> meanwhile{motor, 30_Hz};
     it.run(
         [&](instant at) {
             it.link().converse(0, meanwhile, at);
@@ -94,7 +95,7 @@ TEST_CASE("motion law: S9 a start that was begun before a stop has ended is not 
     CHECK(rest.succeeded());
     CHECK(meanwhile.reason().kind == outcome_kind::overruled);
     CHECK_FALSE(it.has_power());
-    start behind{motor, 30_Hz};
+    test::remembered<start> behind{motor, 30_Hz};
     it.pass([&](instant at) { it.link().converse(0, behind, at); }, milliseconds(3'000));
     CHECK(behind.succeeded());
 }
@@ -108,11 +109,11 @@ TEST_CASE("motion law: a stop that was destroyed before its end releases nothing
     std::optional<stop> rest{std::in_place, motor};
     it.pass([&](instant at) { it.link().converse(1, *rest, at); }, milliseconds(15));
     rest.reset();
-    start again{motor, 50_Hz};
+    test::remembered<start> again{motor, 50_Hz};
     it.pass([&](instant at) { it.link().converse(0, again, at); }, milliseconds(5'000));
     CHECK(again.reason().kind == outcome_kind::overruled);
     it.link().release(motor.unit());
-    start behind{motor, 50_Hz};
+    test::remembered<start> behind{motor, 50_Hz};
     it.pass([&](instant at) { it.link().converse(0, behind, at); }, milliseconds(5'000));
     CHECK(behind.succeeded());
 }
@@ -128,13 +129,13 @@ TEST_CASE("motion law: S11 a stop leaves at once to a unit that missed its polls
         auto const work = [&](instant at) {
             it.link().converse(0, poll, at);
             if (poll.settled()) {
-                poll.begin();
+                poll.again();
             }
         };
         it.cut(0, true);
         it.pass(work, milliseconds(1'500 * misses));
         it.cut(0, false);
-        stop rest{motor};
+        test::remembered<stop> rest{motor};
         instant const asked = it.now();
         while (not is_stop_word(it.request()) and it.now() - asked < milliseconds(5'000)) {
             it.step(
@@ -191,7 +192,7 @@ TEST_CASE("motion law: a stop goes before all that others ask, wherever its slot
             auto const ask = [&](std::size_t at_slot, std::size_t i, instant at) {
                 it.link().converse(at_slot, polls[i], at);
                 if (polls[i].settled()) {
-                    polls[i].begin();
+                    polls[i].again();
                 }
             };
             std::optional<stop> rest;
@@ -228,7 +229,7 @@ TEST_CASE("motion law: a stop that stays away holds up nobody")
                 it.link().converse(0, poll, at);
                 if (poll.settled()) {
                     answers += poll.outcome() ? 1U : 0U;
-                    poll.begin();
+                    poll.again();
                 }
                 if (pass++ < i % 5) {
                     it.link().converse(1, *rest, at);
@@ -248,7 +249,7 @@ TEST_CASE("motion law: S34 a cycle leaves a drive alone that another stop has, a
     REQUIRE(loop.run(1'200_rpm));
     it.pass(cycle, milliseconds(4'000));
     REQUIRE(it.drive_state() == state::operation_enabled);
-    stop rest{motor, stop_by::halt, milliseconds(30'000), word_meaning::cia402};
+    test::remembered<stop> rest{motor, stop_by::halt, milliseconds(30'000), word_meaning::cia402};
     it.pass(
         [&](instant at) {
             cycle(at);

@@ -50,7 +50,7 @@ struct hall : test::simulated_bus<bus<5>, device> {
                 }
                 this->link().converse(4, poll, now);
                 if (poll.settled()) {
-                    poll.begin();
+                    poll.again();
                 }
             },
             [] { return false; }, length);

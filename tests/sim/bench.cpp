@@ -79,15 +79,27 @@ TEST_CASE("what has ended begins anew where it can")
     CHECK(bench.run(wrong).error() == errc::invalid_quantity); // it never leaves
 }
 
-TEST_CASE("an order that has ended cannot be run again, and tells no earlier success")
+/// A conversation of one's own that ends, and cannot begin anew.
+struct once_only : finite_conversation {
+    static std::optional<request_frame> next() { return std::nullopt; }
+    constexpr void accept(result<response> const&) {}
+    void end() { settle(errc::none); }
+};
+
+TEST_CASE("an order that has ended is run anew; what cannot begin anew is not run, and tells no earlier success")
 {
     sim::bench bench{timing, drive};
     stop order{drive};
     REQUIRE(bench.run(order).kind == outcome_kind::succeeded);
     instant const before = bench.now();
-    CHECK(bench.run(order) == reason{.kind = outcome_kind::pending, .error = errc::finished});
-    CHECK(bench.now() == before);
-    CHECK(order.reason().kind == outcome_kind::succeeded);
+    CHECK(bench.run(order).kind == outcome_kind::succeeded);
+    CHECK(bench.now() != before);
+    once_only own;
+    own.end();
+    instant const again = bench.now();
+    CHECK(bench.run(own).error() == errc::used_already);
+    CHECK_FALSE(bench.run(order, own));
+    CHECK(bench.now() == again);
 }
 
 TEST_CASE("conversations side by side take turns, on a client and on a bus")

@@ -191,7 +191,7 @@ TEST_CASE("a value that changes between requests and during faults is never mixe
     unsigned whole = 0;
     unsigned failed = 0;
     for (int round = 0; round < 400; ++round) {
-        panel.begin();
+        panel.again();
         // The unit counts on in every pass of the line, between the bytes of a request and of its response, too.
         bench.run_until([&] { return panel.settled(); }, milliseconds(60'000), panel,
                         [&](instant) {
@@ -227,9 +227,9 @@ TEST_CASE("the same counter, read by two requests, is mixed: the check above wou
         REQUIRE(words.set(first + 1, n));
     };
     for (int round = 0; round < 20; ++round) {
-        upper.begin();
+        upper.again();
         bench.run_until([&] { return upper.settled(); }, milliseconds(1'000), upper, count_on);
-        lower.begin();
+        lower.again();
         bench.run_until([&] { return lower.settled(); }, milliseconds(1'000), lower, count_on);
         auto const high = upper.outcome()->to<read_holding_registers>();
         auto const low = lower.outcome()->to<read_holding_registers>();

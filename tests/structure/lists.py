@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""Compares the public list of the drives and the list of PDUs with the headers, and finds lists of all drives beside the
-one.
+"""Compares the public list of the drives and the list of PDUs with the headers, finds lists of all drives beside the
+one, and conversations that no test uses again.
 
     python3 lists.py PROJECT
 """
@@ -27,6 +27,12 @@ DRIVE_SPACE = re.compile(r"rtuwire::altivar::(atv\w+)")
 DEVICE = re.compile(r"device\w*")
 # A function is the class of its request, which has the rules of its frames.
 RULES = re.compile(r"\bframe_rules\s+rules\b")
+
+# Every conversation that ends is used again there. What others derive from is tried as these; an endless one has a
+# `settled` that is never true.
+USED_AGAIN = "tests/altivar/used_again.cpp"
+DERIVED = re.compile(r"\bclass\s+(\w+)(?:<[^{;]*?>)?\s*:\s*public\s+(\w+)")
+ENDLESS = re.compile(r"\bstatic constexpr bool settled\(\) noexcept \{ return false; \}")
 
 # A file that names the first and the rarest drive goes through all of them.
 ENUMERATES = (re.compile(r"\batv12\s*::\s*device\b"), re.compile(r"\bdevice_2026\b"))
@@ -60,6 +66,33 @@ def functions(headers):
             begin = sum(len(line) for line in lines[:each.line - 1])
             if each.kind == "type" and RULES.search("".join(lines)[begin:each.end]):
                 yield each.name
+
+
+def conversations(headers):
+    """The conversations that end, and are no base of another."""
+    bases, endless = {}, set()
+    for text in headers.values():
+        code = declarations.code_of(text)
+        found = list(DERIVED.finditer(code))
+        for each, after in zip(found, [*(other.start() for other in found[1:]), len(code)]):
+            bases.setdefault(each[1], set()).add(each[2])
+            if ENDLESS.search(code, each.end(), after):
+                endless.add(each[1])
+    are = {"asker"}
+    while more := {name for name, of in bases.items() if of & are} - are:
+        are |= more
+    used = set().union(*bases.values()) if bases else set()
+    return sorted(name for name in are - used - endless if name in bases)
+
+
+def never_used_again(headers, path, text):
+    """Conversations that a test of all of them does not name."""
+    found = conversations(headers)
+    if not found:
+        yield f"{path}: no conversation was found in the headers"
+    for each in found:
+        if not re.search(rf"\b{each}\b", text):
+            yield f"{path}: {each} is not used again"
 
 
 def listed(text, name):
@@ -127,7 +160,8 @@ def main(project):
     files.update({path: text for path, text in headers.items() if path != DRIVES})
     found = [*differences(DRIVES, headers.get(DRIVES, ""), ALL_DRIVES, drives),
              *differences(FUNCTIONS, list_of_functions, ALL_FUNCTIONS, kinds), *second_lists(files, ALLOWED),
-             *named_drives(headers)]
+             *named_drives(headers),
+             *never_used_again(headers, USED_AGAIN, (root / USED_AGAIN).read_text(encoding="utf-8"))]
     print("\n".join(found) or f"{len(drives)} drives and {len(kinds)} functions, each in its list")
     return 1 if found else 0
 

@@ -43,6 +43,27 @@ class Headers(unittest.TestCase):
         self.assertEqual(list(lists.functions({"a.hpp": FUNCTIONS})), ["request", "ask"])
 
 
+class Conversations(unittest.TestCase):
+    HEADERS = {"a.hpp": """class asker {};
+class finite : public asker {};
+template <typename T> class one : public finite {};
+// class none : public asker {};
+template <> class two<int> : public one<int> {};
+class cycle : public asker {
+    [[nodiscard]] static constexpr bool settled() noexcept { return false; }
+};
+class other : public base {};
+"""}
+
+    def test_those_that_end_are_found(self):
+        self.assertEqual(lists.conversations(self.HEADERS), ["two"])
+
+    def test_one_may_be_missing(self):
+        self.assertEqual(list(lists.never_used_again(self.HEADERS, "t", "two")), [])
+        self.assertEqual(list(lists.never_used_again(self.HEADERS, "t", "twos")), ["t: two is not used again"])
+        self.assertEqual(len(list(lists.never_used_again({}, "t", "two"))), 1)
+
+
 class Lists(unittest.TestCase):
     TEXT = """// using all_drives = drive_list<gone::device>;
 using some = drive_list<altivar::atv1::device>;

@@ -40,7 +40,7 @@ inline constexpr auto all_errors = [] {
         known_error{invalid_function, 0x84, kind::request},
         known_error{not_for_broadcast, 0x85, kind::request},
         known_error{busy, 0x86, kind::request},
-        known_error{finished, 0x88, kind::request},
+        known_error{used_already, 0x88, kind::request},
         known_error{overruled, 0x89, kind::request},
         known_error{unit_lost, 0x8A, kind::request},
         known_error{too_many_ordered, 0x8B, kind::request},

@@ -51,12 +51,14 @@ template <typename Client> struct basic_manual_unit {
         pass(end - now);
     }
 
-    /// The same for a conversation that comes by in each pass.
+    /// The same for a conversation that comes by in each pass, up to its end.
     template <conversation Conversation> constexpr void run(Conversation& conversation, duration length)
     {
         instant const end = now + length;
         while (true) {
-            link.converse(conversation, now);
+            if (not conversation.settled()) {
+                link.converse(conversation, now);
+            }
             transmit();
             deadline const next = link.poll_deadline();
             if (not next or not reached(end, *next)) {

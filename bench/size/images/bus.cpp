@@ -37,7 +37,7 @@ int main()
         static_cast<void>(cycle.run(1'500_rpm));
         if (conversation.settled()) {
             board::put(static_cast<std::byte>(conversation.latest().get<atv320::lcr>().count()));
-            conversation.begin();
+            conversation.again();
         }
     }
 }

@@ -23,7 +23,7 @@ int main()
     client link{line_timing{19'200, character_format::even_8_1}};
     poller<panel> conversation{drive};
     for (;;) {
-        conversation.begin();
+        conversation.again();
         while (not conversation.settled()) {
             board::pass(link);
             link.converse(conversation, board::now());

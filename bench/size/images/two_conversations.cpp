@@ -34,7 +34,7 @@ int main()
         }
         if (conversation.settled()) {
             board::put(static_cast<std::byte>(conversation.latest().get<atv320::lcr>().count()));
-            conversation.begin();
+            conversation.again();
         }
     }
 }

@@ -41,7 +41,7 @@ public:
     }
 
     /// Reads once more; it is then no longer settled.
-    constexpr void begin() noexcept { reopen(); }
+    constexpr void again() noexcept { reopen(); }
 
     constexpr std::optional<request_frame> next() const& noexcept
     {

@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include <rtuwire/ask/conversation.hpp>
+#include <rtuwire/ask/unit_order.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/unit_id.hpp>
@@ -77,6 +78,19 @@ protected:
     /// Whether its last order is older than a stop of its unit by another conversation. Told at each visit.
     [[nodiscard]] constexpr bool is_overruled() const noexcept { return is_overruled_; }
 
+    /// Whether its order to run still counts for the client that it visited last, which must not have been destroyed: that
+    /// has not stopped or lost the unit since, nor read it in fault or without power, nor ordered it to run anew. True
+    /// before the first visit.
+    [[nodiscard]] constexpr bool is_order_in_force(unit_id unit) const noexcept
+    {
+        if (known_ == nullptr) {
+            return true;
+        }
+        bool const is_replaced = known_->last_order != 0 and is_older(stamp_, known_->last_order);
+        bool const is_ended = is_older(stamp_, known_->last_stop) or is_older(stamp_, known_->last_fault);
+        return known_->unit == unit.byte() and known_->is_ordered and not is_replaced and not is_ended;
+    }
+
     /// Whether a conversation of this client ordered its unit to run, and none has read since that the motor has no
     /// power. Told at each visit.
     [[nodiscard]] constexpr bool is_unit_ordered() const noexcept { return is_unit_ordered_; }
@@ -90,8 +104,9 @@ private:
     template <std::size_t> friend class orders;
     template <std::size_t> friend class stop_holds;
 
-    std::uint32_t stamp_{0}; ///< when the last order or stop was given, in the client's count; 0: never
-    std::uint32_t seen_{0};  ///< the client's count at the last visit
+    std::uint32_t stamp_{0};           ///< when the last order or stop was given, in the client's count; 0: never
+    std::uint32_t seen_{0};            ///< the client's count at the last visit
+    unit_order const* known_{nullptr}; ///< what the client knows of its unit, since the last visit
     bool was_rearranged_{false};
     bool was_stopped_{false};
     bool has_ordered_{false};

@@ -3,6 +3,9 @@
 //
 // The one abstraction between what an application wants of a unit and the line: requests one after the other, each
 // with its response. A read is a conversation, so is a plan or a start-up; the code that runs one need not know which.
+//
+// A conversation that has ended begins anew only by its `again()`, or by a `run` that calls it; a mere visit of one that
+// had ended before sends nothing and takes its outcome back, which from then on says `used_already`.
 #pragma once
 
 #include <array>
@@ -99,25 +102,42 @@ public:
     /// What a conversation declares that says nothing else.
     static constexpr conversation_properties properties{};
 
-    /// Gives up the last request: its outcome is dropped, never delivered. To be called where a conversation starts
-    /// anew. The request itself may have left and have its effect.
+    /// Gives up the last request: its outcome is dropped, never delivered. To be called where a conversation begins
+    /// anew: it is then not used already any more. The request itself may have left and have its effect.
     constexpr void forget() noexcept { ticket_ |= given_up; }
+
+protected:
+    /// Whether it was visited after the visit in which it ended: its outcome is then not to be shown any more.
+    [[nodiscard]] constexpr bool is_used_already() const noexcept { return ticket_ % 4 == used_already; }
+
+    /// It is made anew in the place of `former`, whose last request is given up.
+    constexpr void replace(asker const& former) noexcept
+    {
+        *this = former;
+        forget();
+    }
 
 private:
     friend class turns;
 
-    /// A ticket is a multiple of this, or a mark of turns.hpp; plus `given_up` it still shows who asked last.
-    static constexpr std::uint32_t step = 16;
+    /// A ticket is a multiple of this, or a mark of turns.hpp; plus `given_up` or `used_already` it still shows who asked
+    /// last; or it is `met`, with or without these: of one that did not ask last, and has no mark.
+    static constexpr std::uint32_t step = 32;
     static constexpr std::uint32_t given_up = 1;
+    static constexpr std::uint32_t used_already = 2;
+    static constexpr std::uint32_t met = 4;
 
     std::uint32_t ticket_{0};
-    turns const* turns_{nullptr}; ///< whose number it is; null where there is none
+    turns const* turns_{nullptr}; ///< whose number it is; null where it visited none
 };
 
 /// An asker with requests. `next` returns the next request, or nothing when there is none now; it may be called again
 /// before an outcome came, where the request could not be sent. `accept` takes the outcome of this conversation's last
 /// request, and of no other; it is called before `next` is called again, or never where the request was given up.
 /// `settled` tells that no request follows. A request is a view of its conversation's memory.
+///
+/// Read the outcome of a conversation in the pass in which it settles. One that ends may have an `again()`, which calls
+/// `forget()`; `run` uses it.
 template <typename T>
 concept conversation = std::derived_from<T, asker> and requires(T& conversation, result<response> outcome)
 {

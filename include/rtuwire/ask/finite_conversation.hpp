@@ -21,8 +21,9 @@ public:
     [[nodiscard]] constexpr bool settled() const noexcept { return is_settled_; }
 
     /// How it ended. Before that it is `busy`, so that an outcome that is read too early is never a success; `settled`
-    /// tells whether it is the outcome.
-    [[nodiscard]] constexpr result<void> outcome() const noexcept { return error_; }
+    /// tells whether it is the outcome. To be read in the pass in which it settles: from the next visit on it is
+    /// `used_already`.
+    [[nodiscard]] constexpr result<void> outcome() const noexcept { return error(); }
 
 protected:
     /// It ends; `none` is success.
@@ -31,6 +32,9 @@ protected:
         error_ = how;
         is_settled_ = true;
     }
+
+    /// It begins anew with nothing to send: how it ended is told once more.
+    constexpr void tell_again() noexcept { static_cast<asker&>(*this) = asker{}; }
 
     /// It begins anew; the outcome of its last request is dropped.
     constexpr void reopen() noexcept
@@ -41,7 +45,7 @@ protected:
     }
 
     /// Why there is no value; `none` after success, `busy` before the end.
-    [[nodiscard]] constexpr errc error() const noexcept { return error_; }
+    [[nodiscard]] constexpr errc error() const noexcept { return is_used_already() ? errc::used_already : error_; }
 
 private:
     errc error_{errc::busy};

@@ -44,12 +44,12 @@ template <typename Conversation> [[nodiscard]] constexpr auto outcome_of(Convers
 }
 
 /// The same of a conversation that could not be run to its end: with the error that ended it in the place of its own.
-/// Of one that had ended before (`finished`) no earlier success is shown: its reason has not ended.
+/// Of one that had ended before (`used_already`) no earlier success is shown: its reason has not ended.
 template <typename Conversation> [[nodiscard]] constexpr auto outcome_of(Conversation&& conversation, errc why) noexcept
 {
     using outcome = decltype(outcome_of(std::forward<Conversation>(conversation)));
     if constexpr (has_reason<Conversation> and not has_outcome<Conversation>) {
-        outcome reason = why == errc::finished ? outcome{} : conversation.reason();
+        outcome reason = why == errc::used_already ? outcome{} : conversation.reason();
         reason.error = why;
         return reason;
     } else {
@@ -63,8 +63,8 @@ template <typename Conversation> [[nodiscard]] constexpr bool can_run(Conversati
     if (not conversation.settled()) {
         return true;
     }
-    if constexpr (requires { conversation.begin(); }) {
-        conversation.begin();
+    if constexpr (requires { conversation.again(); }) {
+        conversation.again();
         return true;
     } else {
         return false;

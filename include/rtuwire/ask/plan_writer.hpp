@@ -28,13 +28,19 @@ template <typename Plan> class plan_writer : public finite_conversation {
 public:
     constexpr plan_writer(station<device> const& to, Plan const& values) noexcept : plan_{values}, unit_{to.unit()}
     {
-        if constexpr (requires { values.error(); }) {
-            if (values.error() != errc::none) {
-                settle(values.error());
-                return;
-            }
+        begin();
+    }
+
+    /// Writes all of it once more, from the first request on. A plan with a value that does not fit stays settled, and
+    /// says so once more.
+    constexpr void again() noexcept
+    {
+        reopen();
+        written_ = 0;
+        begin();
+        if (settled()) {
+            tell_again();
         }
-        prepare();
     }
 
     constexpr std::optional<request_frame> next() const& noexcept
@@ -61,6 +67,16 @@ public:
     [[nodiscard]] constexpr std::size_t written() const noexcept { return written_; }
 
 private:
+    constexpr void begin() noexcept
+    {
+        if constexpr (requires { plan_.error(); }) {
+            if (plan_.error() != errc::none) {
+                return settle(plan_.error());
+            }
+        }
+        prepare();
+    }
+
     constexpr void prepare() noexcept
     {
         register_block<Plan::register_count> words;

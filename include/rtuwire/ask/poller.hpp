@@ -33,8 +33,8 @@ template <typename Plan> [[nodiscard]] constexpr auto read_frames(unit_id unit) 
     return all;
 }
 
-/// The conversation of a read plan with one unit; owns its frames and the snapshot. Each `begin` is one
-/// round.
+/// The conversation of a read plan with one unit; owns its frames and the snapshot. Each `again` is one
+/// round more.
 template <typename Plan> class poller : public finite_conversation {
 public:
     using snapshot = typename Plan::snapshot;
@@ -42,8 +42,8 @@ public:
     explicit constexpr poller(station<typename Plan::device> const& of) noexcept : frames_{read_frames<Plan>(of.unit())}
     {}
 
-    /// Starts a round; one under way starts again, and the outcome of its last request is dropped.
-    constexpr void begin() noexcept
+    /// Starts one more round; one under way starts again, and the outcome of its last request is dropped.
+    constexpr void again() noexcept
     {
         reopen();
         at_ = 0;

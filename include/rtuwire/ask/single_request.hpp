@@ -71,11 +71,14 @@ public:
     /// A request that cannot be: nothing is sent, and `outcome()` says why.
     explicit constexpr sized_request(errc why) noexcept { settle(why); }
 
-    /// Sends the same request once more; it is then no longer settled. One that could not be encoded stays settled.
-    constexpr void begin() noexcept
+    /// Sends the same request once more; it is then no longer settled. One that could not be encoded stays settled, and
+    /// says so once more.
+    constexpr void again() noexcept
     {
         if (size_ != 0) {
             reopen();
+        } else {
+            tell_again();
         }
     }
 

@@ -84,7 +84,7 @@ public:
     constexpr words_read(unit_id whom, std::uint16_t start) noexcept : frame_{read_frame(whom, Space, start, Count)} {}
 
     /// Reads once more; it is then no longer settled.
-    constexpr void begin() noexcept { reopen(); }
+    constexpr void again() noexcept { reopen(); }
 
     constexpr std::optional<request_frame> next() const& noexcept
     {

@@ -88,8 +88,8 @@ public:
 
     /// Runs a conversation until it is settled, and returns its `outcome()`; where it has none, its `reason()`; where it
     /// has neither, a `result<void>`. Of a conversation without a name, whose response would end with the statement, only
-    /// the error. One that is already settled begins anew where it can. Errors besides its own: `finished` where it
-    /// cannot; those of the port: the request under way is then cancelled, and the conversation itself gets that as its
+    /// the error. One that is already settled begins anew, by its `again()`. Errors besides its own: `used_already` where it
+    /// has none; those of the port: the request under way is then cancelled, and the conversation itself gets that as its
     /// outcome.
     template <typename Conversation>
         requires conversation<std::remove_cvref_t<Conversation>>
@@ -101,23 +101,24 @@ public:
     }
 
 private:
-    /// Until it is settled; or `finished`, or the error of the port.
+    /// Until it is settled; or `used_already`, or the error of the port.
     template <conversation Conversation> errc run_to_end(Conversation& conversation)
     {
         static_assert(not endless_conversation<Conversation>,
                       "this conversation never ends: give it to a client in each pass");
         if (not can_run(conversation)) {
-            return errc::finished;
+            return errc::used_already;
         }
         auto passed = drop_stale_input();
         while (passed) {
             instant const now = port_.now();
             client_.advance(now);
             client_.converse(conversation, now);
+            if (conversation.settled() and not client_.is_asked_by(conversation)) {
+                return errc::none; // one visit more would take its outcome back
+            }
             if (client_.is_busy()) {
                 passed = finish_pass(client_, port_, input_, now + longest_wait, write_limit_);
-            } else if (conversation.settled()) {
-                return errc::none;
             } else {
                 passed = wait_for(conversation, now);
             }

@@ -64,7 +64,8 @@ public:
     }
 
     /// Gives a slot's conversation its outcome, and takes its next request when it is its turn. While nobody
-    /// `has_turn` it does nothing, except for a conversation that commands a motor or has a `poll_deadline`.
+    /// `has_turn` it does nothing, except for a conversation that commands a motor or has a `poll_deadline`. One that had
+    /// settled before says `used_already` from here on, as on a client.
     template <conversation Conversation>
     constexpr void converse(std::size_t index, Conversation& conversation, instant now) noexcept
     {

@@ -57,7 +57,7 @@ public:
     /// Voids the marks where the conversation that asked last is not at hand.
     constexpr void void_marks() noexcept
     {
-        mark_ = static_cast<std::uint8_t>((mark_ + marks_step) & (asker::step - marks_step));
+        mark_ = static_cast<std::uint8_t>((mark_ + marks_step) & (all_marks - marks_step));
     }
 
     /// Whether it was this conversation that asked last.
@@ -69,7 +69,16 @@ public:
     /// The same, also where it has given up its request.
     [[nodiscard]] constexpr bool is_last(asker const& who) const noexcept
     {
-        return who.ticket_ - number_ <= asker::given_up and who.turns_ == this;
+        return who.ticket_ - number_ < asker::met and who.turns_ == this;
+    }
+
+    /// A conversation visits. One that had ended before, and has no request under way, is used already, unless
+    /// it never visited before: then nobody could read yet how it ended.
+    constexpr void meet(asker& who, bool has_ended) const noexcept
+    {
+        if (has_ended or who.turns_ == nullptr) {
+            greet(who);
+        }
     }
 
     /// Whether the request of this conversation was dropped because it did not visit: another has asked since, or
@@ -134,6 +143,15 @@ public:
     }
 
 private:
+    /// A function of its own: few visits need it.
+    [[gnu::noinline]] constexpr void greet(asker& who) const noexcept
+    {
+        if (not is_own(who)) {
+            std::uint32_t const as = who.turns_ == nullptr ? 0 : asker::used_already;
+            give(who, (is_last(who) ? number_ : asker::met) + as);
+        }
+    }
+
     constexpr void give(asker& who, std::uint32_t number) const noexcept
     {
         who.ticket_ = number;
@@ -141,9 +159,10 @@ private:
     }
 
     /// A number that `asker::forget` does not change.
-    constexpr std::uint32_t mark() const noexcept { return number_ + mark_ + (marks_step - 1U); }
+    constexpr std::uint32_t mark() const noexcept { return number_ + all_marks + mark_ + (marks_step - 1U); }
 
     static constexpr std::uint8_t marks_step = 4;
+    static constexpr std::uint8_t all_marks = asker::step / 2;
 
     std::uint32_t number_{0}; ///< of a request, in steps; a number behind it marks a visit since
     std::uint8_t mark_{0};

@@ -156,7 +156,7 @@ public:
     /// Runs a conversation to its end, at most for `limit`, and returns its `outcome()`, or where it has none its
     /// `reason()`, or where it has neither a `result<void>`; what the limit cut says that it has not ended. Of a
     /// conversation without a name, whose response would end with the statement, only the error. A conversation that is
-    /// already settled begins anew where it can; where it cannot, the error is `finished`.
+    /// already settled begins anew by its `again()`; where it has none, the error is `used_already`.
     template <typename Conversation>
         requires conversation<std::remove_cvref_t<Conversation>>
     constexpr auto run(Conversation&& conversation, duration limit = longest_run)
@@ -164,18 +164,23 @@ public:
         static_assert(not endless_conversation<std::remove_cvref_t<Conversation>>,
                       "this conversation never ends: give it to run_for or run_until");
         if (not can_run(conversation)) {
-            return outcome_of(std::forward<Conversation>(conversation), errc::finished);
+            return outcome_of(std::forward<Conversation>(conversation), errc::used_already);
         }
         static_cast<void>(run_until([&] { return conversation.settled(); }, limit, conversation));
         return outcome_of(std::forward<Conversation>(conversation));
     }
 
-    /// Runs conversations side by side until all have ended, at most for `longest_run`; returns whether they have.
+    /// Runs conversations side by side until all have ended, at most for `longest_run`; returns whether they have. One that
+    /// had ended before begins anew by its `again()`; one that ends first is not visited any more.
     template <conversation First, conversation Second, conversation... Rest>
     constexpr bool run(First& first, Second& second, Rest&... rest)
     {
+        if (not(can_run(first) and can_run(second) and (can_run(rest) and ...))) {
+            return false;
+        }
         auto const is_done = [&] { return first.settled() and second.settled() and (rest.settled() and ...); };
-        return run_until(is_done, longest_run, first, second, rest...);
+        return run_until(is_done, longest_run, to_its_end<First>{first}, to_its_end<Second>{second},
+                         to_its_end<Rest>{rest}...);
     }
 
     static constexpr duration longest_run = milliseconds(60'000);
@@ -187,6 +192,11 @@ private:
     static constexpr duration longest_limit{70U * 60U * 1'000'000U};
     /// The longest time without a pass while bytes are on the line.
     static constexpr duration longest_frame = milliseconds(1'000);
+    /// A visitor that visits until it has ended.
+    template <typename Conversation> struct to_its_end {
+        Conversation& of;
+    };
+
     /// What a pass takes that finds something due at once.
     static constexpr duration shortest_sleep = microseconds(10);
 
@@ -222,6 +232,19 @@ private:
         } else {
             link().converse(visitor, now_);
         }
+    }
+
+    template <typename Conversation> constexpr void visit(to_its_end<Conversation>& visitor, std::size_t slot)
+    {
+        if (not visitor.of.settled()) {
+            visit(visitor.of, slot);
+        }
+    }
+
+    template <typename Conversation>
+    constexpr void add_to(earliest& next, to_its_end<Conversation> const& visitor) const noexcept
+    {
+        add_to(next, visitor.of);
     }
 
     /// A time that has come had its effect in this pass.

@@ -77,9 +77,9 @@ enum class errc : std::uint8_t {
     /// A transaction or a conversation is under way, and its outcome is not there yet.
     /// Remedy: Look at `settled()` before the outcome, and call `advance` and `converse` in each pass.
     busy = 0x86,
-    /// A conversation has ended already, and can't begin anew.
-    /// Remedy: Make a new one: `go = start{drive, 50_Hz};`.
-    finished = 0x88,
+    /// A conversation had ended before, and what it told then is old.
+    /// Remedy: Begin it anew with `again()`, or `run` it; read an outcome in the pass in which its conversation settles.
+    used_already = 0x88,
     /// A stop, a fault or a set-up came later than the order, or a stop is under way.
     /// Remedy: Find out why it was stopped; then give a new order, once the stop has ended.
     overruled = 0x89,

@@ -48,7 +48,7 @@ enum class error_category : std::uint8_t {
     case errc::invalid_function:
     case errc::not_for_broadcast:
     case errc::busy:
-    case errc::finished:
+    case errc::used_already:
     case errc::overruled:
     case errc::unit_lost:
     case errc::too_many_ordered:

@@ -34,7 +34,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     case errc::invalid_function: return "function code outside 1..127";
     case errc::not_for_broadcast: return "not possible as a broadcast";
     case errc::busy: return "a transaction is under way";
-    case errc::finished: return "ended already";
+    case errc::used_already: return "used already: begin it anew with again()";
     case errc::overruled: return "a stop, a fault or a set-up came after the order, or a stop is under way";
     case errc::unit_lost: return "the unit did not answer, and its order is gone";
     case errc::too_many_ordered: return "the client keeps no more orders at once";

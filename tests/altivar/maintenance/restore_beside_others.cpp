@@ -6,6 +6,7 @@
 #include "altivar/maintenance/maintenance_bench.hpp"
 #include "support/catch.hpp"
 #include "support/commissioned.hpp"
+#include "support/remembered.hpp"
 
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/maintenance/backup.hpp>
@@ -57,7 +58,7 @@ TEST_CASE("a stop of its unit ends a restore: no setting is written behind it")
     for (unsigned at = 10; at < 120; at += 7) {
         paper_drive drive = small_drive();
         sim::bench line{bus<2>{paper_line}, bank_at{unit_id{7}, drive, paper_identity<320>::profile}};
-        auto one = restore_of(words);
+        remembered one{restore_of(words)};
         line.run_until([&] { return drive.requests() >= at; }, milliseconds(60'000), one);
         stop halt{paper_station};
         std::size_t const before = drive.writes.size();
@@ -75,8 +76,7 @@ TEST_CASE("a drive that this client has ordered to run gets no setting")
     constexpr station<atv320::device> drive{unit_id{7}};
     sim::bench line{drive_client<2>{paper_line}, drive};
     start run{drive, 20_Hz, run_direction::forward, milliseconds(5'000), commissioned()};
-    line.run(run);
-    REQUIRE(run.succeeded());
+    REQUIRE(line.run(run).kind == kind::succeeded);
     std::uint16_t const before = line.drive().word("ACC");
     word_list const words{{"ACC", static_cast<std::uint16_t>(before + 1)}};
     auto one = restore_of(words);

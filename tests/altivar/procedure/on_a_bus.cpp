@@ -4,6 +4,7 @@
 #include <rtuwire/client/bus.hpp>
 
 #include "support/catch.hpp"
+#include "support/remembered.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <rtuwire/altivar/atv320.hpp>
@@ -56,8 +57,8 @@ TEST_CASE("two drives are started and stopped side by side")
     it.idle(milliseconds(3'000));
     CHECK(it.drive(0).motor().frequency() == 50'000);
     CHECK(it.drive(1).motor().frequency() == -50'000);
-    stop slow{it.first};
-    stop fast{it.second, stop_by::quick_stop};
+    test::remembered<stop> slow{it.first};
+    test::remembered<stop> fast{it.second, stop_by::quick_stop};
     it.run_both(slow, fast);
     CHECK(slow.succeeded());
     CHECK(fast.succeeded());
@@ -70,8 +71,8 @@ TEST_CASE("two drives are started and stopped side by side")
 TEST_CASE("a bus that runs one slot waits for its pauses, and a drive that is off ends by its limit")
 {
     two_drives it;
-    start one{it.first, 50_Hz};
-    start other{it.second, 50_Hz};
+    test::remembered<start> one{it.first, 50_Hz};
+    test::remembered<start> other{it.second, 50_Hz};
     it.cut(1, true);
     it.run_both(one, other);
     CHECK(one.succeeded());

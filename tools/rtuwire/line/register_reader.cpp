@@ -79,7 +79,7 @@ void register_reader::read(open_line& line, rtuwire::unit_id unit)
 rtuwire::result<std::uint16_t> register_reader::at(std::uint16_t address) const
 {
     auto const found = words_.find(address);
-    return found == words_.end() ? errc::finished : found->second;
+    return found == words_.end() ? errc::invalid_address_range : found->second;
 }
 
 known_words register_reader::known() const

@@ -40,6 +40,16 @@ public:
         ask_next();
     }
 
+    /// Reads all of it once more, and tells each parameter once more. Not to be called by the sink.
+    constexpr void again() noexcept
+    {
+        reopen();
+        walk_.begin();
+        read_ = 0;
+        refused_ = 0;
+        ask_next();
+    }
+
     constexpr std::optional<request_frame> next() const& noexcept
     {
         if (settled()) {

@@ -58,9 +58,20 @@ public:
                       restore_options const& options = {}) noexcept
         : calls{its_drive.unit(), drive_check<Device>::layout, options.terminals,
                 identity_check{drive_family::of(Device::reference), its_wanted.family, map.family(),
-                               implements<Device>(function_code::encapsulated_interface)}},
+                               has_identification}},
           plan_{map, its_wanted, report, options}, walk_{Device::limits.read}
     {}
+
+    /// Begins anew, as it was made, and tells each parameter once more. One under way is given up first, as if it had been
+    /// destroyed. Not to be called by the report.
+    constexpr void again() noexcept
+    {
+        this->make_anew(plan_.terminals(), this->identity().anew(has_identification));
+        plan_.begin();
+        walk_ = block_walk{Device::limits.read};
+        has_row_ = false;
+        is_in_block_ = false;
+    }
 
     /// How many writes the drive took: each was read back as wanted, or confirmed where it is the link's own. More than
     /// one a parameter where a later write had undone it.
@@ -76,6 +87,8 @@ public:
 
 private:
     using verdict = row_write::verdict;
+
+    static constexpr bool has_identification = implements<Device>(function_code::encapsulated_interface);
 
     // What the checks call.
 

@@ -52,10 +52,11 @@ enum class outcome_kind : std::uint8_t {
     not_taken,            ///< a written setting reads back with another value
     started_by_terminals, ///< a local command runs the motor; the line cannot stop it
     other_family,         ///< the drive, or the configuration, is of another family
+    used_already,         ///< it had ended before this visit, and did nothing: `again()` begins it anew
 };
 
-/// An outcome and what was known about the drive.
-struct reason {
+/// An outcome and what was known about the drive. Who orders something looks at it.
+struct [[nodiscard]] reason {
     outcome_kind kind{outcome_kind::pending};
     errc error{errc::none};
     cia402::state state{cia402::state::unknown}; ///< the last one read
@@ -102,6 +103,7 @@ struct reason {
     case outcome_kind::not_taken: return "a setting reads back otherwise";
     case outcome_kind::started_by_terminals: return "the terminals run the motor";
     case outcome_kind::other_family: return "the drive is of another family";
+    case outcome_kind::used_already: return "used already: begin it anew with again()";
     }
     return "unknown";
 }

@@ -85,7 +85,8 @@ struct action {
 /// The pause between two reads of a word that has to change.
 inline constexpr duration status_period = milliseconds(50);
 
-/// What every procedure has: the drive's layout, and the reason why it ended.
+/// What every procedure has: the drive's layout, and the reason why it ended. Each also has an `anew()`, itself as it was
+/// made.
 class procedure {
 public:
     /// How much longer than its limit a procedure may take to leave the drive safe; zero: one more request.

@@ -31,6 +31,15 @@ public:
         : procedure_{procedure}, limit_{its_limit}, unit_{its_unit}
     {}
 
+    /// Begins anew, as it was made: its limit counts from the next `advance`. One under way is given up first, as if it
+    /// had been destroyed.
+    constexpr void again() noexcept
+    {
+        asker const former{*this};
+        *this = procedure_runner{unit_, procedure_.anew(), limit_};
+        this->replace(former);
+    }
+
     /// Processes the time: starts the clock, ends pauses, and ends the conversation at its limit.
     constexpr void advance(instant now) noexcept
     {
@@ -132,16 +141,27 @@ public:
     /// Whether the procedure has ended.
     [[nodiscard]] constexpr bool settled() const noexcept { return has_begun_ and action_.what == action::kind::end; }
 
-    /// How it ended; `pending` until it is settled.
+    /// How it ended; `pending` until it is settled. To be read in the pass in which it settles: from the next visit on it
+    /// is `used_already`.
     [[nodiscard]] constexpr altivar::reason reason() const noexcept
     {
-        return settled() ? procedure_.reason() : altivar::reason{};
+        return this->is_used_already() ? altivar::reason{outcome_kind::used_already}
+               : settled()             ? procedure_.reason()
+                                       : altivar::reason{};
     }
 
     /// Whether it ended with success.
     [[nodiscard]] constexpr bool succeeded() const noexcept { return reason().kind == outcome_kind::succeeded; }
 
 protected:
+    /// Of an order to run: whether it was carried out, and still counts.
+    [[nodiscard]] constexpr bool has_done_its_order() const noexcept
+    {
+        outcome_kind const how = procedure_.reason().kind;
+        bool const is_done = how == outcome_kind::succeeded or how == outcome_kind::reference_limited;
+        return is_done and this->is_order_in_force(unit_);
+    }
+
     [[nodiscard]] constexpr Script const& told() const noexcept { return procedure_; }
 
 private:

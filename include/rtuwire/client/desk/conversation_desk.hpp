@@ -31,7 +31,9 @@ public:
 
     /// One visit of a conversation: gives it its outcome, and takes its next request when it is its turn. After an
     /// outcome the next turn is that of the others that visited meanwhile. A request to a unit with an outstanding
-    /// response stays with its conversation; a request that cannot be sent at all is refused at once.
+    /// response stays with its conversation; a request that cannot be sent at all is refused at once. Of a conversation
+    /// that had settled before this visit nothing is sent, and its outcome says `used_already` from here on: read it in
+    /// the pass in which it settles.
     template <conversation Conversation> constexpr void converse(Conversation& conversation, instant now) noexcept
     {
         client_options const& all = duty::options();
@@ -63,6 +65,8 @@ public:
             told = this->reason_of_drop(conversation);
             conversation.accept(*told);
             wants_turn = wants_turn and not conversation.settled();
+        } else {
+            turns_.meet(conversation, conversation.settled());
         }
         if (not this->comes_by(conversation, wants_turn, now)) { // the outcome may be another's
             return told;

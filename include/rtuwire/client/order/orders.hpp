@@ -68,6 +68,7 @@ public:
         unit_order const& own = places_.of(unit);
         who.is_overruled_ = is_stopped_later(who, own) and not is_by_loss(own);
         who.is_unit_ordered_ = own.is_ordered;
+        who.known_ = &own;
         return is_lost;
     }
 

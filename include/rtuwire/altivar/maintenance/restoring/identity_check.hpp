@@ -34,6 +34,16 @@ public:
           has_identification_{has_identification}
     {}
 
+    /// As it was made, for a drive that has an identification or not.
+    [[nodiscard]] constexpr identity_check anew(bool has_identification) const noexcept
+    {
+        identity_check same = *this;
+        same.has_identification_ = has_identification;
+        same.is_identified_ = false;
+        same.was_told_ = false;
+        return same;
+    }
+
     /// Whether configuration and map are for such a drive.
     [[nodiscard]] constexpr bool is_meant() const noexcept { return is_meant_; }
     [[nodiscard]] constexpr bool has_identification() const noexcept { return has_identification_; }

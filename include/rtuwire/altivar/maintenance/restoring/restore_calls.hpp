@@ -61,7 +61,18 @@ public:
     }
 
 protected:
-    using base::base;
+    constexpr restore_calls(unit_id its_unit, drive_layout const& layout, terminal_options const& terminals,
+                            identity_check const& identity) noexcept
+        : base{its_unit, layout, terminals, identity}
+    {}
+
+    /// Becomes as it was made; its last request is given up.
+    constexpr void make_anew(terminal_options const& terminals, identity_check const& identity) noexcept
+    {
+        asker const former{*this};
+        *this = restore_calls{this->unit(), this->layout(), terminals, identity};
+        this->replace(former);
+    }
 
 private:
     constexpr void leave() noexcept

@@ -26,7 +26,16 @@ public:
         : map_{its_map}, words_{wanted.words}, report_{its_report}, options_{its_options}
     {}
 
+    /// Begins again: nothing is known of the drive, and nothing was done.
+    constexpr void begin() noexcept
+    {
+        dependences_ = {};
+        progress_ = {};
+        wants_any_ = false;
+    }
+
     [[nodiscard]] constexpr parameter_map const& map() const noexcept { return map_; }
+    [[nodiscard]] constexpr terminal_options const& terminals() const noexcept { return options_.terminals; }
     [[nodiscard]] constexpr restore_progress& progress() noexcept { return progress_; }
     [[nodiscard]] constexpr restore_progress const& progress() const noexcept { return progress_; }
 

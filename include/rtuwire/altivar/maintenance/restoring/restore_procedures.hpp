@@ -28,8 +28,12 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// `on_checked`, `go_on` after a look, or `on_saved`; any other end fails. Before it ends, it gets `on_end`.
 template <typename Restore> class restore_procedures : public restore_requests {
 public:
-    /// How it ended; `pending` until it is settled.
-    [[nodiscard]] constexpr altivar::reason reason() const noexcept { return reason_; }
+    /// How it ended; `pending` until it is settled. To be read in the pass in which it settles: from the next visit on it
+    /// is `used_already`.
+    [[nodiscard]] constexpr altivar::reason reason() const noexcept
+    {
+        return this->is_used_already() ? altivar::reason{outcome_kind::used_already} : reason_;
+    }
 
 protected:
     constexpr restore_procedures(unit_id its_unit, drive_layout const& layout,

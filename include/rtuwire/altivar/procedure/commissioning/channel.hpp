@@ -106,6 +106,8 @@ public:
 
     [[nodiscard]] constexpr bool takes_back() const noexcept { return stage_ == stage::closing; }
 
+    [[nodiscard]] constexpr channel_procedure anew() const noexcept { return {layout(), wanted_, options_}; }
+
     constexpr action step(event const& what) noexcept
     {
         if (stage_ == stage::closing) {

@@ -41,8 +41,10 @@ class cmi_order_procedure : public procedure {
 public:
     constexpr cmi_order_procedure(drive_layout const& layout, terminal_options const& options,
                                   at_rest_rules const& rules, cmi_order order) noexcept
-        : procedure{layout}, look_{layout, options, rules}, order_{order}
+        : cmi_order_procedure{layout, at_rest_procedure{layout, options, rules}, order}
     {}
+
+    [[nodiscard]] constexpr cmi_order_procedure anew() const noexcept { return {layout(), look_.anew(), order_}; }
 
     constexpr action step(event const& what) noexcept
     {
@@ -62,6 +64,10 @@ public:
 
 private:
     enum class stage : std::uint8_t { looking, reading_control, ordering, waiting, confirming, taking_back };
+
+    constexpr cmi_order_procedure(drive_layout const& layout, at_rest_procedure const& look, cmi_order order) noexcept
+        : procedure{layout}, look_{look}, order_{order}
+    {}
 
     constexpr action ask(stage next) noexcept
     {

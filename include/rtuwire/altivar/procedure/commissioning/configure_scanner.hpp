@@ -55,6 +55,8 @@ public:
         : procedure{layout}, scanner_{&scanner}, inputs_{inputs}, outputs_{outputs}
     {}
 
+    [[nodiscard]] constexpr scanner_procedure anew() const noexcept { return {layout(), *scanner_, inputs_, outputs_}; }
+
     constexpr action step(event const& what) noexcept
     {
         switch (what.what) {

@@ -26,6 +26,14 @@ public:
     constexpr recall_procedure(drive_layout const& layout, terminal_options const& options) noexcept
         : cmi_order_procedure{layout, options, {.ends_three_wire = true}, {.bit = recall_bit, .is_read_back = true}}
     {}
+
+    [[nodiscard]] constexpr recall_procedure anew() const noexcept
+    {
+        return recall_procedure{cmi_order_procedure::anew()};
+    }
+
+private:
+    explicit constexpr recall_procedure(cmi_order_procedure const& same) noexcept : cmi_order_procedure{same} {}
 };
 
 /// Recalls the saved settings of a drive at rest with its run inputs open: they may give the command to another source.

@@ -43,9 +43,10 @@ public:
     static constexpr bool gives_way_to_order = true;
 
     constexpr link_procedure(bool is_release, terminal_options const& options) noexcept
-        : procedure{device::layout}, look_{device::layout, options}, last_{device::layout, link_activated},
-          is_release_{is_release}
+        : link_procedure{is_release, at_rest_procedure{device::layout, options}}
     {}
+
+    [[nodiscard]] constexpr link_procedure anew() const noexcept { return {is_release_, look_.anew()}; }
 
     [[nodiscard]] constexpr bool takes_back() const noexcept { return stage_ == stage::closing; }
 
@@ -71,6 +72,10 @@ public:
 
 private:
     enum class stage : std::uint8_t { looking, telling, confirming, asking_source, closing };
+
+    constexpr link_procedure(bool is_release, at_rest_procedure const& look) noexcept
+        : procedure{device::layout}, look_{look}, last_{device::layout, link_activated}, is_release_{is_release}
+    {}
 
     constexpr action check_rest(event const& what) noexcept
     {

@@ -32,6 +32,14 @@ public:
     constexpr factory_procedure(drive_layout const& layout, terminal_options const& options) noexcept
         : cmi_order_procedure{layout, options, {.accepts_fault = true, .ends_three_wire = true}, {.bit = factory_bit}}
     {}
+
+    [[nodiscard]] constexpr factory_procedure anew() const noexcept
+    {
+        return factory_procedure{cmi_order_procedure::anew()};
+    }
+
+private:
+    explicit constexpr factory_procedure(cmi_order_procedure const& same) noexcept : cmi_order_procedure{same} {}
 };
 
 /// Restores the factory settings of a drive at rest or in fault, with its run inputs open (else `run_input_closed`):

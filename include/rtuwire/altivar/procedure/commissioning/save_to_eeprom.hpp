@@ -36,6 +36,8 @@ class save_procedure : public procedure {
 public:
     explicit constexpr save_procedure(drive_layout const& layout) noexcept : procedure{layout} {}
 
+    [[nodiscard]] constexpr save_procedure anew() const noexcept { return save_procedure{layout()}; }
+
     constexpr action step(event const& what) noexcept
     {
         switch (what.what) {

@@ -57,6 +57,8 @@ public:
         : procedure{layout}, options_{options}, rules_{rules}
     {}
 
+    [[nodiscard]] constexpr at_rest_procedure anew() const noexcept { return {layout(), options_, rules_}; }
+
     constexpr action step(event const& what) noexcept
     {
         switch (what.what) {

@@ -35,6 +35,14 @@ public:
         prepare(vendor_name);
     }
 
+    /// Reads all of it once more.
+    constexpr void again() noexcept
+    {
+        reopen();
+        found_ = {};
+        prepare(vendor_name);
+    }
+
     constexpr std::optional<request_frame> next() const noexcept
     {
         if (settled()) {
@@ -46,23 +54,26 @@ public:
     constexpr void accept(result<response> const& outcome) noexcept
     {
         if (not outcome) {
-            return end(outcome.error());
+            return settle(outcome.error());
         }
         auto const page = outcome->to<read_device_identification>();
         errc const wrong = page ? take(*page) : page.error();
         if (wrong != errc::none) {
-            end(wrong);
+            settle(wrong);
         } else if (not page->more_follows) {
-            end(found_);
+            settle(errc::none);
         } else if (page->next_object <= asked_) {
-            end(errc::malformed); // the same page for ever
+            settle(errc::malformed); // the same page for ever
         } else {
             prepare(page->next_object);
         }
     }
 
     /// The identification; `busy` until it is settled.
-    [[nodiscard]] constexpr result<identity> const& outcome() const noexcept { return outcome_; }
+    [[nodiscard]] constexpr result<identity> outcome() const noexcept
+    {
+        return error() == errc::none ? result<identity>{found_} : result<identity>{error()};
+    }
 
 private:
     constexpr void prepare(std::uint8_t object) noexcept
@@ -72,12 +83,6 @@ private:
         if (frame) {
             frame_ = *frame;
         }
-    }
-
-    constexpr void end(result<identity> const& how) noexcept
-    {
-        outcome_ = how;
-        settle(how.error());
     }
 
     constexpr errc take(device_identification const& page) noexcept
@@ -107,7 +112,6 @@ private:
     }
 
     identity found_{};
-    result<identity> outcome_{errc::busy};
     frame_of<read_device_identification> frame_{};
     unit_id unit_;
     std::uint8_t asked_{0};

@@ -47,6 +47,11 @@ public:
         : procedure{layout}, report_{found}, words_{0}, is_known_{true}
     {}
 
+    [[nodiscard]] constexpr supervision_procedure anew() const noexcept
+    {
+        return is_known_ ? supervision_procedure{layout(), report_} : supervision_procedure{layout(), options_};
+    }
+
     constexpr action step(event const& what) noexcept
     {
         switch (what.what) {

@@ -79,6 +79,12 @@ public:
         auto const command = coasts_ ? cia402::command::disable_voltage : cia402::command::quick_stop;
         return {families_[at_], cia402::word_of(command)};
     }
+    /// Begins with the first round again.
+    constexpr void again() noexcept
+    {
+        at_ = 0;
+        round_ = 0;
+    }
     constexpr void next() noexcept
     {
         at_ = at_ + 1 == size_ ? 0 : at_ + 1;
@@ -122,6 +128,21 @@ public:
     explicit constexpr broadcast_stop(station<Device> const&... drives) noexcept
         : broadcast_stop{broadcast_stop_options{}, drives...}
     {}
+
+    /// Begins anew with the first broadcast, as it was made. One under way is given up first, as if it had been destroyed.
+    constexpr void again() noexcept
+    {
+        asker const former{*this};
+        static_cast<commander&>(*this) = commander{};
+        this->replace(former);
+        for (stop& each : stops_) {
+            each.again();
+        }
+        rounds_.again();
+        at_ = 0;
+        has_begun_ = false;
+        is_last_due_ = false;
+    }
 
     constexpr void advance(instant now) noexcept
     {
@@ -184,19 +205,24 @@ public:
         return is_settled;
     }
 
-    /// Whether every drive's state showed that it stands.
+    /// Whether every drive's state showed that it stands. To be read in the pass in which it settles: not from the next
+    /// visit on.
     [[nodiscard]] constexpr bool succeeded() const noexcept
     {
-        bool is_done = settled();
+        bool is_done = settled() and not this->is_used_already();
         for (stop const& each : stops_) {
             is_done = is_done and each.succeeded();
         }
         return is_done;
     }
 
-    /// How the stop of a drive ended; `pending` before, and from `Drives` on.
+    /// How the stop of a drive ended; `pending` before, and from `Drives` on; `used_already` from the visit on that follows
+    /// the one in which this conversation settles.
     [[nodiscard]] constexpr altivar::reason reason(std::size_t drive) const noexcept
     {
+        if (this->is_used_already() and drive < Drives) {
+            return {outcome_kind::used_already};
+        }
         return drive < Drives ? stops_[drive].reason() : altivar::reason{};
     }
 

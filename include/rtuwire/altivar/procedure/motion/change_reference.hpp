@@ -52,6 +52,8 @@ public:
         : procedure{layout}, reference_{reference}
     {}
 
+    [[nodiscard]] constexpr reference_procedure anew() const noexcept { return {layout(), reference_}; }
+
     constexpr action step(event const& what) noexcept
     {
         switch (what.what) {

@@ -107,6 +107,8 @@ public:
         : order_procedure{device::layout, check}, reference_{reference}
     {}
 
+    [[nodiscard]] constexpr direct_start_procedure anew() const noexcept { return {reference_, check_anew()}; }
+
     constexpr action step(event const& what) noexcept
     {
         if (stage_ == stage::aborting) {
@@ -301,11 +303,11 @@ public:
     /// What was found before the order.
     [[nodiscard]] constexpr supervision_report const& supervision() const noexcept { return told().report(); }
 
-    /// Whether the motor runs as ordered, or at the nearest limit.
-    [[nodiscard]] constexpr bool running() const noexcept
-    {
-        return succeeded() or reason().kind == outcome_kind::reference_limited;
-    }
+    /// Whether the motor runs as ordered, or at the nearest limit: from the success on, until this client stops, loses or
+    /// orders the unit anew, or a conversation that commands it reads a motor without power, or a fault. It needs no visit,
+    /// and asks the client that it visited last, which must still be there. Unknown here: a motor that somebody else
+    /// stopped, or that a `watch` saw at rest.
+    [[nodiscard]] constexpr bool running() const noexcept { return has_done_its_order(); }
 };
 
 } // namespace rtuwire::altivar::atv28

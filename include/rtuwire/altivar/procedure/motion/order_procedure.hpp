@@ -27,6 +27,8 @@ public:
     [[nodiscard]] constexpr bool takes_back() const noexcept { return kind_ != outcome_kind::pending; }
 
 protected:
+    [[nodiscard]] constexpr supervision_procedure check_anew() const noexcept { return check_.anew(); }
+
     constexpr order_procedure(drive_layout const& layout, supervision_procedure const& check) noexcept
         : procedure{layout}, check_{check}, rest_{layout, stop_by::freewheel, word_meaning::unknown}
     {}

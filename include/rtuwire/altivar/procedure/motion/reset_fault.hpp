@@ -39,6 +39,8 @@ class reset_procedure : public procedure {
 public:
     explicit constexpr reset_procedure(drive_layout const& layout) noexcept : procedure{layout} {}
 
+    [[nodiscard]] constexpr reset_procedure anew() const noexcept { return reset_procedure{layout()}; }
+
     constexpr action step(event const& what) noexcept
     {
         switch (what.what) {

@@ -115,6 +115,13 @@ public:
           is_contradictory_{direction == run_direction::reverse and reference.is_reverse()}
     {}
 
+    [[nodiscard]] constexpr start_procedure anew() const noexcept
+    {
+        start_procedure same{layout(), reference_, run_direction::forward, check_anew()}; // it has its sign already
+        same.is_contradictory_ = is_contradictory_;
+        return same;
+    }
+
     constexpr action step(event const& what) noexcept
     {
         if (stage_ == stage::aborting) {
@@ -247,7 +254,7 @@ private:
     constexpr action run(std::uint16_t status) noexcept
     {
         if (stage_ != stage::enabled) {
-            reference_ = reference_.keeping(status);
+            running_status_ = status;
             stage_ = stage::reading_direction;
             return once(to_read(layout().cmd));
         }
@@ -258,7 +265,7 @@ private:
     constexpr action redirect(std::uint16_t control) noexcept
     {
         direction_ = control & reverse_bit;
-        return write_reference(stage::redirecting, reference_.under(control));
+        return write_reference(stage::redirecting, reference_.keeping(running_status_).under(control));
     }
 
     constexpr action after_write() noexcept
@@ -300,6 +307,7 @@ private:
     }
 
     reference_write reference_;
+    std::uint16_t running_status_{0}; ///< of a drive that already runs
     std::uint16_t direction_{0};
     int rank_{0};
     stage stage_{stage::meeting};
@@ -331,7 +339,7 @@ public:
 
     /// The same without the check's reads: `found` is the report of a `check_supervision` of this drive that ended as
     /// `succeeded`. It has to be as new as the drive's settings: what anyone has set since, or a power cycle has brought
-    /// back, is not seen.
+    /// back, is not seen. `again()` goes by the same report, so check anew before it.
     template <device_type Device>
     constexpr start(station<Device> const& drive, std::type_identity_t<reference<Device>> const& at,
                     run_direction direction, duration limit, supervision_report const& found) noexcept
@@ -344,11 +352,11 @@ public:
     /// What was found before the first order.
     [[nodiscard]] constexpr supervision_report const& supervision() const noexcept { return told().report(); }
 
-    /// Whether the motor runs as ordered, or at the nearest limit.
-    [[nodiscard]] constexpr bool running() const noexcept
-    {
-        return succeeded() or reason().kind == outcome_kind::reference_limited;
-    }
+    /// Whether the motor runs as ordered, or at the nearest limit: from the success on, until this client stops, loses or
+    /// orders the unit anew, or a conversation that commands it reads a motor without power, or a fault. It needs no visit,
+    /// and asks the client that it visited last, which must still be there. Unknown here: a motor that somebody else
+    /// stopped, or that a `watch` saw at rest.
+    [[nodiscard]] constexpr bool running() const noexcept { return has_done_its_order(); }
 };
 
 } // namespace rtuwire::altivar

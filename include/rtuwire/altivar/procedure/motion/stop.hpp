@@ -129,8 +129,10 @@ public:
     static constexpr bool is_stop = true;
 
     constexpr stop_procedure(drive_layout const& layout, stop_by mode, word_meaning known) noexcept
-        : procedure{layout}, mode_{mode}, known_{known}
+        : procedure{layout}, ordered_{mode}, mode_{mode}, known_{known}
     {}
+
+    [[nodiscard]] constexpr stop_procedure anew() const noexcept { return {layout(), ordered_, known_}; }
 
     constexpr action step(event const& what) noexcept
     {
@@ -311,7 +313,8 @@ private:
 
     detail::seen_frequency frequency_{};
     std::uint16_t word_{0};
-    stop_by mode_;
+    stop_by ordered_;
+    stop_by mode_; ///< it may have become another one than was ordered
     word_meaning known_;
     asked asked_{asked::status};
     errc error_{errc::none}; ///< the last one

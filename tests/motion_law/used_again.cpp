@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// An ended order or stop never repeats its old "done": it begins anew, and acts, or it does nothing and says so.
+#include "support/catch.hpp"
+#include "support/drives.hpp"
+#include "support/simulated_bus.hpp"
+
+#include <rtuwire/altivar/procedure/motion/start.hpp>
+#include <rtuwire/altivar/procedure/motion/stop.hpp>
+#include <rtuwire/client/bus.hpp>
+
+using namespace rtuwire;
+using namespace rtuwire::altivar;
+
+namespace {
+
+constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
+
+/// A drive that is commanded from a client or from a slot of a bus.
+template <typename Link, typename Device> struct plant : test::simulated_bus<Link, Device> {
+    static constexpr station<Device> drive{unit_id{3}};
+
+    plant() : test::simulated_bus<Link, Device>{Link{test::bus_timing, patient}}
+    {
+        this->add(unit_id{3});
+        this->idle(milliseconds(20));
+    }
+    template <typename Conversation> void visit(Conversation& conversation, instant now)
+    {
+        if constexpr (requires { this->link().converse(conversation, now); }) {
+            this->link().converse(conversation, now);
+        } else {
+            this->link().converse(0, conversation, now);
+        }
+    }
+    template <typename Conversation> void run_anew(Conversation& conversation)
+    {
+        conversation.again();
+        this->run([&](instant now) { visit(conversation, now); }, [&] { return conversation.settled(); },
+                  milliseconds(60'000));
+        REQUIRE(conversation.settled());
+    }
+    bool has_power() { return cia402::has_power(this->drive_of().state_machine().state()); }
+    auto& drive_of() { return this->unit(0).drive(); }
+};
+
+template <typename F> void everywhere(F const& visit)
+{
+    test::all_drives::for_each([&]<typename Device>() {
+        visit.template operator()<drive_client<2>, Device>();
+        visit.template operator()<bus<2>, Device>();
+    });
+}
+
+} // namespace
+
+TEST_CASE("motion law: S39 one stop object stops the motor again and again, each way of stopping")
+{
+    everywhere([]<typename Link, typename Device>() {
+        for (stop_by const how : {stop_by::ramp, stop_by::freewheel, stop_by::quick_stop, stop_by::halt}) {
+            if (how == stop_by::halt and Device::layout.halt == 0) {
+                continue;
+            }
+            INFO(static_cast<int>(how));
+            plant<Link, Device> it;
+            stop rest{it.drive, how};
+            for (unsigned use = 0; use < 3; ++use) {
+                start go{it.drive, 30_Hz};
+                it.run_anew(go);
+                REQUIRE(go.succeeded());
+                it.idle(milliseconds(6'000));
+                REQUIRE(it.drive_of().motor().frequency() == 30'000);
+                std::size_t const before = it.requests();
+                for (unsigned pass = 0; pass < 20 and use != 0; ++pass) {
+                    it.step([&](instant now) { it.visit(rest, now); }, milliseconds(10));
+                    CHECK(rest.reason().kind == outcome_kind::used_already);
+                }
+                CHECK(it.requests() == before);
+                CHECK(go.running());
+                it.run_anew(rest);
+                CHECK(rest.succeeded());
+                CHECK(it.drive_of().motor().frequency() == 0);
+                CHECK_FALSE(go.running());
+            }
+        }
+    });
+}
+
+TEST_CASE("motion law: S40 one start object behind a stop says that it runs only where it has started again")
+{
+    everywhere([]<typename Link, typename Device>() {
+        plant<Link, Device> it;
+        start go{it.drive, 30_Hz};
+        std::size_t asked = 0;
+        for (unsigned use = 0; use < 3; ++use) {
+            std::size_t const before = it.requests();
+            it.run_anew(go);
+            asked = use == 0 ? it.requests() - before : asked;
+            CHECK(it.requests() - before == asked); // the check with it
+            CHECK(go.succeeded());
+            CHECK(go.running());
+            CHECK(it.has_power());
+            stop rest{it.drive};
+            it.run_anew(rest);
+            REQUIRE(rest.succeeded());
+            CHECK_FALSE(go.running());
+            for (unsigned pass = 0; pass < 100; ++pass) {
+                it.step([&](instant now) { it.visit(go, now); }, milliseconds(20));
+                CHECK_FALSE(go.running());
+                CHECK_FALSE(go.succeeded());
+                CHECK(go.settled());
+                CHECK_FALSE(it.has_power());
+            }
+        }
+    });
+}
+
+TEST_CASE("motion law: S40 a start of 0 that was begun anew keeps no direction from the first time")
+{
+    everywhere([]<typename Link, typename Device>() {
+        plant<Link, Device> it;
+        std::uint16_t told = 0x1234;
+        it.disturb([&](test::frame_bytes& frame, bool is_request) {
+            byte_view const bytes{frame};
+            if (is_request and bytes[1] == std::byte{6} and u16_at(bytes, 2) == Device::frequency_reference.address) {
+                told = u16_at(bytes, 4);
+            }
+        });
+        start back{it.drive, -30_Hz}, slow{it.drive, 0_Hz};
+        stop rest{it.drive};
+        it.run_anew(back);
+        REQUIRE(back.running());
+        it.idle(milliseconds(3'000));
+        it.run_anew(slow);
+        CHECK(told == 0xFFFF); // it kept to the reverse
+        it.run_anew(rest);
+        REQUIRE(rest.succeeded());
+        it.run_anew(slow);
+        CHECK(told == 0);
+    });
+}
