@@ -82,7 +82,7 @@ int main()
     server node{drive.unit(), timing};
     word_bank<4'000> registers;
     auto const frame = *encode(drive.unit(), request);
-    node.advance(instant{5'000}); // hears from here on
+    node.advance(instant{5'000});                                                     // hears from here on
     static_cast<void>(line.run(broadcast_setting<atv320::device, atv320::tto>(3_s))); // else it is not started
 
     bool is_done = follow("ask", [&] { return line.ask(drive.unit(), request).has_value(); });

@@ -11,9 +11,6 @@ namespace rtuwire::test {
 extern char const* const folder_of_tests;
 
 /// The path of a file, given from tests/.
-inline std::string own_file(std::string const& name)
-{
-    return std::string{folder_of_tests} + "/" + name;
-}
+inline std::string own_file(std::string const& name) { return std::string{folder_of_tests} + "/" + name; }
 
 } // namespace rtuwire::test
