@@ -169,7 +169,7 @@ def run_unit(place, board, program, *how):
         between.enter_context(held_open(device))
         firmware.wait_for("^ready")
         if how == ("lossy",):
-            device = between.enter_context(LossyLine(device))
+            device = between.enter_context(LossyLine(device)).name
         {"server": ask_server, "frame_server": ask_server,
          "simulated_drive": run_drive}[program](device, check)
     return check.status()

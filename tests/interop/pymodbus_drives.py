@@ -96,7 +96,7 @@ def main(program, name, *how):
     simulator = Simulator(program, f"{name}:{UNIT}")
     with simulator as device, contextlib.ExitStack() as between:
         if how == ("lossy",):
-            device = between.enter_context(LossyLine(device))
+            device = between.enter_context(LossyLine(device)).name
         # A pseudo-terminal keeps no parity, and pyserial takes that for an error.
         line = ModbusSerialClient(device, baudrate=19200, parity="N", stopbits=1, timeout=5,
                                   retries=0)

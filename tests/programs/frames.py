@@ -63,6 +63,9 @@ class Line:
     def hear(self, data):
         self.heard += data
 
+    def pass_on(self, data):
+        os.write(self.far, data)
+
     def forward(self):
         watched = [self.near, self.ends[0]] + ([self.far] if self.far else [])
         while True:
@@ -71,7 +74,7 @@ class Line:
                 data = os.read(self.near, 512)
                 self.hear(data)
                 if self.far:
-                    os.write(self.far, data)
+                    self.pass_on(data)
             if self.far in ready:
                 self.say(os.read(self.far, 512))
             if self.ends[0] in ready:

@@ -4,12 +4,11 @@
 import array
 import fcntl
 import os
-import pty
-import select
 import termios
-import threading
 import time
 import tty
+
+from support import Line
 
 SIZES = {3: 8, 4: 8, 43: 7}  # bytes of requests that only read
 
@@ -21,43 +20,30 @@ def _target(link):
         return None
 
 
-class LineBetween:
-    """with LineBetween(device) as line: ... line.name ... line.sent"""
+class LineBetween(Line):
+    """with LineBetween(device) as line: ... line.name ... line.heard"""
 
     def __init__(self, device):
-        self.client, self.end = pty.openpty()
-        tty.setraw(self.end)
-        self.name = os.ttyname(self.end)
-        self.drives = os.open(device, os.O_RDWR | os.O_NOCTTY)
-        tty.setraw(self.drives)
-        self.sent = b""
-        self.tap, self.tap_end = pty.openpty()  # where a listener gets the bytes of both directions
+        super().__init__(device)
+        self.tap, self.tap_end = os.openpty()  # where a listener gets the bytes of both directions
         tty.setraw(self.tap_end)
         self.tap_name = os.ttyname(self.tap_end)
         self.is_tapped = False
-        self.shall_end = False
-        self.thread = threading.Thread(target=self._run)
 
-    def __enter__(self):
-        self.thread.start()
-        return self
+    def __exit__(self, *how):
+        super().__exit__(*how)
+        os.close(self.tap)
+        os.close(self.tap_end)
 
-    def __exit__(self, *_):
-        self.shall_end = True
-        self.thread.join()
-        for each in (self.client, self.end, self.drives, self.tap, self.tap_end):
-            os.close(each)
+    def hear(self, data):
+        super().hear(data)
+        if self.is_tapped:
+            self.say_to_tap(data)
 
-    def _run(self):
-        other = {self.client: self.drives, self.drives: self.client}
-        while not self.shall_end:
-            for each in select.select(list(other), [], [], 0.05)[0]:
-                moved = os.read(each, 512)
-                if each == self.client:
-                    self.sent += moved
-                if self.is_tapped:
-                    os.write(self.tap, moved)
-                os.write(other[each], moved)
+    def say(self, data):
+        if self.is_tapped:
+            self.say_to_tap(data)
+        super().say(data)
 
     def listen_to(self, process):
         """From when the process has the tap open, and has dropped what was there before."""
@@ -81,7 +67,7 @@ class LineBetween:
 
     def functions(self):
         """The function codes of all requests; raises KeyError at the first that does more than read."""
-        found, rest = [], self.sent
+        found, rest = [], self.heard
         while len(rest) > 1:
             found.append(rest[1])
             rest = rest[SIZES[rest[1]]:]
