@@ -353,6 +353,7 @@ using altivar::start;
 using altivar::status_bit;
 using altivar::status_word;
 using altivar::stop;
+using altivar::stop_begin;
 using altivar::stop_by;
 using altivar::supervision_options;
 using altivar::supervision_report;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Checks a drive whose time-out is at an address that its table does not have.
-// EXPECT: an address in layout.safeguards, or layout.chcf, is in no register of the drive's table; 0 says that the drive has none
+// EXPECT: an address in layout.safeguards is in no register of the drive's table; 0 says that the drive has none
 #include <rtuwire/altivar/device/drive_type.hpp>
 
 #include "../altivar/device/sixth_drive.hpp"

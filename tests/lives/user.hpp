@@ -189,9 +189,9 @@ protected:
                               (how == a::stop_by::halt and profile.halt == 0);
         how = has_none ? a::stop_by::ramp : how;
         count_stop(how);
-        auto const known = chance_.below(2) == 0 ? a::word_meaning::unknown : a::word_meaning::cia402;
+        auto const begin = chance_.below(2) == 0 ? a::stop_begin::at_once : a::stop_begin::look_first;
         with_device(set_of(unit).which, [&]<typename Device>(Device) {
-            put(place, unit, a::stop{station_of<Device>(set_of(unit)), how, any_limit(), known});
+            put(place, unit, a::stop{station_of<Device>(set_of(unit)), how, any_limit(), begin});
         });
         slots_[place].is_halt = how == a::stop_by::halt;
         said_.say("stop in place %zu: drive %u, way %d", place, set_of(unit).address, static_cast<int>(how));

@@ -288,7 +288,7 @@ TEST_CASE("motion law: L9 a drive that was looked at once is not said to disobey
     start go{drives[0], 30_Hz};
     REQUIRE(it.run(go));
     it.idle(milliseconds(4'000));
-    test::remembered<stop> rest{drives[0], stop_by::ramp, milliseconds(3'000), word_meaning::cia402};
+    test::remembered<stop> rest{drives[0], stop_by::ramp, milliseconds(3'000)};
     auto const work = [&](instant at) { it.link().converse(rest, at); };
     // The word, the look and one frequency are answered, then nothing any more.
     std::size_t const before = it.answers(0);

@@ -219,8 +219,7 @@ TEST_CASE("motion law: S19 what is not known is refused, and the register named"
         }
         checked_drive<Device> it;
         it.missing = chcf;
-        bool const has_bits = Device::layout.chcf != 0;
-        CHECK(it.look({.risks = unknown}).report().words == (has_bits ? word_meaning::unknown : word_meaning::cia402));
+        CHECK(it.look({.risks = unknown}).report().words == word_meaning::unknown);
         it.missing = sll; // a time-out is a time-out
         CHECK(it.look({.risks = unknown}).report().period.timeout == milliseconds(10'000));
         it.missing = flo; // tells nothing that the status does not

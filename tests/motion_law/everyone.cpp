@@ -241,26 +241,41 @@ TEST_CASE("motion law: S38 a family is left out of the broadcasts, and its drive
 
 namespace {
 
-/// The word of the first broadcast.
-template <typename Device> unsigned broadcast_word(word_meaning known, bool freewheel = false)
+/// The word of the first broadcast to a drive that runs, of a client that has checked it or not.
+template <typename Device> unsigned broadcast_word(bool is_checked, bool freewheel = false)
 {
     constexpr station<Device> drive{unit_id{3}};
-    broadcast_stop all{broadcast_stop_options{.freewheel = freewheel, .known = known}, drive};
-    all.advance(instant{0});
-    auto const told = all.next();
-    REQUIRE(told);
-    return u16_at(told->frame(), 4);
+    test::simulated_bus<drive_client<4>, Device> it{drive_client<4>{test::bus_timing, {}}};
+    it.add(drive.unit());
+    it.idle(milliseconds(20));
+    start go{drive, 30_Hz};
+    REQUIRE(it.run(go));
+    REQUIRE(go.succeeded());
+    if (not is_checked) {
+        it.link() = drive_client<4>{test::bus_timing, {}}; // one that has just begun
+    }
+    unsigned word = 0xFFFF;
+    it.disturb([&](auto& frame, bool is_request) {
+        if (is_request and frame[0] == std::byte{0} and word == 0xFFFF) {
+            word = u16_at(byte_view{frame}, 4);
+        }
+    });
+    broadcast_stop all{broadcast_stop_options{.freewheel = freewheel}, drive};
+    REQUIRE(it.run(all));
+    CHECK(all.succeeded());
+    CHECK(all.reason(0).is_other_stop == (word == 0 and not freewheel));
+    return word;
 }
 
 } // namespace
 
-TEST_CASE(
-    "motion law: L5 everyone is told 0002, or 0000 where an ATV320's words are not known or freewheel is asked for")
+TEST_CASE("motion law: L5 everyone is told 0002, or 0000 where a drive's words were not read or freewheel is asked for")
 {
-    CHECK(broadcast_word<atv320::device>(word_meaning::unknown) == 0x0000);
-    CHECK(broadcast_word<atv320::device>(word_meaning::cia402) == 0x0002);
-    CHECK(broadcast_word<atv12::device>(word_meaning::unknown) == 0x0002);
-    CHECK(broadcast_word<atv310::device>(word_meaning::unknown) == 0x0002);
-    CHECK(broadcast_word<atv28::device>(word_meaning::unknown) == 0x0002);
-    CHECK(broadcast_word<atv12::device>(word_meaning::unknown, true) == 0x0000);
+    test::later_drives::for_each([]<typename Device>() {
+        CHECK(broadcast_word<Device>(false) == 0x0000);
+        CHECK(broadcast_word<Device>(true) == 0x0002);
+        CHECK(broadcast_word<Device>(true, true) == 0x0000);
+    });
+    CHECK(broadcast_word<atv28::device>(false) == 0x0002); // no other family has that control word
+    CHECK(broadcast_word<atv28::device>(true, true) == 0x0000);
 }

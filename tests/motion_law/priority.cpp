@@ -82,7 +82,7 @@ TEST_CASE("motion law: S9 a start that was begun before a stop has ended is not 
     REQUIRE(it.run([&](instant at) { it.link().converse(0, first, at); }, [&] { return first.settled(); },
                    milliseconds(3'000)));
     it.pass([](instant) {}, milliseconds(4'000));
-    test::remembered<stop> rest{motor, stop_by::quick_stop, milliseconds(30'000), word_meaning::cia402};
+    test::remembered<stop> rest{motor, stop_by::quick_stop};
     it.pass([&](instant at) { it.link().converse(1, rest, at); }, milliseconds(100));
     REQUIRE_FALSE(rest.settled());
     test::remembered<start> meanwhile{motor, 30_Hz};
@@ -249,7 +249,7 @@ TEST_CASE("motion law: S34 a cycle leaves a drive alone that another stop has, a
     REQUIRE(loop.run(1'200_rpm));
     it.pass(cycle, milliseconds(4'000));
     REQUIRE(it.drive_state() == state::operation_enabled);
-    test::remembered<stop> rest{motor, stop_by::halt, milliseconds(30'000), word_meaning::cia402};
+    test::remembered<stop> rest{motor, stop_by::halt};
     it.pass(
         [&](instant at) {
             cycle(at);

@@ -75,7 +75,7 @@ TEST_CASE("motion law: L9 a start that takes back what it gave is not cut short 
     CHECK(it.drive().state_machine().state() == cia402::state::switch_on_disabled);
 }
 
-TEST_CASE("motion law: L9 a motor that may run comes to rest on its ramp, also where its command was not answered")
+TEST_CASE("motion law: L9 a motor that may run loses its power where its command was not answered: its unit is lost")
 {
     hall it;
     bool is_told = false;
@@ -91,7 +91,8 @@ TEST_CASE("motion law: L9 a motor that may run comes to rest on its ramp, also w
     REQUIRE(it.run(go));
     REQUIRE(it.words.size() > 3);
     CHECK(it.words[2] == 0x000F);
-    CHECK(it.words[3] == 0x0007);
+    CHECK(it.words[3] == 0x0000); // what was read of its words holds no longer
+    CHECK(go.reason().is_other_stop);
 }
 
 TEST_CASE("motion law: L8 a drive that shows later that it runs is not told to stop by its own start")

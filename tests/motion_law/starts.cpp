@@ -113,7 +113,7 @@ TEST_CASE("motion law: S24 a reference is reached when the drive runs and says s
         CHECK(it.millihertz() == 45'000);
 
         if constexpr (Device::layout.halt != 0) {
-            stop halt{it.drive, stop_by::halt, milliseconds(30'000), word_meaning::cia402};
+            stop halt{it.drive, stop_by::halt};
             REQUIRE(it.run(halt));
             REQUIRE(halt.succeeded());
             change_reference standing{it.drive, 20_Hz};

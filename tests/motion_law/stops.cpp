@@ -23,7 +23,6 @@ namespace {
 
 constexpr client_options patient{.response_timeout = milliseconds(100), .retries = 1};
 constexpr duration half_a_minute = milliseconds(30'000);
-constexpr auto full_meaning = word_meaning::cia402;
 
 /// A client and a drive that runs at 50 Hz.
 template <typename Device> struct running : test::simulated_bus<drive_client<4>, Device> {
@@ -131,10 +130,8 @@ TEST_CASE("motion law: S7 the word leaves before anything is read; only halt loo
             REQUIRE(it.run(rest));
             CHECK(writes_control<Device>(first));
             std::uint16_t const word = u16_at(byte_view{first}, 4);
-            // An ATV320 may be in its I/O profile, where 0007 runs and 0002 may.
-            bool const is_blind = Device::layout.chcf != 0;
-            CHECK(word == (is_blind ? 0 : mode == stop_by::ramp ? 7 : mode == stop_by::freewheel ? 0 : 2));
-            CHECK(rest.reason().is_other_stop == (is_blind and mode != stop_by::freewheel));
+            CHECK(word == (mode == stop_by::ramp ? 7 : mode == stop_by::freewheel ? 0 : 2)); // the start has read CHCF
+            CHECK_FALSE(rest.reason().is_other_stop);
             CHECK(rest.succeeded());
             CHECK(it.stands());
         }
@@ -146,7 +143,7 @@ TEST_CASE("motion law: S18 after each stop the drive is where no stray word can 
     test::all_drives::for_each([]<typename Device>() {
         for (stop_by const mode : {stop_by::ramp, stop_by::freewheel, stop_by::quick_stop}) {
             running<Device> it;
-            stop rest{it.drive, mode, half_a_minute, full_meaning};
+            stop rest{it.drive, mode};
             REQUIRE(it.run(rest));
             REQUIRE(rest.succeeded());
             CHECK_FALSE(rest.reason().is_other_stop);
@@ -195,13 +192,8 @@ TEST_CASE("motion law: S34 a stop that is taken and not obeyed says so")
                 frame.push_back(to_byte(crc));
                 frame.push_back(to_byte(crc >> 8U));
             } else if (not is_request and frame[1] == std::byte{6}) {
-                bool const is_ramp = Device::layout.chcf == 0;
-                frame = {frame[0],
-                         std::byte{6},
-                         to_byte(Device::layout.cmd >> 8U),
-                         to_byte(Device::layout.cmd),
-                         std::byte{0},
-                         is_ramp ? std::byte{7} : std::byte{0}};
+                frame = {frame[0],     std::byte{6},   to_byte(Device::layout.cmd >> 8U), to_byte(Device::layout.cmd),
+                         std::byte{0}, std::byte{0x07}};
                 std::uint16_t const crc = crc16(frame);
                 frame.push_back(to_byte(crc));
                 frame.push_back(to_byte(crc >> 8U));
@@ -250,7 +242,7 @@ TEST_CASE("motion law: S10 a halt rests in operation, and becomes the ramp where
                 frame.clear();
             }
         });
-        stop rest{it.drive, stop_by::halt, half_a_minute, full_meaning};
+        stop rest{it.drive, stop_by::halt};
         REQUIRE(it.run(rest));
         bool const can_halt = Device::layout.halt != 0;
         CHECK(rest.reason().kind == (can_halt ? outcome_kind::succeeded : outcome_kind::unsupported));

@@ -233,13 +233,17 @@ test("a motor that runs at the drive's limit is an order that was done", async (
 });
 
 test("another stop than the one ordered is told apart, and said before", async () => {
-  for (const [name, coasts, how] of [["atv12", false, "done"], ["atv28", false, "done"], ["atv320", true, "done otherwise"]]) {
-    const engine = await running(name);
+  for (const [name, coasts, how] of [["atv12", true, "done otherwise"], ["atv28", false, "done"], ["atv320", true, "done otherwise"]]) {
+    const engine = await powered(name); // nobody has checked it
     assert.equal(engine.describe().coasts, coasts, name);
     engine.stop(0);
     engine.run(12 * toSeconds);
     assert.equal(ended(engine), how, `${name}: ${newest(engine).outcome}`);
     assert.equal(/another stop than the one ordered/.test(newest(engine).outcome), coasts, name);
+    const checked = await running(name);
+    checked.stop(0);
+    checked.run(12 * toSeconds);
+    assert.equal(ended(checked), "done", `${name}: ${newest(checked).outcome}`);
   }
 });
 

@@ -401,12 +401,51 @@ def stops(program, check):
                 check(found == 0 and "the motor stands" in json.loads(out)["outcome"], what, (found, out, error))
                 check(motor.stands(), f"{what}: it stands", motor.shown())
                 check(state in states, f"{what}: in its way", states)
-                check((slower > 0) == (name != "atv320"), f"{what}: with a ramp or without", slower)
+                check((slower > 0) == ("--freewheel" not in words), f"{what}: with a ramp or without", slower)
+                check("coasts" not in out, f"{what}: nothing else was sent", out)
 
-    # An ATV320 coasts: with its CHCF not read it gets 0000, whatever was asked for.
-    cases = [("atv320", (), False, DISABLED), ("atv28", (), False, "switched on"), ("atv12", (), True, "switched on"),
+    # The tool has read CHCF before its first word, so that each gets the stop that was asked for.
+    cases = [("atv320", (), False, "switched on"), ("atv28", (), False, "switched on"), ("atv12", (), True, "switched on"),
              ("atv320", ("--freewheel",), True, DISABLED), ("atv28", ("--quick",), False, "quick stop active"),
              ("atv310", ("--quick",), True, DISABLED)]
+    with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
+        list(pool.map(one, cases))
+
+
+def by_a_wrong_name(program, check):
+    """An ATV320 in its I/O profile, where every word that stops but 0000 is RUN, and drives of another family."""
+    from simulator import Registers
+    cmd, lfr, chcf, io_profile = 8501, 8502, 8401, 3
+
+    def one(case):
+        name, called, words, is_by_file = case
+        with Motor(program, "atv320" if name == "io" else name, ramp=30) as motor, \
+                tempfile.TemporaryDirectory() as folder:
+            what = f"stop {' '.join(words)} of {name} called {called}{' in a file' if is_by_file else ''}"
+            if name == "io":
+                motor.write(chcf, io_profile)
+                motor.write(lfr, 10 * SPEED)
+            else:
+                runs_by_another(motor, Registers(name))
+            config = os.path.join(folder, "rtuwire.toml")
+            with open(config, "w", encoding="utf-8") as file:
+                file.write(f'name = ["motor={UNIT}:{called}"]\n')
+            named = ("--config", config) if is_by_file else ("--drive", called)
+            process = motor.tool(program, *named, "--json", "stop", *words)
+            has_turned = False
+            while process.poll() is None:
+                has_turned = has_turned or motor.shown()[1] != 0
+            found, out, error = end(process)
+            stands = soon(lambda: motor.shown()[1] == 0, LIMIT)
+            with checks_lock:
+                check(stands, f"{what}: it stands", motor.shown())
+                check("coasts" in out, f"{what}: it is said that it coasts", (found, out, error))
+                check(name != "io" or not has_turned, f"{what}: it never turns", motor.shown())
+                check(name == "io" or found == 0, f"{what}: it was seen to stand", (found, out, error))
+
+    cases = [("io", called, words, is_by_file) for called in ("atv12", "atv310", "atv320")
+             for words, is_by_file in (((), False), (("--quick",), True))]
+    cases += [("io", "atv310_2026", (), True), ("atv28", "atv12", (), False), ("atv12", "atv28", (), False)]
     with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
         list(pool.map(one, cases))
 
@@ -435,6 +474,7 @@ def resets_and_misses(program, check):
 def orders(program, check):
     refused(program, check)
     stops(program, check)
+    by_a_wrong_name(program, check)
     resets_and_misses(program, check)
 
 

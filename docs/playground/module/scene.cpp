@@ -294,7 +294,8 @@ std::string scene::description() const
     out.put("name", catalog().name);
     out.put("cmd", layout().cmd);
     out.put("eta", layout().eta);
-    out.put("coasts", layout().chcf != 0); // it may have an I/O profile: `altivar::stop` sends it 0000 for any stop
+    // Until its control words were read: `altivar::stop` sends it 0000 for any stop.
+    out.put("coasts", rtuwire::altivar::may_have_io_profile(layout()));
     out.open_list("stops");
     for (way_to_stop const& each : ways_to_stop) {
         if (has(layout(), each.how)) {

@@ -99,7 +99,7 @@ requestAnimationFrame(() => setTimeout(async () => {
     const drive = engine.describe();
     setText("p-name", drive.name.toUpperCase().replace("_", " "));
     byId("how").replaceChildren(...drive.stops.map((each) => make("option", { value: each.id }, each.name)));
-    setText("how-note", drive.coasts ? "Every stop sends 0000 to this type, as another word might run it: the motor coasts." : "");
+    setText("how-note", drive.coasts ? "Until a start has checked the drive, every stop sends 0000, as another word might run it: the motor coasts." : "");
     for (const view of [curves, scene, log, announcer]) view.clear();
     machine.draw(engine.machine());
     decode.setExamples(drive);

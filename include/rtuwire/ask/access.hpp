@@ -35,6 +35,8 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// Internal.
 class word_read : public finite_conversation {
 public:
+    static constexpr bool keeps_meaning = true;
+
     constexpr word_read(unit_id unit, std::uint16_t address) noexcept
     {
         static_cast<void>(encode_into(frame_, unit, read_holding_registers{address, 1}));

@@ -26,6 +26,10 @@ enum class effect : std::uint8_t {
     stopping,    ///< the motor loses its power or slows down; a write of function 06, which no other response echoes
 };
 
+/// The register that says what a unit's control word means, CHCF of most Altivars: 1 and 2 are the drive profile, in any
+/// other one the word of a stop may run the motor.
+inline constexpr std::uint16_t meaning_register = 8401;
+
 /// The base of every conversation that can command the motor of a unit. It notes what its user wants and what it read;
 /// the client takes that over when the conversation visits (`converse` is called for it).
 class commander : public asker {
@@ -64,6 +68,14 @@ protected:
 
     /// The drive was read in fault: orders given before no longer count.
     constexpr void note_fault() noexcept { has_read_fault_ = true; }
+
+    /// The unit was read to be in the drive profile: at this address the words of all stops stop it. That holds until it
+    /// is lost, or `meaning_register` is written.
+    constexpr void note_meaning(std::uint16_t control_word) noexcept { read_meaning_of_ = control_word; }
+
+    /// Where a conversation of this client has read so, and it still holds; 0: nowhere. Told at each visit; a stop
+    /// is told before its `advance`, too.
+    [[nodiscard]] constexpr std::uint32_t confirmed() const noexcept { return confirmed_; }
 
     /// A stop request that may not be sent now counts as `none`: no other conversation waits for it.
     [[nodiscard]] constexpr effect effect_now(effect what) const noexcept
@@ -107,6 +119,8 @@ private:
     std::uint32_t stamp_{0};           ///< when the last order or stop was given, in the client's count; 0: never
     std::uint32_t seen_{0};            ///< the client's count at the last visit
     unit_order const* known_{nullptr}; ///< what the client knows of its unit, since the last visit
+    std::uint32_t read_meaning_of_{0};
+    std::uint32_t confirmed_{0};
     bool was_rearranged_{false};
     bool was_stopped_{false};
     bool has_ordered_{false};
@@ -142,6 +156,22 @@ concept commanding_conversation = prompt_conversation<T> and std::derived_from<T
     {
         conversation.tolerated_misses()
         } -> std::same_as<std::uint8_t>;
+};
+
+/// A conversation that may write `meaning_register`. One that `only_reads` says so, and a commander gives `rearranging`
+/// `rearranging`, or never.
+template <typename T>
+concept may_write_meaning = not requires
+{
+    requires T::keeps_meaning;
+};
+
+/// A conversation that stops a unit by its user's order. `take_stranger` tells once that the unit takes no word where its
+/// type has them.
+template <typename T>
+concept stops_a_unit = commanding_conversation<T> and requires(T& conversation)
+{
+    conversation.take_stranger();
 };
 
 /// A conversation that stops all units of a line: it declares `urgency::stop_of_all`. It stops them by broadcasts

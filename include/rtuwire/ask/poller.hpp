@@ -37,6 +37,8 @@ template <typename Plan> [[nodiscard]] constexpr auto read_frames(unit_id unit) 
 /// round more.
 template <typename Plan> class poller : public finite_conversation {
 public:
+    static constexpr bool keeps_meaning = true;
+
     using snapshot = typename Plan::snapshot;
 
     explicit constexpr poller(station<typename Plan::device> const& of) noexcept : frames_{read_frames<Plan>(of.unit())}

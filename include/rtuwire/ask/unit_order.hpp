@@ -32,6 +32,7 @@ struct unit_order {
     std::uint32_t last_fault; ///< of the last time that it was read in fault
     std::uint32_t rearranged; ///< of the last request that rearranged it
     std::uint32_t holder;     ///< of the stop under way; 0: none
+    std::uint32_t confirmed;  ///< the control word that was read to be that of the drive profile; 0: none
     std::uint8_t unit;        ///< 0: a free place
     std::uint8_t misses;      ///< missing responses in a row
     std::uint8_t tolerated;
@@ -42,7 +43,7 @@ struct unit_order {
     hold held;
 };
 inline constexpr unit_order nothing_known{
-    instant{0}, instant{0}, duration{}, 0, 0, 0, 0, 0, 0, 0, 0, false, false, false, false, hold::by_its_stop};
+    instant{0}, instant{0}, duration{}, 0, 0, 0, 0, 0, 0, 0, 0, 0, false, false, false, false, hold::by_its_stop};
 
 /// Whether an event came before another one.
 [[nodiscard]] constexpr bool is_older(std::uint32_t stamp, std::uint32_t than) noexcept

@@ -81,6 +81,8 @@ private:
 /// Reads `Count` registers of a kind as words; the untyped base of `value_read`.
 template <register_space Space, std::size_t Count> class words_read : public finite_conversation {
 public:
+    static constexpr bool keeps_meaning = true;
+
     constexpr words_read(unit_id whom, std::uint16_t start) noexcept : frame_{read_frame(whom, Space, start, Count)} {}
 
     /// Reads once more; it is then no longer settled.

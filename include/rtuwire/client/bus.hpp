@@ -95,7 +95,6 @@ public:
         is_idle_ = false;
         stays_awake_ = stays_awake_ or places::template stays_awake<Conversation> or not conversation.settled();
         static_cast<void>(client_.deliver(conversation, not conversation.settled(), now));
-        advance_conversation(conversation, now);
         client_.command(conversation, now);
         is_urgent_ = not conversation.settled() and is_urgent(conversation);
         wake_at(places::wake_of(conversation), now);
@@ -148,7 +147,6 @@ private:
         if (auto const came = client_.deliver(conversation, wants_turn, now)) {
             places::note_health(own, *came, now);
         }
-        advance_conversation(conversation, now);
         client_.command(conversation, now, not is_urgent_);
         own.order_gap = order_gap_of(conversation);
         wake_at(places::wake_of(conversation), now);

@@ -10,6 +10,7 @@
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 
 #include "support/commissioned.hpp"
+#include "support/known_words.hpp"
 
 namespace rtuwire::test {
 
@@ -23,6 +24,7 @@ inline constexpr std::uint16_t cmd_address = 8501, eta_address = 3201, lfrd_addr
 inline constexpr std::uint16_t rfrd_address = 8604, lft_address = 7121;
 inline constexpr std::uint16_t inputs_address = 12'741, first_slot_address = 12'701;
 
+/// Its client has read what the drive's control words mean.
 template <typename Device> struct cycle_by_hand {
     using words = std::initializer_list<std::uint16_t>;
 
@@ -31,7 +33,7 @@ template <typename Device> struct cycle_by_hand {
     std::array<std::byte, 40> asked{}; ///< the last request; zeros for none
 
     explicit constexpr cycle_by_hand(altivar::cyclic_options const& options = {})
-        : loop{station<Device>{unit_id{3}}, options}
+        : loop{with_known_words(altivar::cyclic<Device>{station<Device>{unit_id{3}}, options})}
     {}
 
     // Whether it asks something.

@@ -126,7 +126,7 @@ struct steps_by_hand {
 
     constexpr std::uint16_t asks(bool was_rearranged = false)
     {
-        asked = steps.ask(was_rearranged);
+        asked = steps.ask(was_rearranged, true);
         return u16_at(asked, 2);
     }
     constexpr void hear(std::initializer_list<std::uint16_t> read)

@@ -118,9 +118,13 @@ STATIC_CHECK(cycles_by_scanner<atv310::device_2026>(8) and cycles_by_scanner<atv
 STATIC_CHECK(holds(atv28::device::cycle.reads, std::array<std::uint16_t, 7>{452, 453, 454, 455, 456, 457, 458}, 7));
 STATIC_CHECK(holds(atv28::device::cycle.writes, std::array<std::uint16_t, 2>{400, 401}, 2));
 
-// Where the ATV320 may be set to an I/O profile, by CHCF = 3.
-STATIC_CHECK(are(&drive::chcf, 0, 0, 0, 8401, 0));
+// An ATV320 may be set to an I/O profile, by CHCF = 3, and may be behind the 8501 of any declared type.
 STATIC_CHECK(io_profile == 3);
+STATIC_CHECK(may_have_io_profile(atv320::device::layout) and may_have_io_profile(atv12::device::layout));
+STATIC_CHECK(may_have_io_profile(atv310::device::layout) and may_have_io_profile(atv310::device_2026::layout));
+STATIC_CHECK(not may_have_io_profile(atv28::device::layout));
+STATIC_CHECK(not is_drive_profile(0) and is_drive_profile(1) and is_drive_profile(2) and not is_drive_profile(3));
+STATIC_CHECK(atv320::device::layout.cmd == later_control_word and atv28::device::layout.cmd == atv28_control_word);
 
 // What a drive does when its link is lost, and who may command it: SLL, TTO and the channels. An ATV28 has one bit of
 // CMI instead, NTO, and its terminals command until the line does. Atr, DOTD, the inputs and tCC where a file has them.

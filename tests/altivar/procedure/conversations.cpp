@@ -64,16 +64,15 @@ template <typename Device> void starts_and_stops()
     it.idle(milliseconds(5'000));
     CHECK(it.drive_().motor().frequency() == -30'000);
 
-    constexpr auto known = word_meaning::cia402;
     constexpr duration limit = milliseconds(30'000);
-    CHECK(it.end_of(stop{drive, stop_by::ramp, limit, known}).kind == outcome_kind::succeeded);
+    CHECK(it.end_of(stop{drive, stop_by::ramp, limit}).kind == outcome_kind::succeeded);
     CHECK(it.now_in() == state::switch_on_disabled);
     CHECK(it.drive_().state_machine().last() == transition::t10);
     CHECK((it.drive_().state_machine().taken() & (1U << 5U)) != 0);
 
     REQUIRE(it.started());
     it.idle(milliseconds(1'000));
-    CHECK(it.end_of(stop{drive, stop_by::quick_stop, limit, known}).kind == outcome_kind::succeeded);
+    CHECK(it.end_of(stop{drive, stop_by::quick_stop, limit}).kind == outcome_kind::succeeded);
     CHECK(it.drive_().state_machine().last() == transition::t12);
 
     REQUIRE(it.started());
@@ -83,7 +82,7 @@ template <typename Device> void starts_and_stops()
 
     REQUIRE(it.started());
     bool const can_halt = Device::layout.halt != 0;
-    auto const halted = it.end_of(stop{drive, stop_by::halt, limit, known});
+    auto const halted = it.end_of(stop{drive, stop_by::halt, limit});
     CHECK(halted.kind == (can_halt ? outcome_kind::succeeded : outcome_kind::unsupported));
     CHECK(it.now_in() == state::operation_enabled);
     CHECK(it.drive_().motor().is_at_rest() == can_halt);

@@ -4,6 +4,7 @@
 // and with one that does not stop.
 #include "altivar/procedure/by_hand.hpp"
 #include "support/commissioned.hpp"
+#include "support/known_words.hpp"
 #include "support/proof.hpp"
 
 #include <rtuwire/altivar/atv12.hpp>
@@ -26,7 +27,7 @@ constexpr std::uint16_t ready = 0x0231, enabled = 0x0237;
 /// Whether a halt whose first look has no turn on the line becomes the ramp then, and not before.
 constexpr bool is_ramp_after(std::uint32_t time_ms, duration limit)
 {
-    by_hand<stop> it{stop{other, stop_by::halt, limit}};
+    by_hand<stop> it{test::with_known_words(stop{other, stop_by::halt, limit})};
     it.wait(0);
     it.wait(time_ms - 1);
     bool ok = it.conversation.intent() == effect::none and not it.conversation.settled();
@@ -78,7 +79,7 @@ PROOF("what a start gave is taken back for half a minute behind its limit, howev
 /// How a stop ends that found the drive so twice, and has told it anew just before its limit.
 constexpr reason told_of_a_stop(std::uint16_t first, std::uint16_t last, bool is_seen_since)
 {
-    by_hand<stop> it{stop{other, stop_by::ramp, milliseconds(1'000)}};
+    by_hand<stop> it{test::with_known_words(stop{other, stop_by::ramp, milliseconds(1'000)})};
     it.wait(0);
     bool ok = true;
     for (std::uint16_t const frequency : {first, last}) {
@@ -117,7 +118,7 @@ PROOF("a stop ends as not obeyed where the drive was seen as fast as before behi
 /// How a stop ends whose frequency was read once, or never, behind a look that found the motor running.
 constexpr outcome_kind told_of_one_look(bool has_frequency)
 {
-    by_hand<stop> it{stop{other, stop_by::ramp, milliseconds(1'000)}};
+    by_hand<stop> it{test::with_known_words(stop{other, stop_by::ramp, milliseconds(1'000)})};
     it.wait(0);
     bool ok = it.writes(cmd, 0x0007);
     it.confirm();
@@ -136,7 +137,7 @@ PROOF("a motor whose frequency was not read twice is not said to be as fast as b
 
 constexpr bool ends_a_halt_that_was_told_at_its_limit()
 {
-    by_hand<stop> it{stop{other, stop_by::halt, milliseconds(1'000)}};
+    by_hand<stop> it{test::with_known_words(stop{other, stop_by::halt, milliseconds(1'000)})};
     it.wait(0);
     bool ok = it.reads(eta);
     it.hear(ready); // nothing to halt: it is told to leave that state

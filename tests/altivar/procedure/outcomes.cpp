@@ -5,6 +5,7 @@
 
 #include "support/catch.hpp"
 #include "support/commissioned.hpp"
+#include "support/known_words.hpp"
 #include "support/proof.hpp"
 #include "support/simulated_bus.hpp"
 
@@ -149,12 +150,15 @@ TEST_CASE("a drive that does not answer is silent, one that refuses refuses")
         CHECK(told.kind == outcome_kind::silent);
         CHECK(told.error == errc::timed_out);
     }
-    for (reason const& told :
-         {refused(started()), to_the_end(stop{drive}, errc::illegal_data_address), refused(reset_fault{drive}),
-          refused(change_reference{drive, 50_Hz}), refused(save_to_eeprom{drive}), refused(scanned{drive})}) {
+    for (reason const& told : {refused(started()), refused(reset_fault{drive}), refused(change_reference{drive, 50_Hz}),
+                               refused(save_to_eeprom{drive}), refused(scanned{drive})}) {
         CHECK(told.kind == outcome_kind::refused);
         CHECK(told.error == errc::illegal_data_address);
     }
+    auto const busy = to_the_end(stop{drive}, errc::server_device_busy);
+    CHECK(busy.kind == outcome_kind::refused);
+    CHECK(busy.error == errc::server_device_busy);
+    CHECK(to_the_end(stop{drive}, errc::illegal_data_address).kind == outcome_kind::other_family);
 }
 
 TEST_CASE("a response that is no word is a failure")
@@ -244,7 +248,7 @@ TEST_CASE("a state that nobody knows is looked at again")
 {
     constexpr std::uint16_t unknown = 0x0667, gone = 0x0250, enabled = 0x0637, on = 0x0633;
     for (stop_by const mode : {stop_by::quick_stop, stop_by::halt}) {
-        by_hand<stop> stopping{stop{drive, mode, milliseconds(30'000), word_meaning::cia402}};
+        by_hand<stop> stopping{test::with_known_words(stop{drive, mode})};
         stubborn puzzling{.status = unknown};
         REQUIRE(puzzling.response(stopping));
         REQUIRE(puzzling.response(stopping));

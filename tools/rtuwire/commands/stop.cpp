@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Stops a motor, whoever runs it. Nobody is asked for a permission, nothing is listened to before, and the word that
-// stops leaves before anything is read.
+// Stops a motor, whoever runs it. Nobody is asked for a permission, nothing is listened to before.
 //
-// Where nobody says which drive it is, the first frame is 0000 at 8501 by function 06, whatever stop was asked for. All
-// Altivars but the ATV28 have their control word there, and 0000 takes the power away in each of them: every other word
-// that stops would run an ATV320 whose CHCF is IO, and to ask first who it is takes five requests and more, on a line that
-// may be failing. The price is that the motor coasts. An ATV28 answers exception 02, and takes its word at 400; no other
-// Altivar does, and nobody names a device that is none when a motor has to be stopped. What confirms the stop is the same
-// in the four others, so that nothing has to be identified at all.
+// Whatever names the drive's type, the command line, the configuration or nobody: no word rests on that name. At 8501, where
+// all Altivars but the ATV28 have their control word, only 0000 stops each of them: every other word that stops would run an
+// ATV320 whose CHCF is IO. So one read of CHCF goes first, 100 ms at most: where it is the drive profile, the word that was
+// asked for follows, else 0000, and the motor coasts. An ATV28 has no CHCF: exception 02. No other Altivar takes a word at
+// 400, and nobody names a device that is none when a motor has to be stopped. What confirms the stop is the same in the four
+// others, so that nothing has to be identified.
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include <rtuwire/altivar/all.hpp>
@@ -40,6 +40,30 @@ stop_by way_in(std::string const& word)
     return word == "freewheel" ? stop_by::freewheel : word == "quick" ? stop_by::quick_stop : stop_by::ramp;
 }
 
+/// CHCF of a drive that nobody named: read once, 100 ms at most.
+class short_look : public rtuwire::single_request<rtuwire::read_holding_registers> {
+    using base = rtuwire::single_request<rtuwire::read_holding_registers>;
+
+public:
+    explicit short_look(rtuwire::unit_id unit)
+        : base{unit, rtuwire::read_holding_registers{.start = rtuwire::meaning_register, .count = 1}}
+    {}
+
+    std::optional<rtuwire::request_frame> next() const& noexcept
+    {
+        auto const asked = base::next();
+        return asked ? std::optional{rtuwire::request_frame{asked->frame(), rtuwire::repetition::never}} : std::nullopt;
+    }
+    std::optional<rtuwire::request_frame> next() const&& = delete;
+
+    /// How long the response may take.
+    rtuwire::duration limited(rtuwire::duration timeout) const noexcept
+    {
+        constexpr rtuwire::duration longest = rtuwire::altivar::detail::longest_look_of_a_stop;
+        return longest < timeout ? longest : timeout;
+    }
+};
+
 struct ending {
     exit_status status;
     std::string sentence;
@@ -54,9 +78,15 @@ public:
     exit_status run()
     {
         // A drive without a name says by its answer whether it is an ATV28; all the others are stopped alike.
-        std::string const drive = not who_.drive.empty() ? who_.drive : is_atv28() ? "atv28" : "atv320";
-        rtuwire::altivar::reason why{};
-        with_drive(drive, [&](auto device) { why = stop_of<typename decltype(device)::type>(drive); });
+        std::string drive = not who_.drive.empty() ? who_.drive : is_atv28() ? "atv28" : "atv320";
+        rtuwire::altivar::reason why = stop_as(drive);
+        if (why.kind == outcome_kind::other_family and why.error == errc::none) {
+            // It has taken 0000; as a drive of its own family it can be seen to stand.
+            is_other_family_ = true;
+            way_ = stop_by::freewheel;
+            drive = drive == "atv28" ? "atv320" : "atv28";
+            why = stop_as(drive);
+        }
         ending const end = judge(why, catalog_chosen(drive));
         output results{chosen_.form, false};
         results.put({{"unit", std::int64_t{who_.unit.byte()}},
@@ -84,9 +114,21 @@ private:
         return line_.ask(who_.unit, rtuwire::write_single_register{address, 0}).error();
     }
 
-    /// Takes the power of the motor away; whether it is that of an ATV28.
+    rtuwire::altivar::reason stop_as(std::string const& drive)
+    {
+        rtuwire::altivar::reason why{};
+        with_drive(drive, [&](auto device) { why = stop_of<typename decltype(device)::type>(drive); });
+        return why;
+    }
+
+    /// Whether a drive that nobody named is an ATV28. Where nobody answers in time, the power of the motor is taken away.
     bool is_atv28()
     {
+        short_look look{who_.unit};
+        errc const found = line_.run(look).error();
+        if (found == errc::none or rtuwire::is_exception(found)) {
+            return found == errc::illegal_data_address;
+        }
         errc const first = write_zero(rtuwire::altivar::atv320::device::layout.cmd);
         if (first == errc::none) {
             way_ = rtuwire::altivar::stop_by::freewheel;
@@ -107,7 +149,8 @@ private:
         int unobeyed = 0;
         // Short stops one after the other: one that nobody answers ends the command soon, and a long ramp does not.
         for (int i = 0; i < most_stops and unobeyed < most_unobeyed; ++i) {
-            rtuwire::altivar::stop conversation{station, way_, rtuwire::milliseconds(one_stop)};
+            rtuwire::altivar::stop conversation{station, way_, rtuwire::milliseconds(one_stop),
+                                                rtuwire::altivar::stop_begin::look_first};
             why = line_.run(conversation);
             unobeyed = why.kind == outcome_kind::state_timeout ? unobeyed + 1 : 0;
             if (why.kind != outcome_kind::unconfirmed and unobeyed == 0) {
@@ -127,10 +170,11 @@ private:
     ending judge(rtuwire::altivar::reason const& why, drive_catalog const& drive)
     {
         std::string const other =
-            is_blind_ ? "; 0000 went first, because nobody said which drive it is: a motor that turns coasts (--drive "
-                        "says it)"
-            : why.is_other_stop
-                ? "; a motor that turns coasts: until its CHCF is read, an ATV320 gets no other word than 0000"
+            is_other_family_
+                ? "; it is no drive of the type that was named: 0000 was taken elsewhere, and a motor that turns "
+                  "coasts"
+            : is_blind_ or why.is_other_stop
+                ? "; a motor that turns coasts: CHCF was not read to be the drive profile, and then only 0000 stops it"
                 : "";
         if (why.kind == outcome_kind::succeeded) {
             return {exit_status::done, "the motor stands" + other};
@@ -140,6 +184,9 @@ private:
         }
         if (why.kind == outcome_kind::silent) {
             return not_reached(why.error);
+        }
+        if (why.kind == outcome_kind::other_family) {
+            return {exit_status::differs, "the drive takes no word that stops it, neither at 8501 nor at 400"};
         }
         if (why.kind == outcome_kind::state_timeout) {
             return {exit_status::differs, "the stop was taken, and is not obeyed"};
@@ -170,7 +217,8 @@ private:
     named_unit who_;
     stop_by way_;
     open_line line_;
-    bool is_blind_{false}; ///< another stop than the one that was asked for went first
+    bool is_blind_{false};        ///< another stop than the one that was asked for went first
+    bool is_other_family_{false}; ///< than that of the type that was named
 };
 
 } // namespace

@@ -39,11 +39,8 @@ public:
     /// The report of the last check that was completed.
     [[nodiscard]] constexpr supervision_report const& report() const noexcept { return report_; }
 
-    /// The meaning of the drive's control word, while it is known.
-    [[nodiscard]] constexpr word_meaning meaning() const noexcept
-    {
-        return succeeded() ? report_.words : word_meaning::unknown;
-    }
+    /// Whether CHCF was read to be the drive profile; reported once.
+    constexpr bool take_meaning() noexcept { return check_.take_meaning(); }
 
     /// The next read.
     [[nodiscard]] constexpr read_holding_registers request() noexcept

@@ -77,20 +77,21 @@ public:
         return control().is_resetting() ? effect::resetting : control().is_ordered() ? effect::enabling : effect::none;
     }
 
-    /// The next request.
-    constexpr byte_view ask(bool was_rearranged) noexcept
+    /// The next request. `is_confirmed`: the drive is known to take the words of all stops as such.
+    constexpr byte_view ask(bool was_rearranged, bool is_confirmed) noexcept
     {
         agenda_.begin(due_step(was_rearranged));
         if (was_rearranged) {
             preparation_.renew();
         }
-        return make_frame();
+        return make_frame(is_confirmed);
     }
 
-    /// Whether a read found the drive without power, or newly in fault, whether a stop that was ordered here has
-    /// ended, and whether the next request waits for a period; each reported once.
+    /// Whether a read found the drive without power, newly in fault, or in the drive profile, whether a stop that was
+    /// ordered here has ended, and whether the next request waits for a period; each reported once.
     constexpr bool take_rest() noexcept { return agenda_.take_rest(); }
     constexpr bool take_fault() noexcept { return agenda_.control().take_fault(); }
+    constexpr bool take_meaning() noexcept { return preparation_.take_meaning(); }
     constexpr bool take_end_of_stop() noexcept { return agenda_.control().take_end_of_stop(); }
     constexpr bool take_pause() noexcept { return agenda_.take_pause(); }
 
@@ -146,7 +147,7 @@ private:
         return agenda_.due(preparation_.succeeded(), was_rearranged, frames_.command());
     }
 
-    constexpr byte_view make_frame() noexcept
+    constexpr byte_view make_frame(bool is_confirmed) noexcept
     {
         constexpr drive_layout const& layout = Device::layout;
         switch (agenda_.now()) {
@@ -155,9 +156,7 @@ private:
         case step::prepare: return frames_.read(preparation_.request());
         case step::read:
         case step::observe: return frames_.read_inputs();
-        case step::say_stop:
-            agenda_.note_write();
-            return frames_.say(control().word_to_stop(preparation_.meaning(), layout));
+        case step::say_stop: agenda_.note_write(); return frames_.say(control().word_to_stop(is_confirmed, layout));
         case step::check_control:
         case step::compare_control: return frames_.read_one(layout.cmd);
         case step::compare_reference: return frames_.read_one(words::reference.address);

@@ -35,6 +35,8 @@ public:
     static constexpr conversation_properties properties{
         .urgency = urgency::stop_of_unit, .repetition = repetition::never, .freshness = freshness::when_free};
 
+    static constexpr bool keeps_meaning = true;
+
     explicit constexpr cyclic(station<Device> const& its_drive, cyclic_options const& its_options = {}) noexcept
         : steps_{its_drive.unit(), its_options}, enable_timeout_{its_options.enable_timeout},
           tolerated_misses_{its_options.tolerated_misses}
@@ -65,7 +67,8 @@ public:
 
     /// Withdraws the order: the motor stops on its ramp, or by `how`; on the ramp, too, where the device has no halt.
     /// The stop command is sent at once, before the requests of all others and before any read; a halt is sent after
-    /// a read. `run` is accepted again once the motor is at rest.
+    /// a read. `run` is accepted again once the motor is at rest. After a loss the motor coasts, as for a `stop` of a
+    /// drive that this client has not checked.
     constexpr void stop(stop_by how = stop_by::ramp) noexcept
     {
         steps_.stop(how);
@@ -156,7 +159,7 @@ public:
             steps_.note_stopped();
         }
         is_asking_ = true;
-        return request_frame{steps_.ask(was_rearranged)};
+        return request_frame{steps_.ask(was_rearranged, this->confirmed() == Device::layout.cmd)};
     }
 
     constexpr void accept(result<response> const& outcome) noexcept
@@ -172,6 +175,9 @@ public:
         }
         if (steps_.take_fault()) {
             this->note_fault();
+        }
+        if (steps_.take_meaning()) {
+            this->note_meaning(Device::layout.cmd);
         }
         if (steps_.take_end_of_stop()) {
             this->note_stop_over();

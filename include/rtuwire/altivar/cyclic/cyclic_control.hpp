@@ -151,9 +151,9 @@ public:
     }
 
     /// The word that stops the drive, whatever is ordered; it coasts where the word may mean something else.
-    [[nodiscard]] constexpr std::uint16_t word_to_stop(word_meaning known, drive_layout const& layout) const noexcept
+    [[nodiscard]] constexpr std::uint16_t word_to_stop(bool is_confirmed, drive_layout const& layout) const noexcept
     {
-        bool const is_doubtful = layout.chcf != 0 and known == word_meaning::unknown;
+        bool const is_doubtful = not is_confirmed and may_have_io_profile(layout);
         return is_doubtful ? std::uint16_t{0} : stop_.word(sight_);
     }
 

@@ -232,7 +232,6 @@ struct device : family_device {
                                          .rfr = rfr.address,
                                          .lsp = lsp.address,
                                          .state_machine = {.enables_from_ready = true, .quick_stop_waits = true},
-                                         .chcf = chcf.address,
                                          .safeguards = {.sll = sll.address,
                                                         .tto = tto.address,
                                                         .chcf = chcf.address,

@@ -71,7 +71,6 @@ struct drive_layout {
     bool fails_when_cut_short{false};       ///< trips where a second request comes before its response to the first
     duration eeprom_time{milliseconds(50)}; ///< without communication while it saves
     std::uint16_t cmi_orders{0x0003};       ///< the bits of CMI that do something: factory settings, save
-    std::uint16_t chcf{0};                  ///< the register of its I/O profile; 0: has none
     safeguard_layout safeguards{};
 };
 
@@ -94,8 +93,24 @@ struct simulated_behaviour {
 /// Internal.
 inline constexpr std::uint16_t io_profile = 3;
 
-/// How a drive interprets its control word. One with an I/O profile (ATV320, CHCF) may run on the words that stop all
-/// other drives: until its CHCF has been read since power-up, only 0000 is written to it.
+/// How a drive interprets its control word. An ATV320 in its I/O profile (CHCF) may run on the words that stop all other
+/// drives.
 enum class word_meaning : std::uint8_t { unknown, cia402 };
+
+/// Whether a CHCF, as read, is the drive profile: command and reference together, or apart.
+/// Internal.
+[[nodiscard]] constexpr bool is_drive_profile(std::uint16_t chcf) noexcept { return chcf == 1 or chcf == 2; }
+
+/// The control words of the two families: of all Altivars but the ATV28, and of that one. Each family refuses the
+/// address of the other.
+/// Internal.
+inline constexpr std::uint16_t later_control_word = 8501, atv28_control_word = 400;
+
+/// Whether an ATV320 may be where a drive of this type is said to be, so that only 0000 is known to stop it.
+/// Internal.
+[[nodiscard]] constexpr bool may_have_io_profile(drive_layout const& layout) noexcept
+{
+    return layout.cmd == later_control_word;
+}
 
 } // namespace rtuwire::altivar

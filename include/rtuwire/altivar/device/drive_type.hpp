@@ -78,9 +78,9 @@ concept has_its_references =
 template <typename T> [[nodiscard]] constexpr bool has_every_safeguard() noexcept
 {
     safeguard_layout const& at = T::layout.safeguards;
-    return has_if_any<T>(T::layout.chcf) and has_if_any<T>(at.sll) and has_if_any<T>(at.tto) and
-           has_if_any<T>(at.chcf) and has_if_any<T>(at.cd1) and has_if_any<T>(at.fr1) and has_if_any<T>(at.flo) and
-           has_if_any<T>(at.atr) and has_if_any<T>(at.dotd) and has_if_any<T>(at.inputs) and has_if_any<T>(at.tcc);
+    return has_if_any<T>(at.sll) and has_if_any<T>(at.tto) and has_if_any<T>(at.chcf) and has_if_any<T>(at.cd1) and
+           has_if_any<T>(at.fr1) and has_if_any<T>(at.flo) and has_if_any<T>(at.atr) and has_if_any<T>(at.dotd) and
+           has_if_any<T>(at.inputs) and has_if_any<T>(at.tcc);
 }
 /// Internal.
 template <typename T>
@@ -181,8 +181,9 @@ template <typename T> struct drive_check {
                                          "table");
     static_assert(has_output_frequency<T>, "the output frequency, layout.rfr, is in no register of the drive's table");
     static_assert(has_its_references<T>, "a reference of the drive is no register of its table");
-    static_assert(has_its_safeguards<T>, "an address in layout.safeguards, or layout.chcf, is in no register of the "
-                                         "drive's table; 0 says that the drive has none");
+    static_assert(has_its_safeguards<T>,
+                  "an address in layout.safeguards is in no register of the drive's table; 0 says "
+                  "that the drive has none");
     static_assert(is_supervised<T>, "a drive stops by itself where its line goes silent: by layout.safeguards.sll and "
                                     ".tto, or by .fixed_timeout, which longest_silence covers");
     static_assert(has_its_scanner<T>, "the drive's table lacks registers of its scanner");

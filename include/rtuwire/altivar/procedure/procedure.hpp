@@ -112,9 +112,21 @@ public:
     /// Ends a procedure because a stop was ordered later, or an order to run: the drive now belongs to that.
     constexpr action yield() noexcept { return end(outcome_kind::overruled); }
 
-    /// Whether the status read showed a motor without power, or a fault; each call clears the flag that it returns.
+    /// Whether the status read showed a motor without power, or a fault; whether CHCF was read to be the drive profile.
+    /// Each call clears the flag that it returns.
     constexpr bool take_rest() noexcept { return take(has_read_rest_); }
+    constexpr bool take_meaning() noexcept { return take(has_read_meaning_); }
+    [[nodiscard]] constexpr std::uint16_t control_word() const noexcept { return layout_->cmd; }
     constexpr bool take_fault() noexcept { return take(has_read_fault_); }
+
+    /// Whether the word of a stop may run the drive, which takes the words of all stops as such where its control word is
+    /// the one `confirmed`: 0000 is sent instead, and the reason says so.
+    constexpr bool is_harmful(std::uint16_t word, std::uint32_t confirmed) noexcept
+    {
+        bool const is_other = word != 0 and confirmed != layout_->cmd and may_have_io_profile(*layout_);
+        reason_.is_other_stop = reason_.is_other_stop or is_other;
+        return is_other;
+    }
 
     /// How long the drive keeps running without any request.
     [[nodiscard]] constexpr duration drive_timeout() const noexcept { return layout_->longest_silence; }
@@ -176,8 +188,10 @@ protected:
     {
         has_read_rest_ = inner.take_rest();
         has_read_fault_ = inner.take_fault();
+        has_read_meaning_ = inner.take_meaning();
     }
     constexpr void note_other_stop() noexcept { reason_.is_other_stop = true; }
+    constexpr void note_meaning(bool is_drive_profile) noexcept { has_read_meaning_ = is_drive_profile; }
 
     /// Runs the next step of a procedure inside this one, and takes over what it reads.
     template <typename Inner> constexpr action follow(Inner& inner, event const& what) noexcept
@@ -222,6 +236,7 @@ private:
     altivar::reason reason_{};
     bool has_read_rest_{false};
     bool has_read_fault_{false};
+    bool has_read_meaning_{false};
 };
 
 } // namespace rtuwire::altivar

@@ -27,6 +27,8 @@ public:
     static constexpr conversation_properties properties{.urgency = urgency::stop_of_unit,
                                                         .freshness = freshness::when_free};
 
+    static constexpr bool keeps_meaning = true;
+
     constexpr procedure_runner(unit_id its_unit, Script const& procedure, duration its_limit) noexcept
         : procedure_{procedure}, limit_{its_limit}, unit_{its_unit}
     {}
@@ -45,6 +47,9 @@ public:
     {
         instant const at = has_begun_ ? within_reach(now_, now) : now;
         now_ = now;
+        if constexpr (Script::is_stop) {
+            procedure_.note_confirmed(this->confirmed());
+        }
         if (not has_begun_) {
             has_begun_ = true;
             late_at_ = now + limit_;
@@ -102,8 +107,37 @@ public:
             return std::nullopt;
         }
         is_asking_ = true;
-        has_said_stop_ = has_said_stop_ or action_.does == effect::stopping;
+        if (action_.does == effect::stopping) {
+            has_said_stop_ = true;
+            if (procedure_.is_harmful(action_.word, this->confirmed())) {
+                action_.word = 0;
+                make_frame();
+            }
+        }
         return request_frame{frame_, action_.again};
+    }
+
+    /// For the client: how long the response may take. A look of a stop ends when its time is over.
+    [[nodiscard]] constexpr duration limited(duration timeout) const noexcept requires(Script::is_stop)
+    {
+        bool const is_look = has_length() and action_.again == repetition::never;
+        duration const rest = pause_end_ - now_;
+        return is_look and rest < timeout ? rest : timeout;
+    }
+
+    /// Whether only 0000 is known to stop the drive, as far as this client has read.
+    [[nodiscard]] constexpr bool may_run_on_a_stop() noexcept requires(Script::is_stop)
+    {
+        procedure_.note_confirmed(this->confirmed());
+        return procedure_.may_run_on_a_stop();
+    }
+
+    /// For the client: whether a stop has just found that the unit is of another family.
+    constexpr bool take_stranger() noexcept requires(Script::is_stop)
+    {
+        bool const is_new = is_stranger_;
+        is_stranger_ = false;
+        return is_new;
     }
 
     /// Whether there is a request to send.
@@ -214,15 +248,24 @@ private:
         if (procedure_.take_fault()) {
             this->note_fault();
         }
+        if (procedure_.take_meaning()) {
+            this->note_meaning(procedure_.control_word());
+        }
         if (Script::is_stop and next.what == action::kind::end) {
             this->note_stop_over();
+            is_stranger_ = procedure_.reason().kind == outcome_kind::other_family;
         }
         action_ = next;
         pause_end_ = now_ + next.length;
-        if (next.what == action::kind::read) {
-            static_cast<void>(encode_into(frame_, unit_, read_holding_registers{next.address, 1}));
-        } else if (next.what == action::kind::write) {
-            static_cast<void>(encode_into(frame_, unit_, write_single_register{next.address, next.word}));
+        make_frame();
+    }
+
+    [[gnu::noinline]] constexpr void make_frame() noexcept
+    {
+        if (action_.what == action::kind::read) {
+            static_cast<void>(encode_into(frame_, unit_, read_holding_registers{action_.address, 1}));
+        } else if (action_.what == action::kind::write) {
+            static_cast<void>(encode_into(frame_, unit_, write_single_register{action_.address, action_.word}));
         }
     }
 
@@ -241,6 +284,7 @@ private:
     bool is_late_{false};
     bool was_warned_{false}; ///< the limit is over; only the procedure's grace is left
     bool was_granted_{false};
+    bool is_stranger_{false};
 };
 
 } // namespace rtuwire::altivar

@@ -47,7 +47,6 @@ public:
     constexpr void converse(Conversation& conversation, instant now, retry_policy const& with) noexcept
     {
         static_cast<void>(deliver(conversation, not conversation.settled(), now));
-        advance_conversation(conversation, now);
         this->command(conversation, now);
         static_cast<void>(ask(conversation, now, with));
         if constexpr (Orders::is_kept and timed_conversation<Conversation>) {
@@ -107,9 +106,12 @@ public:
         if (this->is_barred(unit, what)) {
             return this->hold_back(conversation);
         }
-        errc const wrong = this->start(as_declared<Conversation>(*request), now, unit, with);
+        errc const wrong = this->start(as_declared<Conversation>(*request), now, unit, policy_of(conversation, with));
         if (wrong != errc::none) {
             return refuse(conversation, wrong, now);
+        }
+        if constexpr (Orders::is_kept and may_write_meaning<Conversation>) {
+            orders_.note_request(request->frame());
         }
         turns_.renew(conversation);
         this->note_asked(conversation, what);
@@ -121,6 +123,19 @@ protected:
     using desk::turns_;
 
 private:
+    /// A conversation may allow the response less time than the unit's policy.
+    template <typename Conversation>
+    static constexpr decltype(auto) policy_of(Conversation const& conversation, retry_policy const& with) noexcept
+    {
+        if constexpr (requires { conversation.limited(with.response_timeout); }) {
+            retry_policy own = with;
+            own.response_timeout = conversation.limited(with.response_timeout);
+            return own;
+        } else {
+            return (with);
+        }
+    }
+
     /// A request cannot be sent.
     template <typename Conversation>
     constexpr turn_result refuse(Conversation& conversation, errc wrong, instant now) noexcept

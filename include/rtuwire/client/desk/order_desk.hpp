@@ -27,11 +27,15 @@ template <typename LineDuty, typename Orders> class order_desk : public turn_des
 public:
     using desk::desk;
 
-    /// The second part of `converse`, after its `advance`: notes what a commander's user wants. A stop request gets
-    /// the line first, unless it `may_ask` nothing in this pass: then it takes the line from nobody.
+    /// The second part of `converse`: lets time pass for the conversation, and notes what a commander's user wants. A
+    /// stop request gets the line first, unless it `may_ask` nothing in this pass: then it takes the line from nobody.
     template <conversation Conversation>
     constexpr void command(Conversation& conversation, instant now, bool may_ask = true) noexcept
     {
+        if constexpr (Orders::is_kept and stops_a_unit<Conversation>) {
+            orders_.tell(conversation, conversation.unit().byte()); // its first word depends on it
+        }
+        advance_conversation(conversation, now);
         if constexpr (commanding_conversation<Conversation> or stops_by_broadcast<Conversation>) {
             static_assert(Orders::is_kept, "this client does not keep whose motor it ordered to run: take "
                                            "drive_client<Units>, or a bus");
@@ -40,12 +44,10 @@ public:
                 for (auto& each : conversation.stops()) {
                     static_assert(commanding_conversation<std::remove_reference_t<decltype(each)>>,
                                   "each stop of a conversation that stops all units commands one of them");
-                    if (orders_.visit(each, each.unit().byte(), now)) {
-                        each.note_loss();
-                    }
+                    visit(each, now);
                 }
-            } else if (orders_.visit(conversation, conversation.unit().byte(), now)) {
-                conversation.note_loss();
+            } else {
+                visit(conversation, now);
             }
             if (may_ask and conversation.intent() == effect::stopping and not desk::is_asked_by(conversation)) {
                 make_way_for(conversation, now);
@@ -119,6 +121,20 @@ protected:
     }
 
 private:
+    /// A commander of one unit visits.
+    template <typename Conversation> constexpr void visit(Conversation& conversation, instant now) noexcept
+    {
+        std::uint8_t const unit = conversation.unit().byte();
+        if (orders_.visit(conversation, unit, now)) {
+            conversation.note_loss();
+        }
+        if constexpr (stops_a_unit<Conversation>) {
+            if (conversation.take_stranger()) {
+                orders_.leave_alone(unit, now);
+            }
+        }
+    }
+
     /// A conversation visits with a stop request. Until that has left, no other conversation sends; a request under
     /// way for its unit is given up, unless its response is arriving, and one for another unit is not repeated.
     template <typename Conversation> constexpr void make_way_for(Conversation& conversation, instant now) noexcept

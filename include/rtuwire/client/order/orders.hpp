@@ -19,6 +19,7 @@
 #include <rtuwire/ask/commander.hpp>
 #include <rtuwire/client/order/order_places.hpp>
 #include <rtuwire/client/order/unit_losses.hpp>
+#include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
@@ -49,6 +50,12 @@ template <std::size_t Units> class orders : public unit_losses<Units> {
 public:
     static constexpr bool is_kept = true;
 
+    /// What is known of the words of a commander's unit.
+    constexpr void tell(commander& who, std::uint8_t unit) const noexcept
+    {
+        who.confirmed_ = places_.of(unit).confirmed;
+    }
+
     /// A commander of one unit visits: notes what its user wants, and what it read. Returns whether its unit was lost
     /// since its last visit.
     constexpr bool visit(commander& who, std::uint8_t unit, instant now) noexcept
@@ -69,6 +76,7 @@ public:
         who.is_overruled_ = is_stopped_later(who, own) and not is_by_loss(own);
         who.is_unit_ordered_ = own.is_ordered;
         who.known_ = &own;
+        who.confirmed_ = own.confirmed;
         return is_lost;
     }
 
@@ -115,6 +123,18 @@ public:
         }
     }
 
+    /// A request of any conversation was taken: one that writes what the control words mean ends what was read of that.
+    constexpr void note_request(byte_view frame) noexcept
+    {
+        if (not writes_meaning(frame)) {
+            return;
+        }
+        std::uint8_t const unit = to_u8(frame[0]);
+        for (unit_order& each : places_) {
+            each.confirmed = unit == 0 or each.unit == unit ? 0 : each.confirmed;
+        }
+    }
+
     /// Whether this client ordered a unit to run, and no conversation that commands it has read since
     /// that its motor has no power. What a `watch` reads does not count.
     [[nodiscard]] constexpr bool is_ordered(std::uint8_t unit) const noexcept { return places_.of(unit).is_ordered; }
@@ -129,10 +149,14 @@ private:
                 own->misses = 0;
             }
         }
-        if (who.has_read_fault_) {
+        if (who.has_read_fault_ or who.read_meaning_of_ != 0) {
+            unit_order* const found = places_.make(unit);
+            unit_order& own = found == nullptr ? places_.others() : *found;
+            own.last_fault = who.has_read_fault_ ? ++count_ : own.last_fault;
+            // What was read of a unit without a place is forgotten at once.
+            own.confirmed = found == nullptr ? 0 : who.read_meaning_of_ != 0 ? who.read_meaning_of_ : own.confirmed;
             who.has_read_fault_ = false;
-            unit_order* const own = places_.make(unit);
-            (own == nullptr ? places_.others() : *own).last_fault = ++count_;
+            who.read_meaning_of_ = 0;
         }
         if (who.has_ordered_) {
             who.has_ordered_ = false;
@@ -151,6 +175,24 @@ private:
             who.is_over_ = false;
             end_stop(who, unit);
         }
+    }
+
+    /// Whether a request writes `meaning_register`, among others or alone. The functions that write holding registers
+    /// have their first address in front; 23 has it behind what it reads.
+    static constexpr bool writes_meaning(byte_view frame) noexcept
+    {
+        constexpr std::uint8_t one = 0x06, several = 0x10, exchange = 0x17;
+        constexpr std::size_t shortest = 8;
+        std::uint8_t const function = frame.size() < shortest ? std::uint8_t{0} : to_u8(frame[1]);
+        if (function == one) {
+            return u16_at(frame, 2) == meaning_register;
+        }
+        bool const is_exchange = function == exchange and frame.size() > shortest + 4;
+        if (function != several and not is_exchange) {
+            return false;
+        }
+        std::size_t const at = is_exchange ? 6 : 2;
+        return static_cast<std::uint16_t>(meaning_register - u16_at(frame, at)) < u16_at(frame, at + 2);
     }
 
     /// Whether there was a stop, a loss or a fault since this commander's last visit.
@@ -210,8 +252,10 @@ private:
     /// A commander that relies on the unit's words reads anew what they mean.
     constexpr void note_rearranging(std::uint8_t unit) noexcept
     {
-        unit_order* const own = places_.find(unit);
-        (own == nullptr ? places_.others() : *own).rearranged = ++count_;
+        unit_order* const found = places_.find(unit);
+        unit_order& own = found == nullptr ? places_.others() : *found;
+        own.rearranged = ++count_;
+        own.confirmed = 0;
     }
 
     /// A unit that was not ordered here is left alone for the time that its drive's type gives.

@@ -46,6 +46,11 @@ public:
                 stopped_all_ = ++count_;
             }
         }
+        bool is_known = true;
+        for (unit_order const& each : places_) {
+            is_known = is_known and (each.confirmed != 0 or not each.is_ordered);
+        }
+        who.confirmed_ = is_known ? 1 : 0;
     }
 
     /// Ends the hold of a stop that was given up: its unit can be commanded again.

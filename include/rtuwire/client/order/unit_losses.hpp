@@ -23,6 +23,9 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+/// Of a unit whose type is not the declared one: the longest time-out of any drive, and 1 s more.
+inline constexpr duration silence_of_a_stranger = milliseconds(31'000);
+
 /// The lost units of one client; the base of its orders.
 template <std::size_t Units> class unit_losses : public stop_holds<Units> {
     using holds = stop_holds<Units>;
@@ -42,6 +45,7 @@ public:
             return;
         }
         if (not own->is_ordered and own->holder == 0) {
+            own->confirmed = 0; // whatever answers there next
             return;
         }
         if (own->is_lost or was_repeated or own->misses >= own->tolerated) {
@@ -77,6 +81,17 @@ public:
     /// Whether a unit is lost.
     [[nodiscard]] constexpr bool is_lost(std::uint8_t unit) const noexcept { return places_.of(unit).is_lost; }
 
+    /// The unit takes no word where its type has them: it gets no request until its own time-out, whatever that is, has
+    /// stopped it.
+    constexpr void leave_alone(std::uint8_t unit, instant now) noexcept
+    {
+        if (unit_order* const own = places_.make(unit)) {
+            own->silence = silence_of_a_stranger;
+            lose(*own, now);
+            own->may_be_told = false;
+        }
+    }
+
     /// Lets time pass. Returns whether a silence is over.
     constexpr bool advance(instant now) noexcept
     {
@@ -111,6 +126,7 @@ protected:
 private:
     constexpr void lose(unit_order& own, instant now) noexcept
     {
+        own.confirmed = 0;
         if (not own.is_lost) {
             own.is_lost = true;
             own.may_be_told = true;

@@ -26,8 +26,6 @@ constexpr std::uint16_t switched_on = 0x0233, enabled = 0x0237;
 std::string const coast_new = "00 06 21 35 00 00", coast_old = "00 06 01 90 00 00";
 std::string const stop_new = "00 06 21 35 00 02", stop_old = "00 06 01 90 00 02";
 
-constexpr broadcast_stop_options full_meaning{.known = word_meaning::cia402};
-
 } // namespace
 
 TEST_CASE("everyone is told twice at once and once more a second later, each family of drives by "
@@ -66,7 +64,7 @@ TEST_CASE("what everyone is told is one whole frame, its check at the end")
 
 TEST_CASE("where the turnarounds take longer than that, nothing more is waited for")
 {
-    test::everyone_by_hand<2> it{fan, hoist};
+    auto it = test::everyone_by_hand<2>{fan, hoist}.with_known_words();
     CHECK(it.broadcasts(300) == frames{stop_old, stop_new, stop_old, stop_new, stop_old, stop_new});
     CHECK(it.now - test::start_of_all == milliseconds(1'800));
     test::everyone_by_hand<2> slow{broadcast_stop_options{.last_after = milliseconds(3'000)}, fan, hoist};
@@ -76,7 +74,7 @@ TEST_CASE("where the turnarounds take longer than that, nothing more is waited f
 
 TEST_CASE("a broadcast that was lost is as good as one that left: nobody answers")
 {
-    test::everyone_by_hand<1> it{hoist};
+    auto it = test::everyone_by_hand<1>{hoist}.with_known_words();
     CHECK(it.asks() == stop_new);
     it.all.accept(errc::transmit_stalled);
     CHECK(it.broadcasts().size() == 1);
@@ -119,7 +117,7 @@ TEST_CASE("a response that an ATV28 among the drives owes is waited for, unless 
     broadcast_stop hasty{broadcast_stop_options{.cuts_short = true}, fan, press, hoist};
     CHECK(hasty.may_cut(3));
     // Behind the broadcasts the word of one drive cuts short what that drive owes, and nothing else.
-    test::everyone_by_hand<3> it{full_meaning, fan, hoist, press};
+    auto it = test::everyone_by_hand<3>{fan, hoist, press}.with_known_words();
     it.tell_everyone();
     CHECK(it.asks() == "04 06 21 35 00 02");
     it.confirm();
@@ -131,7 +129,7 @@ TEST_CASE("a response that an ATV28 among the drives owes is waited for, unless 
 
 TEST_CASE("each drive is told by its own address, in turn; a word that stops goes before any look")
 {
-    test::everyone_by_hand<3> it{full_meaning, fan, hoist, press};
+    auto it = test::everyone_by_hand<3>{fan, hoist, press}.with_known_words();
     CHECK(it.broadcasts() == frames{stop_old, stop_new, stop_old, stop_new});
     it.wait(1'000);
     CHECK(it.broadcasts() == frames{stop_old, stop_new});

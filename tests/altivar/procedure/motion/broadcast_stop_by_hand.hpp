@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/known_words.hpp"
 
 #include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
 #include <rtuwire/client/order/orders.hpp>
@@ -26,6 +27,15 @@ template <std::size_t Drives> struct everyone_by_hand {
     instant now{start_of_all};
 
     template <typename... Told> explicit everyone_by_hand(Told const&... told) : all{told...} {}
+
+    /// Of drives whose control words this line has read.
+    everyone_by_hand&& with_known_words() &&
+    {
+        for (altivar::stop const& each : all.stops()) {
+            test::confirm_words(motors, each.unit(), now);
+        }
+        return std::move(*this);
+    }
 
     /// The frame of the next request without its check, or nothing.
     std::string asks()

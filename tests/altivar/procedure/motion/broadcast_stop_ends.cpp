@@ -27,7 +27,7 @@ std::string const stop_hoist = "04 06 21 35 00 02", look_at_hoist = "04 03 0C 81
 TEST_CASE("who names no options has the quick stop, half a minute for each drive, and hears which "
           "one did not answer")
 {
-    test::everyone_by_hand<1> it{hoist};
+    auto it = test::everyone_by_hand<1>{hoist}.with_known_words();
     it.tell_everyone();
     CHECK(it.asks() == stop_hoist);
     instant const begin = it.now;
@@ -55,7 +55,7 @@ TEST_CASE("everyone stands only where each of them was seen to stand")
         it.tell_everyone();
         CHECK(it.asks() == coast_press);
         it.confirm();
-        CHECK(it.asks() == coast_hoist); // all coast where an ATV320 is among them
+        CHECK(it.asks() == coast_hoist); // all coast: nobody has read what their words mean
         it.confirm();
         CHECK(it.asks() == look_at_press);
         it.hear(locked);
@@ -110,7 +110,7 @@ TEST_CASE("a unit that is lost hears words that stop it for two seconds, then no
 
 TEST_CASE("while the only drive is lost nothing is asked, and the end is its limit")
 {
-    test::everyone_by_hand<1> it{broadcast_stop_options{.limit = milliseconds(5'000)}, hoist};
+    auto it = test::everyone_by_hand<1>{broadcast_stop_options{.limit = milliseconds(5'000)}, hoist}.with_known_words();
     it.motors.note_asked(4, effect::enabling, milliseconds(10'000), 1);
     it.tell_everyone();
     CHECK(it.asks() == stop_hoist);

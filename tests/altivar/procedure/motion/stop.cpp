@@ -5,7 +5,14 @@
 
 #include <utility>
 
+#include "altivar/procedure/by_hand.hpp"
+#include "support/known_words.hpp"
 #include "support/proof.hpp"
+
+#include <rtuwire/altivar/atv12.hpp>
+#include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/atv310.hpp>
+#include <rtuwire/altivar/atv320.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -30,14 +37,12 @@ constexpr bool writes(action const& what, std::uint16_t address, std::uint16_t w
 constexpr bool ends(action const& what) { return what.what == action::kind::end; }
 constexpr event word(std::uint16_t read) { return {kind::word_read, read}; }
 
-constexpr auto known = word_meaning::cia402;
-
 constexpr bool says_its_word_first()
 {
     bool ok = true;
     for (auto const& [mode, first] : {std::pair{stop_by::ramp, 0x0007}, std::pair{stop_by::quick_stop, 0x0002},
                                       std::pair{stop_by::freewheel, 0x0000}}) {
-        stop_procedure it{some_drive, mode, known};
+        stop_procedure it{some_drive, mode};
         auto const expected = static_cast<std::uint16_t>(first);
         ok = ok and writes(it.step({kind::begun}), cmd, expected);
         ok = ok and it.step({kind::failed, 0, errc::timed_out}).what == action::kind::pause;
@@ -56,7 +61,7 @@ PROOF("a stop says its word first, and again, whatever fails", says_its_word_fir
 constexpr bool takes_power_from_a_quick_stop()
 {
     for (stop_by const mode : {stop_by::ramp, stop_by::quick_stop}) {
-        stop_procedure it{some_drive, mode, known};
+        stop_procedure it{some_drive, mode};
         static_cast<void>(it.step({kind::begun}));
         bool ok = reads(it.step({kind::written}), eta);
         ok = ok and reads(it.step(word(quick_stop_active)), rfr);
@@ -79,7 +84,7 @@ PROOF("a motor that a quick stop brought to rest loses its power once it was see
 
 constexpr bool halts_under_power()
 {
-    stop_procedure it{some_drive, stop_by::halt, known};
+    stop_procedure it{some_drive, stop_by::halt};
     bool ok = reads(it.step({kind::begun}), eta) and reads(it.step(word(enabled)), rfr);
     ok = ok and reads(it.step(word(300)), cmd);
     ok = ok and writes(it.step(word(0x080F)), cmd, 0x090F);
@@ -95,7 +100,7 @@ PROOF("halt keeps the power, and ends when the motor was seen to stand twice", h
 
 constexpr bool halts_no_drive_that_is_ready()
 {
-    stop_procedure it{some_drive, stop_by::halt, known};
+    stop_procedure it{some_drive, stop_by::halt};
     static_cast<void>(it.step({kind::begun}));
     static_cast<void>(it.step(word(enabled)));
     static_cast<void>(it.step(word(300)));
@@ -109,7 +114,7 @@ PROOF("a halt is not given again to a drive that has become ready", halts_no_dri
 
 constexpr bool halts_no_drive_that_is_silent()
 {
-    stop_procedure it{some_drive, stop_by::halt, known};
+    stop_procedure it{some_drive, stop_by::halt};
     static_cast<void>(it.step({kind::begun}));
     static_cast<void>(it.step(word(enabled)));
     static_cast<void>(it.step(word(300)));
@@ -122,7 +127,7 @@ constexpr bool goes_below_switched_on()
 {
     bool ok = true;
     for (stop_by const mode : {stop_by::ramp, stop_by::halt}) {
-        stop_procedure it{some_drive, mode, known};
+        stop_procedure it{some_drive, mode};
         static_cast<void>(it.step({kind::begun}));
         if (mode == stop_by::ramp) {
             static_cast<void>(it.step({kind::written}));
@@ -135,30 +140,145 @@ constexpr bool goes_below_switched_on()
 }
 PROOF("every stop leaves \"switched on\", from where one word could start the motor", goes_below_switched_on)
 
+// From here on a conversation, which its client tells what it has read.
+constexpr unit_id unit{7};
+constexpr std::uint16_t chcf = 8401, atv28_cmd = 400;
+
+template <typename Device> constexpr bool is_blind_in_doubt_of(stop_by mode, std::uint16_t confirmed_word)
+{
+    station<Device> const drive{unit};
+    test::by_hand<stop> doubtful{stop{drive, mode}};
+    doubtful.wait(0);
+    bool ok = doubtful.writes_and_confirms(cmd, 0x0000) and doubtful.reads_and_hears(eta, 0x0250);
+    ok = ok and doubtful.ended_as(outcome_kind::succeeded) and doubtful.conversation.reason().is_other_stop;
+    test::by_hand<stop> certain{test::with_known_words(stop{drive, mode})};
+    certain.wait(0);
+    ok = ok and (mode == stop_by::halt ? certain.reads(eta) : certain.writes(cmd, confirmed_word));
+    return ok and not certain.conversation.reason().is_other_stop;
+}
 constexpr bool is_blind_in_doubt()
 {
-    drive_layout with_io = some_drive;
-    with_io.chcf = 8401;
-    stop_procedure doubtful{with_io, stop_by::ramp, word_meaning::unknown};
-    stop_procedure certain{with_io, stop_by::ramp, known};
-    bool const is_zero = writes(doubtful.step({kind::begun}), cmd, 0x0000);
-    return is_zero and doubtful.reason().is_other_stop and writes(certain.step({kind::begun}), cmd, 0x0007) and
-           not certain.reason().is_other_stop;
+    bool ok = true;
+    for (auto const& [mode, word] :
+         {std::pair{stop_by::ramp, 0x0007}, std::pair{stop_by::quick_stop, 0x0002}, std::pair{stop_by::halt, 0}}) {
+        auto const expected = static_cast<std::uint16_t>(word);
+        ok = ok and is_blind_in_doubt_of<atv320::device>(mode, expected) and
+             is_blind_in_doubt_of<atv12::device>(mode, expected) and
+             is_blind_in_doubt_of<atv310::device>(mode, expected);
+    }
+    return ok;
 }
-PROOF("a drive that may have an I/O profile is told 0000, and the reason says so", is_blind_in_doubt)
+PROOF("whatever type was declared, a drive at 8501 is told 0000 until its words were read, and the reason says so",
+      is_blind_in_doubt)
 
 constexpr bool is_blind_in_doubt_for_a_halt()
 {
-    drive_layout with_io = some_drive;
-    with_io.chcf = 8401;
-    stop_procedure doubtful{with_io, stop_by::halt, word_meaning::unknown};
-    stop_procedure certain{with_io, stop_by::halt, known};
-    bool ok = writes(doubtful.step({kind::begun}), cmd, 0x0000) and doubtful.reason().is_other_stop;
-    ok = ok and reads(doubtful.step({kind::written}), eta) and reads(doubtful.step(word(enabled)), rfr);
-    ok = ok and doubtful.step(word(300)).what == action::kind::pause;
-    ok = ok and writes(doubtful.step({kind::pause_over}), cmd, 0x0000); // never with a bit that may be RUN
-    return ok and reads(certain.step({kind::begun}), eta) and not certain.reason().is_other_stop;
+    test::by_hand<stop> it{stop{station<atv12::device>{unit}, stop_by::halt}};
+    it.wait(0);
+    bool ok = it.writes_and_confirms(cmd, 0x0000);
+    ok = ok and it.reads_and_hears(eta, enabled) and it.reads_and_hears(rfr, 300);
+    it.wait(50);
+    return ok and it.writes(cmd, 0x0000); // never with a bit that may be RUN
 }
 PROOF("a halt of such a drive is 0000 at each look, too", is_blind_in_doubt_for_a_halt)
+
+/// Of a stop that looks first: whether it reads CHCF, and which word it sends then.
+constexpr bool says_after_a_look(stop_by mode, std::uint16_t read, std::uint16_t word)
+{
+    test::by_hand<stop> it{stop{station<atv12::device>{unit}, mode, milliseconds(1'000), stop_begin::look_first}};
+    it.wait(0);
+    bool const looks = it.conversation.intent() == effect::none and it.reads_and_hears(chcf, read);
+    it.conversation = is_drive_profile(read) ? test::with_known_words(it.conversation) : it.conversation;
+    return looks and it.conversation.intent() == effect::stopping and it.writes(cmd, word);
+}
+constexpr bool looks_first()
+{
+    bool ok = true;
+    for (std::uint16_t const profile : {std::uint16_t{1}, std::uint16_t{2}}) {
+        ok = ok and says_after_a_look(stop_by::ramp, profile, 0x0007);
+        ok = ok and says_after_a_look(stop_by::quick_stop, profile, 0x0002);
+    }
+    for (std::uint16_t const other : {std::uint16_t{0}, std::uint16_t{3}, std::uint16_t{4}}) {
+        ok = ok and says_after_a_look(stop_by::ramp, other, 0x0000);
+        ok = ok and says_after_a_look(stop_by::quick_stop, other, 0x0000);
+        ok = ok and says_after_a_look(stop_by::halt, other, 0x0000);
+    }
+    return ok;
+}
+PROOF("a stop that looks first says its word where CHCF is the drive profile, and 0000 elsewhere", looks_first)
+
+/// What ends the look of a stop without a value.
+enum class ending { missed, refused, no_turn, limit };
+constexpr bool looks_in_vain(ending how)
+{
+    duration const limit = milliseconds(how == ending::limit ? 50 : 1'000);
+    test::by_hand<stop> it{stop{station<atv12::device>{unit}, stop_by::ramp, limit, stop_begin::look_first}};
+    it.wait(0);
+    bool ok = true;
+    switch (how) {
+    case ending::missed:
+        ok = it.reads(chcf);
+        it.miss();
+        break;
+    case ending::refused:
+        ok = it.reads(chcf);
+        it.conversation.accept(errc::illegal_data_address);
+        break;
+    case ending::no_turn:
+        it.wait(99);
+        ok = it.conversation.intent() == effect::none;
+        it.wait(1);
+        break;
+    case ending::limit: it.wait(50); break;
+    }
+    return ok and it.conversation.intent() == effect::stopping and it.writes(cmd, 0x0000);
+}
+constexpr bool looks_once()
+{
+    return looks_in_vain(ending::missed) and looks_in_vain(ending::refused) and looks_in_vain(ending::no_turn) and
+           looks_in_vain(ending::limit);
+}
+PROOF("a look that brings nothing, or has no turn for 100 ms, ends with 0000", looks_once)
+
+constexpr bool limits_its_look()
+{
+    test::by_hand<stop> it{
+        stop{station<atv12::device>{unit}, stop_by::ramp, milliseconds(1'000), stop_begin::look_first}};
+    it.wait(0);
+    it.wait(30);
+    auto const look = it.conversation.next();
+    return look and not look->may_be_repeated() and it.conversation.limited(milliseconds(1'000)) == milliseconds(70) and
+           it.conversation.limited(milliseconds(20)) == milliseconds(20);
+}
+PROOF("such a look is sent once, and its response may take what is left of the 100 ms", limits_its_look)
+
+template <typename Device> constexpr bool tells_the_other_family(errc answer, errc expected)
+{
+    constexpr bool is_old = Device::layout.cmd == atv28_cmd;
+    test::by_hand<stop> it{test::with_known_words(stop{station<Device>{unit}})};
+    it.wait(0);
+    bool ok = it.writes(Device::layout.cmd, 0x0007);
+    it.conversation.accept(errc::illegal_data_address);
+    ok = ok and it.conversation.intent() == effect::stopping;
+    ok = ok and it.writes(is_old ? cmd : atv28_cmd, 0x0000);
+    if (answer == errc::none) {
+        it.confirm();
+    } else {
+        it.conversation.accept(answer);
+    }
+    auto const& why = it.conversation.reason();
+    return ok and it.ended_as(outcome_kind::other_family) and why.error == expected and why.is_other_stop;
+}
+constexpr bool tells_each_family()
+{
+    bool ok = true;
+    for (errc const answer : {errc::none, errc::illegal_data_address, errc::timed_out}) {
+        ok = ok and tells_the_other_family<atv12::device>(answer, answer) and
+             tells_the_other_family<atv28::device>(answer, answer);
+    }
+    return ok;
+}
+PROOF("a drive without the control word is told 0000 once where the other family has it, and nothing more",
+      tells_each_family)
 
 } // namespace

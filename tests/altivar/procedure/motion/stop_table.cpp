@@ -97,10 +97,10 @@ constexpr std::array<stage_row<8>, 4> halt_rows{{
 }};
 
 constexpr auto const& old = atv28::device::layout;
-constexpr stop_procedure ramp_stop{layout, stop_by::ramp, word_meaning::cia402};
-constexpr stop_procedure quick{layout, stop_by::quick_stop, word_meaning::cia402};
-constexpr stop_procedure halt_stop{layout, stop_by::halt, word_meaning::cia402};
-constexpr stop_procedure injection{old, stop_by::dc_injection, word_meaning::cia402};
+constexpr stop_procedure ramp_stop{layout, stop_by::ramp};
+constexpr stop_procedure quick{layout, stop_by::quick_stop};
+constexpr stop_procedure halt_stop{layout, stop_by::halt};
+constexpr stop_procedure injection{old, stop_by::dc_injection};
 
 } // namespace
 
@@ -123,5 +123,5 @@ TEST_CASE("a stop begins with its word, or with a look")
     CHECK(does(quick, begun, fast));
     CHECK(does(halt_stop, begun, eta));
     CHECK(does(injection, begun, reads(old.eta)));
-    CHECK(does(stop_procedure{layout, stop_by::dc_injection, word_meaning::cia402}, begun, ends(kind::unsupported)));
+    CHECK(does(stop_procedure{layout, stop_by::dc_injection}, begun, ends(kind::unsupported)));
 }

@@ -104,8 +104,7 @@ public:
     /// What the drive's control words mean.
     [[nodiscard]] constexpr word_meaning meaning(drive_layout const& layout) const noexcept
     {
-        bool const is_known = mode_ == together or mode_ == apart;
-        bool const has_one_meaning = layout.chcf == 0 or is_known;
+        bool const has_one_meaning = not may_have_io_profile(layout) or is_drive_profile(mode_);
         bool const is_on_ramp = layout.safeguards.dotd == 0 or stops_on_ramp_;
         return has_one_meaning and is_on_ramp ? word_meaning::cia402 : word_meaning::unknown;
     }

@@ -146,6 +146,7 @@ private:
     constexpr action finish() noexcept
     {
         report_.words = words_.meaning(layout());
+        note_meaning(report_.words == word_meaning::cia402);
         if (not report_.period.holds()) {
             report_.address = layout().safeguards.tto;
             report_.word = static_cast<std::uint16_t>(report_.period.timeout.microseconds / 100'000);

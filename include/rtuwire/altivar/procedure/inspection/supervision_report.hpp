@@ -64,7 +64,7 @@ struct supervision_report {
     period_rule period{};                      ///< the time-out that was read, 0 for none, and the line's gap
     std::uint16_t address{0};                  ///< the register that was refused, or accepted last; 0: none
     std::uint16_t word{0};                     ///< its value; 0 where the drive lacks it
-    word_meaning words{word_meaning::unknown}; ///< CHCF is not IO, DOTD is the ramp
+    word_meaning words{word_meaning::unknown}; ///< of the drive profile: CHCF is not IO, DOTD is the ramp
     bool has_local_input{false};               ///< FLO: an input can take the command away
     supervision_risks accepted{};              ///< those that were found and accepted
 };

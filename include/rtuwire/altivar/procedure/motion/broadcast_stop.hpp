@@ -21,11 +21,9 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// How all drives are stopped.
 struct broadcast_stop_options {
-    /// Whether all motors coast. Else they do a quick stop, unless an ATV320 whose control words may have another
-    /// meaning is among the drives: then all coast.
+    /// Whether all motors coast. Else they do a quick stop, where the control words of each drive that is given or ordered
+    /// to run are known, as for a `stop`: else all coast.
     bool freewheel{false};
-    /// What is known about the control words of all ATV320s on the line: see `stop`.
-    word_meaning known{word_meaning::unknown};
     /// Whether the first broadcast is sent even while the response of an ATV28 is missing. That drive then reports a
     /// communication fault, and stops because of it.
     bool cuts_short{false};
@@ -41,24 +39,23 @@ struct broadcast_stop_options {
 
 /// The broadcasts of a line's families of drives, three rounds of them.
 ///
-/// | drives               | freewheel | word |
-/// |----------------------|-----------|------|
-/// | an ATV320, not known | any       | 0000 |
-/// | other                | no        | 0002 |
-/// | other                | yes       | 0000 |
+/// | drives            | freewheel | word |
+/// |-------------------|-----------|------|
+/// | one not confirmed | any       | 0000 |
+/// | all confirmed     | no        | 0002 |
+/// | all confirmed     | yes       | 0000 |
 ///
 /// Each address gets it once in a round, in the order of the drives; without an address there is no round.
 /// Internal.
 class broadcast_rounds {
 public:
     explicit constexpr broadcast_rounds(broadcast_stop_options const& options) noexcept
-        : left_out_{options.left_out}, known_{options.known}, coasts_{options.freewheel}
+        : left_out_{options.left_out}, coasts_{options.freewheel}
     {}
 
     /// Adds one more drive to those that have to stop.
     constexpr void add(drive_layout const& layout) noexcept
     {
-        coasts_ = coasts_ or (layout.chcf != 0 and known_ == word_meaning::unknown);
         bool is_there = layout.cmd == left_out_ or size_ == families_.size();
         for (std::size_t i = 0; i < size_; ++i) {
             is_there = is_there or families_[i] == layout.cmd;
@@ -72,6 +69,7 @@ public:
     [[nodiscard]] constexpr bool is_over() const noexcept { return round_ == rounds or size_ == 0; }
     [[nodiscard]] constexpr bool is_last_round() const noexcept { return round_ + 1 == rounds; }
     [[nodiscard]] constexpr bool coasts() const noexcept { return coasts_; }
+    constexpr void coast() noexcept { coasts_ = true; }
 
     /// The broadcast that is due.
     [[nodiscard]] constexpr write_single_register request() const noexcept
@@ -80,10 +78,11 @@ public:
         return {families_[at_], cia402::word_of(command)};
     }
     /// Begins with the first round again.
-    constexpr void again() noexcept
+    constexpr void again(bool coasts) noexcept
     {
         at_ = 0;
         round_ = 0;
+        coasts_ = coasts;
     }
     constexpr void next() noexcept
     {
@@ -99,7 +98,6 @@ private:
     std::size_t at_{0};
     std::uint16_t left_out_;
     std::uint8_t round_{0};
-    word_meaning known_;
     bool coasts_;
 };
 
@@ -138,7 +136,7 @@ public:
         for (stop& each : stops_) {
             each.again();
         }
-        rounds_.again();
+        rounds_.again(options_.freewheel);
         at_ = 0;
         has_begun_ = false;
         is_last_due_ = false;
@@ -223,7 +221,10 @@ public:
         if (this->is_used_already() and drive < Drives) {
             return {outcome_kind::used_already};
         }
-        return drive < Drives ? stops_[drive].reason() : altivar::reason{};
+        altivar::reason found = drive < Drives ? stops_[drive].reason() : altivar::reason{};
+        found.is_other_stop = found.is_other_stop or
+                              (rounds_.coasts() and not options_.freewheel and found.kind != outcome_kind::pending);
+        return found;
     }
 
     /// For the client: see ask/commander.hpp.
@@ -253,8 +254,7 @@ private:
     template <device_type... Device>
     constexpr broadcast_stop(broadcast_stop_options const& options, broadcast_rounds const& rounds,
                              station<Device> const&... drives) noexcept
-        : stops_{stop{drives, rounds.coasts() ? stop_by::freewheel : stop_by::quick_stop, options.limit,
-                      options.known}...},
+        : stops_{stop{drives, options.freewheel ? stop_by::freewheel : stop_by::quick_stop, options.limit}...},
           fails_when_cut_{drive_check<Device>::layout.fails_when_cut_short...}, rounds_{rounds}, options_{options}
     {}
 
@@ -271,6 +271,13 @@ private:
 
     constexpr std::optional<request_frame> ask_everyone() noexcept
     {
+        bool is_known = this->confirmed() != 0;
+        for (stop& each : stops_) {
+            is_known = is_known and not each.may_run_on_a_stop();
+        }
+        if (not is_known) {
+            rounds_.coast();
+        }
         static_cast<void>(encode_into(frame_, broadcast, rounds_.request()));
         return request_frame{frame_};
     }

@@ -59,12 +59,11 @@ inline constexpr drive_layout stopping_by = [] {
 /// before it writes; where the read fails it becomes the ramp of the drive profile and sets `reason().is_other_stop`.
 /// At standstill the drive is brought to "switch on disabled". An ordinary `stop` sends its word first: prefer it where
 /// time matters.
-class direct_stop : public procedure_runner<stop_procedure> {
+class direct_stop : public procedure_runner<ordered_stop_procedure> {
 public:
     constexpr direct_stop(station<device> const& drive, direct_stop_by how,
                           duration limit = milliseconds(30'000)) noexcept
-        : procedure_runner{drive.unit(),
-                           stop_procedure{layout_stopping_by(how), stop_by::dc_injection, word_meaning::cia402}, limit}
+        : procedure_runner{drive.unit(), ordered_stop_procedure{layout_stopping_by(how), stop_by::dc_injection}, limit}
     {}
 };
 
@@ -274,7 +273,7 @@ private:
             return finish(kind, error);
         }
         stage_ = stage::aborting;
-        return take_back(kind, error, may_run_ ? stop_by::ramp : stop_by::freewheel, word_meaning::cia402);
+        return take_back(kind, error, may_run_ ? stop_by::ramp : stop_by::freewheel);
     }
 
     reference_write reference_;

@@ -30,7 +30,7 @@ protected:
     [[nodiscard]] constexpr supervision_procedure check_anew() const noexcept { return check_.anew(); }
 
     constexpr order_procedure(drive_layout const& layout, supervision_procedure const& check) noexcept
-        : procedure{layout}, check_{check}, rest_{layout, stop_by::freewheel, word_meaning::unknown}
+        : procedure{layout}, check_{check}, rest_{layout, stop_by::freewheel}
     {}
 
     /// Continues the check. Where the drive is ready after it, the last word read was a status word.
@@ -57,11 +57,11 @@ protected:
     }
 
     /// Withdraws the commands sent, and ends with this outcome when the drive stands.
-    constexpr action take_back(outcome_kind kind, errc error, stop_by mode, word_meaning known) noexcept
+    constexpr action take_back(outcome_kind kind, errc error, stop_by mode) noexcept
     {
         kind_ = kind;
         error_ = error;
-        plan_rest(mode, known);
+        plan_rest(mode);
         return rest_.step({event::kind::begun}); // never ends the procedure
     }
     constexpr action come_to_rest(event const& what) noexcept
@@ -77,10 +77,7 @@ protected:
 
 private:
     /// Not inlined: its stack space is free again when the stop begins.
-    [[gnu::noinline]] constexpr void plan_rest(stop_by mode, word_meaning known) noexcept
-    {
-        rest_ = stop_procedure{layout(), mode, known};
-    }
+    [[gnu::noinline]] constexpr void plan_rest(stop_by mode) noexcept { rest_ = stop_procedure{layout(), mode}; }
 
     supervision_procedure check_;
     stop_procedure rest_;

@@ -303,7 +303,7 @@ private:
         }
         bool const may_run = sent_.may_run() or reason().state == cia402::state::operation_enabled;
         stage_ = stage::aborting;
-        return take_back(kind, error, may_run ? stop_by::ramp : stop_by::freewheel, report().words);
+        return take_back(kind, error, may_run ? stop_by::ramp : stop_by::freewheel);
     }
 
     reference_write reference_;
@@ -323,7 +323,7 @@ private:
 ///
 /// A drive that would not stop by itself, or that another source commands, is refused before anything is written, with
 /// the outcomes of `check_supervision`; `supervision()` names the register. The check takes about nine reads; the
-/// report of an earlier check may be given instead.
+/// report of an earlier check may be given instead. Where that was none of this client, a stop coasts: see `stop`.
 class start : public procedure_runner<start_procedure> {
 public:
     /// Checks the drive, then starts it. `its_limit` counts from the first `advance`, the check included.

@@ -8,6 +8,9 @@
 // confirms it: neither a lost frame nor an exception ends a stop, only its limit does. Only halt and DC injection read
 // the status first, because their words may start a drive that is "ready"; where that read fails they become the ramp.
 // A drive at rest is brought to "switch on disabled", where no late or foreign word can start it.
+//
+// No word rests on the type that its user declares: only 0000 stops all Altivars that have their control word at 8501.
+// The others go there once this client has read what they mean (client/order/orders.hpp).
 #pragma once
 
 #include <cstdint>
@@ -29,13 +32,23 @@ enum class stop_by : std::uint8_t {
     dc_injection, ///< ATV28 only
 };
 
+/// How a stop begins that is no freewheel, of a drive whose control words this client has not read to mean what they do in
+/// the drive profile.
+enum class stop_begin : std::uint8_t {
+    at_once,    ///< with 0000: the motor coasts
+    look_first, ///< with one read of CHCF, 100 ms at most; then with the word asked for, or with 0000 where that fails
+};
+
 namespace detail {
 
-/// What a stop reads.
-enum class stop_read : std::uint8_t { status, fault, control, frequency };
+/// What a stop asks: it reads one of these, or has its word confirmed.
+enum class stop_asks : std::uint8_t { status, fault, control, frequency, word };
 
 /// How long a read may wait for its turn while no word was sent to the drive yet.
 inline constexpr duration longest_wait_of_a_stop{milliseconds(1'000)};
+
+/// How long a stop may look what its words mean.
+inline constexpr duration longest_look_of_a_stop{milliseconds(100)};
 
 [[nodiscard]] constexpr bool has_stop(drive_layout const& layout, stop_by mode) noexcept
 {
@@ -47,12 +60,6 @@ inline constexpr duration longest_wait_of_a_stop{milliseconds(1'000)};
 [[nodiscard]] constexpr bool is_in_place(stop_by mode) noexcept
 {
     return mode == stop_by::halt or mode == stop_by::dc_injection;
-}
-
-/// Whether only 0000 is known to stop a drive: in an I/O profile the words of the other stops may run it.
-[[nodiscard]] constexpr bool may_run_on_a_stop(drive_layout const& layout, word_meaning known) noexcept
-{
-    return known == word_meaning::unknown and layout.chcf != 0;
 }
 
 /// The output frequency, as it was read again and again; in 0.1 Hz, without its sign.
@@ -121,18 +128,16 @@ private:
 /// |                 | limit over, as fast as before    | end: state_timeout                                         |
 /// |                 | limit over                       | end: unconfirmed                                           |
 ///
-/// In local control, 1, 2, 7 and 8 count as they are. Of a drive that may run on the words of other stops, every stop is
-/// one with the word 0000: none is in place.
+/// In local control, 1, 2, 7 and 8 count as they are. To a drive that is not confirmed, each of these words is sent as
+/// 0000.
 /// Internal.
 class stop_procedure : public procedure {
 public:
     static constexpr bool is_stop = true;
 
-    constexpr stop_procedure(drive_layout const& layout, stop_by mode, word_meaning known) noexcept
-        : procedure{layout}, ordered_{mode}, mode_{mode}, known_{known}
+    constexpr stop_procedure(drive_layout const& layout, stop_by mode) noexcept
+        : procedure{layout}, ordered_{mode}, mode_{mode}
     {}
-
-    [[nodiscard]] constexpr stop_procedure anew() const noexcept { return {layout(), ordered_, known_}; }
 
     constexpr action step(event const& what) noexcept
     {
@@ -145,22 +150,37 @@ public:
         case event::kind::late: break;
         }
         // A stop that has only read until now sends the word that needs no status read.
-        return has_said_ ? end_unconfirmed() : become_ramp_and_go_on();
+        return has_said_ ? end_unconfirmed() : stop_blind();
     }
 
     /// Ends a stop that asks for further actions after its limit.
     constexpr action give_up() noexcept { return end_unconfirmed(); }
 
+protected:
+    /// The one that was ordered, and what has become of it.
+    [[nodiscard]] constexpr stop_by ordered() const noexcept { return ordered_; }
+    [[nodiscard]] constexpr stop_by mode() const noexcept { return mode_; }
+
+    /// Whether the word of this stop is what was asked last, and the drive has confirmed none yet.
+    [[nodiscard]] constexpr bool has_only_said_it() const noexcept { return asked_ == asked::word and not was_taken_; }
+
+    /// Nothing could be read: the word that needs no status read.
+    constexpr action stop_blind() noexcept
+    {
+        if (detail::is_in_place(mode_)) {
+            mode_ = stop_by::ramp;
+            note_other_stop();
+        }
+        return stop_again();
+    }
+
 private:
-    using asked = detail::stop_read;
+    using asked = detail::stop_asks;
 
     constexpr action begin() noexcept
     {
         if (not detail::has_stop(layout(), mode_)) {
             return end(outcome_kind::unsupported);
-        }
-        if (detail::is_in_place(mode_) and detail::may_run_on_a_stop(layout(), known_)) {
-            mode_ = stop_by::ramp; // nothing that it could read tells what the halt's word means
         }
         return looks_first() ? read_status() : stop_again();
     }
@@ -181,6 +201,7 @@ private:
     constexpr action stop_again() noexcept
     {
         has_said_ = true;
+        asked_ = asked::word;
         return to_stop(layout().cmd, word());
     }
 
@@ -192,7 +213,7 @@ private:
     }
 
     /// The control word that stops now. A drive at rest needs no torque; only a freewheel may end a quick stop.
-    constexpr std::uint16_t word() noexcept
+    constexpr std::uint16_t word() const noexcept
     {
         if (stands_) {
             return 0;
@@ -200,10 +221,7 @@ private:
         if (has_word_) {
             return word_;
         }
-        if (mode_ == stop_by::freewheel or detail::may_run_on_a_stop(layout(), known_)) {
-            if (mode_ != stop_by::freewheel) {
-                note_other_stop();
-            }
+        if (mode_ == stop_by::freewheel) {
             return cia402::word_of(cia402::command::disable_voltage);
         }
         bool const is_quick = mode_ == stop_by::quick_stop or reason().state == cia402::state::quick_stop_active;
@@ -216,7 +234,8 @@ private:
         case asked::status: return judge(word);
         case asked::fault: return end_in_fault(word);
         case asked::control: return send_command(static_cast<std::uint16_t>(word | layout().halt));
-        case asked::frequency: break;
+        case asked::frequency:
+        case asked::word: break;
         }
         return measure(word);
     }
@@ -291,15 +310,7 @@ private:
         return become_ramp_and_go_on();
     }
 
-    constexpr action become_ramp_and_go_on() noexcept
-    {
-        if (looks_first()) {
-            mode_ = stop_by::ramp;
-            note_other_stop();
-            return stop_again();
-        }
-        return to_pause(status_period);
-    }
+    constexpr action become_ramp_and_go_on() noexcept { return looks_first() ? stop_blind() : to_pause(status_period); }
 
     /// The limit is over, and no standstill was read.
     constexpr action end_unconfirmed() noexcept
@@ -315,7 +326,6 @@ private:
     std::uint16_t word_{0};
     stop_by ordered_;
     stop_by mode_; ///< it may have become another one than was ordered
-    word_meaning known_;
     asked asked_{asked::status};
     errc error_{errc::none}; ///< the last one
     bool has_word_{false};
@@ -325,22 +335,124 @@ private:
     bool stands_{false};
 };
 
+/// Decides a stop that is ordered of a drive of which nothing but its declared type may be known.
+///
+/// | stage     | what happens                     | next                                                      |
+/// |-----------|----------------------------------|-----------------------------------------------------------|
+/// | usual     | begin, not confirmed, look first | looking: read CHCF                                        |
+/// |           | begin, not confirmed             | write the word; in place: write 0007                      |
+/// |           | exception 02 to the first word   | elsewhere: write 0000 where the other family has its word |
+/// |           | any other                        | as `stop_procedure`                                       |
+/// | looking   | 1, 2                             | confirmed; usual: begin                                   |
+/// |           | any other                        | usual: write the word; in place: write 0007               |
+/// | elsewhere | confirmed, refused, no response  | end: other_family                                         |
+/// |           | limit over                       | write it again                                            |
+/// Internal.
+class ordered_stop_procedure : public stop_procedure {
+public:
+    constexpr ordered_stop_procedure(drive_layout const& layout, stop_by mode,
+                                     stop_begin begin = stop_begin::at_once) noexcept
+        : stop_procedure{layout, mode}, begin_{begin}
+    {}
+
+    /// Where the drive is known to take the words of all stops as such; told before each step.
+    constexpr void note_confirmed(std::uint32_t address) noexcept { is_confirmed_ = address == layout().cmd; }
+
+    /// Whether only 0000 is known to stop the drive: in an I/O profile the words of the other stops may run it.
+    [[nodiscard]] constexpr bool may_run_on_a_stop() const noexcept
+    {
+        return not is_confirmed_ and may_have_io_profile(layout());
+    }
+
+    [[nodiscard]] constexpr ordered_stop_procedure anew() const noexcept { return {layout(), ordered(), begin_}; }
+
+    constexpr action step(event const& what) noexcept
+    {
+        switch (stage_) {
+        case stage::looking: return judge(what);
+        case stage::elsewhere:
+            return what.what == event::kind::late ? go_elsewhere() : end(outcome_kind::other_family, what.error);
+        case stage::usual: break;
+        }
+        if (what.what == event::kind::begun and is_doubtful()) {
+            // Nothing that a halt could read of the status tells what its word means.
+            return begin_ == stop_begin::look_first and layout().safeguards.chcf != 0 ? look() : stop_blind();
+        }
+        bool const has_no_such_word = what.what == event::kind::failed and what.error == errc::illegal_data_address;
+        return has_no_such_word and has_only_said_it() and is_of_a_family() ? go_elsewhere()
+                                                                            : stop_procedure::step(what);
+    }
+
+private:
+    enum class stage : std::uint8_t { usual, looking, elsewhere };
+
+    constexpr bool is_doubtful() const noexcept
+    {
+        return mode() != stop_by::freewheel and detail::has_stop(layout(), mode()) and may_run_on_a_stop();
+    }
+
+    /// One read of what the words mean: the motor keeps turning as long as this takes.
+    constexpr action look() noexcept
+    {
+        stage_ = stage::looking;
+        action next = once(to_read(layout().safeguards.chcf));
+        next.length = detail::longest_look_of_a_stop;
+        return next;
+    }
+
+    constexpr action judge(event const& what) noexcept
+    {
+        stage_ = stage::usual;
+        if (what.what != event::kind::word_read or not is_drive_profile(what.word)) {
+            return stop_blind();
+        }
+        note_meaning(true);
+        note_confirmed(layout().cmd);
+        return stop_procedure::step({event::kind::begun});
+    }
+
+    constexpr bool is_of_a_family() const noexcept
+    {
+        return layout().cmd == later_control_word or layout().cmd == atv28_control_word;
+    }
+
+    /// No drive of the declared family is there: 0000 takes the power of one of the other, or is refused as well.
+    constexpr action go_elsewhere() noexcept
+    {
+        stage_ = stage::elsewhere;
+        if (mode() != stop_by::freewheel) {
+            note_other_stop();
+        }
+        bool const is_atv28 = layout().cmd == atv28_control_word;
+        return once(to_stop(is_atv28 ? later_control_word : atv28_control_word, 0));
+    }
+
+    stop_begin begin_;
+    stage stage_{stage::usual};
+    bool is_confirmed_{false};
+};
+
 /// Stops a drive; settles when it is in "switch on disabled", or for `halt` when the motor stands. A long ramp needs
 /// a long limit. At the limit it ends as `unconfirmed` (the word was confirmed or the motor slows down),
 /// `state_timeout` (confirmed, and the motor is as fast as before), `refused` or `silent` (never confirmed).
 ///
-/// An ATV320 is sent 0000, "disable voltage", first, whatever stop was ordered, unless `known` states that its words
-/// have the meanings of the drive profile (CHCF is not IO, and DOTD is the ramp): with CHCF = IO the other words would
-/// run it. `reason().is_other_stop` is then set.
-class stop : public procedure_runner<stop_procedure> {
+/// A drive at 8501 (all but the ATV28) is sent 0000, "disable voltage", whatever stop was ordered, until a conversation of
+/// this client has read there that its words are those of the drive profile: its motor coasts, and `reason().is_other_stop`
+/// is set. A `start`, a `cyclic` and a `check_supervision` read it, so the stop of a motor that they ran is the one ordered,
+/// until the unit was lost or its CHCF was written. The reason: an ATV320 in its I/O profile runs by the words of the other
+/// stops, whatever type it was declared to be. `stop_begin::look_first` reads it just before.
+///
+/// `other_family`: the drive has no such control word, exception 02. 0000 was then sent once to where the other family has
+/// it; it was taken where `error` is `none`. The unit then gets no request for 31 s, except a stop.
+class stop : public procedure_runner<ordered_stop_procedure> {
 public:
-    /// `its_limit` counts from the first `advance`; a stop whose word was never sent goes on beyond it. `known` says what
-    /// an ATV320's words mean; the others have no choice.
+    /// `its_limit` counts from the first `advance`; a stop whose word was never sent goes on beyond it. `begin` counts for a
+    /// drive that is not confirmed.
     template <device_type Device>
     explicit constexpr stop(station<Device> const& its_drive, stop_by its_mode = stop_by::ramp,
-                            duration its_limit = milliseconds(30'000),
-                            word_meaning known = word_meaning::unknown) noexcept
-        : procedure_runner{its_drive.unit(), stop_procedure{drive_check<Device>::layout, its_mode, known}, its_limit}
+                            duration its_limit = milliseconds(30'000), stop_begin begin = stop_begin::at_once) noexcept
+        : procedure_runner{its_drive.unit(), ordered_stop_procedure{drive_check<Device>::layout, its_mode, begin},
+                           its_limit}
     {}
 };
 
