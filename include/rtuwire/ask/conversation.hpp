@@ -120,12 +120,12 @@ protected:
 private:
     friend class turns;
 
-    /// A ticket is a multiple of this, or a mark of turns.hpp; plus `given_up` or `used_already` it still shows who asked
-    /// last; or it is `met`, with or without these: of one that did not ask last, and has no mark.
+    /// A ticket is a multiple of this, or a mark of turns.hpp; with `given_up` it still shows who asked last, and is a mark
+    /// as it was. Without its lowest bit, either is `used_already`. `met` is nobody's number.
     static constexpr std::uint32_t step = 32;
-    static constexpr std::uint32_t given_up = 1;
+    static constexpr std::uint32_t given_up = 3;
     static constexpr std::uint32_t used_already = 2;
-    static constexpr std::uint32_t met = 4;
+    static constexpr std::uint32_t met = 7;
 
     std::uint32_t ticket_{0};
     turns const* turns_{nullptr}; ///< whose number it is; null where it visited none

@@ -69,15 +69,15 @@ public:
     /// The same, also where it has given up its request.
     [[nodiscard]] constexpr bool is_last(asker const& who) const noexcept
     {
-        return who.ticket_ - number_ < asker::met and who.turns_ == this;
+        return who.ticket_ - number_ <= asker::given_up and who.turns_ == this;
     }
 
     /// A conversation visits. One that had ended before, and has no request under way, is used already, unless
     /// it never visited before: then nobody could read yet how it ended.
     constexpr void meet(asker& who, bool has_ended) const noexcept
     {
-        if (has_ended or who.turns_ == nullptr) {
-            greet(who);
+        if (has_ended != who.is_used_already() or who.turns_ == nullptr) {
+            greet(who, has_ended);
         }
     }
 
@@ -144,11 +144,12 @@ public:
 
 private:
     /// A function of its own: few visits need it.
-    [[gnu::noinline]] constexpr void greet(asker& who) const noexcept
+    [[gnu::noinline]] constexpr void greet(asker& who, bool has_ended) const noexcept
     {
-        if (not is_own(who)) {
-            std::uint32_t const as = who.turns_ == nullptr ? 0 : asker::used_already;
-            give(who, (is_last(who) ? number_ : asker::met) + as);
+        if (who.turns_ == nullptr) {
+            give(who, asker::met);
+        } else if (who.ticket_ % asker::step != 0) { // else its request is under way, here or on another line
+            who.ticket_ = (who.ticket_ | asker::given_up) - (has_ended ? 1U : 0U);
         }
     }
 
