@@ -45,16 +45,22 @@ STATIC_CHECK(instant{4} - instant{0xFFFF'FFFE} == microseconds(6));
 // is over because a clock steps back by a few seconds, and nothing that has just begun looks over.
 STATIC_CHECK(within_reach(late, late) == late);
 STATIC_CHECK(within_reach(late, late + duration{0x7FFF'FFFF}) == late + duration{0x7FFF'FFFF});
-STATIC_CHECK(within_reach(late, late - milliseconds(16'000)) == late - milliseconds(16'000));
-constexpr bool finds_over(std::uint32_t pause)
+STATIC_CHECK(within_reach(late, late - milliseconds(16'000), milliseconds(16'777)) == late - milliseconds(16'000));
+STATIC_CHECK(within_reach(late, late - milliseconds(65)) == late - milliseconds(65));
+constexpr bool finds_over(std::uint32_t pause, duration ahead)
 {
     instant const now = late + duration{pause};
-    instant const at = within_reach(late, now);
+    instant const at = within_reach(late, now, ahead);
     return reached(at, late) and reached(at, late + longest_duration + milliseconds(20'000)) and
            not reached(at, now + microseconds(1));
 }
-STATIC_CHECK(finds_over(0x8000'0000U) and finds_over(0x8000'0000U + 1) and finds_over(0xC000'0000U) and
-             finds_over(0xFEFF'FFFFU - 2));
+constexpr bool finds_over_up_to(std::uint32_t longest, duration ahead)
+{
+    return finds_over(0x8000'0000U, ahead) and finds_over(0x8000'0000U + 1, ahead) and
+           finds_over(0xC000'0000U, ahead) and finds_over(longest, ahead);
+}
+STATIC_CHECK(finds_over_up_to(0xFEFF'FFFFU - 2, microseconds(0x100'0000)) and
+             finds_over_up_to(0xFFFE'FFFFU, microseconds(0x1'0000)));
 
 STATIC_CHECK(earlier(late, late + milliseconds(10'000)) == deadline{late});
 STATIC_CHECK(earlier(late + milliseconds(10'000), late) == deadline{late});

@@ -10,7 +10,9 @@
 namespace rtuwire::test {
 
 inline constexpr std::uint64_t minute = 60'000'000;
-inline constexpr std::array<std::uint64_t, 7> long_pauses{minute,       36 * minute,  50 * minute,     71 * minute,
-                                                          110 * minute, 142 * minute, 24 * 60 * minute};
+inline constexpr std::uint64_t second = 1'000'000;
+inline constexpr std::array<std::uint64_t, 10> long_pauses{
+    minute,       36 * minute,  50 * minute,  71 * minute,     71 * minute + 20 * second, 71 * minute + 34 * second,
+    110 * minute, 142 * minute, 143 * minute, 24 * 60 * minute};
 
 } // namespace rtuwire::test

@@ -103,7 +103,8 @@ TEST_CASE("motion law: S45 a stop leaves at once, however long its client was no
         stopped const usual = stop_after(2 * minute, was_lost);
         CHECK(usual.first_frame_after < 5'000);
         for (std::uint64_t const pause :
-             {36 * minute, 40 * minute, 50 * minute, 71 * minute, 110 * minute, 142 * minute, 24 * 60 * minute}) {
+             {36 * minute, 40 * minute, 50 * minute, 71 * minute, 71 * minute + 20'000'000, 71 * minute + 34'000'000,
+              110 * minute, 142 * minute, 143 * minute, 24 * 60 * minute}) {
             INFO("not used for " << pause / minute << " minutes, " << (was_lost ? "lost" : "not lost") << " before");
             stopped const it = stop_after(pause, was_lost);
             CHECK(it.first_frame_after == usual.first_frame_after);

@@ -150,14 +150,14 @@ struct instant {
 /// The time at which deadlines that were named up to `before` are judged `now`: after a pause of more than half the
 /// counter, which makes what is over look as if it lay ahead, 35.5 minutes after `before`, when all of them were over.
 /// A pause of a whole turn of the counter shows as none: what was in force may then last once more, but no longer than
-/// it was set for. A clock that goes back by less than 16 s is no such pause.
+/// it was set for. `before` may lie `ahead` of `now`: by the little that one look at a clock may be older than another;
+/// where it is the end of a frame that is being sent, by the time that this takes.
 /// Internal.
-[[nodiscard]] constexpr instant within_reach(instant before, instant now) noexcept
+[[nodiscard]] constexpr instant within_reach(instant before, instant now, duration ahead = duration{0x1'0000}) noexcept
 {
     constexpr std::uint32_t half = 0x8000'0000U;
-    constexpr std::uint32_t back = 0x0100'0000U;
-    bool const is_long = (now - before).microseconds - half < half - back;
-    return is_long ? instant{before.microseconds + (half - back)} : now;
+    std::uint32_t const reach = half - ahead.microseconds;
+    return (now - before).microseconds - half < reach ? instant{before.microseconds + reach} : now;
 }
 
 /// Keeps a time that is over, by `at`, from looking as if it lay ahead some day. `at` is `within_reach` of the last call.

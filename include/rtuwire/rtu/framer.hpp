@@ -57,6 +57,10 @@ public:
     /// Applies the silence up to `now`. Must be called before the clock has run 35 minutes past a deadline.
     constexpr void advance(instant now) noexcept { receiver::advance(now); }
 
+    /// The same for an engine that knows when it was called last: see `line_silence`.
+    /// Internal.
+    constexpr void advance(instant now, instant at) noexcept { receiver::advance(now, at); }
+
     /// When `advance` has something to do.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
@@ -91,6 +95,9 @@ public:
 
     /// When the last byte arrived, or the time of a later `note_activity`.
     using receiver::last_activity;
+
+    /// By when to judge what was in force then. Internal.
+    using receiver::within_reach_of_line;
 
     /// Records that the line was not silent at a time, and leaves the frame alone.
     using receiver::note_activity;

@@ -12,6 +12,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/frame_length.hpp>
+#include <rtuwire/wire/limits.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::detail {
 
@@ -35,18 +36,28 @@ public:
     }
 
     /// Applies the silence up to `now`. Must be called before the clock has run 35 minutes past a deadline.
-    constexpr void advance(instant now) noexcept
+    constexpr void advance(instant now) noexcept { advance(now, within_reach_of_line(now)); }
+
+    /// The same for an engine that knows when it was called last: `at` is `within_reach` of that.
+    constexpr void advance(instant now, instant at) noexcept
     {
         if (activity_ == activity::unknown) {
             note_activity(now);
+            at = now;
         }
-        instant const at = within_reach(last_, now);
         if (reached(at, last_ + line().silence())) {
             activity_ = activity::quiet;
         }
         if (waits_for_silence() and reached(at, last_ + end_silence())) {
             on_silence();
         }
+    }
+
+    /// The time by which what was in force at the latest activity is judged `now`: that may be the end of a frame that is
+    /// being sent.
+    [[nodiscard]] constexpr instant within_reach_of_line(instant now) const noexcept
+    {
+        return within_reach(last_, now, line().characters(max_adu_size));
     }
 
     /// Adds the time when `advance` has something to do to the earliest of several. `awaits_bytes` leaves the silence

@@ -58,7 +58,7 @@ public:
     /// for `frame_end` since the last byte; a `sent` after that does no harm.
     constexpr void advance(instant now) noexcept
     {
-        if (phase_ != phase::listening and reached(within_reach(framer_.last_activity(), now), until_)) {
+        if (phase_ != phase::listening and reached(framer_.within_reach_of_line(now), until_)) {
             if (phase_ == phase::transmitting) {
                 framer_.resynchronise();
                 phase_ = phase::listening;

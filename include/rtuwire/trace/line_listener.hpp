@@ -24,6 +24,7 @@
 #include <rtuwire/trace/frame_search.hpp>
 #include <rtuwire/trace/heard_frame.hpp>
 #include <rtuwire/trace/passed_request.hpp>
+#include <rtuwire/wire/limits.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
@@ -102,7 +103,7 @@ private:
     /// The line was as it is up to a time.
     template <typename Take> constexpr void let_pass(instant now, Take& take)
     {
-        instant const until = within_reach(seen_, now);
+        instant const until = within_reach(seen_, now, timing_.characters(max_adu_size));
         seen_ = now;
         if (reached(until, last_ + timing_.frame_end())) {
             cut(true, take);
