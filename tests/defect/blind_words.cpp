@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSL-1.0
 // An ATV320 in its I/O profile, which runs on the words that stop all other drives, is declared to be another drive.
 #include "support/catch.hpp"
+#include "support/drives.hpp"
 #include "support/simulated_bus.hpp"
 
 #include <cstdint>
 
 #include <rtuwire/altivar/atv12.hpp>
-#include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
@@ -103,10 +103,7 @@ template <typename Link, typename Device> void stops_in_every_way()
 
 template <typename Link> void stops_whatever_it_is_called()
 {
-    stops_in_every_way<Link, atv320::device>();
-    stops_in_every_way<Link, atv12::device>();
-    stops_in_every_way<Link, atv310::device>();
-    stops_in_every_way<Link, atv310::device_2026>();
+    test::later_drives::for_each([]<typename Device>() { stops_in_every_way<Link, Device>(); });
 }
 
 } // namespace

@@ -124,7 +124,8 @@ STATIC_CHECK(may_have_io_profile(atv320::device::layout) and may_have_io_profile
 STATIC_CHECK(may_have_io_profile(atv310::device::layout) and may_have_io_profile(atv310::device_2026::layout));
 STATIC_CHECK(not may_have_io_profile(atv28::device::layout));
 STATIC_CHECK(not is_drive_profile(0) and is_drive_profile(1) and is_drive_profile(2) and not is_drive_profile(3));
-STATIC_CHECK(atv320::device::layout.cmd == later_control_word and atv28::device::layout.cmd == atv28_control_word);
+STATIC_CHECK(atv320::device::layout.cmd == later_control_word);
+STATIC_CHECK(are(&drive::other_cmd, 400, 400, 400, 400, 8501));
 
 // What a drive does when its link is lost, and who may command it: SLL, TTO and the channels. An ATV28 has one bit of
 // CMI instead, NTO, and its terminals command until the line does. Atr, DOTD, the inputs and tCC where a file has them.

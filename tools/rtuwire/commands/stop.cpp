@@ -46,7 +46,7 @@ class short_look : public rtuwire::single_request<rtuwire::read_holding_register
 
 public:
     explicit short_look(rtuwire::unit_id unit)
-        : base{unit, rtuwire::read_holding_registers{.start = rtuwire::meaning_register, .count = 1}}
+        : base{unit, rtuwire::read_holding_registers{.start = rtuwire::altivar::atv320::chcf.address, .count = 1}}
     {}
 
     std::optional<rtuwire::request_frame> next() const& noexcept
@@ -59,7 +59,7 @@ public:
     /// How long the response may take.
     rtuwire::duration limited(rtuwire::duration timeout) const noexcept
     {
-        constexpr rtuwire::duration longest = rtuwire::altivar::detail::longest_look_of_a_stop;
+        constexpr rtuwire::duration longest = rtuwire::milliseconds(100);
         return longest < timeout ? longest : timeout;
     }
 };

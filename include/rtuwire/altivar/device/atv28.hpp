@@ -262,6 +262,7 @@ struct device {
                                          .fails_when_cut_short = true,
                                          .eeprom_time = milliseconds(2'100),
                                          .cmi_orders = 0x0007,
+                                         .other_cmd = later_control_word,
                                          .safeguards = {.nto = 0x4000,
                                                         .fixed_timeout = milliseconds(7'000),
                                                         .atr = atr.address,

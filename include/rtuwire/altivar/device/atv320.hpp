@@ -232,6 +232,7 @@ struct device : family_device {
                                          .rfr = rfr.address,
                                          .lsp = lsp.address,
                                          .state_machine = {.enables_from_ready = true, .quick_stop_waits = true},
+                                         .other_cmd = 400,
                                          .safeguards = {.sll = sll.address,
                                                         .tto = tto.address,
                                                         .chcf = chcf.address,

@@ -71,6 +71,7 @@ struct drive_layout {
     bool fails_when_cut_short{false};       ///< trips where a second request comes before its response to the first
     duration eeprom_time{milliseconds(50)}; ///< without communication while it saves
     std::uint16_t cmi_orders{0x0003};       ///< the bits of CMI that do something: factory settings, save
+    std::uint16_t other_cmd{0};             ///< where the other family has its control word, which this one refuses
     safeguard_layout safeguards{};
 };
 
@@ -101,10 +102,9 @@ enum class word_meaning : std::uint8_t { unknown, cia402 };
 /// Internal.
 [[nodiscard]] constexpr bool is_drive_profile(std::uint16_t chcf) noexcept { return chcf == 1 or chcf == 2; }
 
-/// The control words of the two families: of all Altivars but the ATV28, and of that one. Each family refuses the
-/// address of the other.
+/// The control word of the later family. Each of the two families refuses the address of the other.
 /// Internal.
-inline constexpr std::uint16_t later_control_word = 8501, atv28_control_word = 400;
+inline constexpr std::uint16_t later_control_word = 8501;
 
 /// Whether an ATV320 may be where a drive of this type is said to be, so that only 0000 is known to stop it.
 /// Internal.

@@ -379,8 +379,8 @@ public:
             return begin_ == stop_begin::look_first and layout().safeguards.chcf != 0 ? look() : stop_blind();
         }
         bool const has_no_such_word = what.what == event::kind::failed and what.error == errc::illegal_data_address;
-        return has_no_such_word and has_only_said_it() and is_of_a_family() ? go_elsewhere()
-                                                                            : stop_procedure::step(what);
+        return has_no_such_word and has_only_said_it() and layout().other_cmd != 0 ? go_elsewhere()
+                                                                                   : stop_procedure::step(what);
     }
 
 private:
@@ -411,11 +411,6 @@ private:
         return stop_procedure::step({event::kind::begun});
     }
 
-    constexpr bool is_of_a_family() const noexcept
-    {
-        return layout().cmd == later_control_word or layout().cmd == atv28_control_word;
-    }
-
     /// No drive of the declared family is there: 0000 takes the power of one of the other, or is refused as well.
     constexpr action go_elsewhere() noexcept
     {
@@ -423,8 +418,7 @@ private:
         if (mode() != stop_by::freewheel) {
             note_other_stop();
         }
-        bool const is_atv28 = layout().cmd == atv28_control_word;
-        return once(to_stop(is_atv28 ? later_control_word : atv28_control_word, 0));
+        return once(to_stop(layout().other_cmd, 0));
     }
 
     stop_begin begin_;
