@@ -178,14 +178,14 @@ inline bool are_right()
     server_read_4();
     server_read_4_whole();
     server_exchange_4_whole();
-    bool const is_served = all.sum == 3 * 13;
+    bool const is_served = all.sum == 3 * (13 + 1); // with the deadline that it names
     client_read_4_whole();
     client_read_63_whole();
     client_read_125_whole();
     all.sum = 0;
     server_read_63_whole();
     server_read_125_whole();
-    bool const is_served_long = all.sum == 131 + 255;
+    bool const is_served_long = all.sum == 131 + 255 + 2;
     last_byte_write_4();
     bool const is_written = all.bank.get(4) == 4;
     return line->values == 8 + 126 + 8 + 8 + 126 + 250 and is_served and is_served_long and is_written;

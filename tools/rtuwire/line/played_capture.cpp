@@ -67,8 +67,9 @@ private:
         if (last_ < end) {
             last_ = end - last_ > settled ? last_ + settled : end;
             tap_->advance(instant_of(last_), [this](auto const& it) { hand_on(it); });
-            if (end - last_ > rtuwire::longest_duration.microseconds) {
-                tap_->advance(instant_of(last_) + rtuwire::longest_duration, [this](auto const& it) { hand_on(it); });
+            constexpr rtuwire::duration longest = rtuwire::milliseconds(35 * 60 * 1'000); // that a time can lie ahead
+            if (end - last_ > longest.microseconds) {
+                tap_->advance(instant_of(last_) + longest, [this](auto const& it) { hand_on(it); });
             }
             last_ = end;
         }
