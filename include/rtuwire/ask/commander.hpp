@@ -166,12 +166,12 @@ concept may_write_meaning = not requires
     requires T::keeps_meaning;
 };
 
-/// A conversation that stops a unit by its user's order. `take_stranger` tells once that the unit takes no word where its
+/// A conversation that stops a unit by its user's order. `take_other_family` tells once that the unit takes no word where its
 /// type has them.
 template <typename T>
 concept stops_a_unit = commanding_conversation<T> and requires(T& conversation)
 {
-    conversation.take_stranger();
+    conversation.take_other_family();
 };
 
 /// A conversation that stops all units of a line: it declares `urgency::stop_of_all`. It stops them by broadcasts

@@ -133,10 +133,10 @@ public:
     }
 
     /// For the client: whether a stop has just found that the unit is of another family.
-    constexpr bool take_stranger() noexcept requires(Script::is_stop)
+    constexpr bool take_other_family() noexcept requires(Script::is_stop)
     {
-        bool const is_new = is_stranger_;
-        is_stranger_ = false;
+        bool const is_new = is_other_family_;
+        is_other_family_ = false;
         return is_new;
     }
 
@@ -253,7 +253,7 @@ private:
         }
         if (Script::is_stop and next.what == action::kind::end) {
             this->note_stop_over();
-            is_stranger_ = procedure_.reason().kind == outcome_kind::other_family;
+            is_other_family_ = procedure_.reason().kind == outcome_kind::other_family;
         }
         action_ = next;
         pause_end_ = now_ + next.length;
@@ -284,7 +284,7 @@ private:
     bool is_late_{false};
     bool was_warned_{false}; ///< the limit is over; only the procedure's grace is left
     bool was_granted_{false};
-    bool is_stranger_{false};
+    bool is_other_family_{false};
 };
 
 } // namespace rtuwire::altivar

@@ -129,7 +129,7 @@ private:
             conversation.note_loss();
         }
         if constexpr (stops_a_unit<Conversation>) {
-            if (conversation.take_stranger()) {
+            if (conversation.take_other_family()) {
                 orders_.leave_alone(unit, now);
             }
         }

@@ -24,7 +24,7 @@
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Of a unit whose type is not the declared one: the longest time-out of any drive, and 1 s more.
-inline constexpr duration silence_of_a_stranger = milliseconds(31'000);
+inline constexpr duration silence_of_another_family = milliseconds(31'000);
 
 /// The lost units of one client; the base of its orders.
 template <std::size_t Units> class unit_losses : public stop_holds<Units> {
@@ -86,7 +86,7 @@ public:
     constexpr void leave_alone(std::uint8_t unit, instant now) noexcept
     {
         if (unit_order* const own = places_.make(unit)) {
-            own->silence = silence_of_a_stranger;
+            own->silence = silence_of_another_family;
             lose(*own, now);
             own->may_be_told = false;
         }
