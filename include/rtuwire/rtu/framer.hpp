@@ -57,10 +57,6 @@ public:
     /// Applies the silence up to `now`. Must be called before the clock has run 35 minutes past a deadline.
     constexpr void advance(instant now) noexcept { receiver::advance(now); }
 
-    /// The same for an engine that knows when it was called last: see `line_silence`.
-    /// Internal.
-    constexpr void advance(instant now, instant at) noexcept { receiver::advance(now, at); }
-
     /// When `advance` has something to do.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {

@@ -36,15 +36,12 @@ public:
     }
 
     /// Applies the silence up to `now`. Must be called before the clock has run 35 minutes past a deadline.
-    constexpr void advance(instant now) noexcept { advance(now, within_reach_of_line(now)); }
-
-    /// The same for an engine that knows when it was called last: `at` is `within_reach` of that.
-    constexpr void advance(instant now, instant at) noexcept
+    constexpr void advance(instant now) noexcept
     {
         if (activity_ == activity::unknown) {
             note_activity(now);
-            at = now;
         }
+        instant const at = within_reach_of_line(now);
         if (reached(at, last_ + line().silence())) {
             activity_ = activity::quiet;
         }
@@ -57,7 +54,8 @@ public:
     /// being sent.
     [[nodiscard]] constexpr instant within_reach_of_line(instant now) const noexcept
     {
-        return within_reach(last_, now, line().characters(max_adu_size));
+        constexpr duration latency = milliseconds(100); // of what sends it
+        return within_reach(last_, now, line().characters(max_adu_size) + latency);
     }
 
     /// Adds the time when `advance` has something to do to the earliest of several. `awaits_bytes` leaves the silence

@@ -77,7 +77,7 @@ public:
     [[gnu::always_inline]] constexpr bool advance(instant now, instant at) noexcept
     {
         is_woken_ = false;
-        framer().advance(now, at);
+        framer().advance(now);
         retries_.advance(now, at);
         if (phase_ == phase::awaiting) {
             take_frame(now);
