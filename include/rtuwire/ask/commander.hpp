@@ -158,16 +158,16 @@ concept commanding_conversation = prompt_conversation<T> and std::derived_from<T
         } -> std::same_as<std::uint8_t>;
 };
 
-/// A conversation that may write `meaning_register`. One that `only_reads` says so, and a commander gives `rearranging`
-/// `rearranging`, or never.
+/// A conversation whose requests may write `meaning_register`: the client looks into each. One that never does, or tells
+/// it by the intent `effect::rearranging`, says so by a static `keeps_meaning`.
 template <typename T>
 concept may_write_meaning = not requires
 {
     requires T::keeps_meaning;
 };
 
-/// A conversation that stops a unit by its user's order. `take_other_family` tells once that the unit takes no word where its
-/// type has them.
+/// A conversation that stops a unit by its user's order. `take_other_family` tells once that the unit refuses its type's
+/// control word.
 template <typename T>
 concept stops_a_unit = commanding_conversation<T> and requires(T& conversation)
 {
