@@ -14,7 +14,7 @@ NO_EXAMPLE = 2
 
 
 def scripts(project):
-    yield from (project / ".ci" / name for name in ("run", "face"))
+    yield from (project / ".ci" / name for name in ("run", "nightly", "parts", "cache"))
     for folder in ("bench", "docs", "examples", "fuzz", "packaging", "tests", "tools"):
         yield from sorted((project / folder).rglob("*.sh"))
 
