@@ -62,6 +62,14 @@ template <typename Place>
     }
 }
 
+/// Whether the words of a request from `index` on are this register, and no value of it.
+template <typename Place>
+[[nodiscard]] constexpr bool holds_no_value(Place const& place, std::uint32_t address, register_view words,
+                                            std::size_t index) noexcept
+{
+    return holds(place, address, words, index) and not place.value(words, index);
+}
+
 /// Whether a callable takes a value, and where it does, whether it returns a type.
 template <typename Callable, typename Value> inline constexpr bool takes = std::is_invocable_v<Callable, Value>;
 template <typename Returned, typename Callable, typename Value> inline constexpr bool gives = true;
@@ -77,9 +85,6 @@ template <typename Place, typename Callable> struct write_check {
 
     [[nodiscard]] constexpr errc check(std::uint32_t address, register_view words, std::size_t index) const noexcept
     {
-        if (splits(place, address, words, index)) {
-            return errc::illegal_data_address;
-        }
         if (not holds(place, address, words, index)) {
             return errc::none;
         }
@@ -94,15 +99,7 @@ template <typename Place, typename Callable> struct write_action {
     [[no_unique_address]] Place place;
     [[no_unique_address]] Callable call;
 
-    [[nodiscard]] constexpr errc check(std::uint32_t address, register_view words, std::size_t index) const noexcept
-    {
-        if (splits(place, address, words, index)) {
-            return errc::illegal_data_address;
-        }
-        // What is no value could not be told.
-        return not holds(place, address, words, index) or place.value(words, index) ? errc::none
-                                                                                    : errc::illegal_data_value;
-    }
+    [[nodiscard]] static constexpr errc check(std::uint32_t, register_view, std::size_t) noexcept { return errc::none; }
     constexpr void act(std::uint32_t address, register_view words, std::size_t index) noexcept
     {
         if (holds(place, address, words, index)) {

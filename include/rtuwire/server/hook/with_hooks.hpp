@@ -42,11 +42,12 @@ template <typename Bank>
     requires std::same_as<typename Bank::typed_bank, Bank>
 inline constexpr bool is_typed_bank<Bank> = true;
 
-/// A bank with hooks, made by `with_hooks`; serve this one. The order of a write: the bank's own checks of all
-/// registers (addresses, limits), then the checks named here, then the write of all values, then the actions; checks
-/// and actions in the order of the addresses, at one address in the order in which they were named. The first refusal
-/// ends it: nothing was written, and no action is called. Function 23 reads after the actions. The same holds for a
-/// broadcast, which nobody answers. What the program itself writes into the bank (`set`) calls no hook.
+/// A bank with hooks, made by `with_hooks`; serve this one. The order of a write: the addresses of all registers (half a
+/// register that has a hook, then those of the bank), then what each may be (the bank's limits; a value of the type that
+/// its hook takes), then the checks named here, then the write of all values, then the actions; checks and actions in the
+/// order of the addresses, at one address in the order in which they were named. The first refusal ends it: nothing was
+/// written, and no action is called. Function 23 reads after the actions. The same holds for a broadcast, which nobody
+/// answers. What the program itself writes into the bank (`set`) calls no hook.
 /// Internal.
 template <register_bank Bank, typename Hooks = no_hooks> class hooked_bank : public bank_parts<Bank> {
 public:
@@ -114,14 +115,18 @@ public:
 
     [[nodiscard]] constexpr errc check_write(std::uint16_t start, register_view values) const noexcept
     {
-        Bank const& bank = this->bank();
-        errc wrong = bank.check_write(start, values);
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            hooks_.for_each([&](auto const& hook) {
-                wrong = wrong == errc::none ? hook.check(address_of(start, i), values, i) : wrong;
-            });
+        errc wrong = first_refusal(errc::none, start, values, [](auto const& hook, auto const&... word) {
+            return splits(hook.place, word...) ? errc::illegal_data_address : errc::none;
+        });
+        if (wrong == errc::none) {
+            wrong = static_cast<Bank const&>(this->bank()).check_write(start, values);
         }
-        return wrong;
+        // What is no value could be neither checked nor told.
+        wrong = first_refusal(wrong, start, values, [](auto const& hook, auto const&... word) {
+            return holds_no_value(hook.place, word...) ? errc::illegal_data_value : errc::none;
+        });
+        return first_refusal(wrong, start, values,
+                             [](auto const& hook, auto const&... word) { return hook.check(word...); });
     }
 
     constexpr errc write(std::uint16_t start, register_view values) noexcept
@@ -134,6 +139,19 @@ public:
     }
 
 private:
+    /// What the first hook says that refuses a word, unless something is wrong already.
+    template <typename Ask>
+    [[nodiscard]] constexpr errc first_refusal(errc wrong, std::uint16_t start, register_view values,
+                                               Ask ask) const noexcept
+    {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            hooks_.for_each([&](auto const& hook) {
+                wrong = wrong == errc::none ? ask(hook, address_of(start, i), values, i) : wrong;
+            });
+        }
+        return wrong;
+    }
+
     template <typename Hook> constexpr auto with(Hook hook) && noexcept
     {
         using hooks = hook_list<Hooks, Hook>;
