@@ -44,14 +44,18 @@ class Simulator:
         self.process.wait()
 
     def suffer(self, what):
-        """What happens to a drive: "1 fault", "1 clear", "1 local"..."""
+        """What happens to a drive: "1 fault", "1 clear", "1 local"... It has happened when this returns."""
+        self.told(what)
+        self.shown(what.split()[0])
+
+    def told(self, what):
         self.process.stdin.write(what + "\n")
         self.process.stdin.flush()
 
     def shown(self, unit):
         """State, output frequency in Hz and last fault (LFT) of a drive. No request goes over its line, so that
         looking does not keep it running."""
-        self.suffer(f"{unit} show")
+        self.told(f"{unit} show")
         state, frequency, fault = self.process.stdout.readline().split(": ")[1].split(", ")
         return state, float(frequency.removesuffix(" Hz")), int(fault.split()[1])
 
