@@ -259,7 +259,7 @@ private:
     {
         return is_silent(each) and each.is_present and not each.is_resting and not inner.is_held(each.unit);
     }
-    /// 31. The clock tells times up to half its range apart.
+    /// 31. However long ago the other was asked, as the clock shows it.
     bool fits(std::size_t index, time now) const
     {
         time const end = now + slots_[index].options.with.response_timeout + times_.characters(512);
@@ -269,8 +269,7 @@ private:
                 each.unit == 0) {
                 continue;
             }
-            time const left = each.last_request + each.options.longest_gap - end;
-            if (static_cast<std::int32_t>(static_cast<std::uint32_t>(left)) < 0) {
+            if (on_clock(end - each.last_request) > each.options.longest_gap) {
                 return false;
             }
         }

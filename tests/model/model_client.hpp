@@ -106,13 +106,15 @@ public:
             line_.is_quiet = true;
         }
         end_by_silence(0, now);
+        time const at = judged(now);
+        seen_ = now;
         if (phase_ == phase::handed_out) {
             phase_ = phase::transmitting;
             until_ = now + leaving_time();
-        } else if (is_timed() and now >= until_) {
+        } else if (is_timed() and at >= until_) {
             time_out(now);
         }
-        if (debts_.advance(now)) {
+        if (debts_.advance(at)) {
             if (is_held_back_) {
                 turns_.others_wait = true;
                 turns_.void_marks();
@@ -276,6 +278,15 @@ public:
     statistics counted;
 
 private:
+    /// When an `advance` finds times over: by the clock, or as of 35.8 minutes after the one before it. A time that began after a
+    /// long pause, but before the `advance` that ends it, is over at the next one.
+    time judged(time now) const
+    {
+        constexpr time turn = time{1} << 32;
+        constexpr time may_go_back = 1 << 16;
+        time const pause = (now - seen_.value_or(now)) % turn;
+        return pause < turn / 2 or pause >= turn - may_go_back ? now : now - (pause - (turn / 2 - may_go_back));
+    }
     /// 21.
     bool is_asker_missing() const
     {
@@ -606,6 +617,7 @@ private:
     }
 
     receiver line_;
+    std::optional<time> seen_{}; ///< the latest `advance`
     options how_;
     debts debts_;
     turns turns_{};
