@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "catalog/catalog.hpp"
 #include "commands/commands.hpp"
 #include "line/end_wish.hpp"
+#include "line/left_alone.hpp"
 #include "line/line_words.hpp"
 #include "line/open_line.hpp"
 #include "line/scan_log.hpp"
@@ -59,6 +61,9 @@ public:
         }
         bar_.clear();
         results_.finish();
+        if (std::string const sentence = left_.sentence(); not sentence.empty()) {
+            std::fprintf(stderr, "note: %s\n", sentence.c_str());
+        }
         if (noted_signal() != 0) {
             std::fprintf(stderr, "ended after %zu addresses%s\n", done_,
                          chosen_.scan.resume_file.empty() ? "" : "; the same command goes on from there");
@@ -111,7 +116,9 @@ private:
             throw ended{exit_status::port, line.port().failure()};
         }
         if (is_there) {
-            note(how, unit, who_is_it(line, unit));
+            identity_words const who = who_is_it(line, unit);
+            note(how, unit, who);
+            leave(line, unit, who.drive);
         } else if (not is_silent) {
             note(how, unit, {.note = words_of(outcome)});
         } else {
@@ -133,6 +140,15 @@ private:
         show(line);
     }
 
+    /// Simulated drives of this program end with it.
+    void leave(open_line& line, rtuwire::unit_id unit, std::string const& drive)
+    {
+        drive_catalog const* const known = catalog_named(drive);
+        if (known != nullptr and not line.port().is_simulated()) {
+            left_.note(line, unit, *known);
+        }
+    }
+
     void show(record const& line)
     {
         ++count_;
@@ -150,6 +166,7 @@ private:
     scan_log log_;
     output results_;
     progress bar_;
+    left_alone left_{};
     std::size_t done_{0};
     std::size_t count_{0};
     bool has_listened_{false};

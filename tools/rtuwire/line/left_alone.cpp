@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "line/left_alone.hpp"
+
+#include <optional>
+
+namespace tool {
+
+namespace {
+
+std::optional<std::uint16_t> word_at(open_line& line, rtuwire::unit_id unit, std::uint16_t address)
+{
+    auto const outcome = line.ask(unit, rtuwire::read_holding_registers{.start = address, .count = 1});
+    return outcome ? std::optional{outcome->registers[0]} : std::nullopt;
+}
+
+/// Whether a silent line ends in a fault, by the value of SLL: not where it is ignored (0), ends in a stop alone (2), or
+/// has the drive go on (4, 5).
+bool ends_in_fault(std::uint16_t reaction)
+{
+    return reaction != 0 and reaction != 2 and reaction != 4 and reaction != 5;
+}
+
+/// "after 10.0 s"; nothing where the drive does not trip.
+std::optional<std::string> end_of(open_line& line, rtuwire::unit_id unit, rtuwire::altivar::drive_layout const& layout)
+{
+    auto const& at = layout.safeguards;
+    auto const reaction = word_at(line, unit, at.nto != 0 ? layout.cmi : at.sll);
+    bool const trips = not reaction or (at.nto != 0 ? (*reaction & at.nto) == 0 : ends_in_fault(*reaction));
+    auto const told = trips and at.tto != 0 ? word_at(line, unit, at.tto) : std::nullopt;
+    if (not trips or told == std::uint16_t{0}) {
+        return std::nullopt;
+    }
+    constexpr std::uint32_t tenth = 100'000;
+    bool const is_known = told or at.tto == 0;
+    auto const fixed = is_known ? at.fixed_timeout : layout.longest_silence;
+    std::uint32_t const tenths = told ? *told : fixed.microseconds / tenth;
+    return (is_known ? "after " : "after at most ") + std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10) +
+           " s";
+}
+
+} // namespace
+
+void left_alone::note(open_line& line, rtuwire::unit_id unit, drive_catalog const& drive)
+{
+    trips_after_.erase(unit.byte());
+    if (auto const end = end_of(line, unit, drive.layout)) {
+        trips_after_.emplace(unit.byte(), *end);
+    }
+}
+
+std::string left_alone::sentence() const
+{
+    if (trips_after_.empty()) {
+        return {};
+    }
+    std::string units;
+    for (auto const& [unit, end] : trips_after_) {
+        units += (units.empty() ? "unit " : ", unit ") + std::to_string(unit) + ' ' + end;
+    }
+    return "a drive that no program goes on asking trips (SLF): " + units + "; `rtuwire -u " +
+           std::to_string(trips_after_.begin()->first) + " --write reset` resets it";
+}
+
+} // namespace tool

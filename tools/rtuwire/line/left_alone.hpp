@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Drives that were asked and are asked no more: what becomes of them, and what resets it.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "catalog/catalog.hpp"
+#include "line/open_line.hpp"
+
+namespace tool {
+
+class left_alone {
+public:
+    /// Reads how the drive supervises its line, by two requests at most. Of a unit that is noted twice the later counts.
+    void note(open_line& line, rtuwire::unit_id unit, drive_catalog const& drive);
+
+    /// Which of them trip, and how long after their last request; empty where none does.
+    std::string sentence() const;
+
+private:
+    std::map<std::uint8_t, std::string> trips_after_{}; ///< "after 10.0 s", by the unit
+};
+
+} // namespace tool
