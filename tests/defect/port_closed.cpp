@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A port that is not open says so at once, whatever it is asked.
+// A port that is not open says so at once, whatever it is asked; nor is one open whose device vanished.
 #include <rtuwire/port/posix_serial.hpp>
 
 #include <array>
@@ -57,4 +57,31 @@ TEST_CASE("defect: (i) a port that was closed, or moved from, says so at once")
     check_is_closed(moved);
     line.close();
     check_is_closed(line);
+}
+
+TEST_CASE("defect: D42 a port whose device vanished is not open, whoever noticed it")
+{
+    pseudo_terminal line;
+    REQUIRE(line.open());
+    posix_serial port;
+    REQUIRE(port.open(line.path()));
+    CHECK(port.is_open());
+    // Bytes that came before are still read.
+    std::array<std::byte, 3> const bytes{std::byte{1}, std::byte{2}, std::byte{3}};
+    REQUIRE(line.write(bytes, soon()));
+    std::array<std::byte, 2> place{};
+    REQUIRE(port.read(place, soon()));
+    CHECK(port.is_open());
+    line.close();
+    CHECK_FALSE(port.is_open());
+    auto const rest = port.read(place, soon());
+    REQUIRE(rest);
+    CHECK(rest->size() == 1);
+    CHECK(port.read(place, soon()) == errc::device_vanished);
+    CHECK(port.write(bytes, soon()) == errc::device_vanished);
+    CHECK_FALSE(port.is_open());
+    // The same port may be opened anew.
+    REQUIRE(line.open());
+    CHECK(port.open(line.path()));
+    CHECK(port.is_open());
 }

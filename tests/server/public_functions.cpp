@@ -251,15 +251,23 @@ TEST_CASE("a server of input registers, files or coils alone needs nothing else 
     CHECK(same_bytes(ask(of_files{}, "14 07 06 00 04 00 00 00 01"_hex, file), "94 01"_hex));
 }
 
-TEST_CASE("a queue of more than 31 registers is exception 03, a unit without an identifier 04")
+TEST_CASE("a queue of more than 31 registers is exception 03, an identifier that does not fit 04")
 {
     whole_bank bank = fresh();
     bank.queued = 31;
     CHECK(exception_of(bank, "18 00 64"_hex) == 0);
     bank.queued = 32;
     CHECK(exception_of(bank, "18 00 64"_hex) == 3);
-    bank.id_size = 0;
-    CHECK(exception_of(bank, "11"_hex) == 4);
+    struct long_id {
+        std::array<std::byte, 252> bytes{};
+        std::size_t size{251};
+        [[nodiscard]] byte_view server_id() const { return byte_view{bytes}.first(size); }
+    } unit;
+    std::array<std::byte, max_pdu_size> place{};
+    using of_id = function_list<report_server_id>;
+    CHECK(respond<of_id>("11"_hex, unit, server_profile{}, place).size() == 253);
+    unit.size = 252;
+    CHECK(same_bytes(respond<of_id>("11"_hex, unit, server_profile{}, place), "91 04"_hex));
 }
 
 TEST_CASE("a bank that gives less than it was asked for is exception 04, and nothing is written")

@@ -27,24 +27,6 @@ template <typename Request>
     requires requires { Request::response::max_size; }
 inline constexpr std::size_t largest_response<Request> = Request::response::max_size;
 
-/// A request says itself whether a response fits it.
-/// Internal.
-template <typename Request>
-concept has_response_check = requires(byte_view bytes)
-{
-    {
-        Request::check_response(bytes, bytes)
-        } -> std::same_as<errc>;
-};
-
-/// A request that knows more of its response than the client compares: its conversation asks `check_response` of it.
-/// Internal.
-template <typename Request>
-concept checks_response = has_response_check<Request> and not requires
-{
-    requires Request::rules.answers == answer_rule::own;
-};
-
 /// A request has something of that name, which nobody would ask where it is no static function.
 /// Internal.
 template <typename Request>

@@ -94,6 +94,13 @@ public:
     [[nodiscard]] bool is_open() const noexcept { return number_ >= 0; }
     [[nodiscard]] int number() const noexcept { return number_; }
 
+    /// Whether the system says of an open one that nothing is behind it any more, though bytes of it may be left to read.
+    [[nodiscard]] bool has_vanished() const noexcept
+    {
+        pollfd watched{number_, 0, 0};
+        return is_open() and ::poll(&watched, 1, 0) > 0;
+    }
+
     /// Sends all bytes. Errors: `transmit_stalled` when the deadline passes first, part of them sent;
     /// `device_not_open`, `device_vanished`, `device_failed`.
     result<void> write(byte_view bytes, instant until) const noexcept

@@ -82,7 +82,9 @@ public:
         has_low_latency_ = false;
     }
 
-    [[nodiscard]] bool is_open() const noexcept { return opened_.is_open(); }
+    /// Whether a device was opened, not closed, and is still there: the system is asked. One that vanished is to be
+    /// opened anew.
+    [[nodiscard]] bool is_open() const noexcept { return opened_.is_open() and not opened_.line().has_vanished(); }
 
     /// The system's number of the open device, in non-blocking mode, for a signal handler that must not call `write`;
     /// -1 where none is open.
@@ -115,7 +117,7 @@ public:
     /// `device_vanished`, `device_failed`.
     result<byte_span> read(byte_span place, instant until)
     {
-        if (not is_open()) {
+        if (not opened_.is_open()) {
             return failed(errc::device_not_open).error();
         }
         while (not place.empty()) {

@@ -6,10 +6,13 @@
 // Internal: may change with any version.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
+#include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/errc.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
@@ -61,6 +64,24 @@ struct frame_rules {
     std::uint8_t request;
     std::uint8_t response;
     answer_rule answers;
+};
+
+/// A request says itself whether a response fits it.
+/// Internal.
+template <typename Request>
+concept has_response_check = requires(byte_view bytes)
+{
+    {
+        Request::check_response(bytes, bytes)
+        } -> std::same_as<errc>;
+};
+
+/// A request that knows more of its response than the client compares: its conversation asks `check_response` of it.
+/// Internal.
+template <typename Request>
+concept checks_response = has_response_check<Request> and not requires
+{
+    requires Request::rules.answers == answer_rule::own;
 };
 
 /// What a rule says of a size, before one above 256 is refused. Two members: the size may be more than fits

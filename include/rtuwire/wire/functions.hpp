@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/function.hpp>
@@ -50,5 +51,23 @@ using public_functions =
 
 /// Their codes.
 inline constexpr function_set all_functions = public_functions::codes;
+
+/// What a function with this code says of a response, where it knows more of it than the client compares.
+/// Internal.
+template <typename... Functions>
+[[nodiscard]] constexpr errc check_beside_client(function_list<Functions...>, byte_view request_pdu,
+                                                 byte_view response_pdu) noexcept
+{
+    errc found = errc::none;
+    auto const ask = [&]<typename Function>(std::type_identity<Function>) {
+        if constexpr (checks_response<Function>) {
+            if (is_pdu_of(request_pdu, Function::code)) {
+                found = Function::check_response(request_pdu, response_pdu);
+            }
+        }
+    };
+    (ask(std::type_identity<Functions>{}), ...);
+    return found;
+}
 
 } // namespace rtuwire

@@ -10,6 +10,7 @@
 
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
+#include <rtuwire/wire/functions.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
@@ -49,6 +50,14 @@ template <typename Bytes = byte_view> struct raw_pdu {
     {
         out.u8(to_u8(function));
         out.bytes(data);
+    }
+
+    /// Whether a response to function 20 has the runs of its request, and one to 24 as many registers as it counts: of
+    /// other functions a client compares all that there is.
+    /// Internal.
+    [[nodiscard]] static constexpr errc check_response(byte_view request_pdu, byte_view response_pdu) noexcept
+    {
+        return check_beside_client(public_functions{}, request_pdu, response_pdu);
     }
 
     /// Reads a PDU. Errors: `wrong_length` when empty, `invalid_function` outside 1..127.

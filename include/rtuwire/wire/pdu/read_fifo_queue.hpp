@@ -74,6 +74,13 @@ struct read_fifo_queue {
         return read_fifo_queue{u16_at(pdu, 1)};
     }
 
+    /// Whether a response's byte count and queue count agree.
+    /// Internal.
+    [[nodiscard]] static constexpr errc check_response(byte_view, byte_view response_pdu) noexcept
+    {
+        return response::decode(response_pdu).error();
+    }
+
     /// Whether a bank has what this function serves.
     /// Internal.
     template <typename Bank> static constexpr bool is_served_by = requires(Bank bank, byte_writer& out)

@@ -64,8 +64,12 @@ struct report_server_id {
     [[nodiscard]] static constexpr errc respond(Memory&, Server const& at) noexcept
     {
         static_assert(is_served_by<decltype(at.bank)>, "a server of function 17 needs a bank with server_id()");
-        at.out.bytes(at.bank.server_id());
-        return at.out.size() > 0 ? errc::none : errc::server_device_failure;
+        byte_view const data = at.bank.server_id();
+        if (data.empty()) {
+            return errc::illegal_function; // as function 43 without objects
+        }
+        at.out.bytes(data);
+        return at.out.ok() ? errc::none : errc::server_device_failure;
     }
 
     friend constexpr bool operator==(report_server_id const&, report_server_id const&) = default;
