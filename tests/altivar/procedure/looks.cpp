@@ -280,7 +280,8 @@ constexpr direct_start_procedure go{{401, 200}, supervision_procedure{old, test:
 constexpr bool gives_up_at_its_limit()
 {
     direct_start_procedure it = go;
-    action last = after(it, begins, read(free_28), written, written, read(200), read(0), read(free_28), written);
+    action last =
+        after(it, begins, read(free_28), written, written, read(200), read(free_28), read(0), written, read(200));
     bool ok = reads(last, old.eta);
     last = it.step(read(free_28)); // it does not run
     ok = ok and last.what == action::kind::pause and reads(it.step(goes_on), old.eta);
@@ -296,19 +297,19 @@ STATIC_CHECK(ends(told(go, begins, late), outcome_kind::aborted));
 constexpr bool gives_up_where_it_is_not_locked()
 {
     direct_start_procedure it = go;
-    action const last = after(it, begins, read(free_28), written, written, read(200), read(0), read(0x0221));
+    action const last = after(it, begins, read(free_28), written, written, read(200), read(0x0221));
     return writes(last, old.cmd, 0x0000);
 }
 PROOF("a direct start finds its drive locked, or gives up", gives_up_where_it_is_not_locked)
 
 // A fault before its word: 0000 stands there already.
-STATIC_CHECK(ends(told(go, begins, read(free_28), written, written, read(200), read(0), read(fault_28), read(16)),
+STATIC_CHECK(ends(told(go, begins, read(free_28), written, written, read(200), read(fault_28), read(16)),
                   outcome_kind::in_fault));
 constexpr bool tells_of_a_fault_behind_its_word()
 {
     direct_start_procedure it = go;
-    action const last =
-        after(it, begins, read(free_28), written, written, read(200), read(0), read(free_28), written, read(fault_28));
+    action const last = after(it, begins, read(free_28), written, written, read(200), read(free_28), read(0), written,
+                              read(200), read(fault_28));
     bool ok = reads(last, old.lft);
     ok = ok and writes(it.step(read(16)), old.cmd, 0x0007); // its reset must not run it
     ok = ok and reads(it.step(written), old.eta);

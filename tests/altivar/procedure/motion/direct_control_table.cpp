@@ -65,26 +65,26 @@ constexpr std::array<stage_row<17>, 6> look_rows{{
      {aborted, clear, clear, clear, running, running, lft, lft,
       aborted, local, clear, running, running, lft,
       silent, refused, aborted}},
-    {"looking again", {begun, disabled, confirmed, confirmed, read_1500, read_0},
-     {undo(kind::aborted), run, undo(kind::aborted), undo(kind::aborted), undo(kind::aborted), undo(kind::aborted), lft, lft,
-      undo(kind::aborted), undo(kind::local_control), undo(kind::stop_key), undo(kind::stop_key), undo(kind::aborted), lft,
+    {"looking again", {begun, disabled, confirmed, confirmed, read_1500},
+     {undo(kind::overwritten), cmd, undo(kind::overwritten), undo(kind::overwritten), undo(kind::overwritten), undo(kind::overwritten), lft, lft,
+      undo(kind::overwritten), undo(kind::local_control), undo(kind::stop_key), undo(kind::stop_key), undo(kind::overwritten), lft,
       undo(kind::silent), undo(kind::refused), undo(kind::state_timeout)}},
     {"looking again at a drive that its key had stopped before",
-     {begun, word(shows_key), confirmed, confirmed, read_1500, read_0},
-     {undo(kind::aborted), run, undo(kind::aborted), undo(kind::aborted), undo(kind::aborted), undo(kind::aborted), lft, lft,
-      undo(kind::aborted), undo(kind::local_control), run, undo(kind::aborted), undo(kind::aborted), lft,
+     {begun, word(shows_key), confirmed, confirmed, read_1500},
+     {undo(kind::overwritten), cmd, undo(kind::overwritten), undo(kind::overwritten), undo(kind::overwritten), undo(kind::overwritten), lft, lft,
+      undo(kind::overwritten), undo(kind::local_control), cmd, undo(kind::overwritten), undo(kind::overwritten), lft,
       undo(kind::silent), undo(kind::refused), undo(kind::state_timeout)}},
-    {"confirming", {begun, disabled, confirmed, confirmed, read_1500, read_0, disabled, confirmed},
+    {"confirming", {begun, disabled, confirmed, confirmed, read_1500, disabled, read_0, confirmed, read_1500},
      {ramp(kind::fell_back), pauses, pauses, pauses, done, ramp(kind::fell_back), lft, lft,
       ramp(kind::fell_back), ramp(kind::local_control), ramp(kind::stop_key), ramp(kind::stop_key), limited, lft,
       ramp(kind::silent), ramp(kind::refused), ramp(kind::state_timeout)}},
     {"confirming, of a drive that its key had stopped before",
-     {begun, word(shows_key), confirmed, confirmed, read_1500, read_0, word(shows_key), confirmed},
+     {begun, word(shows_key), confirmed, confirmed, read_1500, word(shows_key), read_0, confirmed, read_1500},
      {ramp(kind::fell_back), pauses, pauses, pauses, done, ramp(kind::fell_back), lft, lft,
       ramp(kind::fell_back), ramp(kind::local_control), pauses, done, limited, lft,
       ramp(kind::silent), ramp(kind::refused), ramp(kind::state_timeout)}},
     {"confirming, of a drive that was switched on already",
-     {begun, disabled, confirmed, confirmed, read_1500, read_0, disabled, confirmed, word(on_word), pause_over},
+     {begun, disabled, confirmed, confirmed, read_1500, disabled, read_0, confirmed, read_1500, word(on_word), pause_over},
      {ramp(kind::fell_back), ramp(kind::fell_back), ramp(kind::fell_back), pauses, done, ramp(kind::fell_back), lft, lft,
       ramp(kind::fell_back), ramp(kind::local_control), ramp(kind::stop_key), ramp(kind::stop_key), limited, lft,
       ramp(kind::silent), ramp(kind::refused), ramp(kind::state_timeout)}},
@@ -100,7 +100,7 @@ constexpr std::array<answer, 8> others{{
     {"refused", failed(errc::server_device_failure)},
     {"limit over", late},
 }};
-constexpr std::array<stage_row<8>, 9> other_rows{{
+constexpr std::array<stage_row<8>, 10> other_rows{{
     // stage, and the way there
     //   0, 1500, another word, confirmed, pause over, no response, refused, limit over
     {"clearing", {begun, disabled},
@@ -108,19 +108,22 @@ constexpr std::array<stage_row<8>, 9> other_rows{{
     {"writing the reference", {begun, disabled, confirmed},
      {x, x, x, read_back, x, undo(kind::silent), undo(kind::refused), undo(kind::state_timeout)}},
     {"reading the reference", {begun, disabled, confirmed, confirmed},
-     {undo(kind::not_taken), cmd, undo(kind::not_taken), x, x, undo(kind::silent), undo(kind::refused), undo(kind::state_timeout)}},
-    {"reading the command", {begun, disabled, confirmed, confirmed, read_1500},
-     {eta, undo(kind::overwritten), undo(kind::overwritten), x, x, undo(kind::silent), undo(kind::refused), undo(kind::state_timeout)}},
-    {"running", {begun, disabled, confirmed, confirmed, read_1500, read_0, disabled},
-     {x, x, x, eta, x, ramp(kind::silent), ramp(kind::refused), ramp(kind::state_timeout)}},
-    {"a wait for operation", {begun, disabled, confirmed, confirmed, read_1500, read_0, disabled, confirmed, disabled},
+     {undo(kind::not_taken), eta, undo(kind::not_taken), x, x, undo(kind::silent), undo(kind::refused), undo(kind::state_timeout)}},
+    {"reading the command", {begun, disabled, confirmed, confirmed, read_1500, disabled},
+     {run, undo(kind::overwritten), undo(kind::overwritten), x, x, undo(kind::silent), undo(kind::refused), undo(kind::state_timeout)}},
+    {"running", {begun, disabled, confirmed, confirmed, read_1500, disabled, read_0},
+     {x, x, x, read_back, x, ramp(kind::silent), ramp(kind::refused), ramp(kind::state_timeout)}},
+    {"reading the reference of one that was told to run",
+     {begun, disabled, confirmed, confirmed, read_1500, disabled, read_0, confirmed},
+     {ramp(kind::not_taken), eta, ramp(kind::not_taken), x, x, ramp(kind::silent), ramp(kind::refused), ramp(kind::state_timeout)}},
+    {"a wait for operation", {begun, disabled, confirmed, confirmed, read_1500, disabled, read_0, confirmed, read_1500, disabled},
      {x, x, x, x, eta, ramp(kind::silent), x, ramp(kind::state_timeout)}},
     {"the fault of a drive that was not commanded", {begun, word(fault_word)},
      {fault, fault, fault, x, x, silent, refused, fault}},
-    {"the fault of one that holds 0000", {begun, disabled, confirmed, confirmed, read_1500, read_0, word(fault_word)},
+    {"the fault of one that holds 0000", {begun, disabled, confirmed, confirmed, read_1500, word(fault_word)},
      {fault, fault, fault, x, x, silent, refused, fault}},
     {"the fault of one that was told to run",
-     {begun, disabled, confirmed, confirmed, read_1500, read_0, disabled, confirmed, word(fault_word)},
+     {begun, disabled, confirmed, confirmed, read_1500, disabled, read_0, confirmed, read_1500, word(fault_word)},
      {ramp(kind::in_fault), ramp(kind::in_fault), ramp(kind::in_fault), x, x, ramp(kind::silent), ramp(kind::refused), ramp(kind::in_fault)}},
 }};
 // clang-format on
@@ -153,7 +156,7 @@ TEST_CASE("a direct start is withdrawn at any of its writes where the client has
 {
     event const no_place = failed(errc::too_many_ordered);
     way const clearing{begun, disabled}, writing{begun, disabled, confirmed};
-    way const telling{begun, disabled, confirmed, confirmed, read_1500, read_0, disabled};
+    way const telling{begun, disabled, confirmed, confirmed, read_1500, disabled, read_0};
     CHECK(does(led(checked_before, clearing), no_place, undo(kind::no_place)));
     CHECK(does(led(checked_before, writing), no_place, undo(kind::no_place)));
     CHECK(does(led(checked_before, telling), no_place, ramp(kind::no_place)));

@@ -51,10 +51,11 @@ constexpr start_procedure unchecked{layout, {8602, 1'500}, run_direction::forwar
 
 constexpr cell x = never;
 constexpr cell local = ends(kind::local_control), silent = ends(kind::silent), refused = ends(kind::refused);
+constexpr cell overwritten = ends(kind::overwritten);
 constexpr cell timeout = ends(kind::state_timeout), aborted = ends(kind::aborted), fault = ends(kind::in_fault);
 
 // clang-format off
-constexpr std::array<stage_row<13>, 11> rows{{
+constexpr std::array<stage_row<13>, 12> rows{{
     // stage, and the way there
     //   disabled, ready, switched on, enabled, quick stop, fault, local, STOP key,
     //   no state or another word, confirmed, no response, refused, limit over
@@ -81,10 +82,13 @@ constexpr std::array<stage_row<13>, 11> rows{{
       ramp(kind::fell_back), x, eta, ramp(kind::refused), ramp(kind::state_timeout)}},
     {"reading the direction", {begun, word(enabled)},
      {x, x, x, x, x, x, x, x,
-      reference, x, silent, refused, timeout}},
+      overwritten, x, silent, refused, timeout}},
     {"redirecting", {begun, word(enabled), word(0x000F)},
      {x, x, x, x, x, x, x, x,
-      x, enable, silent, refused, timeout}},
+      x, cmd, silent, refused, timeout}},
+    {"checking one that ran already", {begun, word(enabled), word(0x000F), confirmed},
+     {x, x, x, x, x, x, x, x,
+      overwritten, x, silent, refused, timeout}},
     {"reading the fault of a drive that was not commanded", {begun, word(0x0238)},
      {x, x, x, x, x, x, x, x,
       fault, x, silent, refused, fault}},
@@ -129,4 +133,10 @@ TEST_CASE("a start that checks its drive first ends with the check")
 TEST_CASE("a start enables a drive whose control word is the one that it wrote")
 {
     CHECK(does(led(checked_before, {begun, word(on), confirmed, word(on), confirmed}), word(0x0007), enable));
+    way const runs{begun, word(enabled)};
+    CHECK(does(led(checked_before, runs), word(0x000F), writes(8602, 1'500)));
+    CHECK(does(led(checked_before, {begun, word(enabled), word(0x000F), confirmed}), word(0x000F), enable));
+    constexpr cell enable_back = writes(layout.cmd, 0x080F);
+    CHECK(does(led(checked_before, {begun, word(enabled), word(0x090F), confirmed}), word(0x090F), enable_back));
+    CHECK(does(led(checked_before, {begun, word(enabled), word(0x090F), confirmed}), word(0x080F), overwritten));
 }

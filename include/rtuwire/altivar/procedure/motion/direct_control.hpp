@@ -77,28 +77,30 @@ public:
 /// | examining         | the check, a status    |               | end: silent  | as in a check | end: aborted        |
 /// | clearing          |                        | the reference | undo: silent | undo: refused | undo: state_timeout |
 /// | writing_reference |                        | read it back  | undo: silent | undo: refused | undo: state_timeout |
-/// | reading_reference | the same: read CMD     |               | undo: silent | undo: refused | undo: state_timeout |
+/// | reading_reference | the same: read ETA     |               | undo: silent | undo: refused | undo: state_timeout |
 /// |                   | else undo: not_taken   |               |              |               |                     |
-/// | reading_command   | 0000: read ETA         |               | undo: silent | undo: refused | undo: state_timeout |
-/// |                   | else undo: overwritten |               |              |               |                     |
 /// | looking_again     | a status               |               | undo: silent | undo: refused | undo: state_timeout |
-/// | running           |                        | read ETA      | undo: silent | undo: refused | undo: state_timeout |
+/// | reading_command   | 0000: write 800A       |               | undo: silent | undo: refused | undo: state_timeout |
+/// |                   | else undo: overwritten |               |              |               |                     |
+/// | running           |                        | read it back  | undo: silent | undo: refused | undo: state_timeout |
 /// | confirming        | a status               |               | undo: silent | undo: refused | undo: state_timeout |
 /// | reading_fault     | undo: in_fault         |               | undo: silent | undo: refused | undo: in_fault, 0   |
 ///
 /// | status               | meeting                    | looking_again       | confirming                           |
 /// |----------------------|----------------------------|---------------------|--------------------------------------|
-/// | 2 switch on disabled | write 0000                 | write 800A          | wait                                 |
-/// | 3, 4                 | write 0000                 | undo: aborted       | wait                                 |
-/// | 1, or no state       | end: aborted               | undo: aborted       | undo: fell_back                      |
-/// | 5 operation enabled  | end: refused_while_running | undo: aborted       | end: succeeded, or reference_limited |
-/// | 6 quick stop active  | end: refused_while_running | undo: aborted       | undo: fell_back                      |
+/// | 2 switch on disabled | write 0000                 | read CMD            | wait                                 |
+/// | 3, 4                 | write 0000                 | undo: overwritten   | wait                                 |
+/// | 1, or no state       | end: aborted               | undo: overwritten   | undo: fell_back                      |
+/// | 5 operation enabled  | end: refused_while_running | undo: overwritten   | end: succeeded, or reference_limited |
+/// | 6 quick stop active  | end: refused_while_running | undo: overwritten   | undo: fell_back                      |
 /// | 7, 8 fault           | read LFT                   | read LFT            | read LFT                             |
 /// | in local control     | end: local_control         | undo: local_control | undo: local_control                  |
 /// | STOP key, newly      |                            | undo: stop_key      | undo: stop_key                       |
 ///
 /// A wait ends with another read of ETA. While confirming, a state below the one read last has fallen back. In
-/// looking_again, another state than 2 was commanded by somebody else. In reading_fault "undo" writes nothing unless the word to run was sent.
+/// looking_again, another state than 2 was commanded by somebody else. In reading_fault "undo" writes nothing unless the
+/// word to run was sent. What shows a loss of power is read last before that word (CMD, 00F0 then), and first after it (the
+/// reference, which goes on to confirming then): 800A runs whatever was forgotten.
 /// Internal.
 class direct_start_procedure : public order_procedure {
 public:
@@ -139,8 +141,8 @@ private:
         clearing,          ///< the control word is written 0000
         writing_reference, ///< the reference is written
         reading_reference, ///< and read back
-        reading_command,   ///< CMD must still hold the 0000 written before
         looking_again,
+        reading_command, ///< CMD must still hold the 0000 written before
         running,
         confirming,
         reading_fault,
@@ -163,6 +165,10 @@ private:
     {
         stage_ = stage::examining;
         static_cast<void>(is_key_pressed(what.word));
+        cia402::state const at = note(what.word);
+        if (cia402::has_power(at) and not cia402::is_in_fault(at)) {
+            return end_running(); // whoever stops it meanwhile
+        }
         return clear_behind(examine({event::kind::begun}), what.word);
     }
 
@@ -180,8 +186,8 @@ private:
     {
         switch (stage_) {
         case stage::clearing: return write(stage::writing_reference, reference_.address, reference_.word);
-        case stage::writing_reference: return read(stage::reading_reference, reference_.address);
-        case stage::running:
+        case stage::writing_reference:
+        case stage::running: return read(stage::reading_reference, reference_.address);
         case stage::meeting:
         case stage::examining:
         case stage::looking:
@@ -199,11 +205,9 @@ private:
     {
         switch (stage_) {
         case stage::reading_reference:
-            return word == reference_.word ? read(stage::reading_command, layout().cmd)
+            return word == reference_.word ? read(may_run_ ? stage::confirming : stage::looking_again, layout().eta)
                                            : abort(outcome_kind::not_taken);
-        case stage::reading_command:
-            // Another word: another client wrote it, or the drive was switched off and on.
-            return word == 0 ? read(stage::looking_again, layout().eta) : abort(outcome_kind::overwritten);
+        case stage::reading_command: return word == 0 ? run() : abort(outcome_kind::overwritten);
         case stage::reading_fault: return trip(word);
         case stage::meeting:
         case stage::examining:
@@ -237,10 +241,16 @@ private:
             return stands(at) ? write(stage::clearing, layout().cmd, 0) : end_running();
         }
         if (at != cia402::state::switch_on_disabled) {
-            return abort(outcome_kind::aborted);
+            return abort(outcome_kind::overwritten);
         }
+        return read(stage::reading_command, layout().cmd);
+    }
+
+    /// CMD still held the 0000 written here: nobody commands it, and it had its power all the time.
+    constexpr action run() noexcept
+    {
         may_run_ = true;
-        rank_ = cia402::enable_rank(at);
+        rank_ = cia402::enable_rank(cia402::state::switch_on_disabled);
         return write(stage::running, layout().cmd, direct_run);
     }
 

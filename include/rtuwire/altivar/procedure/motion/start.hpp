@@ -82,10 +82,11 @@ private:
 /// | meeting           | a status, kept            |            | end: silent | end: refused  | end: aborted        |
 /// | examining         | the check; then a status  |            | end: silent | as in a check | end: aborted        |
 /// | enabling          | a status                  | read ETA   | read ETA    | undo: refused | undo: state_timeout |
-/// | reading_direction | write the reference       |            | read ETA    | undo: refused | undo: state_timeout |
-/// | redirecting       |                           | write 000F | read ETA    | undo: refused | undo: state_timeout |
+/// | reading_direction | runs: write the reference |            | read ETA    | undo: refused | undo: state_timeout |
+/// |                   | another: overwritten      |            |             |               |                     |
+/// | redirecting       |                           | read CMD   | read ETA    | undo: refused | undo: state_timeout |
 /// | writing_reference |                           | read CMD   | read ETA    | undo: refused | undo: state_timeout |
-/// | checking, 0007    | write 000F                |            | read ETA    | undo: refused | undo: state_timeout |
+/// | checking, as ever | write 000F                |            | read ETA    | undo: refused | undo: state_timeout |
 /// | checking, another | undo: overwritten         |            |             |               |                     |
 /// | enabled           | a status                  | read ETA   | read ETA    | undo: refused | undo: state_timeout |
 /// | reading_fault     | undo: in_fault            |            | read ETA    | undo: refused | undo: in_fault, 0   |
@@ -101,7 +102,8 @@ private:
 /// | in local control     | end: local_control  | undo: local_control      | undo: local_control                  |
 /// | STOP key, newly      |                     | undo: stop_key           | undo: stop_key                       |
 ///
-/// A state below the one read last has fallen back. Four requests in a row without a response are `silent`, and two
+/// "As ever" is the 0007 written here, or what was read of a drive that already runs. A state below the one read last has
+/// fallen back, also below the one met before the check. Four requests in a row without a response are `silent`, and two
 /// once the motor may run.
 /// Internal.
 class start_procedure : public order_procedure {
@@ -157,6 +159,7 @@ private:
     {
         stage_ = stage::examining;
         static_cast<void>(is_key_pressed(what.word));
+        rank_ = cia402::enable_rank(cia402::decode(what.word));
         return next_step_after_check(examine({event::kind::begun}), what.word);
     }
 
@@ -202,7 +205,7 @@ private:
         if (is_key_pressed(status)) {
             return abort(outcome_kind::stop_key);
         }
-        if (sent_.is_any() and rank < rank_) {
+        if (rank < rank_) {
             return abort(outcome_kind::fell_back);
         }
         rank_ = rank;
@@ -223,9 +226,11 @@ private:
         if (next == cia402::command::none or next == sent_.last()) {
             return to_pause(status_period);
         }
-        return is_ready and next == cia402::command::enable_operation
-                   ? write_reference(stage::writing_reference, reference_)
-                   : send_command(next, 0);
+        if (not is_ready or next != cia402::command::enable_operation) {
+            return send_command(next, 0);
+        }
+        control_ = cia402::word_of(cia402::command::switch_on);
+        return write_reference(stage::writing_reference, reference_);
     }
 
     constexpr action write_reference(stage next, reference_write what) noexcept
@@ -243,11 +248,11 @@ private:
     /// Checks the control word before enabling. Another value: another client wrote it, or the drive was switched off.
     constexpr action enable(std::uint16_t control) noexcept
     {
-        if (control != cia402::word_of(cia402::command::switch_on)) {
+        if (control != control_) {
             return abort(outcome_kind::overwritten);
         }
         stage_ = stage::enabled;
-        return send_command(cia402::command::enable_operation, 0);
+        return send_command(cia402::command::enable_operation, control & reverse_bit);
     }
 
     /// In operation: after the reference was written, or before that if the drive was already running.
@@ -261,10 +266,15 @@ private:
         return end((status & reference_limited_bit) != 0 ? outcome_kind::reference_limited : outcome_kind::succeeded);
     }
 
-    /// Writes a new reference to a drive that runs, in one write; its direction bit stays.
+    /// Writes a new reference to a drive that runs, in one write; its direction bit stays. Where its control word is none
+    /// that runs it, somebody has stopped it since its status was read.
     constexpr action redirect(std::uint16_t control) noexcept
     {
-        direction_ = control & reverse_bit;
+        constexpr std::uint16_t run = cia402::word_of(cia402::command::enable_operation);
+        if ((control & run) != run and (control & layout().direct_control) == 0) {
+            return abort(outcome_kind::overwritten);
+        }
+        control_ = control;
         return write_reference(stage::redirecting, reference_.keeping(running_status_).under(control));
     }
 
@@ -272,13 +282,9 @@ private:
     {
         sent_.note_response();
         sent_.note_taken();
-        if (stage_ == stage::writing_reference) {
+        if (stage_ == stage::writing_reference or stage_ == stage::redirecting) {
             stage_ = stage::checking;
             return once(to_read(layout().cmd));
-        }
-        if (stage_ == stage::redirecting) {
-            stage_ = stage::enabled;
-            return send_command(cia402::command::enable_operation, direction_);
         }
         return read_status();
     }
@@ -308,7 +314,7 @@ private:
 
     reference_write reference_;
     std::uint16_t running_status_{0}; ///< of a drive that already runs
-    std::uint16_t direction_{0};
+    std::uint16_t control_{0};        ///< the control word that it has to hold before the command to run
     int rank_{0};
     stage stage_{stage::meeting};
     sent_commands sent_{};
