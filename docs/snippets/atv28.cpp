@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// What the page of the ATV28 shows, run against a simulated one: connect, look, start, stop, cycle, reset.
+// What the page of the ATV28 shows, run against a simulated one: connect, look, start, stop, cycle, reset, leave, begin.
 //! [head]
 #include <iostream>
 
@@ -73,7 +73,34 @@ int main()
     std::cout << (has_run and has_stopped ? "cycle: it ran and stopped\n" : "cycle: it did not run, or not stop\n");
     //! [cycle]
 
+    //! [leave]
+    stop end{drive, stop_by::ramp};
+    std::cout << "leave: " << line.run(end) << '\n'; // at rest, in "switch on disabled"; nobody asks it any more
+    //! [leave]
+    line.run_for(milliseconds(7'000));
+    line.link() = host_client{timing}; // of another program
+
+    //! [begin]
+    constexpr bool is_reset_asked = true; // by whoever starts this program: a word of the command line, a key
+    auto const status = line.run(read<atv28::eta>(drive));
+    auto const fault = line.run(read<atv28::lft>(drive));
+    bool const is_in_fault = status and fault and status->has(atv28::status_bit::fault);
+    if (is_in_fault) {
+        std::cout << "found in fault: " << *fault << '\n';
+    }
+    if (is_in_fault and *fault == atv28::fault_code::slf and is_reset_asked) { // any other has a cause to look for
+        reset_fault left_over{drive};
+        std::cout << "reset: " << line.run(left_over) << '\n';
+    }
+    start anew{drive, 30_Hz}; // a drive that is still in fault refuses it
+    std::cout << "begin: " << line.run(anew) << '\n';
+    //! [begin]
+    rest = stop{drive, stop_by::ramp};
+    static_cast<void>(line.run(rest));
+
     bool const is_right = faster.succeeded() and rest.succeeded() and has_run and has_stopped and
                           go.reason().kind == outcome_kind::in_fault and clear.succeeded();
-    return is_right and monitor::request_count == 3 ? 0 : 1;
+    bool const is_left = end.succeeded() and end.reason().state == cia402::state::switch_on_disabled and is_in_fault and
+                         anew.succeeded() and rest.succeeded();
+    return is_right and is_left and monitor::request_count == 3 ? 0 : 1;
 }
