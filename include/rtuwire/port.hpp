@@ -16,4 +16,5 @@
 #include <rtuwire/port/standard_places.hpp>
 #include <rtuwire/port/tcp_connection.hpp>
 #include <rtuwire/port/tcp_stream.hpp>
+#include <rtuwire/port/transceiver.hpp>
 #include <rtuwire/wire/unit_id.hpp>

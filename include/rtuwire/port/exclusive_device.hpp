@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cerrno>
+#include <string>
 #include <utility>
 
 #include <sys/file.h>
@@ -15,27 +16,32 @@
 
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/port/descriptor.hpp>
+#include <rtuwire/port/transceiver.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The descriptor of a serial device, and what was changed on that device. Can be moved. When it is closed,
-/// assigned to or destroyed, the device is unlocked, and has its old settings again unless `keep_settings`
-/// was called. A process that is killed undoes nothing: a device that another process has open then stays
+/// assigned to or destroyed, the device is unlocked, and has its old settings again, those of the line unless
+/// `keep_settings` was called. A process that is killed undoes nothing: a device that another process has open then stays
 /// locked for all users but root.
 class exclusive_device {
 public:
     exclusive_device() noexcept = default;
     explicit exclusive_device(descriptor opened) noexcept : descriptor_{std::move(opened)} {}
     exclusive_device(exclusive_device&& other) noexcept
-        : descriptor_{std::move(other.descriptor_)}, before_{other.before_},
+        : descriptor_{std::move(other.descriptor_)}, before_{other.before_}, transceiver_{other.transceiver_},
           is_locked_{std::exchange(other.is_locked_, false)}, restores_{other.restores_}
-    {}
+    {
+        other.transceiver_.release();
+    }
     exclusive_device& operator=(exclusive_device&& other) noexcept
     {
         if (this != &other) {
             close();
             descriptor_ = std::move(other.descriptor_);
             before_ = other.before_;
+            transceiver_ = other.transceiver_;
+            other.transceiver_.release();
             is_locked_ = std::exchange(other.is_locked_, false);
             restores_ = other.restores_;
         }
@@ -58,13 +64,24 @@ public:
         return {};
     }
 
-    /// The settings that the device has now stay when it closes.
+    /// Lets the kernel switch the transceiver as it is asked to, until the device is closed. `device_setting_refused`, and
+    /// why, where it does not.
+    result<void> set_transceiver(rs485_mode mode, transceiver_settings const& asked, std::string& why)
+    {
+        return transceiver_.set(driver_call{number()}, mode, asked, why);
+    }
+
+    /// The settings of the line that the device has now stay when it closes.
     void keep_settings() noexcept { restores_ = false; }
 
     void close() noexcept
     {
         if (is_locked_) {
             is_locked_ = false;
+            if (transceiver_.is_changed()) {
+                ::tcdrain(number()); // a frame on its way still needs it
+                transceiver_.restore(driver_call{number()});
+            }
             if (restores_) {
                 static_cast<void>(::tcsetattr(number(), TCSANOW, &before_));
             }
@@ -82,6 +99,7 @@ public:
 private:
     descriptor descriptor_{};
     termios before_{};
+    transceiver_control transceiver_{};
     bool is_locked_{false};
     bool restores_{false};
 };

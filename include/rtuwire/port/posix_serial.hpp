@@ -28,7 +28,8 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// A serial device. Can be moved; its destructor closes it and leaves the device as it was set up.
+/// A serial device. Can be moved; its destructor closes it and leaves the device as it was set up, but for the switching of a
+/// transceiver, which is put back.
 class posix_serial {
 public:
     /// Opens a device and sets it up; what was open before is closed. On an error nothing is open and `failure()`
@@ -61,8 +62,9 @@ public:
         if (auto const set = apply_line(opened.number(), settings, marks_errors); not set) {
             return failed(set.error());
         }
-        if (auto const set = apply_rs485(opened.number(), settings.rs485); not set) {
-            return failed(set.error(), errno);
+        std::string why;
+        if (auto const set = opened.set_transceiver(settings.rs485, settings.transceiver, why); not set) {
+            return failed(set.error(), why);
         }
         has_low_latency_ = request_low_latency(opened.number());
         ::tcflush(opened.number(), TCIOFLUSH);
@@ -147,13 +149,14 @@ public:
     [[nodiscard]] static instant now() noexcept { return steady_now(); }
 
 private:
-    result<void> failed(errc error, int system_error = 0)
+    result<void> failed(errc error, std::string const& why = {})
     {
-        failure_ = device_ + ": " + std::string{name(error)};
-        if (system_error != 0) {
-            failure_ += std::string{" ("} + std::strerror(system_error) + ")";
-        }
+        failure_ = device_ + ": " + std::string{name(error)} + (why.empty() ? "" : " (" + why + ")");
         return error;
+    }
+    result<void> failed(errc error, int system_error)
+    {
+        return failed(error, std::string{std::strerror(system_error)});
     }
 
     /// What the device delivers before a deadline; by the terminal's timer first, where that is wanted.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// How a POSIX serial device is set up for Modbus: raw bytes, bit rate, character format, and what the kernel
-// offers besides (low latency, RS-485 direction control).
+// How a POSIX serial device is set up for Modbus: raw bytes, bit rate, character format, and low latency where the kernel
+// offers it.
 #pragma once
 
 #include <cstdint>
@@ -19,23 +19,18 @@
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/port/transceiver.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/errc.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
-
-/// Whether the kernel's driver shall switch the RS-485 transceiver's direction.
-enum class rs485_mode : std::uint8_t {
-    leave,      ///< as the device is: for adapters that switch by themselves
-    if_offered, ///< where the driver can
-    required,   ///< `device_setting_refused` where it cannot
-};
 
 /// What a serial device is opened with.
 struct serial_settings {
     std::uint32_t bits_per_second{19'200}; ///< one of the rates that the system has a code for, else `open` refuses it
     character_format format{character_format::even_8_1}; ///< parity and stop bits; always 8 data bits
     rs485_mode rs485{rs485_mode::leave};                 ///< who switches the transceiver
+    transceiver_settings transceiver{};                  ///< how the kernel's driver does it, where it does
     /// Lets `read` itself wait by the terminal's timer (VTIME).
     ///
     /// A transaction then takes 3 system calls instead of 4, where the response begins within 100 ms. That timer only
@@ -211,31 +206,6 @@ template <typename Driver> bool set_low_latency([[maybe_unused]] Driver&& call) 
 
 /// The same of an open device.
 /// Internal.
-[[nodiscard]] inline bool request_low_latency(int device) noexcept
-{
-    return set_low_latency(
-        [device](unsigned long request, auto& flags) { return ::ioctl(device, request, &flags) == 0; });
-}
-
-/// Asks the driver for RS-485 direction control. Error: `device_setting_refused` where it is required
-/// and not offered.
-/// Internal.
-[[nodiscard]] inline result<void> apply_rs485([[maybe_unused]] int device, rs485_mode mode) noexcept
-{
-    if (mode == rs485_mode::leave) {
-        return {};
-    }
-#ifdef TIOCSRS485
-    serial_rs485 wiring{};
-    wiring.flags = SER_RS485_ENABLED | SER_RS485_RTS_ON_SEND;
-    if (::ioctl(device, TIOCSRS485, &wiring) == 0) {
-        return {};
-    }
-#endif
-    if (mode == rs485_mode::required) {
-        return errc::device_setting_refused;
-    }
-    return {};
-}
+[[nodiscard]] inline bool request_low_latency(int device) noexcept { return set_low_latency(driver_call{device}); }
 
 } // namespace rtuwire
