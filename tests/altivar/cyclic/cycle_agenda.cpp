@@ -24,8 +24,7 @@ constexpr std::array all_steps{step::look,          step::look_for_fault,  step:
 constexpr cycle_agenda at(step now, step first, std::uint16_t status, bool is_ordered)
 {
     cycle_agenda agenda{first};
-    agenda.end_preparation();
-    agenda.control().note_status(status, false);
+    agenda.end_preparation(status);
     if (is_ordered) {
         static_cast<void>(agenda.run(100));
     }
@@ -40,7 +39,7 @@ constexpr step answered(cycle_agenda agenda, std::uint16_t status, bool is_prepa
     switch (agenda.now()) {
     case step::look: agenda.take_look(status); break;
     case step::look_for_fault: agenda.take_fault_code(9, is_prepared); break;
-    case step::prepare: agenda.end_preparation(); break;
+    case step::prepare: agenda.end_preparation(status); break;
     case step::exchange:
     case step::read:
     case step::observe: agenda.take_status(status, false); break;
@@ -84,7 +83,7 @@ constexpr std::array<row, all_steps.size()> rows{{
     // step     answered  halves   unprepared into fault unordered missed missed running lost  cancelled  overruled
     {look,      code,     code,    code,      code,      code,     look,  look,          look, look,      look},
     {code,      transfer, half,    prepare,   transfer,  transfer, look,  code,          look, code,      look},
-    {prepare,   transfer, half,    transfer,  transfer,  transfer, look,  prepare,       look, prepare,   look},
+    {prepare,   transfer, half,    transfer,  code,      transfer, look,  prepare,       look, prepare,   look},
     {transfer,  transfer, transfer, transfer, code,      transfer, look,  transfer,      look, transfer,  look},
     {half,      write,    write,   write,     code,      write,    look,  half,          look, half,      look},
     {write,     transfer, half,    transfer,  transfer,  transfer, look,  write,         look, write,     look},

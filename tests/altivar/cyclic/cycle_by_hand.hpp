@@ -93,28 +93,35 @@ template <typename Device> struct cycle_by_hand {
 
     // Requests with their responses.
 
-    /// The requests before the first order; then something else is asked for.
-    constexpr bool is_checked(std::uint16_t tto = 100)
+    /// The requests of the check, up to the status that is its last word; each right behind the other.
+    constexpr bool is_checked(std::uint16_t status = switch_on_disabled, std::uint16_t tto = 100)
     {
-        bool is_asked = asks_at_once();
-        for (unsigned i = 0; i < 12 and is_asked and word(4) == 1; ++i) {
-            hear({commissioned_word(word(2), tto)});
-            is_asked = asks_at_once();
+        for (unsigned i = 0; i < 12 and asks_at_once() and word(4) == 1; ++i) {
+            bool const is_last = word(2) == eta_address;
+            hear({is_last ? status : commissioned_word(word(2), tto)});
+            if (is_last) {
+                return true;
+            }
         }
-        return is_asked;
+        return false;
     }
-    /// What follows a look, each request right behind the other: the last fault, the check, the scanner's slots.
+    /// The requests about the scanner's slots.
+    constexpr bool tells_its_slots(words outputs = {cmd_address, lfrd_address, 0, 0})
+    {
+        bool const is_asked = asks_at_once() and reads(first_slot_address, 4);
+        hear({eta_address, rfrd_address, 0, 0});
+        bool const ok = is_asked and asks_at_once() and reads(first_slot_address + 20, 4);
+        hear(outputs);
+        return ok;
+    }
+    /// What follows a look, each request right behind the other: the last fault, the scanner's slots, the check.
     constexpr bool is_known(std::uint16_t status, std::uint16_t tto = 100,
                             words outputs = {cmd_address, lfrd_address, 0, 0})
     {
         hear({status});
         bool ok = asks_at_once() and reads(lft_address);
         hear({0});
-        ok = ok and is_checked(tto) and reads(first_slot_address, 4);
-        hear({eta_address, rfrd_address, 0, 0});
-        ok = ok and asks_at_once();
-        hear(outputs);
-        return ok;
+        return ok and tells_its_slots(outputs) and is_checked(status, tto);
     }
     /// Up to its first exchange, which `exchange` answers.
     constexpr bool begins(std::uint16_t status = switch_on_disabled, std::uint16_t tto = 100)

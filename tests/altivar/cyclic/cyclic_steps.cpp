@@ -138,11 +138,7 @@ constexpr bool takes(words slots, std::size_t named)
     it.hear({switch_on_disabled});
     ok = ok and it.asks();
     it.hear({0});
-    ok = ok and it.is_checked();
-    it.hear({eta_address, rfrd_address, 0, 0});
-    ok = ok and it.asks();
-    it.hear(slots);
-    return ok and not it.loop.link_lost();
+    return ok and it.tells_its_slots(slots) and it.is_checked() and not it.loop.link_lost();
 }
 constexpr bool writes_to_known_words_only()
 {

@@ -21,18 +21,18 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// exchange takes two requests; (f) is `look_for_fault` where the drive is newly in fault, (s) `say_stop` where it may
 /// turn without an order, (p) `prepare` and (l) `look` where it was not checked.
 ///
-/// | step           | response            | one miss, while enabling | lost | cancelled | overruled |
-/// |----------------|---------------------|--------------------------|------|-----------|-----------|
-/// | look           | look_for_fault      | look                     | look | the same  | look      |
-/// | look_for_fault | first (p)           | look                     | look | the same  | look      |
-/// | prepare        | itself, then first  | look                     | look | the same  | look      |
-/// | exchange       | first (f)           | look                     | look | the same  | look      |
-/// | read           | write (f)           | look                     | look | the same  | look      |
-/// | write          | first               | look                     | look | the same  | look      |
-/// | say_stop       | observe (l)         | the same                 | the same | the same | look    |
-/// | observe        | first (f) (s)       | look                     | look | the same  | look      |
-/// | check_control  | exchange, or write  | look                     | look | the same  | look      |
-/// | compare_...    | first               | look                     | look | the same  | look      |
+/// | step           | response               | one miss, while enabling | lost     | cancelled | overruled |
+/// |----------------|------------------------|--------------------------|----------|-----------|-----------|
+/// | look           | look_for_fault         | look                     | look     | the same  | look      |
+/// | look_for_fault | first (p)              | look                     | look     | the same  | look      |
+/// | prepare        | itself, then first (f) | look                     | look     | the same  | look      |
+/// | exchange       | first (f)              | look                     | look     | the same  | look      |
+/// | read           | write (f)              | look                     | look     | the same  | look      |
+/// | write          | first                  | look                     | look     | the same  | look      |
+/// | say_stop       | observe (l)            | the same                 | the same | the same  | look      |
+/// | observe        | first (f) (s)          | look                     | look     | the same  | look      |
+/// | check_control  | exchange, or write     | look                     | look     | the same  | look      |
+/// | compare_...    | first                  | look                     | look     | the same  | look      |
 ///
 /// One miss of a drive that runs, or without an order, leaves the step as it is.
 class cycle_agenda {
@@ -114,10 +114,10 @@ public:
         position_.go_to(is_prepared ? position_.first() : step::prepare);
     }
 
-    /// The drive may be ordered.
-    constexpr void end_preparation() noexcept
+    /// The drive may be ordered; the last word of its check was this status.
+    constexpr void end_preparation(std::uint16_t status) noexcept
     {
-        position_.go_to(position_.first());
+        position_.go_to(judge(status, false) ? step::look_for_fault : position_.first());
         is_lost_ = false;
     }
     /// It must not, for this reason.
@@ -137,10 +137,9 @@ public:
     /// An exchange, or a read, has found this status.
     constexpr void take_status(std::uint16_t status, bool stands) noexcept
     {
-        bool const was_in_fault = cia402::is_in_fault(control_.state());
         step const at = position_.now();
         duty_.note_read(at == step::observe);
-        control_.note_status(status, stands);
+        bool const is_newly_in_fault = judge(status, stands);
         if (at == step::read) {
             position_.go_to(step::write);
         } else if (at == step::exchange) {
@@ -151,10 +150,9 @@ public:
             position_.go_to(position_.first());
             wait_a_period();
         }
-        if (not was_in_fault and cia402::is_in_fault(control_.state())) {
+        if (is_newly_in_fault) {
             position_.go_to(step::look_for_fault);
         }
-        position_.keep_comparison_if(control_.is_about_to_enable());
     }
 
     /// The drive holds what was written last, or another client commands it, or it lost its power.
@@ -215,6 +213,15 @@ public:
     }
 
 private:
+    /// Takes a status; whether the drive is newly in fault.
+    constexpr bool judge(std::uint16_t status, bool stands) noexcept
+    {
+        bool const was_in_fault = cia402::is_in_fault(control_.state());
+        control_.note_status(status, stands);
+        position_.keep_comparison_if(control_.is_about_to_enable());
+        return not was_in_fault and cia402::is_in_fault(control_.state());
+    }
+
     /// A request to a drive that does not run yet was not answered: the drive may have lost its power meanwhile.
     constexpr bool start_over() noexcept
     {

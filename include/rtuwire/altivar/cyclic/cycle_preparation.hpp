@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // What a cycle reads before it writes, and again after everything that could have changed it: whether the drive may
-// be commanded, and whether its scanner holds the words of the cycle.
+// be commanded, and whether its scanner holds the words of the cycle. The last word is the drive's status.
 // Internal: may change with any version.
 #pragma once
 
@@ -47,7 +47,8 @@ public:
     {
         if (not is_begun_) {
             is_begun_ = true;
-            stage_ = stage::safeguards;
+            stage_ = words::has_scanner ? stage::inputs : stage::safeguards;
+            holds_words_ = true;
             check_ = supervision_procedure{Device::layout, options_};
             action_ = check_.step({event::kind::begun});
         }
@@ -64,10 +65,10 @@ public:
     {
         switch (stage_) {
         case stage::safeguards: return examine({event::kind::word_read, read[0]});
-        case stage::inputs: return check_inputs(read);
+        case stage::inputs: return note_slots(are_inputs(read), stage::outputs);
         case stage::outputs: break;
         }
-        check_outputs(read, in_use);
+        note_slots(are_outputs(read, in_use), stage::safeguards);
     }
 
     /// The drive answered with an exception.
@@ -76,11 +77,11 @@ public:
         if (stage_ == stage::safeguards) {
             return examine({event::kind::failed, 0, error});
         }
-        finding_ = outcome_kind::misconfigured;
+        note_slots(false, stage::safeguards);
     }
 
 private:
-    enum class stage : std::uint8_t { safeguards, inputs, outputs };
+    enum class stage : std::uint8_t { inputs, outputs, safeguards };
 
     constexpr void examine(event const& what) noexcept
     {
@@ -89,20 +90,23 @@ private:
             return;
         }
         report_ = check_.report();
-        bool const is_ready = check_.reason().kind == outcome_kind::succeeded;
-        finding_ = is_ready and words::has_scanner ? outcome_kind::pending : check_.reason().kind;
-        stage_ = stage::inputs;
+        outcome_kind const found = check_.reason().kind;
+        finding_ = found == outcome_kind::succeeded and not holds_words_ ? outcome_kind::misconfigured : found;
     }
 
-    constexpr void check_inputs(register_view addresses) noexcept
+    /// A scanner that holds other words is told last: what the drive's control words mean counts for the stop, too.
+    constexpr void note_slots(bool are_right, stage next) noexcept
     {
-        bool const is_right =
-            addresses[words::status_at] == Device::layout.eta and addresses[words::speed_at] == words::words.speed;
-        finding_ = is_right ? outcome_kind::pending : outcome_kind::misconfigured;
-        stage_ = stage::outputs;
+        holds_words_ = holds_words_ and are_right;
+        stage_ = next;
     }
 
-    constexpr void check_outputs(register_view addresses, std::uint32_t in_use) noexcept
+    static constexpr bool are_inputs(register_view addresses) noexcept
+    {
+        return addresses[words::status_at] == Device::layout.eta and addresses[words::speed_at] == words::words.speed;
+    }
+
+    static constexpr bool are_outputs(register_view addresses, std::uint32_t in_use) noexcept
     {
         bool is_right = addresses[words::command_at] == Device::layout.cmd and
                         addresses[words::reference_at] == words::reference.address;
@@ -110,7 +114,7 @@ private:
             bool const is_in_use = ((in_use >> slot) & 1U) != 0;
             is_right = is_right and (is_in_use or not words::is_free(slot) or addresses[slot] == 0);
         }
-        finding_ = is_right ? outcome_kind::succeeded : outcome_kind::misconfigured;
+        return is_right;
     }
 
     supervision_options options_;
@@ -119,6 +123,7 @@ private:
     action action_{action::kind::pause};
     outcome_kind finding_{outcome_kind::pending};
     stage stage_{stage::safeguards};
+    bool holds_words_{true}; ///< the scanner
     bool is_begun_{false};
 };
 

@@ -110,7 +110,7 @@ public:
         switch (agenda_.now()) {
         case step::look: return agenda_.take_look(read[0]);
         case step::look_for_fault: return agenda_.take_fault_code(read[0], preparation_.succeeded());
-        case step::prepare: preparation_.take(read, frames_.outputs_in_use()); return go_on_preparing();
+        case step::prepare: preparation_.take(read, frames_.outputs_in_use()); return go_on_preparing(read[0]);
         case step::check_control:
         case step::compare_control: return agenda_.compare(read[0], frames_.command());
         case step::compare_reference: return agenda_.compare(read[0], frames_.reference());
@@ -127,7 +127,7 @@ public:
     {
         if (agenda_.now() == step::prepare and is_exception(error)) {
             preparation_.take_exception(error);
-            return go_on_preparing();
+            return go_on_preparing(0);
         }
         if (agenda_.miss(error, tolerated_misses_)) {
             preparation_.renew();
@@ -169,7 +169,8 @@ private:
                                             : frames_.exchange(command, control().reference());
     }
 
-    constexpr void go_on_preparing() noexcept
+    /// `last_read` is the status where the check has succeeded.
+    constexpr void go_on_preparing(std::uint16_t last_read) noexcept
     {
         outcome_kind const found = preparation_.finding();
         if (found == outcome_kind::pending) {
@@ -178,7 +179,7 @@ private:
         if (found == outcome_kind::succeeded) {
             duration const third = preparation_.report().period.longest_period();
             period_ = third != duration{} and third < wanted_period_ ? third : wanted_period_;
-            return agenda_.end_preparation();
+            return agenda_.end_preparation(last_read);
         }
         agenda_.fail_preparation(found);
         preparation_.renew();

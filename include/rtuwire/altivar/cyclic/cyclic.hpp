@@ -24,7 +24,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// A conversation without an end: give it to a client or a bus in each pass. Where the drive's cycle
 /// uses its scanner, the slots of its words must be as delivered, or set so by `configure_scanner`, and no further
 /// output slot may be active unless `set_output` was called for it. Before the first exchange, after each loss, and after each conversation of this client that could
-/// have changed them, it reads the drive's safeguards and the scanner's addresses, some twelve requests; where they
+/// have changed them, it reads the scanner's addresses and the drive's safeguards, some twelve requests; where they
 /// are wrong it writes nothing but the stop command to a motor it ordered to run, and `control().reason()` gives the
 /// cause.
 template <device_type Device> class cyclic : public commander {
