@@ -61,6 +61,13 @@ public:
     /// Whether the last request had no response.
     [[nodiscard]] constexpr bool is_missed() const noexcept { return agenda_.is_missed(); }
 
+    /// How long the drive runs on without a request, as it was read; else the longest that can be set.
+    [[nodiscard]] constexpr duration drive_timeout() const noexcept
+    {
+        duration const read = report().period.timeout;
+        return read != duration{} ? read : Device::layout.longest_silence;
+    }
+
     /// The time from one exchange to the next.
     [[nodiscard]] constexpr duration period() const noexcept { return period_; }
 
@@ -177,8 +184,8 @@ private:
             return;
         }
         if (found == outcome_kind::succeeded) {
-            duration const third = preparation_.report().period.longest_period();
-            period_ = third != duration{} and third < wanted_period_ ? third : wanted_period_;
+            duration const longest = period_rule{drive_timeout()}.longest_period();
+            period_ = longest < wanted_period_ ? longest : wanted_period_;
             return agenda_.end_preparation(last_read);
         }
         agenda_.fail_preparation(found);

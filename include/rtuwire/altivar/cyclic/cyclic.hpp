@@ -21,7 +21,9 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
-/// A conversation without an end: give it to a client or a bus in each pass. Where the drive's cycle
+/// A conversation without an end: give it to a client or a bus in each pass. Where the drive's time-out has passed since the
+/// last request of it that was answered, as in a program that was not scheduled, the drive is lost, whatever its reaction to
+/// a lost link is (SLL) and whatever risk was accepted: the order is gone, and the stop command goes first. Where the drive's cycle
 /// uses its scanner, the slots of its words must be as delivered, or set so by `configure_scanner`, and no further
 /// output slot may be active unless `set_output` was called for it. Before the first exchange, after each loss, and after each conversation of this client that could
 /// have changed them, it reads the scanner's addresses and the drive's safeguards, some twelve requests; where they
@@ -114,11 +116,7 @@ public:
     {
         return is_due_ ? this->effect_now(steps_.intent(this->was_rearranged())) : effect::none;
     }
-    [[nodiscard]] constexpr duration drive_timeout() const noexcept
-    {
-        duration const read = supervision().period.timeout;
-        return read != duration{} ? read : Device::layout.longest_silence;
-    }
+    [[nodiscard]] constexpr duration drive_timeout() const noexcept { return steps_.drive_timeout(); }
     [[nodiscard]] constexpr std::uint8_t tolerated_misses() const noexcept { return tolerated_misses_; }
 
     constexpr void note_loss() noexcept
@@ -130,7 +128,11 @@ public:
     constexpr void advance(instant now) noexcept
     {
         instant const at = has_begun_ ? within_reach(now_, now) : now;
+        duration const passed = has_begun_ and reached(at, now_) ? at - now_ : duration{};
+        since_heard_ = since_heard_ + passed;
+        since_asked_ = since_asked_ + passed;
         now_ = now;
+        heed_silence();
         keep_over(enable_end_, now, at);
         if (control().is_ordered() and this->is_overruled() and not is_asking_) {
             steps_.yield();
@@ -159,12 +161,17 @@ public:
             steps_.note_stopped();
         }
         is_asking_ = true;
+        since_asked_ = {};
         return request_frame{steps_.ask(was_rearranged, this->confirmed() == Device::layout.cmd)};
     }
 
     constexpr void accept(result<response> const& outcome) noexcept
     {
         is_asking_ = false;
+        if (outcome or is_exception(outcome.error())) {
+            is_heard_ = true;
+            since_heard_ = since_asked_;
+        }
         if (outcome) {
             steps_.take(*outcome);
         } else {
@@ -186,6 +193,7 @@ public:
             is_due_ = false;
             due_ = now_ + steps_.period();
         }
+        heed_silence();
         heed_loss();
     }
 
@@ -198,11 +206,21 @@ public:
     [[nodiscard]] static constexpr bool settled() noexcept { return false; }
 
 private:
+    /// The drive has stopped its motor by itself, or runs on as nobody asked it to, where its time-out has passed since the
+    /// last request that it answered. A program may have slept meanwhile: nothing else tells it.
+    constexpr void heed_silence() noexcept
+    {
+        if (is_heard_ and not is_asking_ and since_heard_ > drive_timeout()) {
+            note_loss();
+        }
+    }
+
     /// A request to the drive, by any conversation, had no response: it is stopped while the client allows it.
     constexpr void heed_loss() noexcept
     {
         if (has_lost_ and not is_asking_) {
             has_lost_ = false;
+            is_heard_ = false;
             steps_.lose(errc::unit_lost);
             is_due_ = has_begun_;
         }
@@ -213,11 +231,14 @@ private:
     instant now_{0};
     instant due_{0};
     instant enable_end_{0};
+    duration since_heard_{}; ///< since the last request that was answered was made
+    duration since_asked_{}; ///< since the last one was made
     std::uint8_t tolerated_misses_;
     bool has_begun_{false};
     bool is_due_{false};
     bool is_asking_{false};
     bool has_lost_{false};
+    bool is_heard_{false}; ///< since the last loss
 };
 
 } // namespace rtuwire::altivar

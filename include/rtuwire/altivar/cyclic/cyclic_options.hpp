@@ -14,7 +14,8 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// The period of a cycle, and what the drive is checked against before the first order.
 struct cyclic_options {
-    /// The time between exchanges; at most a third of the drive's time-out is used, which is read from it.
+    /// The time between exchanges; at most a third of the drive's time-out is used, which is read from it, and where it has
+    /// none a third of the longest that can be set.
     duration period{milliseconds(100)};
     /// The longest gap of the line, and the risks that are accepted: see `check_supervision`.
     supervision_options supervision{};
