@@ -61,7 +61,7 @@ struct line_choice {
 private:
     static std::uint32_t rate(std::uint32_t number)
     {
-        if (not rtuwire::speed_code(number)) {
+        if (not rtuwire::is_bit_rate(number)) {
             throw usage_error{"--baud " + std::to_string(number) + ": this system has no such bit rate"};
         }
         return number;

@@ -5,8 +5,10 @@
 #pragma once
 
 #include <rtuwire/core/literal.hpp>
+#include <rtuwire/port/bit_rate.hpp>
 #include <rtuwire/port/chrono.hpp>
 #include <rtuwire/port/descriptor.hpp>
+#include <rtuwire/port/driver_call.hpp>
 #include <rtuwire/port/error_marks.hpp>
 #include <rtuwire/port/exclusive_device.hpp>
 #include <rtuwire/port/host_lookup.hpp>

@@ -96,11 +96,12 @@ TEST_CASE("a device that is not there, or no serial device, says so with its nam
     CHECK(open_error("/") == errc::device_not_serial);
 }
 
-TEST_CASE("a bit rate that the platform lacks is refused")
+TEST_CASE("a bit rate that no line has is refused, and a transceiver that the driver lacks")
 {
     pseudo_terminal far;
     REQUIRE(far.open());
-    CHECK(open_error(far.path(), {.bits_per_second = 12'345}) == errc::device_setting_refused);
+    CHECK(open_error(far.path(), {.bits_per_second = 0}) == errc::device_setting_refused);
+    CHECK(open_error(far.path(), {.bits_per_second = 49}) == errc::device_setting_refused);
     CHECK(open_error(far.path(), {.rs485 = rs485_mode::required}) == errc::device_setting_refused);
     CHECK(open_error(far.path(), {.rs485 = rs485_mode::if_offered}) == errc::none);
 }

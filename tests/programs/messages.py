@@ -26,7 +26,7 @@ REFUSED = [
     ("now", ["unexpected word now"]),
     ("--unit", ["--unit needs a value"]),
     ("--port --allow-run", ["--port needs a value"]),
-    ("--baud 12345", ["--baud 12345"]),
+    ("--baud 12", ["--baud 12"]),
     ("--format 7E1", ["--format 7E1", "8E1"]),
 ]
 

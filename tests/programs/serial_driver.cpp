@@ -3,6 +3,7 @@
 // A serial port whose driver is that of `fake_driver.cpp`, which is loaded in front of the C library.
 #include <rtuwire/port/posix_serial.hpp>
 
+#include <string>
 #include <utility>
 
 #include "support/catch.hpp"
@@ -61,4 +62,21 @@ TEST_CASE("defect: D35 the transceiver of a board is as before when its port clo
         moved = posix_serial{};
         CHECK(wiring::now() == as_delivered);
     }
+}
+
+TEST_CASE("defect: D36 what a driver does not keep to 2 % is refused, and told")
+{
+    pseudo_terminal far;
+    REQUIRE(far.open());
+    posix_serial port;
+    auto const refusal = [&](std::uint32_t rate) {
+        return port.open(far.path(), {.bits_per_second = rate}) ? std::string{}
+                                                                : port.failure().substr(far.path().size());
+    };
+    CHECK(refusal(250'000) == ": the device refuses the line settings (its driver keeps 230400 bit/s, not 250000)");
+    CHECK(refusal(1'000'001) == ": the device refuses the line settings (its driver keeps 980000 bit/s, not 1000001)");
+    CHECK(refusal(76'800).empty());
+    CHECK(refusal(31'250).empty());
+    CHECK(refusal(300).empty());
+    CHECK(refusal(19'200).empty());
 }

@@ -15,7 +15,9 @@
 #include <termios.h>
 
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/port/bit_rate.hpp>
 #include <rtuwire/port/descriptor.hpp>
+#include <rtuwire/port/driver_call.hpp>
 #include <rtuwire/port/transceiver.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -57,7 +59,7 @@ public:
             return device_error(errno);
         }
         is_locked_ = true;
-        restores_ = ::tcgetattr(number(), &before_) == 0;
+        restores_ = before_.read(driver_call{number()}, number());
         if (::ioctl(number(), TIOCEXCL) != 0) {
             return device_error(errno);
         }
@@ -83,7 +85,7 @@ public:
                 transceiver_.restore(driver_call{number()});
             }
             if (restores_) {
-                static_cast<void>(::tcsetattr(number(), TCSANOW, &before_));
+                before_.put_back(driver_call{number()}, number());
             }
             // The flag first: once the lock is gone, the next owner may have set it.
             static_cast<void>(::ioctl(number(), TIOCNXCL));
@@ -98,7 +100,7 @@ public:
 
 private:
     descriptor descriptor_{};
-    termios before_{};
+    line_before before_{};
     transceiver_control transceiver_{};
     bool is_locked_{false};
     bool restores_{false};

@@ -59,10 +59,10 @@ public:
         if (auto const locked = opened.lock(); not locked) {
             return failed(locked.error(), errno);
         }
-        if (auto const set = apply_line(opened.number(), settings, marks_errors); not set) {
-            return failed(set.error());
-        }
         std::string why;
+        if (auto const set = apply_line(opened.number(), settings, why, marks_errors); not set) {
+            return failed(set.error(), why);
+        }
         if (auto const set = opened.set_transceiver(settings.rs485, settings.transceiver, why); not set) {
             return failed(set.error(), why);
         }

@@ -49,7 +49,8 @@ public:
         if (not standard_places::is_above(far.number())) {
             return errc::device_failed;
         }
-        if (auto const set = apply_line(far.number(), {}); not set) {
+        std::string why;
+        if (auto const set = apply_line(far.number(), {}, why); not set) {
             return set;
         }
         near_ = std::move(near);

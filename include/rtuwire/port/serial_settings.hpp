@@ -6,7 +6,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <string>
 
 #include <sys/ioctl.h>
 #include <termios.h>
@@ -19,6 +19,8 @@
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/port/bit_rate.hpp>
+#include <rtuwire/port/driver_call.hpp>
 #include <rtuwire/port/transceiver.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/errc.hpp>
@@ -27,7 +29,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// What a serial device is opened with.
 struct serial_settings {
-    std::uint32_t bits_per_second{19'200}; ///< one of the rates that the system has a code for, else `open` refuses it
+    std::uint32_t bits_per_second{19'200}; ///< on Linux any that the driver keeps to 2 %; elsewhere one with a code
     character_format format{character_format::even_8_1}; ///< parity and stop bits; always 8 data bits
     rs485_mode rs485{rs485_mode::leave};                 ///< who switches the transceiver
     transceiver_settings transceiver{};                  ///< how the kernel's driver does it, where it does
@@ -46,62 +48,6 @@ struct serial_settings {
 /// Internal.
 inline constexpr duration terminal_timer = milliseconds(100);
 
-/// The platform's code of a bit rate, if it has one.
-[[nodiscard]] inline std::optional<speed_t> speed_code(std::uint32_t bits_per_second) noexcept
-{
-    switch (bits_per_second) {
-    case 1200: return B1200;
-    case 2400: return B2400;
-    case 4800: return B4800;
-    case 9600: return B9600;
-    case 19'200: return B19200;
-    case 38'400: return B38400;
-#ifdef B57600
-    case 57'600: return B57600;
-#endif
-#ifdef B115200
-    case 115'200: return B115200;
-#endif
-#ifdef B230400
-    case 230'400: return B230400;
-#endif
-#ifdef B460800
-    case 460'800: return B460800;
-#endif
-#ifdef B500000
-    case 500'000: return B500000;
-#endif
-#ifdef B576000
-    case 576'000: return B576000;
-#endif
-#ifdef B921600
-    case 921'600: return B921600;
-#endif
-#ifdef B1000000
-    case 1'000'000: return B1000000;
-#endif
-#ifdef B1152000
-    case 1'152'000: return B1152000;
-#endif
-#ifdef B1500000
-    case 1'500'000: return B1500000;
-#endif
-#ifdef B2000000
-    case 2'000'000: return B2000000;
-#endif
-#ifdef B2500000
-    case 2'500'000: return B2500000;
-#endif
-#ifdef B3000000
-    case 3'000'000: return B3000000;
-#endif
-#ifdef B4000000
-    case 4'000'000: return B4000000;
-#endif
-    default: return std::nullopt;
-    }
-}
-
 /// The control flags of a character format: 8 data bits, parity, stop bits, receiver on, no modem lines.
 /// Internal.
 [[nodiscard]] inline tcflag_t control_flags(character_format format) noexcept
@@ -114,6 +60,16 @@ inline constexpr duration terminal_timer = milliseconds(100);
     case character_format::none_8_2: return common | CSTOPB;
     }
     return common;
+}
+
+/// A format as people write it: data bits, parity, stop bits.
+/// Internal.
+[[nodiscard]] inline std::string format_text(tcflag_t flags)
+{
+    tcflag_t const size = flags & CSIZE;
+    std::string text{size == CS8 ? "8" : size == CS7 ? "7" : size == CS6 ? "6" : "5"};
+    text += (flags & PARENB) == 0 ? 'N' : (flags & PARODD) == 0 ? 'E' : 'O';
+    return text + ((flags & CSTOPB) == 0 ? '1' : '2');
 }
 
 /// The driver's part of a device number, as Linux encodes it. <sys/sysmacros.h> has a function for it, but
@@ -147,14 +103,15 @@ inline constexpr duration terminal_timer = milliseconds(100);
 inline constexpr tcflag_t marks_errors = INPCK | PARMRK;
 
 /// Sets up an open device; bytes pass unchanged, except as the input flags say. Errors: `device_not_serial`,
-/// `device_setting_refused` when the device does not keep the bit rate, the character format or the input
-/// flags.
+/// `device_setting_refused` when the device does not keep the bit rate to 2 %, the character format or the input flags;
+/// `why` then says what it kept.
 /// Internal.
-[[nodiscard]] inline result<void> apply_line(int device, serial_settings const& settings,
-                                             tcflag_t input_flags = 0) noexcept
+[[nodiscard]] inline result<void> apply_line(int device, serial_settings const& settings, std::string& why,
+                                             tcflag_t input_flags = 0)
 {
-    auto const speed = speed_code(settings.bits_per_second);
-    if (not speed) {
+    std::uint32_t const rate = settings.bits_per_second;
+    if (not is_bit_rate(rate)) {
+        why = std::to_string(rate) + " bit/s are no rate of this system";
         return errc::device_setting_refused;
     }
     termios line{};
@@ -167,23 +124,30 @@ inline constexpr tcflag_t marks_errors = INPCK | PARMRK;
     line.c_cflag = control_flags(settings.format);
     line.c_cc[VMIN] = 0;
     line.c_cc[VTIME] = settings.waits_in_read ? terminal_timer.microseconds / 100'000U : 0;
-    ::cfsetispeed(&line, *speed);
-    ::cfsetospeed(&line, *speed);
+    auto const code = speed_code(rate);
+    ::cfsetispeed(&line, code.value_or(B19200));
+    ::cfsetospeed(&line, code.value_or(B19200));
     // The return value says little: the call succeeds when anything at all could be set, and fails where a
     // pseudo-terminal drops the parity flag. The settings that the device kept tell.
     static_cast<void>(::tcsetattr(device, TCSANOW, &line));
+    if (not code) {
+        set_any_rate(driver_call{device}, rate);
+    }
     termios kept{};
     if (::tcgetattr(device, &kept) != 0) {
         return errc::device_not_serial;
     }
     tcflag_t const compared =
         is_pseudo_terminal(device) ? tcflag_t{CSIZE | CSTOPB} : tcflag_t{CSIZE | CSTOPB | PARENB | PARODD};
-    bool const is_kept = ::cfgetospeed(&kept) == *speed and (kept.c_cflag & compared) == (line.c_cflag & compared) and
-                         kept.c_iflag == line.c_iflag;
-    if (not is_kept) {
-        return errc::device_setting_refused;
+    if (std::uint32_t const has = kept_rate(driver_call{device}, kept, rate); not is_near_rate(has, rate)) {
+        why = "its driver keeps " + (has == 0 ? "another rate" : std::to_string(has) + " bit/s") + ", not " +
+              std::to_string(rate);
+    } else if ((kept.c_cflag & compared) != (line.c_cflag & compared)) {
+        why = "its driver keeps " + format_text(kept.c_cflag) + ", not " + format_text(line.c_cflag);
+    } else if (kept.c_iflag != line.c_iflag) {
+        why = "its driver does not mark damaged bytes";
     }
-    return {};
+    return why.empty() ? result<void>{} : errc::device_setting_refused;
 }
 
 /// Asks a driver to pass bytes on at once, by a call that gets or sets its flags. Whether it does, as it says itself:

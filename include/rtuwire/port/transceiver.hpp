@@ -24,16 +24,6 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Gets or sets what the driver of an open device has; errno says why where it does not.
-/// Internal.
-struct driver_call {
-    int device;
-    template <typename Settings> bool operator()(unsigned long request, Settings& settings) const noexcept
-    {
-        return ::ioctl(device, request, &settings) == 0;
-    }
-};
-
 /// Whether the kernel's driver shall switch the RS-485 transceiver's direction.
 enum class rs485_mode : std::uint8_t {
     leave,      ///< as the device is: for adapters that switch by themselves

@@ -94,7 +94,7 @@ rtuwire::character_format format_in(std::string const& word)
 
 std::uint32_t baud_in(unsigned number)
 {
-    if (not rtuwire::speed_code(number)) {
+    if (not rtuwire::is_bit_rate(number)) {
         refuse_word(std::to_string(number) + " bits a second: this system has no such bit rate");
     }
     return number;

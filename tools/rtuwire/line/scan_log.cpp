@@ -61,7 +61,7 @@ std::optional<noted_address> asked_address(std::string const& key)
     auto const parts = pieces_of(key, ' ');
     auto const baud = parts.size() == 3 ? plain_number(parts[0]) : std::nullopt;
     auto const unit = parts.size() == 3 ? plain_number(parts[2]) : std::nullopt;
-    if (not baud or not rtuwire::speed_code(*baud) or not unit or not rtuwire::unit_id::checked(*unit)) {
+    if (not baud or not rtuwire::is_bit_rate(*baud) or not unit or not rtuwire::unit_id::checked(*unit)) {
         return std::nullopt;
     }
     for (auto const format : {rtuwire::character_format::even_8_1, rtuwire::character_format::odd_8_1,
