@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A motor is started and stopped, and each order says how it ended: done, refused, in fault, local, no response. Nothing
-// else has to be asked to know whether the motor turns. The drive is simulated, so it can be disturbed.
+// else has to be asked to know whether the motor turns. The drive is simulated, so it can be disturbed. At the end stands
+// what a program leaves, and how the next one begins.
 #include <iostream>
 
 #include <rtuwire/altivar/atv320.hpp>
@@ -65,5 +66,16 @@ int main()
     rest = stop{drive, stop_by::ramp};
     show("stop without a line", bench.run(rest), outcome_kind::silent);
     std::cout << "the motor " << (bench.drive().motor().is_at_rest() ? "stands" : "turns") << '\n';
-    return surprises == 0 and bench.drive().motor().is_at_rest() ? 0 : 1;
+
+    bench.run_for(milliseconds(5'000)); // nobody asks: as behind a program that has ended
+    bench.cut(false);
+    go = start{drive, 30_Hz}; // what the next one finds
+    show("start after a silence", bench.run(go), outcome_kind::in_fault);
+    bool const is_link_fault = go.reason().fault == static_cast<std::uint16_t>(atv320::fault_code::slf1);
+    show("reset", bench.run(clear), outcome_kind::succeeded);
+    show("start", bench.run(go), outcome_kind::succeeded);
+    rest = stop{drive, stop_by::ramp};
+    show("stop on the ramp", bench.run(rest), outcome_kind::succeeded);
+    std::cout << "left at rest: in 3 s without a request the drive is in fault again (SLF1)\n";
+    return surprises == 0 and is_link_fault and bench.drive().motor().is_at_rest() ? 0 : 1;
 }

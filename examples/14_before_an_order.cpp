@@ -40,7 +40,8 @@ bool prepare_an_atv320()
 
     watch eye{drive};
     bench.run_until([&] { return eye.rounds() >= 2; }, milliseconds(1'000), eye);
-    std::cout << "seen: " << eye.state() << '\n';
+    std::cout << "seen: " << eye.state() << '\n'; // a fault that a program before this one left would be seen here
+    std::cout << "left: it trips when nobody has asked it for 5 s (SLF1)\n";
     return by_line.succeeded() and safe.reason().kind == outcome_kind::timeout_too_short and again.ready();
 }
 
@@ -64,7 +65,8 @@ bool release_an_atv28()
     show("released", bench.run(give));
     bench.drive().set_input(1, false);
     atv28::release_link once_more{old};
-    show("released", bench.run(once_more));
+    show("released", bench.run(once_more)); // its terminals command: a run input that closes now runs the motor
+    std::cout << "left: released or not, it trips when nobody has asked it for 7 s (SLF)\n";
     return take.succeeded() and has_run and not go.running() and rest.succeeded() and recall.succeeded() and
            give.reason().kind == outcome_kind::run_input_closed and once_more.succeeded();
 }

@@ -100,11 +100,13 @@ int demonstrate(options const& chosen, station<Device> const& drive, posix_seria
     say("%s, unit %u on %s\n", chosen.drive.c_str(), chosen.unit, port.device().c_str());
     demo.step("Who is it?");
     bool ok = demo.identify() and demo.read_panel();
+    bool const may_run = simulated != nullptr or chosen.may_run;
+    ok = ok and not(demo.is_in_fault() and may_run); // nobody asked this program for a reset
     if (ok and simulated != nullptr) {
         say("   (a simulated drive: ramps are set to 1 s, TTO to 3 s where there is one)\n");
         ok = demo.shorten_times();
     }
-    if (ok and (simulated != nullptr or chosen.may_run)) {
+    if (ok and may_run) {
         ok = drive_motor(demo, simulated, timeout);
     } else if (ok) {
         demo.step("Only read: --allow-run would run the motor");
@@ -119,6 +121,9 @@ int demonstrate(options const& chosen, station<Device> const& drive, posix_seria
     say("\n%s %s\n", is_drawn ? "The same as a drawing:" : "NO drawing could be written to", chosen.svg.c_str());
     ok = ok and is_drawn;
     demo.print_counts();
+    if (simulated == nullptr) {
+        demo.tell_what_is_left();
+    }
     say("%s\n", ok ? "All went as it should." : "Not all went as it should.");
     return status_of_end(ok ? 0 : 1);
 }

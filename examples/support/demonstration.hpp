@@ -78,6 +78,25 @@ public:
         return true;
     }
 
+    /// Whether the drive was in fault when the panel was read; says in which, and what resets it.
+    bool is_in_fault() const
+    {
+        bool const is_so = rtuwire::cia402::is_in_fault(read().state());
+        if (is_so) {
+            say("   It is in fault: %s. A program before this one may have left it so; %s\n", read().fault().c_str(),
+                what_resets().c_str());
+        }
+        return is_so;
+    }
+
+    /// What becomes of the drive from here on.
+    void tell_what_is_left() const
+    {
+        say("Nobody asks the drive any more: it trips (SLF) at the end of its time-out, unless that is switched off; "
+            "%s\n",
+            what_resets().c_str());
+    }
+
     bool watch(rtuwire::duration length)
     {
         rtuwire::instant const end = port_.now() + length;
@@ -284,6 +303,12 @@ private:
         say("   the order to run is %s: %s\n", is_lost ? "dropped" : "STILL THERE",
             words(name_of(reason.kind)).c_str());
         return is_lost;
+    }
+
+    std::string what_resets() const
+    {
+        return "`rtuwire -p " + port_.device() + " -u " + std::to_string(drive_.unit().byte()) +
+               " --write reset` resets it";
     }
 
     // What was seen.

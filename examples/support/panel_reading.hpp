@@ -46,12 +46,15 @@ public:
     /// In A.
     double current() const { return number(seen_.template get<panel::lcr>()); }
 
+    /// "SLF1: Modbus interrupted"; the last one, where the drive is in none.
+    std::string fault() const { return shown<panel::lft>(); }
+
     void tell() const
     {
         say("   ETA %04X (%s), RFR %s, FRH %s, LCR %s, ULN %s, THR %s, LFT %s; %zu registers in %zu requests\n",
             status(), words(state()).c_str(), shown<panel::rfr>().c_str(), shown<panel::frh>().c_str(),
-            shown<panel::lcr>().c_str(), shown<panel::uln>().c_str(), shown<panel::thr>().c_str(),
-            shown<panel::lft>().c_str(), std::size_t{7}, std::size_t{plan::request_count});
+            shown<panel::lcr>().c_str(), shown<panel::uln>().c_str(), shown<panel::thr>().c_str(), fault().c_str(),
+            std::size_t{7}, std::size_t{plan::request_count});
     }
 
 private:

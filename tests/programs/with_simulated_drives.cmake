@@ -60,3 +60,5 @@ add_program_test("motion law: S37 the simulate program answers while its output 
 
 add_program_test("examples: messages name what is wrong, and no output is lost without a word"
     messages.py "${simulate}" "${demo}")
+add_program_test("defect: D40 the demo tells what it leaves, and looks for a fault before it runs a motor"
+    leaving.py "${simulate}" "${demo}")
