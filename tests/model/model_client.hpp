@@ -282,10 +282,12 @@ private:
     /// long pause, but before the `advance` that ends it, is over at the next one.
     time judged(time now) const
     {
-        constexpr time turn = time{1} << 32;
+        constexpr time whole_turn = time{1} << 32;
         constexpr time may_go_back = 1 << 16;
-        time const pause = (now - seen_.value_or(now)) % turn;
-        return pause < turn / 2 or pause >= turn - may_go_back ? now : now - (pause - (turn / 2 - may_go_back));
+        time const pause = (now - seen_.value_or(now)) % whole_turn;
+        return pause < whole_turn / 2 or pause >= whole_turn - may_go_back
+                   ? now
+                   : now - (pause - (whole_turn / 2 - may_go_back));
     }
     /// 21.
     bool is_asker_missing() const
