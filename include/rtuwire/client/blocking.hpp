@@ -8,6 +8,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -85,6 +86,10 @@ public:
     {
         return run(single_request{broadcast, command});
     }
+
+    /// The frame for which the last request failed, with `wrong_length`, `crc_mismatch` and the like: see the client's.
+    /// Valid until the next `ask` or `run`.
+    [[nodiscard]] std::optional<refused_frame> refused() const noexcept { return client_.refused(); }
 
     /// Runs a conversation until it is settled, and returns its `outcome()`; where it has none, its `reason()`; where it
     /// has neither, a `result<void>`. Of a conversation without a name, whose response would end with the statement, only

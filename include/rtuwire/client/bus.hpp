@@ -54,7 +54,7 @@ public:
 
     /// As for a client.
     using places::cancel, places::hold, places::is_held, places::line, places::poll_transmit, places::receive,
-        places::receive_error, places::sent, places::trace_to;
+        places::receive_error, places::refused, places::sent, places::trace_to;
 
     /// Lets time pass.
     constexpr void advance(instant now) noexcept

@@ -114,8 +114,9 @@ enum class errc : std::uint8_t {
     /// More than 256 bytes without an end.
     /// Remedy: Another protocol, another bit rate, or a unit that babbles: listen to the line.
     frame_too_long = 0x8D,
-    /// The size contradicts the frame's own header.
-    /// Remedy: Bytes were lost or added: check wiring and receive buffers, and that no second client sends.
+    /// The CRC is right, but the size is not the one that the function, the request or the frame's own header gives.
+    /// Remedy: The unit departs from the function's format, so the line is not to blame: look at the frame that came
+    /// (`refused()` of a client), and see its manual; a request type of one's own can read another format.
     wrong_length = 0x8E,
     /// The CRC is wrong: bytes were damaged.
     /// Remedy: Check termination, bias, ground and the routing beside motor cables; the same frame damaged each

@@ -45,7 +45,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     case errc::value_without_meaning: return "value without a meaning in the register";
     case errc::frame_too_short: return "frame too short";
     case errc::frame_too_long: return "frame too long";
-    case errc::wrong_length: return "wrong length";
+    case errc::wrong_length: return "right CRC, wrong length";
     case errc::crc_mismatch: return "CRC mismatch";
     case errc::uart_error: return "parity, framing or overrun error";
     case errc::wrong_unit: return "response of another unit";

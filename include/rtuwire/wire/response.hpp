@@ -186,6 +186,16 @@ template <typename... Functions>
     return longest_response(request_adu).size();
 }
 
+/// How many bytes a response should have: what its request gives, else what its own first bytes give; 0 where neither does.
+/// Internal.
+[[nodiscard]] constexpr std::size_t due_size(byte_view request_adu, byte_view response_adu) noexcept
+{
+    length_hint const by_frame = frame_length(direction::response, response_adu);
+    bool const is_refusal = response_adu.size() > 1 and (to_u8(response_adu[1]) & exception_bit) != 0;
+    std::size_t const by_request = is_refusal ? max_adu_size : response_size(request_adu);
+    return by_request != max_adu_size ? by_request : by_frame.is_final() ? by_frame.size() : 0;
+}
+
 /// Compares the fields of a normal response with its request; both PDUs are of one function. Inlined in
 /// `check_response`, where it is smaller than a separate function.
 /// Internal.

@@ -54,8 +54,10 @@ void read_all(open_line& line, rtuwire::unit_id unit, saved_settings& to)
         if (entry == nullptr) {
             return; // of another revision of the drive
         }
-        to.parameters.push_back(
-            {entry, word ? std::optional{*word} : std::nullopt, word ? std::string{} : words_of(word.error()), {}});
+        to.parameters.push_back({entry,
+                                 word ? std::optional{*word} : std::nullopt,
+                                 word ? std::string{} : line.words_of_failure(word.error()),
+                                 {}});
         if (bar) {
             bar->show(to.parameters.size(), std::string{});
         }
@@ -69,9 +71,10 @@ void read_all(open_line& line, rtuwire::unit_id unit, saved_settings& to)
     });
     if (not outcome) {
         bool const is_port = status_of(outcome.error()) == exit_status::port;
-        throw ended{status_of(outcome.error()), is_port ? line.port().failure()
-                                                        : "unit " + std::to_string(unit.byte()) + ": " +
-                                                              words_of(outcome.error()) + "; nothing is kept"};
+        throw ended{status_of(outcome.error()), is_port
+                                                    ? line.port().failure()
+                                                    : "unit " + std::to_string(unit.byte()) + ": " +
+                                                          line.words_of_failure(outcome.error()) + "; nothing is kept"};
     }
 }
 

@@ -118,7 +118,7 @@ private:
             rtuwire::cia402::state const decoded = rtuwire::cia402::decode(*status);
             state = std::string{std::string_view{name_of(decoded)}};
         } else {
-            state = words_of(status.error());
+            state = reader_.why_not(drive_.layout.eta);
         }
         bool const is_in_fault = status and rtuwire::cia402::is_in_fault(rtuwire::cia402::decode(*status));
         record row = begun(is_in_fault ? "now, in fault" : "last", drive_.layout.lft);

@@ -25,7 +25,7 @@ record for_programs(reading const& it, chosen_register const& which, rtuwire::un
     if (it.word) {
         line.add("raw", std::int64_t{*it.word}).add("value", it.value).add("measure", it.measure).add("text", it.text);
     } else {
-        line.add("error", words_of(it.word.error()));
+        line.add("error", it.text);
     }
     return line;
 }

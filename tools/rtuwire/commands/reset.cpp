@@ -57,7 +57,7 @@ private:
         auto const outcome = line_.ask(who_.unit, rtuwire::read_holding_registers{.start = address, .count = 1});
         if (not outcome) {
             throw ended{status_of(outcome.error()),
-                        "unit " + std::to_string(who_.unit.byte()) + ": " + words_of(outcome.error())};
+                        "unit " + std::to_string(who_.unit.byte()) + ": " + line_.words_of_failure(outcome.error())};
         }
         return outcome->registers[0];
     }

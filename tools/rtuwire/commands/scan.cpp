@@ -120,7 +120,7 @@ private:
             note(how, unit, who);
             leave(line, unit, who.drive);
         } else if (not is_silent) {
-            note(how, unit, {.note = words_of(outcome)});
+            note(how, unit, {.note = line.words_of_failure(outcome)});
         } else {
             log_.note_silent(how, unit.byte());
         }

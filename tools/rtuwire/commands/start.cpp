@@ -30,7 +30,8 @@ void refuse_where_it_runs(open_line& line, rtuwire::unit_id unit, drive_catalog 
 {
     auto const status = line.ask(unit, rtuwire::read_holding_registers{.start = drive.layout.eta, .count = 1});
     if (not status) {
-        throw ended{status_of(status.error()), "the drive's status could not be read: " + words_of(status.error())};
+        throw ended{status_of(status.error()),
+                    "the drive's status could not be read: " + line.words_of_failure(status.error())};
     }
     if (rtuwire::cia402::has_power(rtuwire::cia402::decode(status->registers[0]))) {
         refuse_for_safety("the motor has power already: somebody else commands it; `rtuwire stop` stops it");

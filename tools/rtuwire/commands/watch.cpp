@@ -78,7 +78,7 @@ private:
         }
         rtuwire::errc const why = reader_.first_error();
         last_error_ = why;
-        line.add("error", why != rtuwire::errc::none ? cell{words_of(why)} : cell{});
+        line.add("error", why != rtuwire::errc::none ? cell{reader_.first_failure()} : cell{});
         results_.put(line);
     }
 

@@ -86,7 +86,7 @@ private:
             if (not value.is_ready()) {
                 throw ended{status_of(limits.first_error()),
                             "'" + word + "' is limited by " + std::string{value.needed.front()->code} +
-                                ", which could not be read: " + words_of(limits.first_error())};
+                                ", which could not be read: " + limits.first_failure()};
             }
             values.push_back(value);
         }
@@ -155,6 +155,7 @@ private:
             return why->status;
         }
         auto const outcome = line.ask(unit_.unit, rtuwire::write_single_register{value.address, value.word});
+        std::string const failure = line.words_of_failure(outcome.error());
         bool const is_taken = outcome.error() == errc::none;
         // An order is no value that stays, and a drive that saves is silent meanwhile.
         bool const is_order = value.entry != nullptr and takes_orders(*value.entry, *drive_);
@@ -165,16 +166,16 @@ private:
         std::string error;
         exit_status status = exit_status::done;
         if (not held) {
-            error = words_of(is_taken ? held.error() : outcome.error());
+            error = is_taken ? line.words_of_failure(held.error()) : failure;
             status = status_of(is_taken ? held.error() : outcome.error());
         } else if (*held != value.word) {
-            error = is_taken ? "the unit holds another value" : words_of(outcome.error());
+            error = is_taken ? "the unit holds another value" : failure;
             status = is_taken ? exit_status::differs : status_of(outcome.error());
         } else if (is_refusal(outcome.error())) {
-            error = words_of(outcome.error());
+            error = failure;
             status = exit_status::differs;
         }
-        std::string note = is_taken or not error.empty() ? std::string{} : words_of(outcome.error()) + ": read back";
+        std::string note = is_taken or not error.empty() ? std::string{} : failure + ": read back";
         if (not is_refusal(outcome.error())) {
             append(note, logged(value, before, after));
         }

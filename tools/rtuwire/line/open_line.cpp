@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include "frame/hex_text.hpp"
 #include "line/line_words.hpp"
 #include "line/traffic.hpp"
 #include "port/port_word.hpp"
@@ -74,6 +75,23 @@ open_line::open_line(line_choices const& chosen, line_setting const& how)
     if (not port_.is_simulated()) {
         tell_of_supervision();
     }
+}
+
+std::string open_line::words_of_failure(rtuwire::errc why) const
+{
+    std::string text = words_of(why);
+    auto const refused = client_.refused();
+    if (not refused) {
+        return text;
+    }
+    if (why == rtuwire::errc::wrong_length) {
+        text +=
+            ": the unit departs from the function's format: " + std::to_string(refused->bytes.size()) + " bytes came";
+        text += refused->due == 0 ? "" : ", " + std::to_string(refused->due) + " are due";
+    } else {
+        text += ": " + std::to_string(refused->bytes.size()) + " bytes came";
+    }
+    return text + ": " + hex_of(refused->bytes);
 }
 
 exit_status status_of(rtuwire::errc why)

@@ -49,6 +49,10 @@ public:
         return client_.ask(to, request);
     }
 
+    /// Why the last request failed, with the frame that was refused: "right CRC, wrong length: the unit departs from the
+    /// function's format: 6 bytes came, 5 are due: 01 83 02 00 F1 50".
+    std::string words_of_failure(rtuwire::errc why) const;
+
 private:
     any_port port_;
     rtuwire::client_options options_;

@@ -61,7 +61,7 @@ reading reading_of(chosen_register const& which, register_reader const& from, dr
 {
     reading it{label_of(which), from.at(which.address), {}, {}, {}};
     if (not it.word) {
-        it.text = words_of(it.word.error());
+        it.text = from.why_not(which.address);
     } else if (which.bit >= 0) {
         show_bit(it, which.bit, *it.word);
     } else if (which.entry != nullptr and drive != nullptr) {

@@ -49,8 +49,12 @@ void register_reader::group(std::set<std::uint16_t> const& addresses)
 errc register_reader::read(open_line& line, rtuwire::unit_id unit, block const& which)
 {
     auto const outcome = line.ask(unit, rtuwire::read_holding_registers{.start = which.start, .count = which.count});
+    std::string const failure = outcome ? std::string{} : line.words_of_failure(outcome.error());
     for (std::uint16_t i = 0; i < which.count; ++i) {
         auto const address = static_cast<std::uint16_t>(which.start + i);
+        if (not outcome) {
+            failures_.insert_or_assign(address, failure);
+        }
         words_.insert_or_assign(address, outcome ? rtuwire::result<std::uint16_t>{outcome->registers[i]}
                                                  : rtuwire::result<std::uint16_t>{outcome.error()});
     }
@@ -60,6 +64,8 @@ errc register_reader::read(open_line& line, rtuwire::unit_id unit, block const& 
 void register_reader::read(open_line& line, rtuwire::unit_id unit)
 {
     first_error_ = errc::none;
+    first_failure_.clear();
+    failures_.clear();
     for (block const& each : blocks_) {
         errc outcome = read(line, unit, each);
         if (outcome == errc::illegal_data_address and each.count > 1) {
@@ -72,8 +78,17 @@ void register_reader::read(open_line& line, rtuwire::unit_id unit)
         if (status_of(outcome) == exit_status::port) {
             throw ended{exit_status::port, line.port().failure()};
         }
-        first_error_ = first_error_ == errc::none ? outcome : first_error_;
+        if (first_error_ == errc::none and outcome != errc::none) {
+            first_error_ = outcome;
+            first_failure_ = failures_.begin()->second;
+        }
     }
+}
+
+std::string register_reader::why_not(std::uint16_t address) const
+{
+    auto const found = failures_.find(address);
+    return found == failures_.end() ? words_of(at(address).error()) : found->second;
 }
 
 rtuwire::result<std::uint16_t> register_reader::at(std::uint16_t address) const

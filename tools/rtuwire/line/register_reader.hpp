@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -32,8 +33,13 @@ public:
     /// The same by mnemonic, as values and limits want it.
     known_words known() const;
 
+    /// Why it could not be read, in words; of one that could, nothing.
+    std::string why_not(std::uint16_t address) const;
+
     /// Why the last round lacks something; none where it is whole.
     rtuwire::errc first_error() const { return first_error_; }
+    /// The same in words.
+    std::string const& first_failure() const { return first_failure_; }
 
 private:
     struct block {
@@ -50,7 +56,9 @@ private:
     unsigned limit_;
     std::vector<block> blocks_{};
     std::map<std::uint16_t, rtuwire::result<std::uint16_t>> words_{};
+    std::map<std::uint16_t, std::string> failures_{}; ///< of those that could not be read
     rtuwire::errc first_error_{};
+    std::string first_failure_{};
 };
 
 } // namespace tool

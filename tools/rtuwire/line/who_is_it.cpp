@@ -188,6 +188,7 @@ candidates without_identity(candidates all)
 /// behind something that does not let function 43 pass.
 void recognise_by_registers(open_line& line, rtuwire::unit_id unit, errc outcome, identity_words& who)
 {
+    std::string const why = line.words_of_failure(outcome);
     fingerprint marks{line, unit};
     candidates found = marks.among(all_drives());
     if (rtuwire::is_exception(outcome)) {
@@ -196,14 +197,14 @@ void recognise_by_registers(open_line& line, rtuwire::unit_id unit, errc outcome
     if (found.size() == 1) {
         who.drive = std::string{found.front()->name};
     } else if (rtuwire::is_exception(outcome) or marks.is_there()) {
-        who.note = "answers, but does not say who it is (" + words_of(outcome) +
+        who.note = "answers, but does not say who it is (" + why +
                    "), and its registers are those of no drive of this program, or of several";
         who.outcome = exit_status::differs;
         who.has_answered = true;
         // A drive that answers function 43 does not refuse it.
         who.is_another = outcome == errc::illegal_function and found.empty();
     } else {
-        who.note = words_of(outcome);
+        who.note = why;
         who.outcome = status_of(outcome);
     }
 }

@@ -44,7 +44,7 @@ std::int64_t count_in(register_reader const& from, drive_catalog const& drive, s
     auto const word = from.at(entry->address);
     if (not word) {
         throw ended{status_of(word.error()),
-                    std::string{code} + ", which limits the motor, could not be read: " + words_of(word.error())};
+                    std::string{code} + ", which limits the motor, could not be read: " + from.why_not(entry->address)};
     }
     return entry->count_of(*word);
 }

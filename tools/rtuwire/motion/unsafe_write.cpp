@@ -46,7 +46,7 @@ std::optional<ended> why_not_at_rest(open_line& line, rtuwire::unit_id unit, dri
     status.read(line, unit);
     if (status.first_error() != rtuwire::errc::none) {
         return ended{status_of(status.first_error()),
-                     "the drive does not tell whether its motor runs: " + words_of(status.first_error())};
+                     "the drive does not tell whether its motor runs: " + status.first_failure()};
     }
     auto const state = rtuwire::cia402::decode(*status.at(eta));
     if (not rtuwire::cia402::is_at_rest(state)) {

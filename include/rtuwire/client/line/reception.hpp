@@ -9,6 +9,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include <rtuwire/client/line/frame_trace.hpp>
 #include <rtuwire/client/line/phase.hpp>
@@ -19,6 +20,12 @@
 #include <rtuwire/wire/response.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// A frame that was refused as the response to a request.
+struct refused_frame {
+    byte_view bytes;
+    std::size_t due; ///< how many bytes it should have had; 0 where neither the request nor the frame gives that
+};
 
 /// The base of a client's transaction.
 template <typename Statistics, typename Line, typename Options, typename Debts, std::size_t Front>
@@ -91,14 +98,21 @@ public:
         }
     }
 
-protected:
-    /// Takes a response that has ended, by its length or by silence, and judges it.
-    constexpr void take_frame(instant now) noexcept
+    /// The frame for which the last request failed, with `wrong_length`, `crc_mismatch` and the like; nothing where it was
+    /// no frame, or where more has arrived behind it. Valid until bytes are taken or the next request begins.
+    [[nodiscard]] constexpr std::optional<refused_frame> refused() const noexcept
     {
-        bool const is_end = framer().poll_end();
-        if (not is_end or error_ == errc::collision) {
-            return this->pass_collision(is_end);
+        bool const has_failed = error_ != errc::none and not is_exception(error_) and not is_under_way(phase_);
+        if (not has_failed or not framer().begun().empty() or framer().bytes().empty() or judged() != error_) {
+            return std::nullopt;
         }
+        return refused_frame{framer().bytes(), due_size(request(), framer().bytes())};
+    }
+
+protected:
+    /// What the frame that has ended is as a response to the request.
+    [[gnu::always_inline]] constexpr errc judged() const noexcept
+    {
         errc wrong = framer().verdict();
         if (wrong == errc::none) {
             wrong = check_response(request(), framer().frame());
@@ -106,6 +120,17 @@ protected:
         if (wrong == errc::none and not framer().matches_size_hint()) {
             wrong = errc::wrong_length;
         }
+        return wrong;
+    }
+
+    /// Takes a response that has ended, by its length or by silence, and judges it.
+    constexpr void take_frame(instant now) noexcept
+    {
+        bool const is_end = framer().poll_end();
+        if (not is_end or error_ == errc::collision) {
+            return this->pass_collision(is_end);
+        }
+        errc const wrong = judged();
         line_event const event = event_of(wrong);
         note_frame(statistics_, event, wrong, unit(), now);
         if constexpr (is_traced<Statistics>) {

@@ -9,6 +9,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include <rtuwire/ask/commander.hpp>
 #include <rtuwire/client/slot/bus_slots.hpp>
@@ -80,6 +81,7 @@ public:
     template <typename Sink>
         requires is_traced_by<Statistics, Sink>
     constexpr void trace_to(Sink& frames) noexcept { client_.trace_to(frames); }
+    [[nodiscard]] constexpr std::optional<refused_frame> refused() const noexcept { return client_.refused(); }
 
 protected:
     /// Conversations that visit in every pass: their stops and their own times wait for nothing.

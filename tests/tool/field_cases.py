@@ -1,0 +1,93 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""What people met with units and lines of their own, at pseudo-terminals: what the tool says of it.
+
+    python3 field_cases.py TOOL PART
+"""
+import os
+import select
+import time
+
+from support import DIFFERS, Line, Tool, runs, with_crc
+
+
+class Unit:
+    """Answers each request of function 3 by what `said` makes of it: bytes, or (seconds to wait first, bytes) in a list."""
+
+    def __init__(self, said):
+        self.said, self.requests, self.times = said, [], []
+
+    def take(self, request, send):
+        self.requests.append(request)
+        self.times.append(time.monotonic())
+        answer = self.said(request)
+        for wait, data in answer if isinstance(answer, list) else [(0, answer)]:
+            time.sleep(wait)
+            send(data)
+
+
+class UnitOnLine(Line):
+    """with UnitOnLine(said) as line: ... line.name, line.unit.requests"""
+
+    def __init__(self, said):
+        super().__init__()
+        self.unit = Unit(said)
+
+    def forward(self):
+        while True:
+            ready, _, _ = select.select([self.near, self.ends[0]], [], [])
+            if self.ends[0] in ready:
+                return
+            self.unit.take(os.read(self.near, 512), self.say)
+
+
+def words_of(request):
+    start, count = int.from_bytes(request[2:4], "big"), int.from_bytes(request[4:6], "big")
+    return b"".join((each & 0xFFFF).to_bytes(2, "big") for each in range(start, start + count))
+
+
+def good(request):
+    """Each register holds its address."""
+    data = words_of(request)
+    return with_crc(request[:2] + bytes([len(data)]) + data)
+
+
+# What a unit says instead; how many bytes are due to a request of one register, and of three.
+FORMATS = [
+    ("two codes", lambda request: with_crc(bytes([request[0], 0x83, 2, 0])), (5, 5)),
+    ("no byte count", lambda request: with_crc(request[:2] + words_of(request)), (7, 11)),
+    ("a wide byte count", lambda request: with_crc(request[:2] + b"\0" + good(request)[2:-2]), (7, 11)),
+    ("a byte more", lambda request: with_crc(good(request)[:-2] + b"\6"), (7, 11)),
+    ("registers of four bytes", lambda request: with_crc(request[:2] + bytes([2 * len(words_of(request))]) + 2 * words_of(request)), (7, 11)),
+]
+
+
+def check_formats(tool, check):
+    for what, said, due in FORMATS:
+        for words, size in (("0x1234", due[0]), ("0x1234-0x1236", due[1])):
+            with UnitOnLine(said) as line:
+                how = ["--port", line.name, "--no-listen", "--timeout", 0.5, "--retries", 0, "-u", 9]
+                table = tool.run(*how, "read", words)
+                rows = tool.run(*how, "--json", "read", words).objects()
+                seen = said(line.unit.requests[-1])
+            told = (f"right CRC, wrong length: the unit departs from the function's format: {len(seen)} bytes came, {size} are due: "
+                    + seen.hex(" ").upper())
+            check(table.status == DIFFERS and told in table.output, f"{what}, {words}: {told}", table)
+            check(all(told in row["error"] for row in rows), f"{what}, {words}: for programs, too", rows)
+    with UnitOnLine(FORMATS[3][1]) as line:
+        rows = tool.run("--port", line.name, "--no-listen", "--timeout", 0.5, "--json", "scan", "--units", "4").objects()
+        check(len(rows) == 1 and "8 bytes came, 7 are due: 04 03 02 0C 81 06" in rows[0]["note"], "of a scan", rows)
+    with UnitOnLine(lambda request: good(request)[:-1] + b"!") as line:
+        ended = tool.run("--port", line.name, "--no-listen", "--timeout", 0.5, "-u", 9, "read", "0x0102")
+        check("CRC mismatch: 7 bytes came: 09 03 02 01 02" in ended.output, "a damaged one is shown as well", ended)
+
+
+PARTS = {"formats": check_formats}
+
+
+def main(check, program, part):
+    with Tool(program) as tool:
+        PARTS[part](tool, check)
+
+
+runs(main)
