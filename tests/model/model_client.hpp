@@ -232,7 +232,7 @@ public:
         if (line_.is_known) {
             if (not line_.is_quiet and phase_ != phase::awaiting) {
                 add(line_.last + line_.times.silence);
-            } else if (line_.at != receiver::state::between) {
+            } else if (line_.at != receiver::state::between and not awaits_rest()) {
                 add(line_.last + line_.times.frame_end);
             }
         }
@@ -337,8 +337,11 @@ private:
         wait(now);
         leave_if_free(now);
     }
+    /// 2.
+    void drop_unended() { line_.at = awaits_rest() ? receiver::state::between : line_.at; }
     void wait(time now)
     {
+        drop_unended();
         phase_ = phase::waiting;
         until_ = now + limited_response();
     }
@@ -475,9 +478,10 @@ private:
         }
     }
 
+    bool awaits_rest() const { return phase_ == phase::awaiting and line_.lacks_rest(); }
     void end_by_silence(std::size_t count, time now)
     {
-        if (line_.at == receiver::state::between or not line_.is_gap(count, now)) {
+        if (line_.at == receiver::state::between or awaits_rest() or not line_.is_gap(count, now)) {
             return;
         }
         bool const was_inside = line_.at == receiver::state::inside;
@@ -590,6 +594,7 @@ private:
     }
     void settle(fault why, time now)
     {
+        drop_unended();
         ended_at_ = now;
         if (sendings_.unanswered > 0 and unit() != 0) {
             debts_.hold(unit(), std::max(sendings_.begun, now));

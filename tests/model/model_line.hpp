@@ -156,6 +156,29 @@ inline std::optional<std::size_t> size_hint(bytes const& frame, bool is_request)
     }
 }
 
+/// Whether the first bytes of a response tell that more are to come.
+inline bool lacks_bytes(bytes const& frame)
+{
+    std::size_t const n = frame.size();
+    if (auto const told = size_hint(frame, false)) {
+        return *told > n and *told <= 256;
+    }
+    if (n < 2) {
+        return true;
+    }
+    unsigned const function = frame[1];
+    bool const is_counted = (function >= 1 and function <= 4) or function == 12 or function == 17 or function == 20 or
+                            function == 21 or function == 23;
+    if (function != 43) {
+        return (is_counted and n < 3) or ((function == 8 or function == 24) and n < 4);
+    }
+    std::size_t next = 8; // the first byte that tells more
+    for (unsigned left = n < 8 ? 0 : frame[7]; left > 0 and n >= next + 2; --left) {
+        next += 2U + frame[next + 1];
+    }
+    return n < 3 or (frame[2] == 14 and next <= 254);
+}
+
 /// What the receiver knows of the line, and the frame that it is in (rules 1 to 3).
 struct receiver {
     enum class state { unheard, between, inside };
@@ -173,6 +196,11 @@ struct receiver {
     bool is_gap(std::size_t count, time now) const
     {
         return is_known and now >= last + times.frame_end + times.characters(count);
+    }
+    /// Without a wire silence does not end a response that lacks bytes while one is awaited.
+    bool lacks_rest() const
+    {
+        return times.character == 0 and at == state::inside and error == none and lacks_bytes(frame);
     }
     void note_activity(time now)
     {

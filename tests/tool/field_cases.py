@@ -1,14 +1,16 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""What people met with units and lines of their own, at pseudo-terminals: what the tool says of it.
+"""What people met with units and lines of their own, at pseudo-terminals and TCP ports: what the tool says of it.
 
     python3 field_cases.py TOOL PART
 """
 import os
 import select
+import socket
+import threading
 import time
 
-from support import DIFFERS, Line, Tool, runs, with_crc
+from support import DIFFERS, DONE, NO_ANSWER, Line, Tool, runs, with_crc
 
 
 class Unit:
@@ -39,6 +41,32 @@ class UnitOnLine(Line):
             if self.ends[0] in ready:
                 return
             self.unit.take(os.read(self.near, 512), self.say)
+
+
+class UnitOnTcp:
+    """The same behind a TCP port."""
+
+    def __init__(self, said):
+        self.unit = Unit(said)
+        self.listening = socket.create_server(("127.0.0.1", 0))
+        self.name = f"tcp://127.0.0.1:{self.listening.getsockname()[1]}"
+        threading.Thread(target=self.serve, daemon=True).start()
+
+    def serve(self):
+        while True:
+            try:
+                line, _ = self.listening.accept()
+            except OSError:
+                return
+            line.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            while request := line.recv(512):
+                self.unit.take(request, line.sendall)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.listening.close()
 
 
 def words_of(request):
@@ -82,7 +110,26 @@ def check_formats(tool, check):
         check("CRC mismatch: 7 bytes came: 09 03 02 01 02" in ended.output, "a damaged one is shown as well", ended)
 
 
-PARTS = {"formats": check_formats}
+def in_pieces(size, pause):
+    def said(request):
+        data = good(request)
+        return [(pause if at else 0, data[at:at + size]) for at in range(0, len(data), size)]
+    return said
+
+
+def check_pieces(tool, check):
+    for size, pause, words, values in ((4, 0.12, "0x0001-0x0002", [1, 2]), (5, 0.12, "0x0300", [0x300]),
+                                       (40, 0.3, "0x1000-0x103F", list(range(0x1000, 0x1040))), (1, 0.06, "7", [7])):
+        with UnitOnTcp(in_pieces(size, pause)) as line:
+            ended = tool.run("--port", line.name, "--no-listen", "--timeout", 10, "--retries", 0, "--json", "-u", 1, "read", words)
+            check(ended.status == DONE and [row["raw"] for row in ended.objects()] == values,
+                  f"{words} in pieces of {size} bytes, {pause} s apart", ended)
+    with UnitOnTcp(lambda request: good(request)[:-1]) as line:
+        ended = tool.run("--port", line.name, "--no-listen", "--timeout", 0.5, "--retries", 0, "-u", 1, "read", "0x0001")
+        check(ended.status == NO_ANSWER and "no response in time" in ended.output, "one that never ends ends by the time-out", ended)
+
+
+PARTS = {"formats": check_formats, "pieces": check_pieces}
 
 
 def main(check, program, part):

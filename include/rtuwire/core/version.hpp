@@ -25,15 +25,18 @@
 /// The version for the preprocessor: major * 10000 + minor * 100 + patch.
 #define RTUWIRE_VERSION 100
 
+// Whether there is an operating system, as on a host: 1 or 0.
+#if defined(__unix__) || defined(__APPLE__) || defined(_WIN32)
+#define RTUWIRE_HAS_SYSTEM 1
+#else
+#define RTUWIRE_HAS_SYSTEM 0
+#endif
+
 /// Whether reading the value of a result that has none, or a register that a view does not have, is caught at
 /// run time: 1 or 0. By default on where there is an operating system, off on bare metal; NDEBUG does not
 /// matter.
 #ifndef RTUWIRE_CHECKED
-#if defined(__unix__) || defined(__APPLE__) || defined(_WIN32)
-#define RTUWIRE_CHECKED 1
-#else
-#define RTUWIRE_CHECKED 0
-#endif
+#define RTUWIRE_CHECKED RTUWIRE_HAS_SYSTEM
 #endif
 
 // The processor multiplies without carries: PCLMULQDQ, PMULL, or VMULL.P64 on a 32-bit Arm.
@@ -67,5 +70,9 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The same version for the language.
 inline constexpr int version = RTUWIRE_VERSION;
+
+/// Whether there is an operating system.
+/// Internal.
+inline constexpr bool has_system = RTUWIRE_HAS_SYSTEM != 0;
 
 } // namespace rtuwire

@@ -28,7 +28,8 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 ///
 /// The wire behind the server is out of sight. A server adds some milliseconds each way, more where it packs bytes, and the
 /// network adds its own: give `response_timeout` some 500 ms more than on a wire. TCP loses nothing, so a frame that is late
-/// comes all the same, perhaps in one lump with the next: a long time-out is better than many retries. Where the server keeps
+/// comes all the same, perhaps in one lump with the next, or in pieces: a long time-out is better than many retries. A client
+/// waits as long for the rest of a response, however long the pause in it. Where the server keeps
 /// the silence between frames itself, use `line_timing::without_wire()`; where it does not, or nobody knows, add
 /// `.with_silence(milliseconds(5))` or more.
 class tcp_stream {

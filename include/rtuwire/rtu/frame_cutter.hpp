@@ -137,6 +137,9 @@ public:
         error_ = errc::uart_error;
     }
 
+    /// Whether the bytes so far of the frame that is being received, all of them good, tell that more are to come.
+    [[nodiscard]] constexpr bool lacks_bytes() const noexcept { return error_ == errc::none and rule_at_ > end_; }
+
     /// Why the last frame is refused; none where it is good.
     [[nodiscard]] constexpr errc verdict() const noexcept
     {
@@ -240,6 +243,8 @@ public:
     constexpr frame_receiver() noexcept requires is_constant<Line> : bytes_{} {}
 
 private:
+    static constexpr bool awaits_rest() noexcept { return false; } ///< nothing but silence ends a frame without its end
+
     [[no_unique_address]] Line line_{};
     std::array<std::byte, frame_place<Front>::memory> bytes_; ///< written up to the frame's end
 };

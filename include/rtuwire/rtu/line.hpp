@@ -49,8 +49,10 @@ public:
         return line;
     }
 
-    /// Times for what is no wire, where bytes take no time and need no silence between frames: a pseudo-terminal, a
-    /// socket. What has no length rule ends after `frame_end` there, too.
+    /// Times for what is no wire, where bytes take no time, need no silence between frames and are not lost: a
+    /// pseudo-terminal, a socket. What has no length rule ends after `frame_end` there, too, and so does all that a server
+    /// receives. A client on a host waits for the rest of a response that tells its length until its response time-out; on
+    /// a microcontroller no longer than `frame_end`, which is to be above the longest pause within a response there.
     [[nodiscard]] static constexpr line_timing without_wire(duration frame_end = milliseconds(50)) noexcept
     {
         constexpr std::uint32_t usual = 19'200;
@@ -69,6 +71,9 @@ public:
         line.frame_end_ = silence > frame_end_ ? silence : frame_end_;
         return line;
     }
+
+    /// Whether bytes take time on a wire, which may lose some; not so of `without_wire`.
+    [[nodiscard]] constexpr bool has_wire() const noexcept { return character_.microseconds != 0; }
 
     /// The time that `count` characters take, at most a frame's: 47 s at 60 bit/s.
     [[nodiscard]] constexpr duration characters(std::size_t count) const noexcept

@@ -45,7 +45,7 @@ public:
         if (reached(at, last_ + line().silence())) {
             activity_ = activity::quiet;
         }
-        if (waits_for_silence() and reached(at, last_ + end_silence())) {
+        if (ends_by_silence() and reached(at, last_ + end_silence())) {
             on_silence();
         }
     }
@@ -65,7 +65,7 @@ public:
         // The silence that ends a frame is never shorter than the one before sending.
         if (activity_ == activity::busy and not awaits_bytes) {
             next.add(last_ + line().silence());
-        } else if (activity_ != activity::unknown and waits_for_silence()) {
+        } else if (activity_ != activity::unknown and ends_by_silence()) {
             next.add(last_ + end_silence());
         }
     }
@@ -89,6 +89,12 @@ public:
             state_ = state::idle;
         }
         return is_end;
+    }
+
+    /// Drops what is being received where silence does not end it.
+    constexpr void drop_unended() noexcept
+    {
+        state_ = waits_for_silence() and not ends_by_silence() ? state::idle : state_;
     }
 
     /// Drops what is being received and takes the next byte as the first of a frame: for a line that the
@@ -144,9 +150,21 @@ private:
     /// The silence that ends what is being received.
     constexpr duration end_silence() const noexcept { return is_open_end() ? line().t3_5() : line().frame_end(); }
 
+    /// Whether silence ends what is being received. On a host, where no wire may lose bytes, it does not while its holder
+    /// awaits the rest.
+    constexpr bool ends_by_silence() const noexcept
+    {
+        if constexpr (has_system) {
+            if (not line().has_wire() and static_cast<Holder const&>(*this).awaits_rest()) {
+                return false;
+            }
+        }
+        return waits_for_silence();
+    }
+
     constexpr void on_silence() noexcept
     {
-        if (waits_for_silence()) {
+        if (ends_by_silence()) {
             state_ = state_ == state::synchronising ? state::idle : state::done;
         }
     }

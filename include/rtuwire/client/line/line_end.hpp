@@ -165,6 +165,9 @@ protected:
     [[no_unique_address]] Statistics statistics_{};
 
 private:
+    /// Whether a response tells that more of it is to come. The time limit of the request ends this.
+    constexpr bool awaits_rest() const noexcept { return phase_ == client_phase::awaiting and framer().lacks_bytes(); }
+
     [[no_unique_address]] Line line_{};
     std::array<std::byte, frame_place<Front>::memory> bytes_; ///< the request, and behind it its response
 };

@@ -44,7 +44,7 @@ protected:
     /// The request waits for the line. Not inlined: it is called in several places.
     [[gnu::noinline]] constexpr void wait_for_silence(instant now) noexcept
     {
-        pass_begun();
+        leave_begun();
         phase_ = phase::waiting;
         error_ = errc::none;
         echo_.end();
@@ -87,7 +87,7 @@ protected:
     /// be: client/line/quarantine.hpp gives the rule and its reasons.
     constexpr void settle(errc error, instant now) noexcept
     {
-        pass_begun();
+        leave_begun();
         error_ = error;
         if (retries_.unanswered() != 0) {
             bool const has_response = error_ == errc::none or is_exception(error_);
@@ -125,8 +125,9 @@ protected:
         }
     }
 
-    /// Traces what has come of an echo and of a response, neither of which is awaited any longer.
-    [[gnu::always_inline]] constexpr void pass_begun() noexcept
+    /// What has come of an echo and of a response is traced; neither is awaited any longer. What silence would not have
+    /// ended is dropped: nothing else would end it in time.
+    [[gnu::always_inline]] constexpr void leave_begun() noexcept
     {
         if constexpr (is_traced<Statistics>) {
             pass_begun_echo();
@@ -134,6 +135,9 @@ protected:
             if (not begun.empty()) {
                 statistics_.pass_stray(begun, true, to_u8(begun[0]) == unit());
             }
+        }
+        if constexpr (has_system) {
+            framer().drop_unended();
         }
     }
 
