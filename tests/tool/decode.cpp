@@ -93,11 +93,12 @@ std::string runs_in(std::string const& text)
 {
     std::istringstream from{text};
     tool::hex_lines lines{from};
-    bytes run;
+    tool::byte_run run;
     std::string found;
     try {
         while (lines.next(run)) {
-            found += (found.empty() ? "" : "/") + tool::hex_of(run);
+            found += (found.empty() ? "" : "/") + tool::hex_of(run.bytes) + (run.is_decimal ? " decimal" : "");
+            found += run.or_decimal.empty() ? "" : " or " + tool::hex_of(run.or_decimal) + " decimal";
         }
     } catch (tool::ended const& why) {
         CHECK(why.status == tool::exit_status::usage);
@@ -283,14 +284,119 @@ TEST_CASE("a date or a time in front of a line is no part of its bytes")
     CHECK(runs_in("07:03:01 0C:82") == "07 03 01 0C 82");
     CHECK(runs_in("24:03:01 0C") == "24 03 01 0C");
     CHECK(runs_in("20-26-11-25 07") == "20 26 11 25 07");
-    CHECK(runs_in("2026-11-25 07:03:01 TX 01") == "line 1, character 21: 'TX' is no hexadecimal number");
+    CHECK(runs_in("2026-11-25 07:03:01 TX 01") == "01");
 }
 
 TEST_CASE("what is no hexadecimal number is refused with its place")
 {
-    CHECK(runs_in("01 03\n  TX 01") == "line 2, character 3: 'TX' is no hexadecimal number");
+    CHECK(runs_in("01 03\n  01 0G") == "line 2, character 6: '0G' is no hexadecimal number");
     CHECK(runs_in("01 123") == "line 1, character 4: '123' has 3 digits: a byte has two");
     CHECK(runs_in("0x") == "line 1, character 1: '0x' is no hexadecimal number");
     CHECK(runs_in("x01") == "line 1, character 1: 'x01' is no hexadecimal number");
     CHECK(runs_in("12.5") == "line 1, character 1: '12.5' is no hexadecimal number");
+}
+
+namespace {
+
+// The request and the response of one exchange, which logs below show in their ways.
+constexpr auto asked = "01 03 00 00 00 01 84 0A", told_07 = "01 03 02 00 07 F9 86";
+
+} // namespace
+
+TEST_CASE("defect: D38 bytes are found in the lines of logs")
+{
+    struct row {
+        char const* line;
+        std::string_view run;
+    };
+    row const rows[] = {
+        // A literal of a script: its b is no byte.
+        {R"(b'\x01\x03\x02\x12\x34\xb5\x33')", "01 03 02 12 34 B5 33"},
+        {R"(bytearray(b'\x01\x03\x02\x12\x34\xb5\x33'))", "01 03 02 12 34 B5 33"},
+        {R"(b"\x01\x03\x00\x00\x00\x01\x84\n")", asked},
+        {R"(b'0103000000018 40A')", "line 1, character 3: '0103000000018' has 13 digits: a byte has two"},
+        {"b'010300000001840a'", asked},
+        // Names of roles in front, words of one or two digits.
+        {"SEND: 0x2 0x3 0x0 0x18 0x0 0x9 0x5 0xf8", "02 03 00 18 00 09 05 F8"},
+        {"DEBUG:pymodbus.logging:RECV: 0x1 0x3 0x2 0x0 0x7 0xf9 0x86", told_07},
+        {"2024-01-05 10:11:12,345 DEBUG transaction:297 RECV: 0x1 0x3 0x2 0x0 0x7 0xf9 0x86", told_07},
+        {"TX -> 01 03 00 00 00 01 84 0A", asked},
+        {"Received: [01] [03] [02] [00] [07] [f9] [86]", told_07},
+        // Points, and colons, between the bytes.
+        {"F7.03.50.0A.00.05.A0.5D", "F7 03 50 0A 00 05 A0 5D"},
+        {"[12:34:56][V][modbus:199]: Modbus write: 01.03.00.00.00.01.84.0A (8)", asked},
+        {"[12:34:56][D][uart_debug:114]: >>> 01:03:00:00:00:01:84:0A", asked},
+        {"[10:20:30][D][uart_debug:114]: <<< 01:03:02:00:07:F9:87", "01 03 02 00 07 F9 87"},
+        // A counter.
+        {"Tx:000011-01 01 01 00 51 88", "01 01 01 00 51 88"},
+        {"Rx:000012-01 03 02 00 07 F9 87", "01 03 02 00 07 F9 87"},
+        // Times and dates in all places.
+        {"[RTU]>Tx > 10:11:12:345 - 01  03  00  00  00  01  84  0A", asked},
+        {"02/03/2024 12:01:02.345 [TX] - 01 03 00 00 00 01 84 0B", "01 03 00 00 00 01 84 0B"},
+        {"port 3 05.01.2024 07:03:01 Rx: 01 03 02 00 07 F9 86", told_07},
+        // What follows the bytes.
+        {"Will write to instrument (expecting 7 bytes back): 01 03 00 00 00 01 84 0A (8 bytes)", asked},
+        {"Will write to instrument (expecting 7 bytes back): 01 03 00 00 00 01 84 0B (8 bytes)",
+         "01 03 00 00 00 01 84 0B"},
+        {"Response from instrument: 01 03 02 00 07 F9 86 (7 bytes), roundtrip time: 0.1 ms.", told_07},
+        {R"(write to instrument: '\x01\x03\x00\x00\x00\x01\x84\n' (01 03 00 00 00 01 84 0A))", asked},
+        {R"(write(3, "\1\3\0\0\0\1\204\n", 8) = 8)", asked},
+        {"data: '<Buffer 01 03 02 00 07 f9 86>'", told_07},
+        {"01 03 00 00 00 01 (84 0A)", asked},
+        {"01h 03h 00h 00h 00h 01h 84h 0Ah", asked},
+        {"uint8_t request[8] = {0x01, 0x03, 0x00, 0x00, 0x00, 0x01, 0x84, 0x0A};", asked},
+        // Both ways in one line.
+        {"req 01 03 00 00 00 01 84 0A rsp 01 03 02 00 07 F9 86", "01 03 00 00 00 01 84 0A 01 03 02 00 07 F9 86"},
+    };
+    for (row const& each : rows) {
+        CAPTURE(each.line);
+        CHECK(runs_in(each.line) == each.run);
+        CHECK(runs_in(each.line + std::string{"\r\n"}) == each.run);
+    }
+}
+
+TEST_CASE("defect: D38 decimal dumps are read as that, or as both where nothing tells")
+{
+    CHECK(runs_in("-> 1-3-0-13-0-1-21-201") == "01 03 00 0D 00 01 15 C9 decimal");
+    CHECK(runs_in("[1, 3, 0, 0, 0, 1, 132, 10]") == "01 03 00 00 00 01 84 0A decimal");
+    CHECK(runs_in("[1 3 2 0 7 249 134]") == "01 03 02 00 07 F9 86 decimal");
+    CHECK(runs_in("001 003 000 000 000 001 132 010") == "01 03 00 00 00 01 84 0A decimal");
+    CHECK(runs_in("1-3-0-13-0-1-21-202") == "01 03 00 0D 00 01 15 CA decimal"); // no hexadecimal number, 202
+    // Register 13 or 19: nobody knows.
+    CHECK(runs_in("1-3-0-13-0-1-21-99") == "01 03 00 13 00 01 21 99 or 01 03 00 0D 00 01 15 63 decimal");
+    // 01 has a zero as hexadecimal numbers have it, and a right CRC tells.
+    CHECK(runs_in("01 03 00 13 00 01 21 99") == "01 03 00 13 00 01 21 99");
+    CHECK(runs_in("1 3 0 13 0 1 75 CF") == "01 03 00 13 00 01 75 CF");
+    CHECK(runs_in("2 3 0 18 0 9 5 F8") == "02 03 00 18 00 09 05 F8");
+}
+
+TEST_CASE("defect: D38 a line of text is passed over, and what may be bytes is not guessed at")
+{
+    CHECK(runs_in("Running transaction 1\nSEND: 0x2 0x3 0x0 0x18 0x0 0x9 0x5 0xf8\nResetting frame\n") ==
+          "02 03 00 18 00 09 05 F8");
+    CHECK(runs_in("> 2024/01/05 10:11:12.345678  length=8 from=0 to=7\n 01 03 00 00 00 01 84 0a\n") == asked);
+    CHECK(runs_in("Waiting for a confirmation...\nconnected to COM3 at 19200\n") == "");
+    CHECK(runs_in("01 03 zz 00 00 00 01") ==
+          "line 1, character 7: 'zz' stands between bytes, and the CRC of neither is right");
+    CHECK(runs_in("TX 12G 01 03 00") == "line 1, character 4: '12G' is no hexadecimal number");
+    CHECK(runs_in("192.168.1.10") == "line 1, character 1: '192.168.1.10' is no hexadecimal number");
+}
+
+TEST_CASE("defect: D38 bytes that stand one on a line are one run")
+{
+    CHECK(runs_in("0x01\n0x03\n0x00\n0x00\n0x00\n0x01\n0x84\n0x0A\n") == asked);
+    CHECK(runs_in("rx 01\nrx 03\nrx 02\nrx 00\nrx 07\nrx F9\nrx 86\n") == told_07);
+    CHECK(runs_in("01\n03\n\n02 03\n04") == "01 03/02 03/04");
+}
+
+TEST_CASE("defect: D38 a request without a body is told to be too short")
+{
+    auto const found = decoded(framed({1, 3}));
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].has_right_crc);
+    CHECK_FALSE(found[0].is_good());
+    REQUIRE(found[0].readings.size() == 2);
+    CHECK(told(found[0].readings[0]) == "request; flaw: 4 bytes, where its fields say at least 8");
+    CHECK(value_of(found[0].readings[0], "CRC") == "right");
+    CHECK(told(found[0].readings[1]) == "response; flaw: 4 bytes, where its fields say at least 5");
 }

@@ -125,7 +125,7 @@ def check_damaged(tool, check):
               and not re.search(r"[\x00-\x09\x0b-\x1f\x7f-\x9f]", ended.output), "objects have it all, escaped", ended)
         ended = tool.run("--port", line.name, "--no-listen", "--timeout", 0.2, "-u", 7, "read", "RFR")
         check("\\x1B[2J" in ended.errors and "\x1b" not in ended.errors, "and in errors", ended)
-    ended = tool.run("decode", "-", given="\x1b[31mx")
+    ended = tool.run("decode", "-", given="01 0\x1b[31mx")
     check(ended.status == USAGE and "\\x1B" in ended.errors and "\x1b" not in ended.errors, "a piped word, too", ended)
     ended = tool.run("ra\x1b[2Jed")
     check(ended.status == USAGE and "\\x1B" in ended.errors and "\x1b" not in ended.errors, "a typed word, too", ended)

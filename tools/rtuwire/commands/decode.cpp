@@ -21,11 +21,15 @@ class frame_printer {
 public:
     explicit frame_printer(output_form form) : is_table_{form == output_form::table}, results_{form, false} {}
 
-    void put(decoded_frame const& frame)
+    /// `numbers` is how its bytes are written, where that is to be said.
+    void put(decoded_frame const& frame, std::string const& numbers)
     {
         ++number_;
         for (frame_reading const& reading : frame.readings) {
             is_first_ = true;
+            if (not numbers.empty()) {
+                put(frame, reading, {0, frame.bytes.size(), "numbers", numbers});
+            }
             for (frame_field const& each : reading.fields) {
                 put(frame, reading, each);
             }
@@ -75,11 +79,22 @@ public:
         : decoder_{chosen.line.drive.empty() ? nullptr : &catalog_chosen(chosen.line.drive)}, printer_{chosen.form}
     {}
 
-    void put(rtuwire::byte_view run)
+    /// A line's bytes; both readings of digits whose CRC is right in neither.
+    void put(byte_run const& run, std::size_t line)
+    {
+        bool const is_either = not run.or_decimal.empty();
+        put(run.bytes, run.is_decimal ? "decimal" : is_either ? "hexadecimal" : "");
+        if (is_either) {
+            put(run.or_decimal, "decimal");
+            std::cerr << "rtuwire: line " << line
+                      << ": its CRC is right neither in hexadecimal nor in decimal numbers\n";
+        }
+    }
+    void put(rtuwire::byte_view run, std::string const& numbers = {})
     {
         has_bytes_ = true;
         for (decoded_frame const& frame : decoder_.decode(run)) {
-            printer_.put(frame);
+            printer_.put(frame, numbers);
             status_ = frame.is_good() ? status_ : exit_status::differs;
         }
         printer_.finish_run();
@@ -116,9 +131,9 @@ exit_status run_decode(choices const& chosen)
     bool const is_piped = chosen.words == std::vector<std::string>{"-"};
     std::istringstream words{joined(chosen.words)};
     hex_lines lines{is_piped ? std::cin : words};
-    std::vector<std::byte> run;
+    byte_run run;
     while (explain.is_open() and lines.next(run)) {
-        explain.put(run);
+        explain.put(run, lines.number());
     }
     return explain.finish();
 }

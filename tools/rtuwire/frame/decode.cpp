@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "frame/decode.hpp"
 
+#include <algorithm>
+
 #include "frame/frame_fit.hpp"
 #include "frame/frame_layouts.hpp"
 #include "frame/hex_text.hpp"
@@ -44,6 +46,15 @@ std::string length_flaw(std::size_t size, std::size_t needed)
 {
     std::string const there = std::to_string(size) + (size == 1 ? " byte" : " bytes") + ", where its fields say ";
     return there + (needed > size ? "at least " : "") + std::to_string(needed);
+}
+
+/// The size that a function's frames have, where what is there in front of a CRC tells; else 0.
+std::size_t size_of_function(frame_role role, byte_view bytes, bool has_crc)
+{
+    auto const way = role == frame_role::request ? rtuwire::direction::request : rtuwire::direction::response;
+    auto const told =
+        has_crc ? rtuwire::frame_length(way, bytes.first(bytes.size() - crc_size)) : rtuwire::length_hint{};
+    return told.is_final() ? told.size() : 0;
 }
 
 char const* word_for(frame_role role) { return role == frame_role::request ? "request" : "response"; }
@@ -119,7 +130,8 @@ void frame_decoder::add_readings(decoded_frame& frame, byte_view bytes) const
     for (frame_role const role : roles) {
         if (not frame.is_whole) {
             frame_reading reading = read(bytes, role, frame.has_right_crc ? crc_size : 0, size);
-            reading.flaw = length_flaw(bytes.size(), size);
+            reading.flaw =
+                length_flaw(bytes.size(), (std::max)(size, size_of_function(role, bytes, frame.has_right_crc)));
             frame.readings.push_back(std::move(reading));
         }
     }
@@ -131,7 +143,8 @@ decoded_frame frame_decoder::explain(byte_view bytes, frame_piece const& piece)
     decoded_frame frame{piece.offset, {bytes.begin(), bytes.end()}, has_right_crc, false};
     add_readings(frame, bytes);
     bool const is_both = frame.readings.size() == 2;
-    if (is_both and frame.readings[0].fields == frame.readings[1].fields) {
+    if (is_both and frame.readings[0].fields == frame.readings[1].fields and
+        frame.readings[0].flaw == frame.readings[1].flaw) {
         frame.readings.pop_back();
         frame.readings[0].as = "request or response";
     } else if (is_both and frame.is_good() and is_answer(bytes)) {

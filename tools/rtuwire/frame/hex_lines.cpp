@@ -11,7 +11,6 @@ namespace tool {
 
 namespace {
 
-constexpr std::string_view between = " \t\r\n,;:\\[]<>(){}\"'|-";
 constexpr std::string_view hex_digits = "0123456789abcdefABCDEF";
 
 std::size_t number_in(std::string_view digits, int base)
@@ -101,6 +100,75 @@ std::size_t end_of_time(std::string_view line)
     return ends and (has_date or is_time_alone) ? line.size() - rest.size() : 0;
 }
 
+bool is_alphanumeric(char each)
+{
+    return (each >= '0' and each <= '9') or (each >= 'a' and each <= 'z') or (each >= 'A' and each <= 'Z');
+}
+
+/// "25.11.2026", "11/25/2026".
+bool take_date_behind_day(std::string_view& text)
+{
+    std::string_view rest = text;
+    bool const is_date = take_number(rest, 2, 1, 31) and take_one_of(rest, "-/.") and take_number(rest, 2, 1, 31) and
+                         take_one_of(rest, "-/.") and take_number(rest, 4, 1970, 2099);
+    text = is_date ? rest : text;
+    return is_date;
+}
+
+/// "07:03:01:123" besides the times of `take_time`.
+bool take_any_time(std::string_view& text)
+{
+    if (not take_time(text)) {
+        return false;
+    }
+    std::string_view rest = text;
+    if (take_one_of(rest, ":") and take_number(rest, 3, 0, 999)) {
+        text = rest;
+    }
+    return true;
+}
+
+/// How long a date or a time at the front of a text is; 0 where there is none, or where it goes on as bytes would.
+std::size_t size_of_time(std::string_view text)
+{
+    std::string_view rest = text;
+    bool const is_date = take_date(rest) or take_date_behind_day(rest);
+    if (is_date) {
+        static_cast<void>(take_one_of(rest, "T_"));
+    }
+    bool const is_time = take_any_time(rest);
+    bool const ends = rest.empty() or not(is_alphanumeric(rest[0]) or rest[0] == ':' or rest[0] == '-');
+    return (is_date or is_time) and ends ? text.size() - rest.size() : 0;
+}
+
+/// A line whose dates and times are blank, if text or four bytes are left, of which none are parted as a time is.
+std::string without_times(std::string const& line)
+{
+    std::string masked = line;
+    bool is_bare = false;
+    for (std::size_t at = 0; at < line.size(); ++at) {
+        std::size_t const size =
+            at == 0 or not is_alphanumeric(line[at - 1]) ? size_of_time(std::string_view{line}.substr(at)) : 0;
+        if (size > 0) {
+            is_bare = is_bare or at == 0 or line[at - 1] != '[';
+            masked.replace(at, size, size, ' ');
+            at += size;
+        }
+    }
+    std::size_t count = 0;
+    bool has_text = false;
+    bool is_before_byte = false;
+    for (line_word const& word : words_in(masked)) {
+        if (is_bare and is_before_byte and word.is_byte() and word.before == ":") {
+            return line;
+        }
+        has_text = has_text or not(word.is_byte() or word.is_wrong_number());
+        count += word.bytes.empty() ? (word.decimal ? 1U : 0U) : word.bytes.size();
+        is_before_byte = word.is_byte();
+    }
+    return count >= 4 or has_text ? masked : line;
+}
+
 } // namespace
 
 /// Where the bytes of a line are, and whether they go on with the run before.
@@ -134,58 +202,76 @@ hex_lines::line_start hex_lines::start_of(std::string_view line, std::size_t so_
     return {first, (std::min)(line.find_first_of("|>", first), text), goes_on};
 }
 
-void hex_lines::refuse(std::string_view word, std::size_t column, std::string const& why) const
+void hex_lines::refuse(line_refusal const& what) const
 {
-    refuse_word("line " + std::to_string(number_) + ", character " + std::to_string(column + 1) + ": '" +
-                std::string{word} + "' " + why);
+    refuse_word("line " + std::to_string(number_) + ", character " + std::to_string(what.column + 1) + ": '" +
+                what.word + "' " + what.why);
 }
 
-void hex_lines::add_word(std::string_view word, std::size_t column, std::vector<std::byte>& run) const
+void hex_lines::add_dump(std::string_view line, std::size_t from, byte_run& run) const
 {
-    bool const has_mark = word.starts_with("0x") or word.starts_with("0X");
-    bool const is_escape = column > 0 and line_[column - 1] == '\\' and word.starts_with('x');
-    std::string_view const digits = word.substr(has_mark ? 2 : is_escape ? 1 : 0);
-    if (digits.empty() or digits.find_first_not_of(hex_digits) != digits.npos) {
-        refuse(word, column, "is no hexadecimal number");
-    }
-    if (digits.size() % 2 != 0 and digits.size() > 1) {
-        refuse(word, column, "has " + std::to_string(digits.size()) + " digits: a byte has two");
-    }
-    for (std::size_t at = 0; at < digits.size(); at += 2) {
-        run.push_back(static_cast<std::byte>(number_in(digits.substr(at, 2), 16)));
-    }
-}
-
-void hex_lines::add_words(std::string_view line, std::size_t at, std::vector<std::byte>& run) const
-{
-    for (at = line.find_first_not_of(between, at); at != line.npos; at = line.find_first_not_of(between, at)) {
-        std::size_t const end = (std::min)(line.find_first_of(between, at), line.size());
-        add_word(line.substr(at, end - at), at, run);
-        at = end;
-    }
-}
-
-bool hex_lines::next(std::vector<std::byte>& run)
-{
-    run.clear();
-    while (has_line_ or std::getline(from_, line_)) {
-        number_ += has_line_ ? 0 : 1;
-        has_line_ = false;
-        if (std::size_t const end = end_of_time(line_); end > 0) {
-            line_.replace(0, end, end, ' ');
+    for (line_word const& word : words_in(line, from)) {
+        if (word.bytes.empty()) {
+            refuse({word.column, word.text, why_no_byte(word)});
         }
-        line_start const start = start_of(line_, run.size());
-        if (not run.empty() and not start.goes_on) {
+        run.bytes.insert(run.bytes.end(), word.bytes.begin(), word.bytes.end());
+    }
+}
+
+byte_run hex_lines::read_line() const
+{
+    line_refusal refusal;
+    byte_run run = run_in(words_in(without_times(line_)), refusal);
+    if (not refusal.why.empty()) {
+        refuse(refusal);
+    }
+    return run;
+}
+
+bool hex_lines::next_line()
+{
+    if (has_line_) {
+        has_line_ = false;
+        return true;
+    }
+    if (not std::getline(from_, line_)) {
+        return false;
+    }
+    ++number_;
+    if (std::size_t const end = end_of_time(line_); end > 0) {
+        line_.replace(0, end, end, ' ');
+    }
+    return true;
+}
+
+bool hex_lines::next(byte_run& run)
+{
+    run = {};
+    while (next_line()) {
+        line_start const start = start_of(line_, run.is_single ? 0 : run.bytes.size());
+        bool const is_of_dump = start.first != 0;
+        byte_run its;
+        if (not is_of_dump) {
+            its = read_line();
+        }
+        bool const goes_on = is_of_dump ? start.goes_on : run.is_single and its.is_single;
+        if (not run.bytes.empty() and not goes_on) {
             has_line_ = true; // belongs to the next run
             return true;
         }
-        add_words(std::string_view{line_}.substr(0, start.end), start.first, run);
-        bool const may_go_on = start.first != 0 and start.first < line_.size();
-        if (not run.empty() and not may_go_on) {
+        if (is_of_dump) {
+            add_dump(std::string_view{line_}.substr(0, start.end), start.first, run);
+        } else if (run.is_single) {
+            run.bytes.push_back(its.bytes.front());
+        } else {
+            run = its;
+        }
+        bool const may_go_on = run.is_single or (is_of_dump and start.first < line_.size());
+        if (not run.bytes.empty() and not may_go_on) {
             return true;
         }
     }
-    return not run.empty();
+    return not run.bytes.empty();
 }
 
 } // namespace tool
