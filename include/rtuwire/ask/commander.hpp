@@ -103,6 +103,18 @@ protected:
         return known_->unit == unit.byte() and known_->is_ordered and not is_replaced and not is_ended;
     }
 
+    /// Whether the order to run that counts is another conversation's: later than any of its own and than its stops, and
+    /// neither stopped nor lost since, nor read in fault. As far as the client knows that it visited last.
+    [[nodiscard]] constexpr bool is_ordered_by_another(unit_id unit) const noexcept
+    {
+        if (known_ == nullptr or known_->unit != unit.byte() or known_->last_order == 0) {
+            return false;
+        }
+        std::uint32_t const order = known_->last_order;
+        return is_older(stamp_, order) and not is_older(order, known_->last_stop) and
+               not is_older(order, known_->last_fault);
+    }
+
     /// Whether a conversation of this client ordered its unit to run, and none has read since that the motor has no
     /// power. Told at each visit.
     [[nodiscard]] constexpr bool is_unit_ordered() const noexcept { return is_unit_ordered_; }

@@ -29,7 +29,7 @@ struct unit_order {
     duration silence;
     std::uint32_t last_stop;  ///< the stamp of the last stop or loss
     std::uint32_t last_order; ///< of the last order to run; 0: none
-    std::uint32_t last_fault; ///< of the last time that it was read in fault
+    std::uint32_t last_fault; ///< of the last time that it was read in fault, or of the last stop of all units
     std::uint32_t rearranged; ///< of the last request that rearranged it
     std::uint32_t holder;     ///< of the stop under way; 0: none
     std::uint32_t confirmed;  ///< the control word that was read to be that of the drive profile; 0: none

@@ -45,6 +45,13 @@ constexpr cyclic_control about_to_enable()
     control.note_status(on, false);
     return control;
 }
+/// Another conversation's order counts.
+constexpr cyclic_control giving_way(std::uint16_t status)
+{
+    cyclic_control control = found(status, false);
+    control.give_way(true);
+    return control;
+}
 constexpr cyclic_control halting()
 {
     cyclic_control control = found(running, true);
@@ -72,7 +79,7 @@ constexpr step look = step::look, code = step::look_for_fault, prepare = step::p
                check = step::check_control, control = step::compare_control, set_point = step::compare_reference;
 
 // clang-format off
-constexpr std::array<row, 11> rows{{
+constexpr std::array<row, 13> rows{{
     // where the cycle is:
     //  look, look_for_fault, prepare, exchange, read, write, say_stop, observe, check, compare control, reference
     {{.name = "a stop was ordered", .duty = to_stop(false)},
@@ -87,6 +94,10 @@ constexpr std::array<row, 11> rows{{
      {look, code, prepare, stop, stop, stop, stop, observe, check, control, set_point}},
     {{.name = "a halt under way", .control = halting()},
      {look, code, prepare, observe, observe, observe, stop, observe, check, control, set_point}},
+    {{.name = "another's order", .control = giving_way(ready)},
+     {look, code, prepare, observe, observe, observe, stop, observe, check, control, set_point}},
+    {{.name = "power by another's order", .control = giving_way(running)},
+     {look, code, prepare, stop, stop, stop, stop, observe, check, control, set_point}},
     {{.name = "the same word again", .control = found(ready, true), .was_taken = true, .last_command = 7},
      {look, code, prepare, observe, observe, observe, look, observe, check, control, set_point}},
     {{.name = "the same word, not accepted", .control = found(ready, true), .last_command = 7},

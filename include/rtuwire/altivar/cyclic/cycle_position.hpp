@@ -69,6 +69,7 @@ private:
 /// | not checked, or rearranged by another conversation | look            | look          |          |                |
 /// | a halt is under way                                | observe         | observe       |          |                |
 /// | the drive may turn without an order                | say_stop        | say_stop      |          |                |
+/// | no order, and another conversation's order counts  | observe         | observe       |          |                |
 /// | the word that it accepted would be sent again      | observe         | observe       |          |                |
 /// | the command to run is next, CMD was not read back  | check_control, but read | check_control | |              |
 /// | ten exchanges since the last comparison            | compare_control, compare_reference in turn | | |        |
@@ -126,6 +127,9 @@ public:
         }
         if (control.must_stop()) {
             return control.is_halting() ? step::observe : step::say_stop;
+        }
+        if (control.gives_way()) {
+            return step::observe;
         }
         // A word that the drive accepted and does not follow is not sent again: where its STOP key was pressed after
         // it, or its power failed briefly, the drive is only read.

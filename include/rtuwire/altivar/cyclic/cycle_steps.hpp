@@ -50,6 +50,9 @@ public:
     /// A stop by another conversation is in force.
     constexpr void yield() noexcept { agenda_.yield(); }
 
+    /// Whether another conversation's order to run counts.
+    constexpr void give_way(bool gives_way) noexcept { agenda_.control().give_way(gives_way); }
+
     /// Enabling took too long.
     constexpr void note_late() noexcept { agenda_.control().note_late(); }
     [[nodiscard]] constexpr cycle_frames<Device>& frames() noexcept { return frames_; }

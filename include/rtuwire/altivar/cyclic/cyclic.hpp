@@ -28,7 +28,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// output slot may be active unless `set_output` was called for it. Before the first exchange, after each loss, and after each conversation of this client that could
 /// have changed them, it reads the scanner's addresses and the drive's safeguards, some twelve requests; where they
 /// are wrong it writes nothing but the stop command to a motor it ordered to run, and `control().reason()` gives the
-/// cause.
+/// cause. Without an order it stops a motor that it finds running, whoever runs it: `watch` only reads.
 template <device_type Device> class cyclic : public commander {
     static_assert(drive_check<Device>::passed);
     using words = cycle_layout<Device>;
@@ -134,6 +134,7 @@ public:
         now_ = now;
         heed_silence();
         keep_over(enable_end_, now, at);
+        steps_.give_way(this->is_ordered_by_another(unit()));
         if (control().is_ordered() and this->is_overruled() and not is_asking_) {
             steps_.yield();
         }

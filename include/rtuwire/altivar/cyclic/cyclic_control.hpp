@@ -141,6 +141,10 @@ public:
     /// The last command may not have arrived: enabling begins again from the state of the drive.
     constexpr void note_miss() noexcept { has_switched_on_ = false; }
 
+    /// Whether another conversation's order to run counts for this drive: without power it is only read.
+    constexpr void give_way(bool gives_way) noexcept { gives_way_ = gives_way; }
+    [[nodiscard]] constexpr bool gives_way() const noexcept { return gives_way_ and not moves(); }
+
     /// Enabling takes too long.
     constexpr void note_late() noexcept { drop(outcome_kind::state_timeout); }
 
@@ -239,6 +243,7 @@ private:
     reset_edge reset_{};
     bool has_switched_on_{false}; ///< "switch on" was sent, while enabling
     bool is_ordered_{false};
+    bool gives_way_{false};
     bool had_stop_key_{false}; ///< pressed before the order, and shown until the motor runs
 };
 

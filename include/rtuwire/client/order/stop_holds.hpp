@@ -34,7 +34,7 @@ public:
             holder_of_all_ = count_;
             is_all_over_ = false; // if another one has just ended
             for (unit_order& each : places_) {
-                each.last_order = count_; // none that was given before counts
+                each.last_fault = count_; // no order that was given before counts
                 each.words_end = now + stop_words_after_loss;
                 each.may_be_told = each.is_lost;
             }
