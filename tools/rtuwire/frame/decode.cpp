@@ -48,13 +48,14 @@ std::string length_flaw(std::size_t size, std::size_t needed)
     return there + (needed > size ? "at least " : "") + std::to_string(needed);
 }
 
-/// The size that a function's frames have, where what is there in front of a CRC tells; else 0.
+/// The size that all frames of a function have, where there is one, of a frame with a CRC; else 0.
 std::size_t size_of_function(frame_role role, byte_view bytes, bool has_crc)
 {
-    auto const way = role == frame_role::request ? rtuwire::direction::request : rtuwire::direction::response;
-    auto const told =
-        has_crc ? rtuwire::frame_length(way, bytes.first(bytes.size() - crc_size)) : rtuwire::length_hint{};
-    return told.is_final() ? told.size() : 0;
+    constexpr std::size_t two_words = 8;
+    auto const code = has_crc ? std::to_integer<unsigned>(bytes[1]) : 0;
+    bool const is_single_write = code == 5 or code == 6;
+    bool const is_read = role == frame_role::request and code >= 1 and code <= 4;
+    return is_single_write or is_read ? two_words : 0;
 }
 
 char const* word_for(frame_role role) { return role == frame_role::request ? "request" : "response"; }
