@@ -52,6 +52,35 @@ struct electrical_energy {
 struct temperature {
     static constexpr char symbol[] = "°C";
 };
+/// From absolute zero, or a difference of two temperatures.
+struct absolute_temperature {
+    static constexpr char symbol[] = "K";
+};
+struct apparent_power {
+    static constexpr char symbol[] = "VA";
+};
+struct reactive_power {
+    static constexpr char symbol[] = "var";
+};
+struct apparent_energy {
+    static constexpr char symbol[] = "kVAh";
+};
+struct reactive_energy {
+    static constexpr char symbol[] = "kvarh";
+};
+struct pressure {
+    static constexpr char symbol[] = "bar";
+};
+struct volume {
+    static constexpr char symbol[] = "m3";
+};
+struct hourly_flow {
+    static constexpr char symbol[] = "m3/h";
+};
+/// 60 l/min are 3.6 m3/h: a step that has no digits of the other, so that each is measured by itself.
+struct flow_by_minute {
+    static constexpr char symbol[] = "l/min";
+};
 struct rate {
     static constexpr char symbol[] = "1/s";
 };

@@ -46,7 +46,29 @@ using hectowatts = quantity<power, std::uint16_t, std::hecto>;
 using kilowatt_hours = quantity<electrical_energy, std::uint16_t>;
 using watt_hours = quantity<electrical_energy, std::uint16_t, std::milli>;
 using celsius = quantity<temperature, std::int16_t>;
+using kelvins = quantity<absolute_temperature, std::uint16_t>;
 using centi_per_second = quantity<rate, std::uint16_t, std::centi>;
+
+/// Of meters, most of them for floating point numbers, `float32<amperes>`, and wide counts, `unsigned32<watt_hours>`.
+using amperes = quantity<current, std::uint16_t>;
+using milliamperes = quantity<current, std::uint16_t, std::milli>;
+using kilovolts = quantity<voltage, std::uint16_t, std::kilo>;
+using kilowatts = quantity<power, std::uint16_t, std::kilo>;
+using megawatt_hours = quantity<electrical_energy, std::uint16_t, std::kilo>;
+using volt_amperes = quantity<apparent_power, std::uint16_t>;
+using kilovolt_amperes = quantity<apparent_power, std::uint16_t, std::kilo>;
+using kilovolt_ampere_hours = quantity<apparent_energy, std::uint16_t>;
+using vars = quantity<reactive_power, std::int16_t>;
+using kilovars = quantity<reactive_power, std::int16_t, std::kilo>;
+using kilovar_hours = quantity<reactive_energy, std::uint16_t>;
+using bars = quantity<pressure, std::int16_t>;
+using millibars = quantity<pressure, std::int16_t, std::milli>;
+using cubic_metres = quantity<volume, std::uint16_t>;
+using litres = quantity<volume, std::uint16_t, std::milli>;
+using cubic_metres_per_hour = quantity<hourly_flow, std::uint16_t>;
+using litres_per_minute = quantity<flow_by_minute, std::uint16_t>;
+
+/// Numbers without a unit.
 using count16 = quantity<dimensionless, std::uint16_t>;
 using signed_count16 = quantity<dimensionless, std::int16_t>;
 using count16_tenths = quantity<dimensionless, std::uint16_t, std::deci>;
@@ -128,6 +150,27 @@ template <char... Digits> consteval auto operator""_Nm() noexcept
     return spelled<torque, std::ratio<1>, Digits...>();
 }
 template <char... Digits> consteval auto operator""_W() noexcept { return spelled<power, std::ratio<1>, Digits...>(); }
+template <char... Digits> consteval auto operator""_kW() noexcept { return spelled<power, std::kilo, Digits...>(); }
+template <char... Digits> consteval auto operator""_VA() noexcept
+{
+    return spelled<apparent_power, std::ratio<1>, Digits...>();
+}
+template <char... Digits> consteval auto operator""_var() noexcept
+{
+    return spelled<reactive_power, std::ratio<1>, Digits...>();
+}
+template <char... Digits> consteval auto operator""_bar() noexcept
+{
+    return spelled<pressure, std::ratio<1>, Digits...>();
+}
+template <char... Digits> consteval auto operator""_m3() noexcept
+{
+    return spelled<volume, std::ratio<1>, Digits...>();
+}
+template <char... Digits> consteval auto operator""_K() noexcept
+{
+    return spelled<absolute_temperature, std::ratio<1>, Digits...>();
+}
 template <char... Digits> consteval auto operator""_kWh() noexcept
 {
     return spelled<electrical_energy, std::ratio<1>, Digits...>();

@@ -30,6 +30,10 @@ template <unsigned Bits, any_quantity Unit, word_order Order> struct floating_fo
     static_assert(8 * sizeof(count_type) == Bits and std::numeric_limits<count_type>::is_iec559,
                   "this machine has no floating point of so many bits");
 
+    static_assert(power_of_ten<typename Unit::scale>() % 3 == 0,
+                  "a floating point number is of a unit, float32<amperes>, float32<milliamperes>, not of a step: of "
+                  "deciamperes, amperes would be read ten times too small");
+
     using value_type = real<Unit, count_type>;
     static constexpr std::uint16_t word_count = Bits / 16;
     using words = std::array<std::uint16_t, word_count>;
@@ -94,7 +98,8 @@ template <unsigned Bits, any_quantity Unit, word_order Order> struct floating_fo
     }
 };
 
-/// What a register of such numbers measures; plain numbers where no unit is named.
+/// What a register of such numbers measures; plain numbers where no unit is named. The unit is one that people name, of a
+/// step that is a power of 1000 (`amperes`, `milliamperes`, `kilowatt_hours`): others are the steps of whole numbers.
 template <typename Unit = count16, word_order Order = word_order::high_first>
 using float32 = floating_form<32, Unit, Order>;
 template <typename Unit = count16, word_order Order = word_order::high_first>
