@@ -105,6 +105,21 @@ TEST_CASE("rule 18: after a response each other sending may take as long as the 
     }
 }
 
+TEST_CASE("rule 18: where nobody called for a while, each counts as what the time limits of all sendings leave")
+{
+    hand it{patient};
+    series conversation = reader(1);
+    REQUIRE(it.asks(conversation));
+    it.pass_until(it.time + waits);
+    REQUIRE(it.asks(conversation));
+    it.time += 10 * minute;
+    it.hear(response_to(read_of(1, 3201)));
+    std::uint64_t const answered = it.time;
+    it.link.converse(conversation, it.now());
+    REQUIRE(conversation.answered == 1);
+    check_held_until(it, 1, answered + 2 * (100'000 + office_line.characters(8).microseconds + each) + 30'000);
+}
+
 TEST_CASE("rule 18: an exception and a damaged response are answers")
 {
     for (bool const is_damaged : {false, true}) {

@@ -182,6 +182,48 @@ TEST_CASE("defect: D23 a client, a drive client and a bus whose program was stop
     goes_on_after_any_pause<bus<2>>();
 }
 
+namespace {
+
+/// A unit that answers the second sending of each request only. How many requests it answered within two seconds of a
+/// pause: without one, five of them.
+template <typename Link> unsigned answered_after(std::uint64_t ran, std::uint64_t pause)
+{
+    scripted_line<Link> line{Link{office_line, twice}, office_line};
+    series reads{[](unsigned number) { return read_of(1, 3201 + number % 7); }};
+    unsigned frames = 0;
+    line.heard = [&](frame_bytes const& frame) {
+        if (++frames % 2 == 0) {
+            line.say(5'000, response_to(frame));
+        }
+    };
+    auto const converse = [&](instant now) { visit(line.link, 0, reads, now); };
+    line.run(ran, converse);
+    line.stop(pause);
+    unsigned const before = reads.answered;
+    line.run(2'000'000, converse);
+    return reads.answered - before;
+}
+
+/// The longest that its time limits allow: two sendings, each with 100 ms to leave, 100 ms for its response and 200 ms for
+/// a late one, and once more 200 ms; less than 1.1 s with all frames.
+template <typename Link> void is_answered_after_any_pause()
+{
+    for (std::uint64_t ran = 1'000; ran < 900'000; ran += 3'700) {
+        for (std::uint64_t const pause : long_pauses) {
+            INFO("stopped for " << pause << " us after " << ran << " us");
+            CHECK(answered_after<Link>(ran, pause) >= 2);
+        }
+    }
+}
+
+} // namespace
+
+TEST_CASE("defect: D23 a pause in the middle of a request counts as no time that its unit takes")
+{
+    is_answered_after_any_pause<client>();
+    is_answered_after_any_pause<bus<2>>();
+}
+
 TEST_CASE("defect: D23 a unit that the user holds is free once the hold is over, whoever looks")
 {
     for (std::uint64_t const pause : long_pauses) {

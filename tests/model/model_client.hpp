@@ -540,12 +540,12 @@ private:
         }
         if (sendings_.unanswered > 0) { // 18
             debts_.hold(unit(), now + limited(static_cast<time>(sendings_.unanswered) *
-                                              limited(now - sendings_.first + how_.late_response)));
+                                              limited(sendings_.taken(now) + how_.late_response)));
             sendings_ = {};
         }
         settle(found, now);
     }
-    void note_sending(time at) { sendings_.left(at, limited(response_time() + how_.late_response)); }
+    void note_sending(time at) { sendings_.left(at, leaving_time(), response_time() + how_.late_response); }
 
     void time_out(time now)
     {
@@ -597,7 +597,7 @@ private:
         drop_unended();
         ended_at_ = now;
         if (sendings_.unanswered > 0 and unit() != 0) {
-            debts_.hold(unit(), std::max(sendings_.begun, now));
+            debts_.hold(unit(), std::max(now, std::min(sendings_.begun, now + sendings_.allowed)));
         }
         sendings_ = {};
         error_ = why;

@@ -10,18 +10,23 @@ namespace model {
 /// The sendings of one request.
 struct sendings {
     unsigned unanswered{0};
-    unsigned all{0};
-    time first{0}; ///< when the first of them had left
-    time begun{0}; ///< rule 17's b
+    time first{0};   ///< when the first of them had left, since nothing was unanswered
+    time begun{0};   ///< rule 17's b
+    time allowed{0}; ///< rule 17's c
 
-    void left(time at, time length)
+    /// One that took at most `leaving` to leave, and whose response may take `length`.
+    void left(time at, time leaving, time length)
     {
-        time const from = unanswered > 0 and begun > at ? begun : at;
-        begun = std::min(from + limited(length), at + longest);
-        first = all == 0 ? at : std::max(first, at - longest);
-        ++all;
+        if (unanswered == 0) {
+            first = begun = at;
+            allowed = 0;
+        }
+        begun = std::min(std::max(begun, at) + limited(length), at + longest);
+        allowed = limited(allowed + leaving + limited(length));
         ++unanswered;
     }
+    /// How long the response that came at `now` took.
+    time taken(time now) const { return std::min(now - first, allowed); }
     void answered() { unanswered -= unanswered > 0 ? 1 : 0; }
 };
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <rtuwire/altivar/atv320.hpp>
@@ -31,6 +32,8 @@ struct drive_port {
     sim::unit<device> unit{motor.unit(), timing, instant{static_cast<std::uint32_t>(time)}};
     std::vector<std::uint64_t> departures{};
     bool is_cut{false};
+    unsigned lost{0};         ///< how many of the next responses are
+    std::uint64_t stopped{0}; ///< how long the program is, before it is given the next response
 
     drive_port() { pass(100'000); }
     instant now() const { return instant{static_cast<std::uint32_t>(time)}; }
@@ -59,8 +62,11 @@ struct drive_port {
             if (byte_view const frame = unit.poll_transmit(); not frame.empty()) {
                 time += timing.characters(frame.size()).microseconds;
                 std::copy(frame.begin(), frame.end(), place.begin());
+                std::size_t const size = is_cut or lost > 0 ? 0 : frame.size();
                 unit.sent(now());
-                return place.first(is_cut ? 0 : frame.size());
+                lost -= lost > 0 ? 1 : 0;
+                pass(size > 0 ? std::exchange(stopped, 0) : 0);
+                return place.first(size);
             }
         }
         return place.first(0);
@@ -110,5 +116,40 @@ TEST_CASE("motion law: S45 a stop leaves at once, however long its client was no
             CHECK(it.first_frame_after == usual.first_frame_after);
             CHECK(it.how == usual.how);
         }
+    }
+}
+
+namespace {
+
+/// How a start and a stop end that follow a read, where the program is stopped for so long before its response, or
+/// behind it. The drive trips meanwhile, for nobody reaches it.
+std::pair<outcome_kind, outcome_kind> orders_after(std::uint64_t pause, bool is_inside)
+{
+    drive_port port;
+    blocking_client line{port, timing, {.response_timeout = milliseconds(100), .retries = 1}};
+    auto const read = [&] {
+        port.lost = 1;
+        port.stopped = is_inside ? pause : 0;
+        CHECK(line.ask(motor.unit(), read_holding_registers{device::layout.eta, 1}));
+        port.pass(is_inside ? 0 : pause);
+    };
+    read();
+    start go{motor, 30_Hz};
+    static_cast<void>(line.run(go));
+    read();
+    stop halt{motor};
+    static_cast<void>(line.run(halt));
+    return {go.reason().kind, halt.reason().kind};
+}
+
+} // namespace
+
+TEST_CASE("motion law: S45 a start and a stop after a pause in the middle of a request read their drive")
+{
+    for (std::uint64_t const pause : {minute, 30 * minute, 36 * minute, 50 * minute, 71 * minute}) {
+        INFO("the program was stopped for " << pause / minute << " minutes before a response");
+        auto const usual = orders_after(pause, false);
+        CHECK(usual.first == outcome_kind::in_fault);
+        CHECK(orders_after(pause, true) == usual);
     }
 }

@@ -47,7 +47,7 @@ constexpr duration owed_after(unsigned sendings)
     constexpr instant first{0xFFFF'F000};
     retry_state made = begun(duration{});
     for (unsigned i = 0; i < sendings; ++i) {
-        made.note_sent(first + microseconds(i), milliseconds(100));
+        made.note_sent(first + microseconds(i), milliseconds(5), milliseconds(100));
         made.take_retry();
     }
     made.note_response();
@@ -59,5 +59,27 @@ constexpr bool waits_for_each()
            owed_after(5) == milliseconds(100);
 }
 PROOF("each sending without a response may take as long as the first, and be late", waits_for_each)
+
+/// What is owed where a response came so long after the first of two sendings, or where none came.
+constexpr bool is_bounded()
+{
+    constexpr instant first{0xFFFF'F000};
+    constexpr duration most = milliseconds(2 * (1'000 + 5 + 100)); // `begun` leaves R as it is by default
+    for (std::uint32_t const minutes : {1U, 35U, 36U, 50U, 71U}) {
+        retry_state made = begun(duration{});
+        made.note_sent(first, milliseconds(5), milliseconds(100));
+        made.note_sent(first + milliseconds(100), milliseconds(5), milliseconds(100));
+        instant const late{first.microseconds + minutes * 60'000'000U};
+        if (made.owed_until(late) - late > most) {
+            return false;
+        }
+        made.note_response();
+        if (made.all_that_follow(late, milliseconds(20)) != most + milliseconds(20)) {
+            return false;
+        }
+    }
+    return true;
+}
+PROOF("a program that was stopped learns nothing of how long its unit takes", is_bounded)
 
 } // namespace

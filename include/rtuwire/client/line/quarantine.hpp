@@ -10,7 +10,9 @@
 //   ended by                              held until      why
 //   the response to the only sending      not held        there is no other
 //   a response at s, while k sendings     s + k (s-f+L)   whichever was answered, k may follow, each within what
-//   have none, the first at f                             the first may have taken, s - f, and L
+//   have none, the first at f                             the first may have taken, s - f, and L; of s - f no more
+//                                                         counts than what all sendings and their waits may take:
+//                                                         the program may have been stopped for the rest
 //   no response, or given up              b               at each sending at t: b = max(b, t) + W, for the unit
 //                                                         begins when it has answered all before it
 //

@@ -68,7 +68,7 @@ protected:
     constexpr duration note_sent(instant at) noexcept
     {
         duration const limit = retries_.response_timeout() + this->time_to_respond();
-        retries_.note_sent(at, limit + late_response());
+        retries_.note_sent(at, this->time_to_send(), limit + late_response());
         return limit;
     }
 

@@ -63,14 +63,18 @@ public:
         return pause;
     }
 
-    /// The request has left once more. Its unit answers it at most `each` after it could begin: from here on, or when
-    /// it has answered the requests before.
-    [[gnu::always_inline]] constexpr void note_sent(instant at, duration each) noexcept
+    /// The request has left once more, which takes `sending` on the line. Its unit answers it at most `each` after it could
+    /// begin: from here on, or when it has answered the requests before.
+    [[gnu::always_inline]] constexpr void note_sent(instant at, duration sending, duration each) noexcept
     {
-        duration const age = is_first() ? duration{} : at - first_sent_;
-        first_sent_ = at - (age + duration{}); // at most the longest duration, or the clock's wrap would make it short
-        duration const before = unanswered_ == 0 or reached(at, owed_until_) ? duration{} : owed_until_ - at;
-        owed_until_ = at + (before + each);
+        if (unanswered_ == 0) {
+            first_sent_ = at;
+            owed_until_ = at;
+            longest_ = duration{};
+        }
+        owed_until_ = at + ((owed_until(at) - at) + each);
+        // The two sums of 35 minutes fit.
+        longest_ = longest_ + duration{response_timeout_.microseconds + sending.microseconds + each.microseconds};
         ++unanswered_;
     }
 
@@ -78,20 +82,20 @@ public:
     constexpr void advance(instant now, instant at) noexcept { keep_over(owed_until_, now, at); }
 
     /// Until when responses may come, where none has come. Never before `now`, so that it can be compared with other
-    /// times that lie ahead.
+    /// times that lie ahead, nor longer than for all sendings together, whatever the clock shows.
     [[nodiscard]] constexpr instant owed_until(instant now) const noexcept
     {
-        return reached(now, owed_until_) ? now : owed_until_;
+        return reached(now, owed_until_) ? now : now + shorter(owed_until_ - now, longest_);
     }
 
     /// A response to one of the sendings has come, whole or damaged.
     constexpr void note_response() noexcept { --unanswered_; }
 
     /// How long the responses to all other sendings may take, once one has come at `now`: each as long as the first
-    /// may have taken, plus `late`.
+    /// may have taken, plus `late`. A program that was stopped meanwhile counts no longer than its request may take.
     [[nodiscard]] constexpr duration all_that_follow(instant now, duration late) const noexcept
     {
-        duration const each = (now - first_sent_) + late;
+        duration const each = shorter(now - first_sent_, longest_) + late;
         duration length{};
         for (unsigned i = 0; i < unanswered_; ++i) {
             length = length + each;
@@ -107,6 +111,8 @@ public:
     [[nodiscard]] constexpr duration response_timeout() const noexcept { return response_timeout_; }
 
 private:
+    static constexpr duration shorter(duration one, duration other) noexcept { return one < other ? one : other; }
+
     std::uint8_t retries_{0};
     std::uint8_t busy_retries_{0};
     std::uint8_t failures_{0};
@@ -115,6 +121,7 @@ private:
     duration busy_pause_{}; ///< the next one
     instant first_sent_{0};
     instant owed_until_{0};
+    duration longest_{};          ///< what the time limits leave from the first of the unanswered sendings on
     std::uint16_t unanswered_{0}; ///< at the end, so that no bytes are left before its holder's next member
 };
 
