@@ -89,7 +89,7 @@ DAMAGED = [
     ("# rtuwire scan\ngarbage\n19200 8E1 6\n", 2),
     ("# rtuwire scan\n19200 8E1 6\n19200 8E1 999\n", 3),
     ("# rtuwire scan\n19200 8E1 719200 8E1 5\n", 2),
-    ("# rtuwire scan\n19201 8E1 7\n", 2),
+    ("# rtuwire scan\n12 8E1 7\n", 2),
     ("# rtuwire scan\n19200 8E1 7\n19200 8E1 7\n", 3),
     ("# rtuwire scan\n\n19200 8E1 7\n", 2),
     ("# rtuwire scan\r\n", None),
