@@ -22,9 +22,12 @@ constexpr std::uint16_t lsp_at = 251; ///< of an ATV28: without its reference th
 
 /// A direct start whose drive loses its power.
 struct direct_start_off : plant<atv28::device> {
-    atv28::direct_start go{drive, 20_Hz};
+    atv28::direct_start go;
     bool was_told{false};  ///< to run
     bool was_asked{false}; ///< whether it runs, after that
+
+    // Not a member's initializer: Clang 14 would evaluate the reference at run time.
+    direct_start_off() : go{drive, 20_Hz} {}
 
     /// Whether it lost it, before it was asked for the status that ends the start.
     bool loses_power_at(duration after)
