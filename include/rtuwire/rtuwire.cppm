@@ -301,6 +301,7 @@ using rtuwire::write_with_step;
 
 export namespace rtuwire::altivar {
 using altivar::all_drives;
+using altivar::beyond_limits;
 using altivar::broadcast_extended_command;
 using altivar::broadcast_freewheel;
 using altivar::broadcast_setting;
@@ -337,6 +338,7 @@ using altivar::outcome_kind;
 using altivar::reason;
 using altivar::recall_from_eeprom;
 using altivar::reference;
+using altivar::reference_limits;
 using altivar::reference_reached_bit;
 using altivar::reset_fault;
 using altivar::restore_factory_settings;

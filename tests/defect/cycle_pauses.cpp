@@ -193,7 +193,7 @@ namespace {
 template <typename Device> void stands(std::uint64_t pause, bool is_early)
 {
     sleeper<Device> it{{}};
-    it.work(600'000);
+    it.work(650'000);
     it.sleep(pause);
     if (is_early) {
         CHECK(it.order());

@@ -50,7 +50,7 @@ TEST_CASE("defect: D20 a start at 0 in reverse does not turn the motor forward")
 {
     test::all_drives::for_each([]<typename Device>() {
         slow_plant<Device> it;
-        CHECK(it.turns_back_by(start{it.drive, 0_Hz, run_direction::reverse}));
+        CHECK(it.turns_back_by(start{it.drive, 0_Hz, run_direction::reverse, test::usual_limit, test::within_limits}));
     });
 }
 
@@ -71,8 +71,10 @@ TEST_CASE("defect: D20 a start at 1 or 2 rpm in reverse does not turn the motor 
 {
     test::all_drives::for_each([]<typename Device>() {
         slow_plant<Device> one, two;
-        CHECK(one.turns_back_by(start{one.drive, -1_rpm}));
-        CHECK(two.turns_back_by(start{two.drive, 2_rpm, run_direction::reverse}));
+        CHECK(one.turns_back_by(
+            start{one.drive, -1_rpm, run_direction::forward, test::usual_limit, test::within_limits}));
+        CHECK(
+            two.turns_back_by(start{two.drive, 2_rpm, run_direction::reverse, test::usual_limit, test::within_limits}));
     });
 }
 
@@ -81,7 +83,8 @@ TEST_CASE("defect: D20 the least word of a reference is no reference forward und
     test::all_drives::for_each([]<typename Device>() {
         plant<Device> it;
         it.turn(-30, true);
-        change_reference all{it.drive, *setting<Device::speed_reference>::checked(signed_rpm{-32'768})};
+        change_reference all{it.drive, *setting<Device::speed_reference>::checked(signed_rpm{-32'768}),
+                             milliseconds(30'000), beyond_limits::limit};
         CHECK(it.watch(all, long_enough).highest < 0);
         CHECK(it.millihertz() == -50'000);
     });

@@ -11,11 +11,16 @@
 #include <utility>
 
 #include <rtuwire/altivar/device/drive_type.hpp>
+#include <rtuwire/altivar/procedure/inspection/supervision_report.hpp>
 #include <rtuwire/ask/single_request.hpp>
 
 namespace rtuwire::test {
 
 inline constexpr client_options plant_policy{.response_timeout = milliseconds(100), .retries = 1};
+
+/// A start from rest that the drive's limits may change.
+inline constexpr duration usual_limit = milliseconds(3'000);
+inline constexpr altivar::supervision_options within_limits{.beyond = altivar::beyond_limits::limit};
 
 /// The lowest and the highest frequency of a motor, in mHz.
 struct seen_frequencies {

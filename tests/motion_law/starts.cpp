@@ -166,11 +166,11 @@ TEST_CASE("motion law: S32 60 Hz under a limit of 50 Hz is limited, never reache
         start go{it.drive, 30_Hz};
         REQUIRE(it.run(go));
         it.idle(milliseconds(5'000));
-        change_reference over{it.drive, 60_Hz};
+        change_reference over{it.drive, 60_Hz, milliseconds(30'000), beyond_limits::limit};
         REQUIRE(it.run(over));
         CHECK(over.reason().kind == outcome_kind::reference_limited);
         CHECK(it.millihertz() <= 50'000);
-        start again{it.drive, 60_Hz};
+        start again{it.drive, 60_Hz, run_direction::forward, milliseconds(3'000), {.beyond = beyond_limits::limit}};
         REQUIRE(it.run(again));
         CHECK(again.reason().kind == outcome_kind::reference_limited);
     });

@@ -21,6 +21,8 @@ using test::cut_after;
 using test::frame_bytes;
 using test::plant;
 using test::seen_frequencies;
+using test::usual_limit;
+using test::within_limits;
 using kind = outcome_kind;
 
 namespace {
@@ -78,9 +80,9 @@ TEST_CASE("motion law: S31 a start at 0 turns at LSP, forward or in reverse as i
     test::all_drives::for_each([]<typename Device>() {
         for (run_direction const way : {forward, reverse}) {
             slow_plant<Device> it{100};
-            check_end(it, start{it.drive, 0_Hz, way}, way);
+            check_end(it, start{it.drive, 0_Hz, way, usual_limit, within_limits}, way);
             slow_plant<Device> by_speed{100};
-            check_end(by_speed, start{by_speed.drive, 0_rpm, way}, way);
+            check_end(by_speed, start{by_speed.drive, 0_rpm, way, usual_limit, within_limits}, way);
         }
     });
 }
@@ -148,11 +150,11 @@ TEST_CASE("motion law: S42 the least speeds in reverse do not become 0 on their 
 {
     test::all_drives::for_each([]<typename Device>() {
         slow_plant<Device> one{100}, two{100}, tenth{100};
-        check_end(one, start{one.drive, -1_rpm}, reverse);
+        check_end(one, start{one.drive, -1_rpm, forward, usual_limit, within_limits}, reverse);
         check_end(one, change_reference{one.drive, -2_rpm}, reverse);
-        check_end(two, start{two.drive, 2_rpm, reverse}, reverse);
+        check_end(two, start{two.drive, 2_rpm, reverse, usual_limit, within_limits}, reverse);
         check_end(two, change_reference{two.drive, -1_rpm}, reverse);
-        check_end(tenth, start{tenth.drive, signed_decihertz{-1}}, reverse);
+        check_end(tenth, start{tenth.drive, signed_decihertz{-1}, forward, usual_limit, within_limits}, reverse);
         slow_plant<Device> ahead{100};
         ahead.turn(-30, true);
         check_end(ahead, start{ahead.drive, 1_rpm}, forward);
@@ -162,7 +164,7 @@ TEST_CASE("motion law: S42 the least speeds in reverse do not become 0 on their 
         CHECK(cycle.millihertz() == -10'000);
     });
     slow_plant<atv28::device> direct{100};
-    check_end(direct, atv28::direct_start{direct.drive, -1_rpm}, reverse);
+    check_end(direct, atv28::direct_start{direct.drive, -1_rpm, usual_limit, within_limits}, reverse);
 }
 
 TEST_CASE("motion law: S42 the greatest reference in reverse is no less in reverse under the direction bit")
@@ -170,7 +172,8 @@ TEST_CASE("motion law: S42 the greatest reference in reverse is no less in rever
     test::all_drives::for_each([]<typename Device>() {
         plant<Device> it;
         it.turn(-30, true);
-        change_reference all{it.drive, *setting<Device::speed_reference>::checked(signed_rpm{-32'768})};
+        change_reference all{it.drive, *setting<Device::speed_reference>::checked(signed_rpm{-32'768}),
+                             milliseconds(30'000), beyond_limits::limit};
         CHECK(it.watch(all, milliseconds(5'000)).highest < 0);
         CHECK(all.reason().kind == kind::reference_limited);
         CHECK(it.millihertz() == -50'000);
@@ -241,8 +244,8 @@ TEST_CASE("motion law: S42 cut after any of its frames, an order of 0 in reverse
                     goes_on = cut_after(running, change_reference{running.drive, 0_Hz}, frames, only_answers, lowest,
                                         highest);
                     CHECK((lowest >= -30'000 and highest <= 0));
-                    goes_on = cut_after(standing, start{standing.drive, 0_Hz, reverse}, frames, only_answers, lowest,
-                                        highest) or
+                    goes_on = cut_after(standing, start{standing.drive, 0_Hz, reverse, usual_limit, within_limits},
+                                        frames, only_answers, lowest, highest) or
                               goes_on;
                     CHECK((lowest >= -10'000 and highest <= 0));
                 }

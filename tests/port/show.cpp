@@ -78,12 +78,18 @@ TEST_CASE("a reason tells all that is known")
           "the drive is in fault, LFT 5, state fault");
     CHECK(shown(altivar::reason{.kind = outcome_kind::succeeded, .is_other_stop = true}) ==
           "done, another stop than the one ordered");
+    CHECK(shown(altivar::reason{.kind = outcome_kind::above_hsp, .limit = 505}) ==
+          "the reference is above the drive's highest frequency, HSP: 50.5 Hz");
     // The longest of all fits.
     std::size_t longest = 0;
     for (unsigned kind = 0; kind <= 0xFF; ++kind) {
         for (unsigned error = 0; error <= 0xFF; ++error) {
-            altivar::reason const why{static_cast<outcome_kind>(kind), static_cast<errc>(error),
-                                      state::fault_reaction_active, 65'535, true};
+            altivar::reason const why{static_cast<outcome_kind>(kind),
+                                      static_cast<errc>(error),
+                                      state::fault_reaction_active,
+                                      65'535,
+                                      true,
+                                      65'535};
             std::string const text{text_of(why)};
             longest = std::max(longest, text.size());
             REQUIRE(text.starts_with(std::string{altivar::name_of(why.kind)}));

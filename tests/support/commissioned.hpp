@@ -13,7 +13,10 @@ namespace rtuwire::test {
 constexpr std::uint16_t commissioned_word(std::uint16_t address, std::uint16_t tto = 100)
 {
     switch (address) {
-    case 7010: return 1; // SLL: freewheel
+    case 3104: return 500;  // HSP: 50 Hz
+    case 9602: return 500;  // FRS
+    case 9604: return 1440; // NSP
+    case 7010: return 1;    // SLL: freewheel
     case 6005: return tto;
     case 8401: return 1;   // CHCF: together
     case 8423: return 10;  // CD1: Modbus
@@ -23,6 +26,9 @@ constexpr std::uint16_t commissioned_word(std::uint16_t address, std::uint16_t t
     default: return 0; // FLO, ATR
     }
 }
+
+/// For a check of a drive whose limits are of no interest.
+inline constexpr altivar::supervision_options unlimited{.beyond = altivar::beyond_limits::limit};
 
 /// What a check of it found.
 constexpr altivar::supervision_report commissioned(duration timeout = milliseconds(10'000))

@@ -54,12 +54,14 @@ public:
 
     rtuwire::errc make(std::optional<rtuwire::altivar::start>& order, given_frequency reference) const override
     {
-        return make_with_reference(order, reference);
+        return make_with_reference(order, reference, rtuwire::altivar::run_direction::forward,
+                                   rtuwire::milliseconds(3'000),
+                                   rtuwire::altivar::supervision_options{.beyond = beyond});
     }
     rtuwire::errc make(std::optional<rtuwire::altivar::change_reference>& order,
                        given_frequency reference) const override
     {
-        return make_with_reference(order, reference);
+        return make_with_reference(order, reference, rtuwire::milliseconds(30'000), beyond);
     }
     void make(std::optional<rtuwire::altivar::stop>& order, rtuwire::altivar::stop_by how) const override
     {
@@ -68,14 +70,18 @@ public:
     void make(std::optional<rtuwire::altivar::reset_fault>& order) const override { order.emplace(station); }
 
 private:
-    template <typename Order>
-    static rtuwire::errc make_with_reference(std::optional<Order>& order, given_frequency reference)
+    /// Whoever plays sees what a drive does with a reference beyond its limits.
+    static constexpr rtuwire::altivar::beyond_limits beyond = rtuwire::altivar::beyond_limits::limit;
+
+    template <typename Order, typename... More>
+    static rtuwire::errc make_with_reference(std::optional<Order>& order, given_frequency reference,
+                                             More const&... more)
     {
         auto const checked = hertz::checked(reference);
         if (not checked) {
             return checked.error();
         }
-        order.emplace(station, *checked);
+        order.emplace(station, *checked, more...);
         return rtuwire::errc::none;
     }
 

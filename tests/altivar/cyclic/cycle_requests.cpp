@@ -64,7 +64,7 @@ constexpr bool tells_of_a_reset()
 }
 PROOF("an exchange that resets a fault is called so", tells_of_a_reset)
 
-/// A cycle whose drive does not have the first register of the check.
+/// A cycle whose drive does not have SLL, the first register of a check without limits.
 constexpr bool is_without_sll(cycle& it, bool has_slots = true)
 {
     bool ok = it.asks();
@@ -83,7 +83,7 @@ constexpr bool is_without_sll(cycle& it, bool has_slots = true)
 }
 constexpr bool refuses_who_has_no_register()
 {
-    cycle it;
+    cycle it{{.supervision = {.beyond = beyond_limits::limit}}};
     bool ok = is_without_sll(it) and it.loop.link_lost() and not it.loop.run(1'500_rpm);
     ok = ok and it.loop.control().reason().kind == outcome_kind::unknown_register;
     return ok and it.loop.supervision().address == 7'010;
@@ -93,9 +93,11 @@ PROOF("a drive that does not have a register of the check is not ordered, and th
 
 constexpr bool accepts_who_has_no_register()
 {
-    cycle it{{.supervision = {.risks = {.accept_unknown_registers = true}}}};
+    cyclic_options const options{
+        .supervision = {.risks = {.accept_unknown_registers = true}, .beyond = beyond_limits::limit}};
+    cycle it{options};
     bool ok = is_without_sll(it) and it.is_checked() and it.loop.run(1'500_rpm);
-    cycle other{{.supervision = {.risks = {.accept_unknown_registers = true}}}};
+    cycle other{options};
     ok = ok and is_without_sll(other, false) and it.loop.control().reason().kind == outcome_kind::pending;
     return ok and other.is_checked() and other.loop.control().reason().kind == outcome_kind::misconfigured;
 }
@@ -112,7 +114,7 @@ PROOF("of an ATV320's eight scanner words four go each way, in one exchange", mo
 constexpr bool writes_two_words_without_a_scanner()
 {
     constexpr std::uint16_t eta = 458, cmd = 400, first_input = 452;
-    cycle_by_hand<atv28::device> it;
+    cycle_by_hand<atv28::device> it{{.supervision = {.beyond = beyond_limits::limit}}};
     bool ok = it.asks() and it.reads(eta);
     while (ok and it.word(4) == 1) { // the check
         it.hear({it.word(2) == eta ? switch_on_disabled : std::uint16_t{0}});

@@ -76,7 +76,7 @@ template <typename Device> struct by_hand {
     /// Answers the requests of the check, up to its last one, the status.
     bool is_checked()
     {
-        for (unsigned requests = 0; requests < 10; ++requests) {
+        for (unsigned requests = 0; requests < 14; ++requests) {
             loop.advance(now);
             auto const request = loop.next();
             REQUIRE(request);

@@ -190,7 +190,8 @@ constexpr bool believes_the_second_look()
 {
     by_hand<change_reference> it{change_reference{drive, 40_Hz}};
     it.wait(0);
-    bool ok = it.reads_and_hears(eta, 0x0A37) and it.reads_and_hears(cmd, 0x000F) and it.writes_and_confirms(8502, 400);
+    bool ok = it.reads_and_hears(eta, 0x0A37) and it.reads_and_hears(cmd, 0x000F) and it.reads_and_hears(8502, 600) and
+              it.writes_and_confirms(8502, 400);
     it.wait(50);
     ok = ok and it.reads_and_hears(eta, 0x0A37) and not it.conversation.settled(); // limited, by the reference before
     for (unsigned i = 0; i < 2; ++i) {

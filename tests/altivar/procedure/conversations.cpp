@@ -166,10 +166,11 @@ TEST_CASE("a speed is a reference too, and one outside the limits is said to be"
     CHECK(it.end_of(start{it.drive, 1'500_rpm}).kind == outcome_kind::succeeded);
     it.idle(milliseconds(4'000));
     CHECK(it.drive_().word("RFRD") == 1'500);
-    auto const told = it.end_of(change_reference{it.drive, 1'800_rpm});
+    constexpr beyond_limits all_the_same = beyond_limits::limit;
+    auto const told = it.end_of(change_reference{it.drive, 1'800_rpm, milliseconds(30'000), all_the_same});
     CHECK(told.kind == outcome_kind::reference_limited);
     CHECK(it.drive_().word("RFRD") == 1'500);
-    start again{it.drive, -1'800_rpm};
+    start again{it.drive, -1'800_rpm, run_direction::forward, milliseconds(3'000), {.beyond = all_the_same}};
     CHECK(it.run(again));
     CHECK(again.reason().kind == outcome_kind::reference_limited);
     CHECK(again.running());

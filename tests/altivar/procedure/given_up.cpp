@@ -73,7 +73,7 @@ TEST_CASE("a stop judges the drive by what it read after its word, and only wher
 
 TEST_CASE("a check and a save whose limit is over say that they were given up, not that the drive was silent")
 {
-    constexpr supervision_procedure check{layout};
+    constexpr supervision_procedure check{layout, supervision_options{.beyond = beyond_limits::limit}};
     CHECK(does(led(check, {begun}), late, ends(kind::aborted)));
     constexpr save_procedure save{layout};
     constexpr way saving{begun, word(at_rest), word(0)};

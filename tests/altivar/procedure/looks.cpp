@@ -93,7 +93,7 @@ constexpr bool ends_in_time()
 }
 PROOF("who names no limit has one, from the first pass on: looks and links", ends_in_time)
 
-constexpr supervision_procedure check{later};
+constexpr supervision_procedure check{later, test::unlimited};
 constexpr errc missing = errc::illegal_data_address;
 
 // Words that nobody has described are no safeguards.
@@ -111,7 +111,7 @@ STATIC_CHECK(ends(told(check, begins, written), outcome_kind::aborted));
 
 constexpr bool accepts_all_that_is_missing()
 {
-    supervision_procedure it{later, {.risks = {.accept_unknown_registers = true}}};
+    supervision_procedure it{later, {.risks = {.accept_unknown_registers = true}, .beyond = beyond_limits::limit}};
     action last = it.step(begins);
     unsigned requests = 0;
     while (last.what == action::kind::read and last.address != later.eta) {
@@ -132,7 +132,8 @@ PROOF("a drive that has none of the registers is ready only where that was accep
 
 constexpr bool takes_no_status_for_granted()
 {
-    supervision_procedure it{atv12::device::layout, {.risks = {.accept_unknown_registers = true}}};
+    supervision_procedure it{atv12::device::layout,
+                             {.risks = {.accept_unknown_registers = true}, .beyond = beyond_limits::limit}};
     action const last = after(it, begins, read(1), read(100), read(1), read(164), read(0));
     return reads(last, 3201) and it.step(fails(missing)).what == action::kind::end and
            it.reason().kind == outcome_kind::refused and it.reason().error == missing;
@@ -141,7 +142,7 @@ PROOF("a status that is not there is no risk that could be accepted", takes_no_s
 
 constexpr bool is_ready_without_a_wiring_register()
 {
-    supervision_procedure it{old};
+    supervision_procedure it{old, test::unlimited};
     action last = after(it, begins, read(0), read(0)); // CMI, ATR
     bool ok = reads(last, 6);
     last = it.step(fails(missing)); // TCC: as in two-wire control

@@ -48,7 +48,8 @@ TEST_CASE("two drives are started and stopped side by side")
 {
     two_drives it;
     start one{it.first, 50_Hz};
-    start other{it.second, 2'000_rpm, run_direction::reverse};
+    constexpr supervision_options at_the_limit{.beyond = beyond_limits::limit};
+    test::remembered<start> other{it.second, 2'000_rpm, run_direction::reverse, milliseconds(3'000), at_the_limit};
     CHECK_FALSE(one.running());
     it.run_both(one, other);
     CHECK(one.running());

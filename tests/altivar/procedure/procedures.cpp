@@ -130,7 +130,7 @@ constexpr event goes_on{kind::pause_over};
 /// A change to 1500 rpm, written already.
 constexpr reference_procedure changed()
 {
-    reference_procedure it{atv320::device::layout, {lfrd, 1'500}};
+    reference_procedure it{atv320::device::layout, {lfrd, 1'500}, beyond_limits::limit};
     static_cast<void>(it.step({kind::begun}));
     static_cast<void>(it.step(word(0x0237)));
     static_cast<void>(it.step(word(0x000F)));

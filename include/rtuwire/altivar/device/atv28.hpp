@@ -249,6 +249,8 @@ struct device {
                                          .eti = eti.address,
                                          .rfr = rfr.address,
                                          .lsp = lsp.address,
+                                         .hsp = hsp.address,
+                                         .sds = sds.address,
                                          .state_machine = {.quick_stop_waits = true},
                                          .mains_bit_is_inverted = true,
                                          .refuses_commands_in_local = true,

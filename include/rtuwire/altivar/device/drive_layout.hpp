@@ -58,6 +58,10 @@ struct drive_layout {
     std::uint16_t eti;    ///< extended status word
     std::uint16_t rfr;    ///< output frequency, signed, 0.1 Hz
     std::uint16_t lsp{0}; ///< the motor's lowest frequency, 0.1 Hz; 0: its register is not known
+    std::uint16_t hsp{0}; ///< its highest one
+    std::uint16_t frs{0}; ///< its rated frequency, 0.1 Hz
+    std::uint16_t nsp{0}; ///< its rated speed, rpm; with FRS, the pairs of poles
+    std::uint16_t sds{0}; ///< what 1 Hz is in rpm, where the drive does not count poles
     cia402::state_machine_options state_machine{};
     bool mains_bit_is_inverted{false};              ///< status bit 4 is 1 without mains
     bool refuses_commands_in_local{false};          ///< with an exception, instead of ignoring them

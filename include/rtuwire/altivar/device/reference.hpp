@@ -23,16 +23,30 @@ enum class run_direction : std::uint8_t { forward, reverse };
 struct reference_write {
     std::uint16_t address;
     std::uint16_t word;
+    bool is_speed{false}; ///< in rpm, else in 0.1 Hz
 
     [[nodiscard]] constexpr bool is_reverse() const noexcept { return (word & 0x8000U) != 0; }
     [[nodiscard]] constexpr bool is_zero() const noexcept { return word == 0; }
+
+    /// The same without its sign.
+    [[nodiscard]] constexpr std::uint16_t size() const noexcept
+    {
+        return is_reverse() ? static_cast<std::uint16_t>(0U - word) : word;
+    }
+
+    /// Whether a drive whose reference is another word turns at least as fast by it, the same way.
+    [[nodiscard]] constexpr bool is_within(std::uint16_t standing) const noexcept
+    {
+        reference_write const other{address, standing};
+        return size() <= other.size() and is_reverse() == other.is_reverse();
+    }
 
     /// The same speed in the other direction. A word of 0 has no sign, and a motor with LSP above 0 turns at LSP for it:
     /// turned round, 0 is one count. -32768 has no counterpart: it is 32767.
     [[nodiscard]] constexpr reference_write reversed() const noexcept
     {
         bool const has_no_other = (word & 0x7FFFU) == 0;
-        return {address, static_cast<std::uint16_t>(has_no_other ? ~unsigned{word} : 0U - word)};
+        return {address, static_cast<std::uint16_t>(has_no_other ? ~unsigned{word} : 0U - word), is_speed};
     }
 
     /// The write for a motor in operation with this status: 0 names no direction, so one that turns in reverse keeps to it.
@@ -58,7 +72,7 @@ template <device_type Device> class reference {
 public:
     template <std::integral Rep, typename Scale>
     consteval reference(quantity<rotation, Rep, Scale> value) noexcept
-        : write_{Device::speed_reference.address, speed{value}.word()}
+        : write_{Device::speed_reference.address, speed{value}.word(), true}
     {}
 
     template <std::integral Rep, typename Scale>
@@ -67,7 +81,7 @@ public:
     {}
 
     /// A setting that was checked at run time.
-    constexpr reference(speed value) noexcept : write_{Device::speed_reference.address, value.word()} {}
+    constexpr reference(speed value) noexcept : write_{Device::speed_reference.address, value.word(), true} {}
     constexpr reference(hertz_setting value) noexcept : write_{Device::frequency_reference.address, value.word()} {}
 
     [[nodiscard]] constexpr reference_write write() const noexcept { return write_; }

@@ -52,6 +52,8 @@ enum class outcome_kind : std::uint8_t {
     not_taken,            ///< a written setting reads back with another value
     started_by_terminals, ///< a local command runs the motor; the line cannot stop it
     other_family,         ///< the drive, or the configuration, is of another family
+    above_hsp,            ///< the reference is above the drive's HSP; `limit` is that
+    below_lsp,            ///< the reference is below the drive's LSP, and the motor at rest; `limit` is that
     used_already,         ///< it had ended before this visit, and did nothing: `again()` begins it anew
 };
 
@@ -62,6 +64,7 @@ struct [[nodiscard]] reason {
     cia402::state state{cia402::state::unknown}; ///< the last one read
     std::uint16_t fault{0};                      ///< LFT, where it was read; 0 otherwise
     bool is_other_stop{false};                   ///< another stop than the one ordered: see stop.hpp
+    std::uint16_t limit{0};                      ///< HSP or LSP that refused a reference, as it was read: 0.1 Hz
 
     friend constexpr bool operator==(reason const&, reason const&) noexcept = default;
 };
@@ -103,6 +106,8 @@ struct [[nodiscard]] reason {
     case outcome_kind::not_taken: return "a setting reads back otherwise";
     case outcome_kind::started_by_terminals: return "the terminals run the motor";
     case outcome_kind::other_family: return "the drive is of another family";
+    case outcome_kind::above_hsp: return "the reference is above the drive's highest frequency, HSP";
+    case outcome_kind::below_lsp: return "the reference is below the drive's lowest frequency, LSP";
     case outcome_kind::used_already: return "used already: begin it anew with again()";
     }
     return "unknown";
@@ -115,7 +120,7 @@ struct [[nodiscard]] reason {
 /// called depends on the drive: `text_of(atv320::fault_code{why.fault})`.
 [[nodiscard]] constexpr auto text_of(reason const& why) noexcept
 {
-    constexpr std::size_t longest = 224;
+    constexpr std::size_t longest = 256;
     short_text<longest> text;
     if (why.is_other_stop) {
         text.precede(", another stop than the one ordered");
@@ -131,6 +136,11 @@ struct [[nodiscard]] reason {
     if (why.error != errc::none) {
         std::string_view const error = name(why.error);
         text.precede(error.data(), error.size());
+        text.precede(": ");
+    }
+    if (why.limit != 0) {
+        text.precede(" Hz");
+        precede_by_number(text, std::uint32_t{why.limit}, 1);
         text.precede(": ");
     }
     text.precede(name_of(why.kind));

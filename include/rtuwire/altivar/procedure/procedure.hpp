@@ -149,6 +149,14 @@ protected:
         return {action::kind::end};
     }
 
+    /// Ends because a limit of the drive forbids a reference.
+    constexpr action end_beyond(outcome_kind found, std::uint16_t limit) noexcept
+    {
+        note_limit(limit);
+        return end(found);
+    }
+    constexpr void note_limit(std::uint16_t limit) noexcept { reason_.limit = limit; }
+
     /// Ends because a request failed.
     constexpr action end(errc error) noexcept { return end(kind_for(error), error); }
 

@@ -146,8 +146,9 @@ constexpr std::array<stage_row<8>, 7> other_rows{{
      {fault, fault, fault, x, x, silent, refused, fault}},
 }};
 
-constexpr reference_procedure forward{layout, {speed, 1'500}}, reverse{layout, {speed, 0xFA24}};
-constexpr reference_procedure zero{layout, {speed, 0}};
+constexpr reference_procedure forward{layout, {speed, 1'500}, beyond_limits::limit};
+constexpr reference_procedure reverse{layout, {speed, 0xFA24}, beyond_limits::limit};
+constexpr reference_procedure zero{layout, {speed, 0}, beyond_limits::refuse};
 
 // A reference of 0 keeps the direction of the motor: LSP is read where the word for it has a sign.
 constexpr cell lsp = reads(3105);
@@ -159,6 +160,48 @@ constexpr std::array<answer, 5> lows{{
     {"refused", failed(errc::illegal_data_address)},
     {"limit over", late},
 }};
+
+// Slowing down is never refused: its reference is read first, and HSP only where it would turn faster, or the other way.
+constexpr reference_procedure held{layout, {speed, 1'500, true}, beyond_limits::refuse};
+constexpr reference_procedure held_hertz{atv28::device::layout, {401, 0xFF38}, beyond_limits::refuse}; // -20.0 Hz
+constexpr cell hsp = reads(3104), frs = reads(9602), nsp = reads(9604), write_hertz = writes(401, 0xFF38);
+constexpr cell above = ends(kind::above_hsp), unknown = ends(kind::unknown_register);
+constexpr std::array<answer, 12> standings{{
+    {"0", word(0)},
+    {"1499", word(1'499)},
+    {"1500", word(1'500)},
+    {"1501", word(1'501)},
+    {"-1501", word(0xFA23)},
+    {"200", word(200)},
+    {"-199", word(0xFF39)},
+    {"-200", word(0xFF38)},
+    {"confirmed", confirmed},
+    {"no response", failed(errc::timed_out)},
+    {"refused", failed(errc::illegal_data_address)},
+    {"limit over", late},
+}};
+constexpr cell hsp_28 = reads(250);
+// clang-format off
+constexpr std::array<stage_row<12>, 4> held_rows{{
+    // 0, 1499, 1500, 1501, -1501, 200, -199, -200, confirmed, no response, refused, limit over
+    {"the reference that stands", {begun, word(enabled_word), word(0x000F)},
+     {hsp, hsp, write, write, hsp, hsp, hsp, hsp, x, silent, hsp, aborted}},
+    {"HSP of one in rpm", {begun, word(enabled_word), word(0x000F), word(0)},
+     {frs, frs, frs, frs, frs, frs, frs, frs, x, silent, unknown, aborted}},
+    {"FRS", {begun, word(enabled_word), word(0x000F), word(0), word(500)},
+     {nsp, nsp, nsp, nsp, nsp, nsp, nsp, nsp, x, silent, unknown, aborted}},
+    // 50 Hz: at 1440 rpm two pairs of poles, so 1500 rpm; at 200 rpm fifteen
+    {"NSP", {begun, word(enabled_word), word(0x000F), word(0), word(500), word(500)},
+     {unknown, write, write, write, write, above, write, write, x, silent, unknown, aborted}},
+}};
+constexpr std::array<stage_row<12>, 2> held_hertz_rows{{
+    {"the reference in Hz that stands", {begun, word(enabled_word), word(0x000F)},
+     {hsp_28, hsp_28, hsp_28, hsp_28, write_hertz, hsp_28, hsp_28, write_hertz, x, silent, hsp_28, aborted}},
+    {"HSP of one in Hz", {begun, word(enabled_word), word(0x000F), word(0)},
+     {above, write_hertz, write_hertz, write_hertz, write_hertz, write_hertz, write_hertz, write_hertz, x, silent, unknown, aborted}},
+}};
+// clang-format on
+
 constexpr std::uint16_t back = 0x8237, by_sign = 0x000F, by_bit = 0x080F;
 constexpr std::array<stage_row<5>, 3> low_rows{{
     {"LSP, in reverse by the sign",
@@ -184,6 +227,14 @@ TEST_CASE("a change of the reference does in each stage, at each answer, what it
     check_table(forward, others, other_rows);
 }
 
+TEST_CASE("a change of the reference that may be refused reads no limit where it slows down")
+{
+    check_table(held, standings, held_rows);
+    check_table(held_hertz, standings, held_hertz_rows);
+    CHECK(does(led(held, {begun, word(enabled_word)}), word(0x000F), reads(speed)));
+    CHECK(does(led(held_hertz, {begun, word(enabled_word)}), word(0x000F), reads(401)));
+}
+
 TEST_CASE("a change to 0 reads LSP where it would turn the motor round, and keeps its direction unless that is 0")
 {
     check_table(zero, lows, low_rows);
@@ -193,7 +244,7 @@ TEST_CASE("a change to 0 reads LSP where it would turn the motor round, and keep
     CHECK(does(led(zero, {begun, word(enabled_word)}), word(by_sign), write_0));
     static constexpr drive_layout unlimited{
         .cmd = layout.cmd, .eta = layout.eta, .lft = 1, .cmi = 2, .eti = 3, .rfr = 4};
-    constexpr reference_procedure elsewhere{unlimited, {speed, 0}};
+    constexpr reference_procedure elsewhere{unlimited, {speed, 0}, beyond_limits::refuse};
     CHECK(does(led(elsewhere, {begun, word(back)}), word(by_sign), write_back));
 }
 
@@ -201,7 +252,7 @@ TEST_CASE("a change of the reference begins with a look, and leaves a halt")
 {
     CHECK(does(forward, begun, eta));
     CHECK(does(led(forward, {begun, word(enabled_word)}), word(0x010F), halted));
-    constexpr reference_procedure old{atv28::device::layout, {401, 300}}; // has no halt
+    constexpr reference_procedure old{atv28::device::layout, {401, 300}, beyond_limits::limit}; // has no halt
     CHECK(does(led(old, {begun, word(enabled_word)}), word(0x010F), writes(401, 300)));
 }
 

@@ -131,7 +131,7 @@ PROOF("a drive in local control is told nothing by a start, whatever was found b
 
 constexpr bool is_reached_at(std::uint16_t reference, bool looks_whether_it_turns)
 {
-    reference_procedure it{atv320::device::layout, {lfrd, reference}};
+    reference_procedure it{atv320::device::layout, {lfrd, reference}, beyond_limits::limit};
     bool ok = reads(it.step(begins), eta) and reads(it.step(word(enabled)), cmd);
     ok = ok and writes(it.step(word(0x000F)), lfrd, reference);
     ok = ok and it.step(written).what == action::kind::pause;

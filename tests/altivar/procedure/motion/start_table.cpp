@@ -47,7 +47,8 @@ constexpr std::array<answer, 13> answers{{
 
 constexpr start_procedure checked_before{
     layout, {8602, 1'500}, run_direction::forward, supervision_procedure{layout, commissioned()}};
-constexpr start_procedure unchecked{layout, {8602, 1'500}, run_direction::forward, supervision_procedure{layout}};
+constexpr start_procedure unchecked{
+    layout, {8602, 1'500}, run_direction::forward, supervision_procedure{layout, unlimited}};
 
 constexpr cell x = never;
 constexpr cell local = ends(kind::local_control), silent = ends(kind::silent), refused = ends(kind::refused);

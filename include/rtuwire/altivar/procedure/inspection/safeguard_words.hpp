@@ -15,8 +15,12 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
-/// What is read, in this order: the channel defines what the others mean.
+/// What is read, in this order: a reference beyond the limits needs no more; the channel defines what the others mean.
 enum class safeguard : std::uint8_t {
+    highest,
+    lowest,
+    rated_frequency,
+    rated_speed, ///< or what 1 Hz is in rpm
     reaction,
     timeout,
     mode,
@@ -34,6 +38,9 @@ enum class safeguard : std::uint8_t {
 ///
 /// | register         | word                                   | finding                        |
 /// |------------------|----------------------------------------|--------------------------------|
+/// | HSP, LSP, FRS    | any                                    | noted                          |
+/// | NSP, SDS         | 0                                      | unknown_register               |
+/// |                  | other                                  | noted                          |
 /// | SLL              | 1, 2, 6, 7, 8                          |                                |
 /// |                  | 0                                      | unsupervised                   |
 /// |                  | 4, 5                                   | runs_on_without_link           |
@@ -53,10 +60,13 @@ enum class safeguard : std::uint8_t {
 /// | inputs           | a run input, not in three-wire control | run_input_closed               |
 /// | ETA              | in local control                       | local_control                  |
 ///
-/// TCC and the inputs count only where the terminals command after power-up.
+/// TCC and the inputs count only where the terminals command after power-up, the limits where they refuse a reference, FRS,
+/// NSP and SDS for one in rpm.
 class safeguard_words {
 public:
-    explicit constexpr safeguard_words(std::uint16_t run_inputs) noexcept : run_inputs_{run_inputs} {}
+    constexpr safeguard_words(std::uint16_t run_inputs, bool has_limits, bool is_by_speed) noexcept
+        : run_inputs_{run_inputs}, has_limits_{has_limits}, is_by_speed_{has_limits and is_by_speed}
+    {}
 
     /// The register to read; 0 where the drive has none.
     [[nodiscard]] constexpr std::uint16_t address_of(safeguard what, drive_layout const& layout) const noexcept
@@ -64,6 +74,11 @@ public:
         safeguard_layout const& at = layout.safeguards;
         bool const is_local_first = at.is_local_at_power_up;
         switch (what) {
+        case safeguard::highest: return has_limits_ ? layout.hsp : std::uint16_t{0};
+        case safeguard::lowest: return has_limits_ ? layout.lsp : std::uint16_t{0};
+        case safeguard::rated_frequency: return is_by_speed_ ? layout.frs : std::uint16_t{0};
+        case safeguard::rated_speed:
+            return is_by_speed_ ? (layout.nsp != 0 ? layout.nsp : layout.sds) : std::uint16_t{0};
         case safeguard::reaction: return at.nto != 0 ? layout.cmi : at.sll;
         case safeguard::timeout: return at.tto;
         case safeguard::mode: return at.chcf;
@@ -85,6 +100,11 @@ public:
     {
         constexpr std::uint16_t by_modbus = 10, reference_by_modbus = 164;
         switch (what) {
+        case safeguard::highest: report.limits.highest = word; break;
+        case safeguard::lowest: report.limits.lowest = word; break;
+        case safeguard::rated_frequency: rated_ = word; break;
+        case safeguard::rated_speed:
+            return unless(report.limits.note_scale(rated_, word), outcome_kind::unknown_register);
         case safeguard::reaction: return judge_reaction(word, at, report.period);
         case safeguard::timeout: return judge_timeout(word, report.period);
         case safeguard::mode: return judge_mode(word);
@@ -161,6 +181,9 @@ private:
 
     std::uint16_t run_inputs_;
     std::uint16_t mode_{0};
+    std::uint16_t rated_{0}; ///< FRS
+    bool has_limits_;
+    bool is_by_speed_;
     bool is_watched_{true};
     bool stops_on_ramp_{false};
     bool is_three_wire_{false};

@@ -35,21 +35,27 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// Internal.
 class supervision_procedure : public procedure {
 public:
-    explicit constexpr supervision_procedure(drive_layout const& layout,
-                                             supervision_options const& options = {}) noexcept
-        : procedure{layout}, options_{options}, words_{options.run_inputs}
+    /// `is_by_speed`: its report is to hold the limits of a speed, too.
+    explicit constexpr supervision_procedure(drive_layout const& layout, supervision_options const& options = {},
+                                             bool is_by_speed = true) noexcept
+        : procedure{layout}, options_{options},
+          words_{options.run_inputs, options.beyond == beyond_limits::refuse, is_by_speed}, is_by_speed_{is_by_speed}
     {
         report_.period.longest_gap = options.longest_gap;
     }
 
-    /// Takes the result of an earlier check.
-    constexpr supervision_procedure(drive_layout const& layout, supervision_report const& found) noexcept
-        : procedure{layout}, report_{found}, words_{0}, is_known_{true}
-    {}
+    /// Takes the result of an earlier check, without its limits where they are not to refuse a reference.
+    constexpr supervision_procedure(drive_layout const& layout, supervision_report const& found,
+                                    beyond_limits beyond = beyond_limits::refuse) noexcept
+        : procedure{layout}, report_{found}, words_{0, false, false}, is_known_{true}
+    {
+        report_.limits = beyond == beyond_limits::refuse ? found.limits : reference_limits{};
+    }
 
     [[nodiscard]] constexpr supervision_procedure anew() const noexcept
     {
-        return is_known_ ? supervision_procedure{layout(), report_} : supervision_procedure{layout(), options_};
+        return is_known_ ? supervision_procedure{layout(), report_}
+                         : supervision_procedure{layout(), options_, is_by_speed_};
     }
 
     constexpr action step(event const& what) noexcept
@@ -160,11 +166,12 @@ private:
     supervision_options options_{};
     supervision_report report_{};
     safeguard_words words_;
-    safeguard at_{safeguard::reaction};
+    safeguard at_{safeguard::highest};
+    bool is_by_speed_{false};
     bool is_known_{false}; ///< an earlier check gave the report
 };
 
-/// Checks a drive before its first order: at most nine reads. It ends as `succeeded` (`ready`), or with the reason
+/// Checks a drive before its first order: at most nine reads, and four of its limits. It ends as `succeeded` (`ready`), or with the reason
 /// against it; the report then names the register and its word, and for `timeout_too_short` both times. An ATV12 and
 /// an ATV310 have no ATR; a second channel that an input switches to (CCS, RFC) is not checked.
 class check_supervision : public procedure_runner<supervision_procedure> {

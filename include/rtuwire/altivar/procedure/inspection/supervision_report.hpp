@@ -8,6 +8,7 @@
 
 #include <rtuwire/altivar/device/drive_layout.hpp>
 #include <rtuwire/altivar/procedure/inspection/period_rule.hpp>
+#include <rtuwire/altivar/procedure/inspection/reference_limits.hpp>
 #include <rtuwire/altivar/procedure/outcome.hpp>
 #include <rtuwire/core/version.hpp>
 
@@ -55,6 +56,8 @@ struct supervision_options {
     duration longest_gap{};
     /// Logic inputs that command run in two-wire control: LI1 forward, LI2 reverse. The others may be closed.
     std::uint16_t run_inputs{0x0003};
+    /// What becomes of a reference that the drive's limits do not allow.
+    beyond_limits beyond{beyond_limits::refuse};
 };
 
 /// What was found. It holds until a setting of the drive changes, or an unsaved one is lost with its power.
@@ -66,6 +69,7 @@ struct supervision_report {
     std::uint16_t word{0};                     ///< its value; 0 where the drive lacks it
     word_meaning words{word_meaning::unknown}; ///< of the drive profile: CHCF is not IO, DOTD is the ramp
     bool has_local_input{false};               ///< FLO: an input can take the command away
+    reference_limits limits{};                 ///< as far as they were read
     supervision_risks accepted{};              ///< those that were found and accepted
 };
 

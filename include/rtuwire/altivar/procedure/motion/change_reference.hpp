@@ -9,6 +9,7 @@
 
 #include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/device/reference.hpp>
+#include <rtuwire/altivar/procedure/inspection/reference_limits.hpp>
 #include <rtuwire/altivar/procedure/procedure_runner.hpp>
 #include <rtuwire/core/version.hpp>
 
@@ -30,10 +31,17 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// | CMD           | with the halt bit                   | end: halted         |                                     |
 /// |               | other                               | write the reference |                                     |
 /// |               | other, 0 would be 1 count           | read LSP            |                                     |
+/// |               | other, limits refuse, no 0          | read the reference  |                                     |
 /// | LSP           | 0                                   | write 0             |                                     |
 /// |               | other, or refused                   | write 1 count       |                                     |
 /// | LFT           | any                                 | end: in_fault       | end: in_fault                       |
 /// | the reference | confirmed                           | wait                |                                     |
+/// |               | no slower, the same way             | write the reference |                                     |
+/// |               | other, or refused                   | read HSP            |                                     |
+/// | HSP; in rpm:  | above it                            | end: above_hsp      |                                     |
+/// | then FRS, NSP | other                               | write the reference |                                     |
+/// |               | refused, or NSP is 0                | end:                |                                     |
+/// |               |                                     | unknown_register    |                                     |
 /// | a wait        | over                                |                     | read ETA                            |
 /// | anything      | no response                         | end: silent         | end: silent                         |
 /// |               | refused                             | end: refused        | end: refused                        |
@@ -48,11 +56,11 @@ class reference_procedure : public procedure {
 public:
     static constexpr bool follows_order = true;
 
-    constexpr reference_procedure(drive_layout const& layout, reference_write reference) noexcept
-        : procedure{layout}, reference_{reference}
+    constexpr reference_procedure(drive_layout const& layout, reference_write reference, beyond_limits beyond) noexcept
+        : procedure{layout}, reference_{reference}, beyond_{beyond}
     {}
 
-    [[nodiscard]] constexpr reference_procedure anew() const noexcept { return {layout(), reference_}; }
+    [[nodiscard]] constexpr reference_procedure anew() const noexcept { return {layout(), reference_, beyond_}; }
 
     constexpr action step(event const& what) noexcept
     {
@@ -61,8 +69,7 @@ public:
         case event::kind::pause_over: return ask(asked::status, layout().eta);
         case event::kind::word_read: return on_response(what.word);
         case event::kind::written: is_written_ = true; return to_pause(status_period);
-        case event::kind::failed:
-            return asked_ == asked::lowest and is_exception(what.error) ? tell() : end(what.error);
+        case event::kind::failed: return is_exception(what.error) ? go_without(what.error) : end(what.error);
         case event::kind::late: break;
         }
         return asked_ == asked::fault ? end_in_fault(0)
@@ -70,7 +77,17 @@ public:
     }
 
 private:
-    enum class asked : std::uint8_t { status, fault, control, lowest, frequency };
+    enum class asked : std::uint8_t {
+        status,
+        fault,
+        control,
+        lowest,
+        standing, ///< its reference: slowing down is never refused
+        highest,
+        rated_frequency,
+        rated_speed,
+        frequency
+    };
 
     constexpr action ask(asked what, std::uint16_t address) noexcept
     {
@@ -85,6 +102,11 @@ private:
         case asked::fault: return end_in_fault(word);
         case asked::control: return write(word);
         case asked::lowest: told_ = word == 0 ? reference_ : told_; return tell();
+        case asked::standing: return told_.is_within(word) ? tell() : read_limits();
+        case asked::highest: limits_.highest = word; return go_on_to_speed();
+        case asked::rated_frequency: rated_ = word; return ask(asked::rated_speed, speed_address());
+        case asked::rated_speed:
+            return limits_.note_scale(rated_, word) ? hold_against_limits() : end(outcome_kind::unknown_register);
         case asked::frequency: break;
         }
         return count(word != 0 ? outcome_kind::succeeded : outcome_kind::pending);
@@ -136,8 +158,41 @@ private:
             return end(outcome_kind::halted);
         }
         told_ = told_.under(control);
-        bool const stands_for_zero = reference_.is_zero() and not told_.is_zero();
-        return stands_for_zero and layout().lsp != 0 ? ask(asked::lowest, layout().lsp) : tell();
+        if (reference_.is_zero()) {
+            return not told_.is_zero() and layout().lsp != 0 ? ask(asked::lowest, layout().lsp) : tell();
+        }
+        return beyond_ == beyond_limits::refuse and layout().hsp != 0 ? ask(asked::standing, told_.address) : tell();
+    }
+
+    constexpr action go_without(errc error) noexcept
+    {
+        switch (asked_) {
+        case asked::lowest: return tell();
+        case asked::standing: return read_limits();
+        case asked::highest:
+        case asked::rated_frequency:
+        case asked::rated_speed: return end(outcome_kind::unknown_register, error);
+        case asked::status:
+        case asked::fault:
+        case asked::control:
+        case asked::frequency: break;
+        }
+        return end(error);
+    }
+
+    constexpr std::uint16_t speed_address() const noexcept { return layout().nsp != 0 ? layout().nsp : layout().sds; }
+    constexpr action read_limits() noexcept { return ask(asked::highest, layout().hsp); }
+    constexpr action go_on_to_speed() noexcept
+    {
+        bool const has_speed = told_.is_speed and speed_address() != 0;
+        return not has_speed       ? hold_against_limits()
+               : layout().frs != 0 ? ask(asked::rated_frequency, layout().frs)
+                                   : ask(asked::rated_speed, speed_address());
+    }
+    constexpr action hold_against_limits() noexcept
+    {
+        outcome_kind const found = limits_.judge(told_, false);
+        return found == outcome_kind::succeeded ? tell() : end_beyond(found, limits_.highest);
     }
     constexpr action tell() noexcept
     {
@@ -146,23 +201,28 @@ private:
     }
 
     reference_write reference_;
-    reference_write told_{reference_};          ///< as this drive has to be told it
+    reference_write told_{reference_}; ///< as this drive has to be told it
+    reference_limits limits_{};
     outcome_kind shown_{outcome_kind::pending}; ///< at the look before
+    std::uint16_t rated_{0};                    ///< FRS
+    beyond_limits beyond_;
     asked asked_{asked::status};
     bool is_written_{false};
 };
 
 /// Changes the reference of a drive in operation; a negative one is in reverse, and 0 keeps the direction in which the
 /// motor turns. Done where two status reads after the write show that it is reached, and the motor turns in that
-/// direction; `reference_limited` where two show that the drive limits it, `halted` where the halt bit is set,
+/// direction; `reference_limited` where two show that the drive limits it; `above_hsp` where it was not written, because it
+/// is above HSP and not slower than the one before (`beyond_limits::limit` writes it all the same); `halted` where the halt bit is set,
 /// `state_timeout` where the drive does not reach it in time. A long ramp needs a long limit. A drive that leaves operation ends it as `stop_key` or `fell_back`; one not in operation at the
 /// first read as `aborted`, or as `stop_key` if that stopped it.
 class change_reference : public procedure_runner<reference_procedure> {
 public:
     template <device_type Device>
     constexpr change_reference(station<Device> const& drive, std::type_identity_t<reference<Device>> const& to,
-                               duration limit = milliseconds(30'000)) noexcept
-        : procedure_runner{drive.unit(), reference_procedure{drive_check<Device>::layout, to.write()}, limit}
+                               duration limit = milliseconds(30'000),
+                               beyond_limits beyond = beyond_limits::refuse) noexcept
+        : procedure_runner{drive.unit(), reference_procedure{drive_check<Device>::layout, to.write(), beyond}, limit}
     {}
 };
 

@@ -116,7 +116,7 @@ public:
             return come_to_rest(what);
         }
         if (stage_ == stage::examining and what.what != event::kind::late) {
-            return clear_behind(examine(what), what.word);
+            return clear_behind(examine(what, reference_, true), what.word);
         }
         switch (what.what) {
         case event::kind::begun: return read(stage::meeting, layout().eta);
@@ -169,7 +169,7 @@ private:
         if (cia402::has_power(at) and not cia402::is_in_fault(at)) {
             return end_running(); // whoever stops it meanwhile
         }
-        return clear_behind(examine({event::kind::begun}), what.word);
+        return clear_behind(examine({event::kind::begun}, reference_, true), what.word);
     }
 
     /// `status` is a status word once the check has ended.
@@ -300,13 +300,16 @@ class direct_start : public procedure_runner<direct_start_procedure> {
 public:
     constexpr direct_start(station<device> const& drive, reference<device> const& at,
                            duration limit = milliseconds(3'000), supervision_options const& options = {}) noexcept
-        : procedure_runner{drive.unit(),
-                           direct_start_procedure{at.write(), supervision_procedure{device::layout, options}}, limit}
+        : procedure_runner{
+              drive.unit(),
+              direct_start_procedure{at.write(), supervision_procedure{device::layout, options, at.write().is_speed}},
+              limit}
     {}
     constexpr direct_start(station<device> const& drive, reference<device> const& at, duration limit,
-                           supervision_report const& found) noexcept
+                           supervision_report const& found, beyond_limits beyond = beyond_limits::refuse) noexcept
         : procedure_runner{drive.unit(),
-                           direct_start_procedure{at.write(), supervision_procedure{device::layout, found}}, limit}
+                           direct_start_procedure{at.write(), supervision_procedure{device::layout, found, beyond}},
+                           limit}
     {}
 
     /// What was found before the order.

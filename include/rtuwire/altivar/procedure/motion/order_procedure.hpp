@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include <rtuwire/altivar/device/reference.hpp>
 #include <rtuwire/altivar/procedure/inspection/supervision.hpp>
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
 #include <rtuwire/core/version.hpp>
@@ -33,9 +34,20 @@ protected:
         : procedure{layout}, check_{check}, rest_{layout, stop_by::freewheel}
     {}
 
-    /// Continues the check. Where the drive is ready after it, the last word read was a status word.
-    constexpr action examine(event const& what) noexcept { return run_inside(check_, what); }
-    [[nodiscard]] constexpr bool is_ready() const noexcept { return check_.reason().kind == outcome_kind::succeeded; }
+    /// Continues the check. Where the drive is ready after it, the last word read was a status word. A motor at rest gets no
+    /// reference that its limits forbid: that ends the order as soon as they are read.
+    constexpr action examine(event const& what, reference_write asked, bool is_at_rest) noexcept
+    {
+        action const next = run_inside(check_, what);
+        outcome_kind const found = is_at_rest ? limits().judge(asked, true) : outcome_kind::succeeded;
+        bool const goes_on = found == outcome_kind::succeeded or reason().kind != outcome_kind::pending;
+        return goes_on ? next : end_beyond(found, limits().named_by(found));
+    }
+    [[nodiscard]] constexpr bool is_ready() const noexcept
+    {
+        return check_.reason().kind == outcome_kind::succeeded and reason().kind == outcome_kind::pending;
+    }
+    [[nodiscard]] constexpr reference_limits const& limits() const noexcept { return check_.report().limits; }
 
     /// Whether the STOP key was pressed since the status read before. A drive that was stopped by the key earlier shows
     /// it until it runs: the result for the first status read is nothing new, and the caller discards it. A second press

@@ -28,6 +28,7 @@ enum class start_stage : std::uint8_t {
     examining, ///< the check whether it may be ordered
     enabling,
     reading_direction, ///< of a drive that already runs
+    comparing,         ///< with the reference of a drive that already runs
     redirecting,       ///< the reference of a drive that already runs is written
     writing_reference, ///< the reference is written
     checking,          ///< the control word is read back
@@ -83,7 +84,12 @@ private:
 /// | examining         | the check; then a status  |            | end: silent | as in a check | end: aborted        |
 /// | enabling          | a status                  | read ETA   | read ETA    | undo: refused | undo: state_timeout |
 /// | reading_direction | runs: write the reference |            | read ETA    | undo: refused | undo: state_timeout |
+/// |                   | so, but above HSP: read   |            |             |               |                     |
+/// |                   | its reference             |            |             |               |                     |
 /// |                   | another: overwritten      |            |             |               |                     |
+/// | comparing         | slower: write the         |            | read ETA    | undo: refused | undo: state_timeout |
+/// |                   | reference                 |            |             |               |                     |
+/// |                   | else undo: above_hsp      |            |             |               |                     |
 /// | redirecting       |                           | read CMD   | read ETA    | undo: refused | undo: state_timeout |
 /// | writing_reference |                           | read CMD   | read ETA    | undo: refused | undo: state_timeout |
 /// | checking, as ever | write 000F                |            | read ETA    | undo: refused | undo: state_timeout |
@@ -133,7 +139,7 @@ public:
             return end(outcome_kind::contradictory);
         }
         if (stage_ == stage::examining and what.what != event::kind::late) {
-            return next_step_after_check(examine(what), what.word);
+            return next_step_after_check(examine(what, reference_, is_at_rest()), what.word);
         }
         switch (what.what) {
         case event::kind::begun: return to_read(layout().eta);
@@ -160,7 +166,13 @@ private:
         stage_ = stage::examining;
         static_cast<void>(is_key_pressed(what.word));
         rank_ = cia402::enable_rank(cia402::decode(what.word));
-        return next_step_after_check(examine({event::kind::begun}), what.word);
+        return next_step_after_check(examine({event::kind::begun}, reference_, is_at_rest()), what.word);
+    }
+
+    /// Whether the motor did not turn when the drive was met; in a quick stop it is about to stand.
+    constexpr bool is_at_rest() const noexcept
+    {
+        return rank_ != cia402::enable_rank(cia402::state::operation_enabled);
     }
 
     /// `status` is a status word once the check has ended.
@@ -179,6 +191,7 @@ private:
         switch (stage_) {
         case stage::reading_fault: note_code(word); return abort(outcome_kind::in_fault);
         case stage::reading_direction: return redirect(word);
+        case stage::comparing: return slow_down(word);
         case stage::checking: return enable(word);
         case stage::meeting:
         case stage::examining:
@@ -275,7 +288,28 @@ private:
             return abort(outcome_kind::overwritten);
         }
         control_ = control;
-        return write_reference(stage::redirecting, reference_.keeping(running_status_).under(control));
+        reference_write const told = told_to_running();
+        if (limits().judge(told, false) == outcome_kind::succeeded) {
+            return write_reference(stage::redirecting, told);
+        }
+        stage_ = stage::comparing;
+        return once(to_read(told.address));
+    }
+
+    /// The drive's reference: slowing down is never refused.
+    constexpr action slow_down(std::uint16_t standing) noexcept
+    {
+        reference_write const told = told_to_running();
+        if (told.is_within(standing)) {
+            return write_reference(stage::redirecting, told);
+        }
+        note_limit(limits().highest);
+        return abort(outcome_kind::above_hsp);
+    }
+
+    constexpr reference_write told_to_running() const noexcept
+    {
+        return reference_.keeping(running_status_).under(control_);
     }
 
     constexpr action after_write() noexcept
@@ -328,7 +362,9 @@ private:
 /// 30 s after its limit.
 ///
 /// A drive that would not stop by itself, or that another source commands, is refused before anything is written, with
-/// the outcomes of `check_supervision`; `supervision()` names the register. The check takes about nine reads; the
+/// the outcomes of `check_supervision`; `supervision()` names the register. A reference above HSP, or below LSP of a motor at
+/// rest, is refused as soon as these are read, as `above_hsp` or `below_lsp`, unless the options say `beyond_limits::limit`: the
+/// motor then turns at the limit, `reference_limited`. The check takes about eleven reads (thirteen for a speed); the
 /// report of an earlier check may be given instead. Where that was none of this client, a stop coasts: see `stop`.
 class start : public procedure_runner<start_procedure> {
 public:
@@ -337,10 +373,11 @@ public:
     constexpr start(station<Device> const& its_drive, std::type_identity_t<reference<Device>> const& at,
                     run_direction direction = run_direction::forward, duration its_limit = milliseconds(3'000),
                     supervision_options const& its_options = {}) noexcept
-        : procedure_runner{its_drive.unit(),
-                           start_procedure{drive_check<Device>::layout, at.write(), direction,
-                                           supervision_procedure{drive_check<Device>::layout, its_options}},
-                           its_limit}
+        : procedure_runner{
+              its_drive.unit(),
+              start_procedure{drive_check<Device>::layout, at.write(), direction,
+                              supervision_procedure{drive_check<Device>::layout, its_options, at.write().is_speed}},
+              its_limit}
     {}
 
     /// The same without the check's reads: `found` is the report of a `check_supervision` of this drive that ended as
@@ -348,10 +385,11 @@ public:
     /// back, is not seen. `again()` goes by the same report, so check anew before it.
     template <device_type Device>
     constexpr start(station<Device> const& drive, std::type_identity_t<reference<Device>> const& at,
-                    run_direction direction, duration limit, supervision_report const& found) noexcept
+                    run_direction direction, duration limit, supervision_report const& found,
+                    beyond_limits beyond = beyond_limits::refuse) noexcept
         : procedure_runner{drive.unit(),
                            start_procedure{drive_check<Device>::layout, at.write(), direction,
-                                           supervision_procedure{drive_check<Device>::layout, found}},
+                                           supervision_procedure{drive_check<Device>::layout, found, beyond}},
                            limit}
     {}
 
