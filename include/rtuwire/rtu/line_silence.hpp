@@ -28,10 +28,11 @@ public:
             state_ = state::idle;
         }
         // The first byte of a chunk arrived earlier than the chunk was handed over.
-        if (activity_ != activity::unknown and reached(now, last_ + end_silence() + line().characters(bytes))) {
+        instant const at = within_reach_of_line(now);
+        if (activity_ != activity::unknown and reached(at, last_ + end_silence() + line().characters(bytes))) {
             on_silence();
         }
-        note_activity(now);
+        keep_activity(now, at);
         return state_ == state::done;
     }
 
@@ -113,13 +114,7 @@ public:
 
     /// Records that the line was not silent at `now`, and leaves the frame alone. While the line is busy, a time
     /// before the latest recorded one changes nothing.
-    constexpr void note_activity(instant now) noexcept
-    {
-        if (activity_ != activity::busy or reached(now, last_)) {
-            last_ = now;
-        }
-        activity_ = activity::busy;
-    }
+    constexpr void note_activity(instant now) noexcept { keep_activity(now, now); }
 
     /// Whether the silence before sending has passed.
     [[nodiscard]] constexpr bool is_quiet() const noexcept { return activity_ == activity::quiet; }
@@ -160,6 +155,15 @@ private:
             }
         }
         return waits_for_silence();
+    }
+
+    /// `at`: the time by which the latest activity is judged, which is `within_reach_of_line` of bytes that have come now.
+    constexpr void keep_activity(instant now, instant at) noexcept
+    {
+        if (activity_ != activity::busy or reached(at, last_)) {
+            last_ = now;
+        }
+        activity_ = activity::busy;
     }
 
     constexpr void on_silence() noexcept

@@ -58,13 +58,7 @@ public:
     /// for `frame_end` since the last byte; a `sent` after that does no harm.
     constexpr void advance(instant now) noexcept
     {
-        if (phase_ != phase::listening and reached(framer_.within_reach_of_line(now), until_)) {
-            if (phase_ == phase::transmitting) {
-                framer_.resynchronise();
-                phase_ = phase::listening;
-            }
-            drop_request();
-        }
+        end_overdue(now);
         framer_.advance(now);
         if (phase_ == phase::listening) {
             take_frame();
@@ -173,6 +167,18 @@ private:
             }
         }
         framer_.note_foreign_request(heard.unit(), expected);
+    }
+
+    /// Listens again where the time limit of what the server was doing is over. Judged by what the line did before `now`.
+    constexpr void end_overdue(instant now) noexcept
+    {
+        if (phase_ != phase::listening and reached(framer_.within_reach_of_line(now), until_)) {
+            if (phase_ == phase::transmitting) {
+                framer_.resynchronise();
+                phase_ = phase::listening;
+            }
+            drop_request();
+        }
     }
 
     /// Drops the waiting request, or its response.

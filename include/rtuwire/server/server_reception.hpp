@@ -68,7 +68,11 @@ public:
             this->pass_unpolled(now);
             engine().framer_.receive_error(now);
         } else {
-            engine().framer_.note_activity(now);
+            // After so long a pause the time limit would come to lie ahead again.
+            if (engine().framer_.within_reach_of_line(now) != now) {
+                engine().end_overdue(now);
+            }
+            static_cast<void>(engine().framer_.begin_chunk(1, now));
             engine().framer_.resynchronise();
         }
     }
