@@ -99,12 +99,13 @@ public:
     }
 
     /// In the loop: passes the events up to `now`, a time that the loop read before, to a client, a bus or a
-    /// server. Later events wait for the next call, so that time never goes back.
+    /// server. Events up to 65 ms later wait for the next call, so that time never goes back. An event of any other time
+    /// has waited for this call: the loop may have paused for so long that the clock came round.
     template <typename Engine> constexpr void deliver_to(Engine& engine, instant now) noexcept
     {
         index const end = detail::load(in_);
         while (out_ != end) {
-            if (not reached(now, time_of(out_)) and not is_told_drop(out_)) {
+            if (is_just_ahead(time_of(out_), now)) {
                 return;
             }
             deliver_next(engine, end);
@@ -142,6 +143,13 @@ private:
 
     static constexpr index next(index position) noexcept { return static_cast<index>(position + 1U); }
 
+    /// An event is later than `now` only where its interrupt came after the loop had read that.
+    static constexpr bool is_just_ahead(instant at, instant now) noexcept
+    {
+        constexpr duration longest{0x1'0000}; // as `within_reach` has it
+        return at != now and at - now < longest;
+    }
+
     constexpr void put(kind what, std::byte value, instant at) noexcept
     {
         std::size_t const free = Capacity - static_cast<index>(written_ - detail::load(out_));
@@ -172,7 +180,7 @@ private:
         written_ = next(written_);
     }
 
-    /// A drop that was reported before any event came after it. Its time may be so old that it looks like one ahead.
+    /// A drop that was reported before any event came after it.
     constexpr bool is_told_drop(index position) const noexcept
     {
         return kinds_[place_of(position)] == kind::drop and has_told_ and reached(told_at_, time_of(position));
