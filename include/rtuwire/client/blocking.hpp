@@ -158,13 +158,43 @@ private:
         return receive_until(next ? *next : now + longest_pause);
     }
 
-    /// What the operating system buffered before the request must not be taken for its response. Where the line has to
-    /// fall silent first, one wait serves both.
+    /// What passes bytes on to the client, and whether any came.
+    struct stale_input {
+        host_client& client;
+        bool has_come{false};
+
+        void receive(byte_view bytes, instant at)
+        {
+            has_come = not bytes.empty();
+            client.receive(bytes, at);
+        }
+        void receive_error(instant at)
+        {
+            has_come = true;
+            client.receive_error(at);
+        }
+    };
+
+    /// What the operating system buffered before the request, however much, must not be taken for its response. Where the
+    /// line has to fall silent first, one wait serves both. `bus_jam`: for all of the response time-out more came than
+    /// one read takes away.
     result<void> drop_stale_input()
     {
-        instant const now = port_.now();
-        client_.advance(now);
-        return receive_until(client_.is_quiet() ? now : now + client_.line().silence());
+        instant const begin = port_.now();
+        client_.advance(begin);
+        instant until = client_.is_quiet() ? begin : begin + client_.line().silence();
+        instant const limit = until + write_limit_;
+        for (;;) {
+            stale_input old{client_};
+            auto const passed = receive_from(port_, old, input_, until);
+            if (not passed or not old.has_come) {
+                return passed;
+            }
+            until = port_.now();
+            if (reached(until, limit)) {
+                return errc::bus_jam;
+            }
+        }
     }
 
     result<void> receive_until(instant until) { return receive_from(port_, client_, input_, until); }
