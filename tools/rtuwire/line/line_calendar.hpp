@@ -8,7 +8,7 @@
 #include <chrono>
 #include <cstdint>
 
-#include <rtuwire/client.hpp>
+#include <rtuwire/port.hpp>
 
 namespace tool {
 
@@ -29,8 +29,7 @@ public:
 private:
     static std::int64_t steady_microseconds()
     {
-        using namespace std::chrono;
-        return duration_cast<microseconds>(steady_clock::now().time_since_epoch()).count();
+        return std::chrono::duration_cast<std::chrono::microseconds>(rtuwire::host_time()).count();
     }
 
     std::int64_t start_; ///< when the line's clock showed 0
