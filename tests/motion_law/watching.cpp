@@ -12,6 +12,10 @@
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/procedure/inspection/watch.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
+#include <rtuwire/ask/access.hpp>
+#include <rtuwire/client/bus.hpp>
+#include <rtuwire/sim/bench.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -60,6 +64,57 @@ template <typename Device> struct watched : test::simulated_bus<client, Device> 
 };
 
 } // namespace
+
+TEST_CASE("defect: D24 a watch has lost its link, too, where another conversation's miss silences its unit")
+{
+    // What the watch says may be older than its rounds allow by one read's time and no more.
+    constexpr duration limit = milliseconds(4'100);
+    test::all_drives::for_each([limit]<typename Device>() {
+        for (bool const is_paused : {false, true}) {
+            INFO("the client " << (is_paused ? "pauses for an hour" : "goes on"));
+            sim::bench it{bus<2>{test::bus_timing, {.response_timeout = milliseconds(300), .retries = 0}},
+                          station<Device>{unit_id{3}}};
+            start go{station<Device>{unit_id{3}}, 40_Hz};
+            watch<Device> eye{station<Device>{unit_id{3}}};
+            word_read other{unit_id{3}, Device::layout.rfr};
+            while (not go.settled()) {
+                it.pass(go, eye);
+            }
+            auto const look_for = [&](duration length) {
+                for (instant const end = it.now() + length; not reached(it.now(), end);) {
+                    if (other.settled()) {
+                        other.again();
+                    }
+                    it.pass(other, eye);
+                    if (eye.link_lost()) {
+                        return;
+                    }
+                }
+            };
+            look_for(milliseconds(10'000));
+            REQUIRE(go.running());
+            REQUIRE_FALSE(eye.link_lost());
+            it.cut();
+            instant const cut = it.now();
+            if (is_paused) {
+                it.run_for(milliseconds(30 * 60 * 1'000));
+                it.run_for(milliseconds(30 * 60 * 1'000));
+                it.pass(other, eye);
+            } else {
+                look_for(milliseconds(60'000));
+                CHECK(it.now() - cut < limit);
+            }
+            CHECK(eye.link_lost());
+            it.cut(false);
+            for (unsigned i = 0; i < 60'000 and eye.link_lost(); ++i) {
+                it.pass(other, eye);
+                it.run_for(milliseconds(1));
+            }
+            CHECK_FALSE(eye.link_lost());
+            CHECK(eye.state() != state::operation_enabled);
+        }
+    });
+}
 
 TEST_CASE("motion law: S21 watching writes nothing")
 {

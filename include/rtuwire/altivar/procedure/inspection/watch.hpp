@@ -28,6 +28,9 @@ struct watch_options {
     duration period{milliseconds(500)};
     /// How many rounds in a row may fail before the link counts as lost.
     std::uint8_t tolerated_misses{1};
+    /// What these rounds may take longer than their periods, with their time-outs and the turns of others, before the link
+    /// counts as lost: no round fails while the client asks nothing of a unit that another conversation has lost.
+    duration longest_delay{milliseconds(3'000)};
 };
 
 /// A conversation without an end: give it to a client or a bus in each pass. Its values are those of the last complete
@@ -73,11 +76,9 @@ public:
     /// The last fault, LFT, which a drive may keep after a reset.
     [[nodiscard]] constexpr std::uint16_t last_fault() const noexcept { return seen_[fault_at]; }
 
-    /// Whether more rounds in a row failed than are tolerated, or none was complete yet.
-    [[nodiscard]] constexpr bool link_lost() const noexcept
-    {
-        return rounds_ == 0 or misses_ > options_.tolerated_misses;
-    }
+    /// Whether more rounds in a row failed than are tolerated, the last complete one is older than that takes, or none was
+    /// complete yet.
+    [[nodiscard]] constexpr bool link_lost() const noexcept { return is_old_ or misses_ > options_.tolerated_misses; }
 
     /// Why the last round failed; `none` where it was complete, `busy` before the first ended.
     [[nodiscard]] constexpr errc error() const noexcept { return error_; }
@@ -96,6 +97,7 @@ public:
             due_ = now;
         }
         is_due_ = is_due_ or reached(at, due_);
+        is_old_ = is_old_ or reached(at, old_);
     }
 
     constexpr std::optional<request_frame> next() noexcept
@@ -122,12 +124,21 @@ public:
             seen_ = incoming_;
             ++rounds_;
             end_round(errc::none);
+            is_old_ = false;
+            old_ = now_ + options_.period * (options_.tolerated_misses + 1U) + options_.longest_delay;
         }
     }
 
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
-        return has_begun_ and not is_due_ ? deadline{due_} : deadline{};
+        earliest next;
+        if (has_begun_ and not is_due_) {
+            next.add(due_);
+        }
+        if (not is_old_) {
+            next.add(old_);
+        }
+        return next;
     }
 
     /// Never: it goes on as long as it is given to a client.
@@ -187,6 +198,7 @@ private:
     std::array<std::byte, 8> frame_{};
     instant now_{0};
     instant due_{0};
+    instant old_{0}; ///< when the last complete round is too old
     std::size_t at_{0};
     std::uint32_t rounds_{0};
     unit_id unit_;
@@ -194,6 +206,7 @@ private:
     std::uint8_t misses_{0};
     bool has_begun_{false};
     bool is_due_{false};
+    bool is_old_{true}; ///< or there was none
 };
 
 } // namespace rtuwire::altivar
