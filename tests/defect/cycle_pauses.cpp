@@ -12,7 +12,9 @@
 #include <vector>
 
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
+#include <rtuwire/client/bus.hpp>
 #include <rtuwire/client/client.hpp>
+#include <rtuwire/sim/bench.hpp>
 #include <rtuwire/sim/drive/unit.hpp>
 
 using namespace rtuwire;
@@ -233,5 +235,29 @@ TEST_CASE("defect: D28 a cycle with a long period does not lose a drive without 
         it.work(120'000'000);
         CHECK(it.loop.control().is_ordered());
         CHECK(it.speed() == 30'000);
+    });
+}
+
+TEST_CASE("defect: D24 an order given before the first visit after a pause has all its time to be followed")
+{
+    test::all_drives::for_each([]<typename Device>() {
+        for (unsigned const seconds : {0U, 2U, 4U}) {
+            INFO(seconds << " s");
+            sim::bench it{bus<1>{timing}, station<Device>{address}};
+            cyclic<Device> loop{station<Device>{address}, {.enable_timeout = milliseconds(1'500)}};
+            it.run_until([&] { return not loop.link_lost(); }, milliseconds(5'000), loop);
+            it.run_for(milliseconds(1'000), loop);
+            it.run_for(milliseconds(1'000 * seconds));
+            bool is_taken = false;
+            if constexpr (cycle_layout<Device>::has_scanner) {
+                is_taken = loop.run(900_rpm);
+            } else {
+                is_taken = loop.run(30_Hz);
+            }
+            REQUIRE(is_taken);
+            it.run_for(milliseconds(1'000), loop);
+            CHECK(loop.control().is_ordered());
+            CHECK(loop.control().is_running());
+        }
     });
 }

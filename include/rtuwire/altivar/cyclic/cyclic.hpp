@@ -61,7 +61,7 @@ public:
         std::uint16_t const status = control().is_running() ? control().status() : std::uint16_t{0};
         bool const is_taken = steps_.run((is_reverse ? asked.reversed() : asked.keeping(status)).word);
         if (is_taken and not was_ordered) {
-            enable_end_ = now_ + enable_timeout_;
+            is_new_order_ = true;
             this->note_order_to_run();
         }
         return is_taken;
@@ -134,6 +134,10 @@ public:
         now_ = now;
         heed_silence();
         keep_over(enable_end_, now, at);
+        if (is_new_order_) { // given since the visit before, which may be long ago
+            is_new_order_ = false;
+            enable_end_ = now + enable_timeout_;
+        }
         steps_.give_way(this->is_ordered_by_another(unit()));
         if (control().is_ordered() and this->is_overruled() and not is_asking_) {
             steps_.yield();
@@ -239,6 +243,7 @@ private:
     bool is_due_{false};
     bool is_asking_{false};
     bool has_lost_{false};
+    bool is_new_order_{false};
     bool is_heard_{false}; ///< since the last loss
 };
 
