@@ -369,6 +369,32 @@ def refused(program, check):
         check(bytes([UNIT, 6, 8501 >> 8, 8501 & 255, 0, 15]) not in line.heard, "nothing was enabled")
 
 
+def asked(program, check):
+    """What is found before "run? (y/n)" may be over when somebody answers."""
+    from support import Tool
+    cmd, hsp = 8501, 3104
+
+    def start_of_another(motor):
+        for word in (6, 7, 15):
+            motor.write(cmd, word)
+
+    cases = [("another program runs the motor", start_of_another, 5, "somebody else"),
+             ("HSP is lowered", lambda motor: motor.write(hsp, 300), 2, "30.0 Hz (HSP)"),
+             ("nothing happens", lambda motor: None, 0, "the motor stands")]
+    with Tool(program) as tool:
+        for what, happens, status, says in cases:
+            with Motor(program) as motor, Line(motor.device) as line:
+                def answer():
+                    happens(motor)
+                    return "y\n"
+
+                ended = tool.on_terminal("--unit", UNIT, "--no-listen", "--timeout", motor.timeout, "--retries", 0, "--allow-run", "start",
+                                         "--frequency", f"{SPEED}Hz", "--for", "1s", port=line.name, keys=[("(y/n)", answer)])
+                check(ended.status == status and says in ended.output, f"defect: D24 behind the question {what}", ended)
+                enabled = bytes([UNIT, 6, cmd >> 8, cmd & 255, 0, 15]) in line.heard or bytes([UNIT, 16, cmd >> 8, cmd & 255]) in line.heard
+                check(enabled == (status == 0), f"behind the question {what}: whether it sends a word to run", enabled)
+
+
 def runs_by_another(motor, at):
     """Another program runs the motor."""
     for word in (6, 7, 15):
@@ -473,6 +499,7 @@ def resets_and_misses(program, check):
 
 def orders(program, check):
     refused(program, check)
+    asked(program, check)
     stops(program, check)
     by_a_wrong_name(program, check)
     resets_and_misses(program, check)

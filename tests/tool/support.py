@@ -82,7 +82,8 @@ class Tool:
         return Ended(process.returncode, output, errors)
 
     def on_terminal(self, *words, keys=(), port=None):
-        """With a terminal for all three: what it shows. Each key is pressed when a text has been shown."""
+        """With a terminal for all three: what it shows. Each key is pressed when a text has been shown; a function is called,
+        and returns the key."""
         near, far = os.openpty()
         process = self.start(*words, port=port, stdin=far, stdout=far, stderr=far, text=False)
         os.close(far)
@@ -95,7 +96,8 @@ class Tool:
                 except OSError:
                     break  # nobody has it open any more
             if waiting and waiting[0][0].encode() in text:
-                os.write(near, waiting.pop(0)[1].encode())
+                key = waiting.pop(0)[1]
+                os.write(near, (key() if callable(key) else key).encode())
         process.kill() if process.poll() is None and time.monotonic() >= end else None
         status = process.wait()
         os.close(near)

@@ -268,6 +268,22 @@ def check_terminal(program, tool, check):
         check("limited" in notes[0], "and warned of")
 
 
+def check_question(tool, check):
+    """While somebody is asked, the step of the value changes: 13 tenths of a second would be 0.13 s."""
+    acc, step = 9001, 9020
+    for changed, status, held in ((False, DONE, 13), (True, REFUSED, 30)):
+        with Units({7: dict(REGISTERS)}) as line:
+            def answer():
+                line.units[7][step] = 0 if changed else 1
+                return "y\n"
+
+            ended = tool.on_terminal("--port", line.name, "--no-listen", "-u", 7, "-d", "atv320", "--write", "write",
+                                     "ACC=1.3s", keys=[("(y/n)", answer)])
+            is_told = not changed or ("was 13 in the unit's steps" in ended.output and "130 now" in ended.output)
+            what = f"defect: D24 ACC=1.3s, its step {'changed' if changed else 'the same'} behind the question"
+            check(ended.status == status and line.units[7][acc] == held and is_told, what, (ended, line.units[7][acc]))
+
+
 def main(check, program):
     with Tool(program) as tool:
         check_refusals(tool, check)
@@ -277,6 +293,7 @@ def main(check, program):
         check_permissions(tool, check)
         check_log(tool, check)
         check_terminal(program, tool, check)
+        check_question(tool, check)
 
 
 runs(main)

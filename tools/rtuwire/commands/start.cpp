@@ -57,10 +57,17 @@ exit_status start_on(line_choices const& how, choices const& chosen)
     if (make == nullptr) {
         refuse_word("this program does not run the motor of an " + std::string{drive.name});
     }
-    asked_motion const asked = motion_asked(chosen.motion, line, who.unit, drive);
-    refuse_where_it_runs(line, who.unit, drive);
+    auto const looked = [&] {
+        asked_motion const asked = motion_asked(chosen.motion, line, who.unit, drive);
+        refuse_where_it_runs(line, who.unit, drive);
+        return asked;
+    };
+    asked_motion asked = looked();
     if (not may_go_on(chosen.allowed, announcement(chosen, who, drive, asked), "run?")) {
         throw ended{exit_status::refused, "the motor is not started"};
+    }
+    if (is_asked(chosen.allowed)) {
+        asked = looked();
     }
     running motor{
         make({line.port(), line.options()}, who.unit, asked), line.port(), who.unit, drive, chosen.form, chosen.last};

@@ -8,8 +8,6 @@
 #include <string>
 #include <vector>
 
-#include <unistd.h>
-
 #include "catalog/value_text.hpp"
 #include "commands/commands.hpp"
 #include "line/asked_registers.hpp"
@@ -18,6 +16,7 @@
 #include "line/who_is_it.hpp"
 #include "line/write_log.hpp"
 #include "motion/moving_registers.hpp"
+#include "motion/question.hpp"
 #include "motion/unsafe_write.hpp"
 #include "words/value_words.hpp"
 
@@ -52,8 +51,11 @@ public:
             throw ended{*why};
         }
         std::vector<held_text> const before = read(line, values);
-        if (not is_confirmed(values, before)) {
-            return exit_status::refused;
+        if (is_asked(chosen_.allowed)) {
+            if (not is_confirmed(values, before)) {
+                return exit_status::refused;
+            }
+            refuse_what_changed(values, checked(line));
         }
         exit_status status = exit_status::done;
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -133,9 +135,6 @@ private:
 
     bool is_confirmed(std::vector<value_to_write> const& values, std::vector<held_text> const& before) const
     {
-        if (chosen_.allowed.is_confirmed or ::isatty(STDIN_FILENO) == 0) {
-            return true;
-        }
         for (std::size_t i = 0; i < values.size(); ++i) {
             std::fprintf(stderr, "unit %u: %s: %s -> %s\n", unsigned{unit_.unit.byte()},
                          label_of({values[i].address, values[i].entry}).c_str(), shown(before[i]).c_str(),
@@ -144,6 +143,20 @@ private:
         std::fputs("write? (y/n) ", stderr);
         int const answer = std::getchar();
         return answer == 'y' or answer == 'Y';
+    }
+
+    /// While somebody was asked, a register that sets the step of a value may have been written: what was confirmed is
+    /// another word then.
+    void refuse_what_changed(std::vector<value_to_write> const& confirmed, std::vector<value_to_write> const& now) const
+    {
+        for (std::size_t i = 0; i < confirmed.size(); ++i) {
+            if (now[i].word != confirmed[i].word) {
+                throw ended{exit_status::refused,
+                            '\'' + chosen_.words[i] + "' was " + std::to_string(confirmed[i].word) +
+                                " in the unit's steps when you were asked, and is " + std::to_string(now[i].word) +
+                                " now: somebody changed them; nothing is written"};
+            }
+        }
     }
 
     /// Writes, and says what the unit holds then: what was read back, whatever was answered to the write. Since the values

@@ -13,10 +13,12 @@
 
 namespace tool {
 
+bool is_asked(permissions const& allowed) { return not allowed.is_confirmed and ::isatty(STDIN_FILENO) == 1; }
+
 bool may_go_on(permissions const& allowed, std::string const& what, char const* question)
 {
     constexpr int look_every = 100; // ms
-    bool const asks = not allowed.is_confirmed and ::isatty(STDIN_FILENO) == 1;
+    bool const asks = is_asked(allowed);
     // A terminal that was stopped (Ctrl-S) must not keep this program from ending.
     error_output.put(plain_text(what) + "\n" + (asks ? std::string{question} + " (y/n) " : std::string{}));
     error_output.finish(std::chrono::milliseconds{300});

@@ -9,8 +9,11 @@
 
 namespace tool {
 
-/// Says what will happen on the error output. Whether it may: asks only on a terminal, and not after --yes. A signal that
-/// asks for an end is a no.
+/// Whether somebody is asked: on a terminal only, and not after --yes. The answer may take any time, so what was read of a
+/// drive before the question is read again behind it.
+bool is_asked(permissions const& allowed);
+
+/// Says what will happen on the error output. Whether it may; a signal that asks for an end is a no.
 bool may_go_on(permissions const& allowed, std::string const& what, char const* question);
 
 } // namespace tool
