@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSL-1.0
 """Runs `rtuwire monitor` on terminals of this test, against simulated drives.
 
-    python3 monitor.py TOOL SIMULATE screen|alarms|keys|reads|ways_out|refusals
+    python3 monitor.py TOOL SIMULATE screen|alarms|refused_state|keys|reads|ways_out|refusals
 """
 import os
 import pathlib
@@ -86,6 +86,21 @@ def alarms(tool, check):
         check(page.until_shown(r"^ pump +3 +atv12 +switch on disabled", 10), "it is back", page.text)
         drives.suffer("4 remote")
         check(page.until_shown("1 alarm "), "one alarm is left", page.text)
+
+
+def refused_state(tool, check):
+    eta, lft = 3201, 7121
+    words = {3202: 400, 3204: 10, lft: 0, eta: 0x0637}
+    with Units({7: words}) as line:
+        with Screen(monitor(tool, line.name, "--name", "fan=7:atv320", "monitor", "RFR", "--every", "100ms")) as page:
+            check(page.until_shown(r"^ fan +7 +atv320 +operation enabled"), "it runs", page.text)
+            del words[eta]
+            check(page.until_shown(r"^ fan +7 +atv320 +state unknown: illegal data"), "defect: D24 its state is refused", page.text)
+            check("operation enabled" not in page.text and page.is_red("state unknown"), "what it said before is gone", page.text)
+            check(page.until_shown(r"^its state is not known: it answers a read of ETA with: illegal data address"), "and why", page.text)
+            words[eta] = 0x0250
+            check(page.until_shown(r"^ fan +7 +atv320 +switch on disabled +40\.0 Hz"), "it tells it again", page.text)
+            check("unknown" not in page.text, "and nothing is left", page.text)
 
 
 def keys(tool, check):
@@ -195,7 +210,7 @@ def refusals(tool, check):
         check(page.end() == 4 and b"\x1b" not in page.raw, "no such port: status 4", page.raw)
 
 
-PARTS = {each.__name__: each for each in (screen, alarms, keys, reads, ways_out, refusals)}
+PARTS = {each.__name__: each for each in (screen, alarms, refused_state, keys, reads, ways_out, refusals)}
 
 
 def main(tool, part):

@@ -36,6 +36,9 @@ std::string state_text(shown_unit const& unit)
     if (not unit.fault.empty()) {
         return unit.state + ", " + unit.fault;
     }
+    if (not unit.unread.empty()) {
+        return "state unknown: " + unit.unread;
+    }
     std::string text = unit.state.empty() ? "responds" : unit.state;
     text += unit.is_local ? ", local" : "";
     return unit.note.empty() ? text : text + ", " + unit.note;
@@ -110,6 +113,9 @@ std::vector<std::string> alarms_of(shown_unit const& unit)
     }
     if (not unit.fault.empty()) {
         all.push_back("fault: " + unit.fault);
+    }
+    if (not unit.unread.empty()) {
+        all.push_back("its state is not known: it answers a read of ETA with: " + unit.unread);
     }
     if (unit.is_local) {
         all.emplace_back("local: its keys or its terminals command it, not the line");

@@ -42,11 +42,15 @@ struct shown_unit {
     double silent_seconds{0}; ///< since its last response, where the link is lost
     std::string state{};      ///< "operation enabled"; empty where it is no drive
     std::string fault{};      ///< "SLF1: Modbus interrupted"; empty without a fault
+    std::string unread{};     ///< why a unit that responds does not tell its state; empty where it does
     bool is_local{false};     ///< its terminals or its keys command it
     std::string note{};       ///< what is wrong with it, or with what was asked of it
     std::vector<shown_value> values{};
 
-    bool has_alarm() const { return link == link_state::lost or is_local or not fault.empty() or not note.empty(); }
+    bool has_alarm() const
+    {
+        return link == link_state::lost or is_local or not fault.empty() or not unread.empty() or not note.empty();
+    }
 };
 
 /// All that is on the screen.

@@ -144,10 +144,17 @@ bool unit_reader::read_state(open_line& line)
     state_reader_->read(line, unit_.unit);
     auto const word = state_reader_->at(drive_->layout.eta);
     if (word) {
+        shown_.unread.clear();
         auto const state = rtuwire::cia402::decode(*word);
         shown_.state = std::string{std::string_view{rtuwire::cia402::name_of(state)}};
         shown_.is_local = not rtuwire::altivar::status_word{*word}.has(rtuwire::altivar::status_bit::remote);
         shown_.fault = rtuwire::cia402::is_in_fault(state) ? "its number is not read yet" : "";
+    } else if (rtuwire::is_exception(word.error())) {
+        // It responds: what it said before is not what it says now.
+        shown_.unread = words_of(word.error());
+        shown_.state.clear();
+        shown_.fault.clear();
+        shown_.is_local = false;
     }
     return not is_silence(state_reader_->first_error());
 }
