@@ -220,3 +220,17 @@ TEST_CASE("a response to another request is never accepted, and the right one al
     CHECK(wrong == 0);
     CHECK(accepted > 500);
 }
+
+// Frames of field_cases W11 to W13, and one of each that is as it should be: sizes are the specification's.
+TEST_CASE("how many octets were due is told of a response and of a refusal apart")
+{
+    constexpr auto read_one = "01 03 00 00 00 01 84 0A"_hex;
+    constexpr auto read_four = "01 03 00 00 00 04 44 09"_hex;
+    CHECK(due_size(read_one, "01 83 02 00 F1 50"_hex) == 5);
+    CHECK(due_size(read_one, "01 83 02 C0 F1"_hex) == 5);
+    CHECK(due_size(read_four, "01 03 00 00 00 00 00 00 00 00 35 32"_hex) == 13);
+    CHECK(due_size(read_four, "01 03 02 00 07 F9 86"_hex) == 13); // as its request asks, whatever it says itself
+    CHECK(due_size("02 06 00 00 00 00 89 F9"_hex, "02 06 00 00 00 00 06 B8 A4"_hex) == 8);
+    CHECK(due_size("20 11 D8 7C"_hex, "20 11 10 FF 68"_hex) == 21); // the byte count is what tells it
+    CHECK(due_size(read_one, "01"_hex) == 7);
+}
