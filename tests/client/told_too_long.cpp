@@ -52,7 +52,9 @@ TEST_CASE("a raw request takes no queue that silence cut", "[client]")
 {
     using frame = std::array<std::byte, 10>;
     auto const counted = [](unsigned count) {
-        return outcome_of(24, frame{std::byte{1}, std::byte{24}, std::byte(count >> 8U), std::byte(count & 0xFFU)});
+        // A queue of one register, which takes four bytes with its count.
+        return outcome_of(24, frame{std::byte{1}, std::byte{24}, std::byte(count >> 8U), std::byte(count & 0xFFU),
+                                    std::byte{0}, std::byte{1}});
     };
     CHECK(counted(4) == errc::none);
     for (unsigned const count : {2U, 6U, 250U, 251U, 252U, 0xFFFFU}) {
