@@ -91,8 +91,8 @@ protected:
     [[nodiscard]] constexpr bool is_overruled() const noexcept { return is_overruled_; }
 
     /// Whether its order to run still counts for the client that it visited last, which must not have been destroyed: that
-    /// has not stopped or lost the unit since, nor read it in fault or without power, nor ordered it to run anew. True
-    /// before the first visit.
+    /// has not stopped or lost the unit since, nor read it in fault or without power, nor ordered it to run anew. It may
+    /// have been made anew in its place, and does not count it then. True before the first visit.
     [[nodiscard]] constexpr bool is_order_in_force(unit_id unit) const noexcept
     {
         if (known_ == nullptr) {
@@ -128,6 +128,7 @@ private:
     template <std::size_t> friend class orders;
     template <std::size_t> friend class stop_holds;
 
+    std::uint32_t counted_by_{0};      ///< the number of the client whose count the next two are
     std::uint32_t stamp_{0};           ///< when the last order or stop was given, in the client's count; 0: never
     std::uint32_t seen_{0};            ///< the client's count at the last visit
     unit_order const* known_{nullptr}; ///< what the client knows of its unit, since the last visit

@@ -28,7 +28,8 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// Lifetimes: a conversation may be destroyed, moved or begun anew between any two calls. A request, and each
 /// repetition of it, leaves only in a pass in which its conversation visits (`converse` is called for it); the bytes
 /// to send are the client's own and unchanged until `sent` is called or the client's wait for it times out; an outcome
-/// goes to the conversation that asked, or is dropped.
+/// goes to the conversation that asked, or is dropped. A client may be assigned, or made anew in its place: what its
+/// conversations asked and ordered before is over, and they may ask and order anew.
 ///
 /// `Debts` holds the units with an outstanding response; `Front` is `shared_memory` or `separate_memory`; `Orders` is
 /// `no_orders`, or `orders<Units>` for conversations that command motors: see client/order/orders.hpp.
@@ -60,7 +61,7 @@ public:
     constexpr instant advance_within_reach(instant now) noexcept
     {
         instant const at = seen_ == instant{0} ? now : within_reach(seen_, now); // 0: the first time
-        seen_ = now;
+        seen_ = instant{now.microseconds | 1U};                                  // never 0
         bool const is_silence_over = orders_.advance(at);
         if ((duty::advance(now, at) or is_silence_over) and is_held_back_) {
             is_held_back_ = false;

@@ -8,8 +8,10 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include <rtuwire/ask/conversation.hpp>
+#include <rtuwire/client/client_number.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -31,7 +33,8 @@ enum class turn_result : std::uint8_t {
 /// The turns on one line.
 class turns {
 public:
-    constexpr turns() noexcept = default;
+    /// A client that is made at run time may stand in the place of another one: it counts from another number.
+    constexpr turns() noexcept : number_{std::is_constant_evaluated() ? 0 : first_number()} {}
     constexpr turns(turns const&) noexcept = default;
 
     /// A client that is set up anew in its place, for another speed, continues the count: otherwise a conversation
@@ -162,10 +165,17 @@ private:
     /// A number that `asker::forget` does not change.
     constexpr std::uint32_t mark() const noexcept { return number_ + all_marks + mark_ + (marks_step - 1U); }
 
+    /// Scattered: two of a thousand clients lie 80 000 requests apart or more.
+    static std::uint32_t first_number() noexcept
+    {
+        constexpr std::uint32_t golden_section = 0x9E37'79B1;
+        return next_client_number() * golden_section * asker::step;
+    }
+
     static constexpr std::uint8_t marks_step = 4;
     static constexpr std::uint8_t all_marks = asker::step / 2;
 
-    std::uint32_t number_{0}; ///< of a request, in steps; a number behind it marks a visit since
+    std::uint32_t number_; ///< of a request, in steps; a number behind it marks a visit since
     std::uint8_t mark_{0};
     bool others_wait_{false};
     bool is_missed_{false};

@@ -60,6 +60,7 @@ public:
     /// since its last visit.
     constexpr bool visit(commander& who, std::uint8_t unit, instant now) noexcept
     {
+        losses::meet(who);
         bool const is_lost = has_lost(who, unit);
         // An order given since the last visit may be older than what happened meanwhile.
         bool const is_doubtful = who.has_come_by_ and has_happened(who, unit);

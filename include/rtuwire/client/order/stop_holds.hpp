@@ -10,8 +10,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include <rtuwire/ask/commander.hpp>
+#include <rtuwire/client/client_number.hpp>
 #include <rtuwire/client/order/order_places.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
@@ -27,6 +29,7 @@ public:
     /// A commander that stops every unit visits.
     constexpr void visit_for_all(commander& who, instant now) noexcept
     {
+        meet(who);
         if (who.has_stopped_) {
             who.has_stopped_ = false;
             who.stamp_ = ++count_;
@@ -72,6 +75,25 @@ public:
     }
 
 protected:
+    /// A commander visits. What it holds of another client's count tells nothing here, and that one may have stopped the
+    /// unit meanwhile: its orders are over, and its stop begins anew.
+    [[gnu::noinline]] constexpr void meet(commander& who) noexcept
+    {
+        if (number_ == 0) {
+            // Behind the count of the client that may have been in this place, of which `commander::known_` is asked. It
+            // begins with a stop of all units: every order of another client's count is older.
+            number_ = std::is_constant_evaluated() ? 1 : next_client_number();
+            count_ = origin();
+            stopped_all_ = count_;
+        }
+        if (who.counted_by_ != number_) {
+            who.stamp_ = who.counted_by_ == 0 ? origin() : 0;
+            who.seen_ = who.stamp_;
+            who.has_stopped_ = who.has_stopped_ or who.is_stopping_;
+            who.counted_by_ = number_;
+        }
+    }
+
     constexpr void begin_stop(commander& who, std::uint8_t unit, instant now) noexcept
     {
         who.stamp_ = ++count_;
@@ -132,11 +154,15 @@ protected:
     }
 
     order_places<Units> places_{};
+    std::uint32_t number_{0};        ///< of this client; 0: no commander has visited it
     std::uint32_t count_{0};         ///< of all events, which are told apart by it
     std::uint32_t stopped_all_{0};   ///< the stamp of the last stop of all units
     std::uint32_t holder_of_all_{0}; ///< the same while it is under way; 0: none
 
 private:
+    /// What its count began with.
+    constexpr std::uint32_t origin() const noexcept { return (number_ << 12U) % 0x4000'0000U + 1; }
+
     constexpr unit_order& place_of(std::uint8_t unit) noexcept
     {
         unit_order* const place = places_.make(unit);
