@@ -34,6 +34,9 @@ public:
     {
         base::begin_cycle(0, 0);
         base::pass(200'000);
+        if (chance_.below(10) == 0) {
+            lie_in_wait(*nodes_[0]);
+        }
         for (unsigned i = 0; i < how_.moments and not wrong_; ++i) {
             chance_.below(3) == 0 ? happen() : base::act();
             base::pass(any_time());
@@ -69,7 +72,7 @@ private:
         node& own = any();
         std::size_t const unit = nodes_[0].get() == &own ? 0U : 1U;
         said_.now = now_;
-        switch (chance_.below(20)) {
+        switch (chance_.below(24)) {
         case 0:
         case 1:
         case 2:
@@ -91,6 +94,10 @@ private:
         case 15:
         case 16: return switch_drive(own);
         case 17: return switch_controller();
+        case 18:
+        case 19: return fall_asleep();
+        case 20:
+        case 21: return lie_in_wait(own);
         default: return let_another_speak(own, unit);
         }
     }
@@ -198,6 +205,26 @@ private:
             link_.hold(*unit_id::checked(how_.drive[i].address), at() + longest);
             nodes_[i]->law.note_restart_of_controller();
         }
+    }
+
+    /// Another master waits for the first word to run of a cycle.
+    void lie_in_wait(node& own)
+    {
+        base::pass(400'000);
+        own.other = {ambush::stage::waiting};
+        base::use_a_cycle();
+        base::pass(2'000'000);
+    }
+
+    /// For a while, or so long that half the counter of the clock, or all of it, goes by.
+    void fall_asleep()
+    {
+        constexpr std::array<moment, 5> minutes{1, 36, 50, 71, 110};
+        bool const is_long = chance_.below(3) == 0;
+        moment const length = is_long ? minutes[chance_.below(5)] * 60'000'000 : 200'000 + chance_.below(12'000'000);
+        counts_.note(is_long ? event::slept_for_minutes : event::slept_briefly);
+        said_.say("the controller sleeps for %.1f s", double(length) / 1e6);
+        base::sleep(length);
     }
 
     void let_another_speak(node& own, std::size_t unit)

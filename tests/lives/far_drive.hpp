@@ -45,6 +45,13 @@ struct drive_setting {
     {
         return which == model::atv28 ? not is_link_ignored : sll != 0 and sll != 4 and sll != 5;
     }
+    /// How long after its last answered request a controller has to take the drive for lost: where the drive supervises
+    /// nothing, the longest time-out of its type.
+    std::uint64_t lost_after_us() const
+    {
+        bool const is_known = which == model::atv28 or sll != 0;
+        return is_known ? time_out_us() : 30'000'000U;
+    }
     std::uint64_t time_out_us() const { return which == model::atv28 ? 7'000'000U : std::uint64_t{tto} * 100'000U; }
 };
 

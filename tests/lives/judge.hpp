@@ -112,6 +112,24 @@ public:
     }
     void note_death(moment now) { died_at_ = now; }
 
+    /// The controller was not scheduled until now. Where that was longer than the drive's time-out, what its cycles were
+    /// ordered is gone; whether there was such an order.
+    bool note_sleep(moment now, moment length)
+    {
+        bool was_ordered = false;
+        if (length > set_.lost_after_us()) {
+            for (order& each : orders_) {
+                was_ordered = was_ordered or (each.is_there and each.is_by_cycle);
+                each = each.is_by_cycle ? order{} : each;
+            }
+        }
+        // What takes time from one of these on begins now.
+        taken_at_ = stopped_at_ = lost_at_ = now;
+        is_asleep_ = false;
+        return was_ordered;
+    }
+    void note_falling_asleep() { is_asleep_ = true; }
+
     // What happens at the drive.
 
     /// Something that takes every order away. Who was at rest and shows no trace of it cannot know.
@@ -156,10 +174,14 @@ public:
             if (word and (*word & 0x80U) != 0) {
                 note_reset(now);
             }
-            looked_at_ = is_look_ ? now : looked_at_;
-            // Direct control has no step between the last look and a motor that turns.
+            if (is_look_) {
+                looked_at_ = {now, looked_at_[0], looked_at_[1]};
+            }
+            note_look_behind_ambush(frame, is_enabling);
+            // Direct control has no step between its last look and a motor that turns; the last looks may be another's.
+            moment const last_look = is_alone() ? looked_at_[0] : looked_at_[2];
             bool const is_too_late =
-                word and (*word & drive_.profile().direct_control) != 0 and disturbed_at_ >= looked_at_;
+                word and (*word & drive_.profile().direct_control) != 0 and disturbed_at_ >= last_look;
             moment const asked = std::max(latest_order(), ordered_at_);
             was_asked_ = has_order() and (asked >= disturbed_at_ or is_too_late);
             is_halting_ = is_halting_ and not is_enabling;
@@ -198,6 +220,20 @@ public:
                 note_disturbance(now, before, false);
             }
         }
+    }
+    /// Another master has said 0006 to a drive that was checked; a status that is read behind it shows that.
+    void note_ambush(moment now)
+    {
+        last_heard_ = last_foreign_ = ambushed_at_ = now;
+        was_foreign_ = false;
+    }
+    /// Whether the only order in force is a cycle's, and nobody else looks at the drive.
+    bool is_of_one_cycle() const
+    {
+        bool const is_one = number_of_orders() == 1 and not detached_.is_there and not is_foreign_ and not is_orphan_;
+        return is_one and std::all_of(orders_.begin(), orders_.end(), [](order const& each) {
+                   return not each.is_there or (each.is_by_cycle and each.is_alone);
+               });
     }
     void note_line(bool is_good, moment now)
     {
@@ -265,6 +301,11 @@ private:
         return detached_.is_there or
                std::any_of(orders_.begin(), orders_.end(), [](order const& each) { return each.is_there; });
     }
+    bool is_alone() const
+    {
+        return std::all_of(orders_.begin(), orders_.end(),
+                           [](order const& each) { return not each.is_there or each.is_alone; });
+    }
     std::ptrdiff_t number_of_orders() const
     {
         return std::count_if(orders_.begin(), orders_.end(), [](order const& each) { return each.is_there; }) +
@@ -277,6 +318,15 @@ private:
             latest = each.is_there ? std::max(latest, each.at) : latest;
         }
         return latest;
+    }
+
+    void note_look_behind_ambush(byte_view frame, bool is_enabling)
+    {
+        bool const shows_state = is_look_ or to_u8(frame[1]) == 23 or (to_u8(frame[1]) == 3 and u16_at(frame, 4) > 2);
+        if (ambushed_at_ != 0 and shows_state and not is_enabling) {
+            note_disturbance(ambushed_at_, cia402::state::ready_to_switch_on, false);
+        }
+        ambushed_at_ = shows_state or is_enabling ? 0 : ambushed_at_;
     }
 
     /// The user resets a fault by a conversation of its own. What was ordered before and was not told of the fault counts
@@ -344,6 +394,9 @@ private:
         if (is_too_fast and not is_foreign_ and not is_orphan_) {
             return breach::too_fast;
         }
+        if (is_asleep_) {
+            return std::nullopt; // what the drive does by itself
+        }
         // A quick stop that waits at standstill, and a halt, keep the power.
         bool const stands = speed == 0 and (is_halting_ or drive_.state() == cia402::state::quick_stop_active);
         moment const by_itself = set_.time_out_us() + ramp();
@@ -389,9 +442,10 @@ private:
     moment lost_at_{0}; ///< when it was sent what makes the loss sure, where nothing is answered
     moment asked_at_{0};
     moment asked_since_{0};
-    moment looked_at_{0};
+    std::array<moment, 3> looked_at_{}; ///< the latest first
     moment last_heard_{0};
     moment last_foreign_{0};
+    moment ambushed_at_{0}; ///< until a status shows it
     moment ran_at_{0};
     moment died_at_{0};
     moment last_missed_{0};
@@ -414,6 +468,7 @@ private:
     bool was_counted_{false};
     bool is_look_{false};
     bool is_braking_{false};
+    bool is_asleep_{false}; ///< the controller
     bool was_asked_{false}; ///< what the drive heard last came while an order was in force
 };
 

@@ -52,6 +52,22 @@ public:
         }
     }
 
+    /// The controller's program is not scheduled, and the drives live on; what they respond lies in its receiver.
+    void sleep(moment length)
+    {
+        for (auto const& each : nodes_) {
+            each->law.note_falling_asleep();
+        }
+        is_asleep_ = true;
+        pass(length);
+        is_asleep_ = false;
+        for (auto const& each : nodes_) {
+            if (each->law.note_sleep(now_, length)) {
+                counts_.note(event::slept_while_a_cycle_ran);
+            }
+        }
+    }
+
 protected:
     instant at() const { return instant{how_.start_count + static_cast<std::uint32_t>(now_)}; }
     node& of(slot const& own) { return *nodes_[own.unit]; }
@@ -116,7 +132,8 @@ protected:
     everyone everyone_{};
     std::optional<breach> wrong_{};
     moment now_{0};
-    bool is_dead_{false}; ///< the controller
+    bool is_dead_{false};   ///< the controller
+    bool is_asleep_{false}; ///< its program
 
 private:
     std::size_t index_of(node const& which) const { return nodes_[0].get() == &which ? 0U : 1U; }
@@ -126,7 +143,8 @@ private:
     {
         instant const now = at();
         said_.now = now_;
-        if (not is_dead_) {
+        if (is_awake()) {
+            hear_what_came();
             link_.advance(now);
             converse(now);
         }
@@ -134,7 +152,7 @@ private:
             nodes_[i]->drive->advance(now);
             accuse(nodes_[i]->law.look(now_), i);
         }
-        bool is_moved = not is_dead_ and ask();
+        bool is_moved = is_awake() and ask();
         for (auto const& each : nodes_) {
             is_moved = response(*each) or is_moved;
         }
@@ -259,8 +277,53 @@ private:
             if (not is_lost) {
                 each.drive->receive(frame, at());
             }
+            if (is_meant) {
+                wait_for(each, frame, is_lost);
+            }
         }
         return true;
+    }
+
+    /// Another master waits for a word to run; another write ends its waiting for its time to speak.
+    void wait_for(node& own, byte_view frame, bool is_lost)
+    {
+        auto const word = control_word_in(frame, own.drive->profile());
+        bool const enables_now = word and enables(*word, own.drive->profile()) and not is_lost;
+        if (own.other.at == ambush::stage::waiting and enables_now and own.law.is_of_one_cycle()) {
+            own.other = {ambush::stage::cutting, 1 + chance_.below(14), chance_.below(3) == 0};
+        } else if (own.other.at == ambush::stage::counting and to_u8(frame[1]) != 3) {
+            own.other = {};
+        }
+    }
+
+    /// A response was heard or not; whether the other master has spoken behind it.
+    void count_for(node& own, byte_view frame)
+    {
+        bool const is_due = own.other.at == ambush::stage::counting and to_u8(frame[1]) == 3 and --own.other.reads == 0;
+        if (not is_due) {
+            return;
+        }
+        bool const cuts_power = own.other.cuts_power;
+        own.other = {};
+        if (not own.law.is_of_one_cycle() or own.lost.requests or
+            own.drive->state() != cia402::state::operation_enabled) {
+            return;
+        }
+        counts_.note(event::word_of_another_during_a_check);
+        if (cuts_power) {
+            own.drive->power_cycle(at());
+        }
+        std::array<std::byte, 8> buffer{};
+        static_cast<void>(encode_into(buffer, *unit_id::checked(how_.drive[index_of(own)].address),
+                                      write_single_register{own.drive->profile().cmd, 6}));
+        now_ += time_of(buffer.size());
+        said_.now = now_;
+        said_.frame("=>", buffer, cuts_power ? "  another master, behind a power cycle" : "  another master", nullptr);
+        link_.receive(buffer, at());
+        own.law.note_ambush(now_);
+        for (auto const& each : nodes_) {
+            each->drive->receive(buffer, at());
+        }
     }
 
     /// A drive's answer, where it has one and it is time.
@@ -289,12 +352,15 @@ private:
         now_ += time_of(frame.size());
         said_.now = now_;
         own.drive->sent(at());
-        bool const is_lost = own.loses(false, chance_);
+        bool const is_cut = own.other.at == ambush::stage::cutting;
+        bool const is_lost = own.loses(false, chance_) or is_cut;
+        own.other.at = is_cut ? ambush::stage::counting : own.other.at;
         said_.frame("  <-", frame, is_lost ? "  lost" : "", &own);
-        if (not is_lost) {
-            link_.receive(frame, at());
-            own.law.note_response(frame, now_, own.status);
-            is_answered_ = true;
+        if (not is_lost and is_asleep_) {
+            own.unheard_size = own.response_size;
+            own.unheard = own.response;
+        } else if (not is_lost) {
+            hear(own, frame);
         }
         for (auto const& each : nodes_) {
             if (each.get() != &own and not is_lost) {
@@ -302,14 +368,37 @@ private:
             }
         }
         own.response_size = 0;
+        if (not is_lost and not is_asleep_) {
+            count_for(own, frame);
+        }
         return true;
     }
+
+    void hear(node& own, byte_view frame)
+    {
+        link_.receive(frame, at());
+        own.law.note_response(frame, now_, own.status);
+        is_answered_ = true;
+    }
+
+    /// What lies in the receiver after a sleep.
+    void hear_what_came()
+    {
+        for (auto const& each : nodes_) {
+            if (each->unheard_size != 0) {
+                hear(*each, byte_view{each->unheard}.first(each->unheard_size));
+                each->unheard_size = 0;
+            }
+        }
+    }
+
+    bool is_awake() const { return not is_dead_ and not is_asleep_; }
 
     void jump(moment end)
     {
         bool has_power = false;
         earliest next;
-        if (not is_dead_) {
+        if (is_awake()) {
             next.add(link_.poll_deadline());
             for (slot& each : slots_) {
                 std::visit([&](auto& what) { add_to(next, each, what); }, each.what);
@@ -324,7 +413,9 @@ private:
                 soon = std::min(soon, each->leaves_at);
             }
         }
-        soon = std::min(soon, now_ + (has_power ? 50'000U : 500'000U));
+        unsigned const at_rest = is_asleep_ ? 10'000'000U : 500'000U;
+        unsigned const in_motion = is_asleep_ ? 500'000U : 50'000U;
+        soon = std::min<moment>(soon, now_ + (has_power ? in_motion : at_rest));
         if (deadline const at_next = next; at_next) {
             bool const is_ahead = not reached(at(), *at_next);
             std::uint32_t const away = is_ahead ? (*at_next - at()).microseconds : 0;

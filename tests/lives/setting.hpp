@@ -55,9 +55,7 @@ inline drive_setting drive_of(sim::random_source& chance, std::uint8_t address, 
     set.is_link_ignored = is_unsupervised;
     set.tto = chance.below(3) == 0 ? static_cast<std::uint16_t>(1 + chance.below(300)) : times[chance.below(8)];
     set.ramp = static_cast<std::uint16_t>(chance.below(4) == 0 ? 30 : 1 + chance.below(10));
-    // An ATV28 has none: a cycle without an order writes a reference of 0, also between the last look of a direct start of
-    // the same drive and its word to run, at which the motor would turn forward at LSP.
-    bool const has_lsp = chance.below(2) == 0 and set.which != model::atv28;
+    bool const has_lsp = chance.below(2) == 0;
     set.lsp = static_cast<std::uint16_t>(has_lsp ? 1 + chance.below(200) : 0);
     return set;
 }

@@ -28,6 +28,14 @@ struct losses {
     }
 };
 
+/// Another master waits for a word to run whose response gets lost, and says its own while the drive is checked behind it.
+struct ambush {
+    enum class stage { none, waiting, cutting, counting };
+    stage at{stage::none};
+    unsigned reads{0}; ///< that are answered before its word
+    bool cuts_power{false};
+};
+
 /// A drive with all that belongs to it on the line.
 struct node {
     std::unique_ptr<far_drive> drive;
@@ -38,7 +46,10 @@ struct node {
     std::size_t response_size{0}; ///< of one that has not left
     std::uint16_t status{0};      ///< when that was made
     moment leaves_at{0};
+    std::array<std::byte, max_adu_size> unheard{}; ///< a response that came while the controller slept
+    std::size_t unheard_size{0};
     bool is_local{false};
+    ambush other{};
 
     node(life_setting const& how, drive_setting const& set, instant now, tally& counts)
         : drive{make_drive(set, how.timing(), now)}, law{how, set, *drive, counts}
