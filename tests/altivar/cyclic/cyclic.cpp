@@ -447,6 +447,8 @@ TEST_CASE("an order that a drive does not follow is dropped in time")
     it.say("03 03 02 00 00 C1 84"_hex);
     REQUIRE(it.checks_scanner());
     REQUIRE(it.loop.run(1'500_rpm, run_direction::reverse));
+    it.loop.advance(it.now); // the visit from which the limit counts
+    CHECK(it.loop.control().is_ordered());
     it.now = it.now + milliseconds(400);
     it.loop.advance(it.now);
     CHECK_FALSE(it.loop.control().is_ordered());
