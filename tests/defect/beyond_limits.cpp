@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include <rtuwire/altivar/atv12.hpp>
+#include <rtuwire/altivar/cyclic/cyclic.hpp>
 #include <rtuwire/altivar/procedure/motion/change_reference.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 
@@ -63,6 +64,22 @@ TEST_CASE("defect: D25 a change of the reference to one above HSP sends nothing"
         static_cast<void>(it.watch(faster, milliseconds(5'000)));
         CHECK(it.writes == 0);
         CHECK(it.millihertz() == 30'000);
+    });
+}
+
+TEST_CASE("defect: D25 a cycle takes no order above HSP")
+{
+    test::all_drives::for_each([]<typename Device>() {
+        limited_plant<Device> it;
+        cyclic<Device> loop{it.drive};
+        static_cast<void>(it.watch(loop, milliseconds(1'000)));
+        using at = setting<cycle_layout<Device>::reference>;
+        for (std::int16_t const steps : {std::int16_t{7'000}, std::int16_t{-7'000}}) {
+            CHECK_FALSE(loop.run(*at::checked(typename at::value_type{steps}))); // 700 Hz, or 7000 rpm
+            CHECK(loop.control().reason().kind == outcome_kind::above_hsp);
+            static_cast<void>(it.watch(loop, milliseconds(2'000)));
+            CHECK(it.millihertz() == 0);
+        }
     });
 }
 

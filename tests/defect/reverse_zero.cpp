@@ -58,7 +58,7 @@ TEST_CASE("defect: D20 a cycle at 0 in reverse does not turn the motor forward")
 {
     test::all_drives::for_each([]<typename Device>() {
         slow_plant<Device> it;
-        cyclic<Device> loop{it.drive};
+        cyclic<Device> loop{it.drive, {.supervision = test::within_limits}};
         it.watch(loop, milliseconds(1'000));
         using at = setting<cycle_layout<Device>::reference>;
         REQUIRE(loop.run(*at::checked(typename at::value_type{0}), run_direction::reverse));

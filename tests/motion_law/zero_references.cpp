@@ -60,7 +60,7 @@ void check_end(plant<Device>& it, Conversation conversation, run_direction way)
 }
 
 template <typename Device> struct zero_cycle : slow_plant<Device> {
-    cyclic<Device> loop{station<Device>{unit_id{3}}};
+    cyclic<Device> loop{station<Device>{unit_id{3}}, {.supervision = test::within_limits}};
 
     explicit zero_cycle(std::uint16_t lsp) : slow_plant<Device>{lsp} { this->watch(loop, milliseconds(1'000)); }
 

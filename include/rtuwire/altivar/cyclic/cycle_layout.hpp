@@ -27,9 +27,11 @@ template <drive_type Device> struct cycle_layout {
     static constexpr std::size_t speed_at = words.reads.place_of(words.speed);
     static constexpr bool fits_function_23 = words.by == function_code::read_write_multiple_registers;
 
+    /// Whether the reference is a speed in rpm, else a frequency.
+    static constexpr bool is_by_speed = words.writes.has(Device::speed_reference.address);
     static constexpr auto const& reference = []() -> auto const&
     {
-        if constexpr (words.writes.has(Device::speed_reference.address)) {
+        if constexpr (is_by_speed) {
             return Device::speed_reference;
         } else {
             return Device::frequency_reference;

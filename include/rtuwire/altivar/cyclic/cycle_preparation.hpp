@@ -22,7 +22,7 @@ template <drive_type Device> class cycle_preparation {
 
 public:
     explicit constexpr cycle_preparation(supervision_options const& its_options) noexcept
-        : options_{its_options}, check_{Device::layout, its_options}
+        : options_{its_options}, check_{Device::layout, its_options, words::is_by_speed}
     {}
 
     /// Discards the result: everything is read again.
@@ -49,7 +49,7 @@ public:
             is_begun_ = true;
             stage_ = words::has_scanner ? stage::inputs : stage::safeguards;
             holds_words_ = true;
-            check_ = supervision_procedure{Device::layout, options_};
+            check_ = supervision_procedure{Device::layout, options_, words::is_by_speed};
             action_ = check_.step({event::kind::begun});
         }
         switch (stage_) {

@@ -35,8 +35,12 @@ public:
           wanted_period_{its_options.period}, frames_{its_unit}, tolerated_misses_{its_options.tolerated_misses}
     {}
 
-    /// The user's orders. An order to run is accepted only for a drive that was checked.
-    constexpr bool run(std::uint16_t reference) noexcept { return preparation_.succeeded() and agenda_.run(reference); }
+    /// The user's orders. An order to run is accepted only for a drive that was checked, within the limits read then.
+    constexpr bool run(reference_write reference) noexcept
+    {
+        bool const is_taken = preparation_.succeeded() and control().is_able();
+        return is_taken and agenda_.control().allows(reference, report().limits) and agenda_.run(reference.word);
+    }
     constexpr void stop(stop_by how) noexcept
     {
         bool const has_none = how == stop_by::halt and Device::layout.halt == 0;

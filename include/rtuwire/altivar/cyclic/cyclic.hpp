@@ -48,10 +48,13 @@ public:
     /// while the motor turns in reverse, is one count in reverse, so that it does not turn forward at LSP. False, with
     /// nothing changed, until the drive was checked, before the first exchange and after a loss; in a fault, in local
     /// control, in a quick stop, while a stop has not ended, after another conversation's stop until the drive was
-    /// read again, and for a negative reference together with `run_direction::reverse`.
+    /// read again, and for a negative reference together with `run_direction::reverse`. False, too, and the order in force
+    /// goes on, for a reference above HSP, or below LSP where the motor stands, as the last check read them:
+    /// `control().reason()` names the limit. One no faster than that of the order in force, the same way, is taken
+    /// whatever the limits are; `beyond_limits::limit` in the options takes all, and the drive limits them.
     constexpr bool run(setting<words::reference> reference, run_direction direction = run_direction::forward) noexcept
     {
-        reference_write const asked{0, reference.word()};
+        reference_write const asked{0, reference.word(), words::is_by_speed};
         bool const is_reverse = direction == run_direction::reverse;
         if ((is_reverse and asked.is_reverse()) or this->was_stopped()) {
             return false;
@@ -59,7 +62,7 @@ public:
         bool const was_ordered = control().is_ordered();
         // The direction is in the word of the reference: no write of several words is assumed to take effect whole.
         std::uint16_t const status = control().is_running() ? control().status() : std::uint16_t{0};
-        bool const is_taken = steps_.run((is_reverse ? asked.reversed() : asked.keeping(status)).word);
+        bool const is_taken = steps_.run(is_reverse ? asked.reversed() : asked.keeping(status));
         if (is_taken and not was_ordered) {
             is_new_order_ = true;
             this->note_order_to_run();

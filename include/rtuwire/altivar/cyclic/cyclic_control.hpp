@@ -11,6 +11,8 @@
 #include <rtuwire/altivar/cyclic/cycle_sight.hpp>
 #include <rtuwire/altivar/cyclic/cycle_stop.hpp>
 #include <rtuwire/altivar/device/drive_layout.hpp>
+#include <rtuwire/altivar/device/reference.hpp>
+#include <rtuwire/altivar/procedure/inspection/reference_limits.hpp>
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
 #include <rtuwire/altivar/procedure/outcome.hpp>
 #include <rtuwire/cia402/next_command.hpp>
@@ -54,14 +56,28 @@ public:
             return false;
         }
         reference_ = reference;
+        reason_ = {};
         stop_.end();
         if (not is_ordered_) {
             is_ordered_ = true;
             highest_ = cia402::enable_rank(state());
             had_stop_key_ = sight_.shows_stop_key();
-            reason_ = {};
         }
         return true;
+    }
+
+    /// Whether the drive's limits allow a reference; the reason tells which does not. A motor that was ordered to run is
+    /// never kept at a faster reference, and one that turns is not held to the lowest.
+    constexpr bool allows(reference_write what, reference_limits const& limits) noexcept
+    {
+        bool const is_slower = is_ordered_ and what.is_within(reference_);
+        outcome_kind const found = limits.judge(what, not is_ordered_ and not is_running());
+        if (is_slower or found == outcome_kind::succeeded) {
+            return true;
+        }
+        reason_ = {found, errc::none, state()};
+        reason_.limit = limits.named_by(found);
+        return false;
     }
 
     /// Withdraws the order: the motor stops by `how`. Another stop does not replace a freewheel; DC injection is the
@@ -208,8 +224,8 @@ public:
     [[nodiscard]] constexpr cia402::state state() const noexcept { return sight_.state(); }
     [[nodiscard]] constexpr std::uint16_t status() const noexcept { return sight_.status(); }
 
-    /// Why the last order was dropped; before the first order, what first kept the drive from taking one, or
-    /// `pending`.
+    /// Why the last order was dropped, or which limit refused the last one (`above_hsp`, `below_lsp`); before the first
+    /// order, what first kept the drive from taking one, or `pending`.
     [[nodiscard]] constexpr altivar::reason reason() const noexcept { return reason_; }
 
 private:
