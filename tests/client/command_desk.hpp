@@ -35,7 +35,7 @@ struct hand_commander : commander {
     using commander::note_fault;
     using commander::note_order;
     using commander::note_order_to_run;
-    using commander::note_rest;
+    using commander::note_power;
     using commander::note_stop;
     using commander::note_stop_over;
     using commander::was_stopped;

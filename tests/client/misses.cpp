@@ -22,7 +22,7 @@ TEST_CASE("rule 40: a unit is lost by the first miss beyond those in a row that 
                 CHECK_FALSE(it.is_lost(3));
             }
             CHECK(it.does(one, effect::none) == errc::none); // a response to anything begins anew
-            one.note_rest();
+            one.note_power(power_seen::off);
             it.see(one);
             REQUIRE(it.does(one, effect::resetting) == errc::none);
         }
@@ -41,7 +41,7 @@ TEST_CASE("rule 40: misses before the rest was read are not counted behind it")
     command_desk<1> it;
     hand_commander one{3, 1};
     REQUIRE(it.runs(one) == errc::none);
-    one.note_rest();
+    one.note_power(power_seen::off);
     it.see(one);
     REQUIRE(it.misses(one, effect::enabling) != 0);
     CHECK_FALSE(it.is_lost(3));

@@ -10,6 +10,7 @@
 
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
+#include <rtuwire/altivar/procedure/inspection/supervision.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
 #include <rtuwire/ask/single_request.hpp>
@@ -37,6 +38,9 @@ template <typename Device> struct running : test::simulated_bus<drive_client<4>,
         REQUIRE(go.succeeded());
         this->idle(milliseconds(5'000));
         REQUIRE(far().motor().frequency() == 50'000);
+        check_supervision look{drive}; // what its words mean is known now
+        REQUIRE(this->run(look));
+        REQUIRE(look.ready());
     }
 
     sim::drive<Device>& far() { return this->unit(0).drive(); }
@@ -130,7 +134,7 @@ TEST_CASE("motion law: S7 the word leaves before anything is read; only halt loo
             REQUIRE(it.run(rest));
             CHECK(writes_control<Device>(first));
             std::uint16_t const word = u16_at(byte_view{first}, 4);
-            CHECK(word == (mode == stop_by::ramp ? 7 : mode == stop_by::freewheel ? 0 : 2)); // the start has read CHCF
+            CHECK(word == (mode == stop_by::ramp ? 7 : mode == stop_by::freewheel ? 0 : 2)); // CHCF has just been read
             CHECK_FALSE(rest.reason().is_other_stop);
             CHECK(rest.succeeded());
             CHECK(it.stands());

@@ -3,7 +3,7 @@
 /* What start, stop, broadcast stop and cycle make of the outcomes of their requests. */
 #define at_rest (response.state == DISABLED || response.state == READY || response.state == SWITCHED_ON \
                  || response.state == FAULT)
-inline note_rest() {
+inline note_power(power_seen::off) {
     if :: at_rest -> unit.ordered = 0 :: else fi
 }
 inline withdraw(i) {
@@ -33,7 +33,7 @@ inline accept_of_start(i) {
 #endif
     :: slot[i].step == LOOKING && response.received ->
         slot[i].missed = 0;
-        note_rest();
+        note_power(power_seen::off);
         if
         :: response.state == QUICK_STOP || response.state == FAULT -> settle(i)
         :: at_rest && response.state != FAULT && (fell_back(i) || key_was_pressed(i)) -> withdraw(i)
@@ -72,7 +72,7 @@ inline accept_of_start(i) {
     :: slot[i].step == ENABLING && response.received ->
         slot[i].missed = 0; slot[i].step = CHECKING
     :: slot[i].step == CHECKING && response.received ->
-        note_rest();
+        note_power(power_seen::off);
         if
         :: at_rest && response.state != FAULT ->
 #ifdef NO_FALL_BACK
@@ -107,7 +107,7 @@ inline accept_of_stop(i) {
         slot[i].step = LOOKING
 #endif
     :: response.received && request == look ->
-        note_rest();
+        note_power(power_seen::off);
         if
         :: response.state == DISABLED || response.state == FAULT -> say_it_stands(i)
         :: else -> go_on_stopping(i)
@@ -148,7 +148,7 @@ inline accept_of_cyclic(i) {
         fi
     :: response.received && request != read_back ->
         slot[i].missed = 0; slot[i].checked = 0;
-        note_rest();
+        note_power(power_seen::off);
         slot[i].step = response.state;
         if
         :: !slot[i].order

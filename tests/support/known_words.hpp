@@ -20,6 +20,7 @@ struct reader_of_meaning : commander {
 template <std::size_t Units> constexpr void confirm_words(orders<Units>& known, unit_id unit, instant now)
 {
     reader_of_meaning who;
+    known.note_start(now);
     static_cast<void>(known.visit(who, unit.byte(), now));
 }
 

@@ -26,6 +26,14 @@ enum class effect : std::uint8_t {
     stopping,    ///< the motor loses its power or slows down; a write of function 06, which no other response echoes
 };
 
+/// What a status showed of a motor's power.
+enum class power_seen : std::uint8_t {
+    nothing, ///< no status was read, or it does not tell
+    off,     ///< none, until an order to run
+    waits,   ///< none, and one control word gives it: also where the drive follows such a word later
+    on,
+};
+
 /// The register that says what a unit's control word means, CHCF of most Altivars: 1 and 2 are the drive profile, in any
 /// other one the word of a stop may run the motor.
 inline constexpr std::uint16_t meaning_register = 8401;
@@ -37,7 +45,12 @@ public:
     /// Whether its unit is lost and gets no request now, stop requests included.
     [[nodiscard]] constexpr bool is_silenced() const noexcept { return is_silenced_; }
 
+    /// Whether the request that it has just made is the command to run: the motor may follow it later.
+    [[nodiscard]] constexpr bool says_run() const noexcept { return says_run_; }
+
 protected:
+    constexpr void note_command(bool runs) noexcept { says_run_ = runs; }
+
     /// The user orders something that may move the motor. A stop that begins later cancels the order.
     constexpr void note_order() noexcept
     {
@@ -63,19 +76,36 @@ protected:
     /// The stop has ended, whatever its outcome.
     constexpr void note_stop_over() noexcept { is_over_ = true; }
 
-    /// The motor was read without power.
-    constexpr void note_rest() noexcept { has_read_rest_ = true; }
+    /// What was read of the motor's power.
+    constexpr void note_power(power_seen seen) noexcept
+    {
+        power_seen_ = seen == power_seen::nothing ? power_seen_ : seen;
+    }
 
     /// The drive was read in fault: orders given before no longer count.
     constexpr void note_fault() noexcept { has_read_fault_ = true; }
 
     /// The unit was read to be in the drive profile: at this address the words of all stops stop it. That holds until it
-    /// is lost, or `meaning_register` is written.
-    constexpr void note_meaning(std::uint16_t control_word) noexcept { read_meaning_of_ = control_word; }
+    /// may have been without power: it was lost, a request to it had no response, or none was made for 0.5 s; and until
+    /// `meaning_register` is written.
+    constexpr void note_meaning(std::uint16_t control_word) noexcept
+    {
+        read_meaning_of_ = confirmed_ = control_word;
+        is_doubtful_ = false;
+    }
 
     /// Where a conversation of this client has read so, and it still holds; 0: nowhere. Told at each visit; a stop
     /// is told before its `advance`, too.
-    [[nodiscard]] constexpr std::uint32_t confirmed() const noexcept { return confirmed_; }
+    [[nodiscard]] constexpr std::uint16_t confirmed() const noexcept
+    {
+        return is_doubtful_ ? std::uint16_t{0} : confirmed_;
+    }
+
+    /// The same where it was read, and the unit may have been without power since.
+    [[nodiscard]] constexpr std::uint16_t was_confirmed() const noexcept
+    {
+        return is_doubtful_ ? confirmed_ : std::uint16_t{0};
+    }
 
     /// A stop request that may not be sent now counts as `none`: no other conversation waits for it.
     [[nodiscard]] constexpr effect effect_now(effect what) const noexcept
@@ -132,8 +162,10 @@ private:
     std::uint32_t stamp_{0};           ///< when the last order or stop was given, in the client's count; 0: never
     std::uint32_t seen_{0};            ///< the client's count at the last visit
     unit_order const* known_{nullptr}; ///< what the client knows of its unit, since the last visit
-    std::uint32_t read_meaning_of_{0};
-    std::uint32_t confirmed_{0};
+    std::uint16_t read_meaning_of_{0};
+    std::uint16_t confirmed_{0};
+    bool is_doubtful_{false};
+    bool says_run_{false};
     bool was_rearranged_{false};
     bool was_stopped_{false};
     bool has_ordered_{false};
@@ -142,7 +174,7 @@ private:
     bool has_stopped_{false};
     bool is_over_{false};
     bool is_stopping_{false}; ///< a stop that visited, up to its end
-    bool has_read_rest_{false};
+    power_seen power_seen_{power_seen::nothing};
     bool has_read_fault_{false};
     bool is_silenced_{false};
     bool is_overruled_{false};

@@ -26,24 +26,28 @@ enum class hold : std::uint8_t {
 struct unit_order {
     instant words_end;
     instant silence_end;
+    instant heard; ///< when the last request was made that it answered
     duration silence;
     std::uint32_t last_stop;  ///< the stamp of the last stop or loss
     std::uint32_t last_order; ///< of the last order to run; 0: none
     std::uint32_t last_fault; ///< of the last time that it was read in fault, or of the last stop of all units
     std::uint32_t rearranged; ///< of the last request that rearranged it
     std::uint32_t holder;     ///< of the stop under way; 0: none
-    std::uint32_t confirmed;  ///< the control word that was read to be that of the drive profile; 0: none
+    std::uint16_t confirmed;  ///< the control word that was read to be that of the drive profile; 0: none
+    bool is_doubtful;         ///< it may have been without power since that was read
     std::uint8_t unit;        ///< 0: a free place
     std::uint8_t misses;      ///< missing responses in a row
     std::uint8_t tolerated;
     bool is_ordered;
+    bool is_starting; ///< the command to run was sent; neither seen with power nor told to stop since
     bool is_lost;
     bool was_lost;    ///< the last stop was a loss
     bool may_be_told; ///< while it is lost: stop requests may still be sent
     hold held;
 };
 inline constexpr unit_order nothing_known{
-    instant{0}, instant{0}, duration{}, 0, 0, 0, 0, 0, 0, 0, 0, 0, false, false, false, false, hold::by_its_stop};
+    instant{0}, instant{0}, instant{0}, duration{}, 0,     0,     0,     0,     0,     0,
+    false,      0,          0,          0,          false, false, false, false, false, hold::by_its_stop};
 
 /// Whether an event came before another one.
 [[nodiscard]] constexpr bool is_older(std::uint32_t stamp, std::uint32_t than) noexcept

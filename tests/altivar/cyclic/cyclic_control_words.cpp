@@ -46,9 +46,11 @@ template <std::size_t Count> constexpr bool says(cyclic_control& control, std::a
 constexpr bool tells_nothing_unheard()
 {
     cyclic_control control;
-    bool const is_new = not control.take_rest() and not control.take_fault() and not control.take_end_of_stop();
+    bool const is_new =
+        control.take_power() == power_seen::nothing and not control.take_fault() and not control.take_end_of_stop();
     control.note_loss(errc::timed_out);
-    return is_new and not control.take_rest() and not control.take_fault() and not control.take_end_of_stop();
+    return is_new and control.take_power() == power_seen::nothing and not control.take_fault() and
+           not control.take_end_of_stop();
 }
 PROOF("of a drive that was never heard neither rest, nor a fault, nor an end of a stop is told", tells_nothing_unheard)
 

@@ -20,7 +20,7 @@ TEST_CASE("rule 35: a unit is ordered from a request that enables or resets unti
         CHECK_FALSE(it.is_ordered(4));
         CHECK(it.does(one, effect::stopping) == errc::none);
         CHECK(it.is_ordered(3)); // a word is no proof
-        one.note_rest();
+        one.note_power(power_seen::off);
         it.see(one);
         CHECK_FALSE(it.is_ordered(3));
         CHECK(it.does(one, what) == errc::none); // the same order goes on
@@ -36,7 +36,7 @@ TEST_CASE("rule 35: where all places are taken by ordered units another one is n
     CHECK(it.runs(two) == errc::none);
     CHECK(it.runs(three) == errc::too_many_ordered);
     CHECK_FALSE(it.is_ordered(5));
-    two.note_rest();
+    two.note_power(power_seen::off);
     it.see(two);
     CHECK(it.does(three, effect::enabling) == errc::none);
     CHECK((it.is_ordered(3) and it.is_ordered(5)));
@@ -214,7 +214,7 @@ TEST_CASE("rule 36: a unit that lost its place is overruled, or was rearranged, 
         }
         it.see(other);
         it.pass(1);
-        other.note_rest();
+        other.note_power(power_seen::off);
         it.see(other);
         other.note_order();
         if (what == 3) {
@@ -222,7 +222,7 @@ TEST_CASE("rule 36: a unit that lost its place is overruled, or was rearranged, 
         }
         REQUIRE(it.runs(apart) == errc::none);
         REQUIRE_FALSE(it.is_ordered(3));
-        apart.note_rest();
+        apart.note_power(power_seen::off);
         it.see(apart);
         it.see(one);
         CHECK(it.does(one, effect::enabling) == (what == 0 ? errc::none : errc::overruled));

@@ -188,7 +188,7 @@ TEST_CASE("rule 37: where a unit has no place its stop holds all that have none,
     CHECK(it.does(apart, effect::enabling) == errc::overruled);
     CHECK(it.does(stop, effect::stopping) == errc::none);
     CHECK(it.does(apart, effect::stopping) == errc::none); // nobody knows whose unit is held
-    one.note_rest();
+    one.note_power(power_seen::off);
     it.see(one);
     apart.note_fault();
     it.see(apart); // which gets the place first
@@ -198,7 +198,7 @@ TEST_CASE("rule 37: where a unit has no place its stop holds all that have none,
     end(it, stop);
     it.see(apart);
     CHECK(it.runs(apart) == errc::none);
-    apart.note_rest();
+    apart.note_power(power_seen::off);
     it.see(apart);
     it.see(again);
     CHECK(it.runs(again) == errc::none);

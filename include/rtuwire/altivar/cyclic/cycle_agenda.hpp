@@ -62,12 +62,12 @@ public:
         duty_.take_stop(control_.is_halting());
     }
 
-    /// Each reported once: a read found the drive without power; the next request waits for a period.
-    constexpr bool take_rest() noexcept
+    /// Each reported once: what a read found of the motor's power; the next request waits for a period.
+    constexpr power_seen take_power() noexcept
     {
-        bool const is_read = control_.take_rest();
-        duty_.note_look(is_read);
-        return is_read;
+        power_seen const seen = control_.take_power();
+        duty_.note_look(seen == power_seen::off or seen == power_seen::waits);
+        return seen;
     }
     constexpr bool take_pause() noexcept { return std::exchange(waits_, false); }
 

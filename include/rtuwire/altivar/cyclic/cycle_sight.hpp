@@ -9,6 +9,8 @@
 #include <utility>
 
 #include <rtuwire/altivar/device/drive_layout.hpp>
+#include <rtuwire/altivar/procedure/procedure.hpp>
+#include <rtuwire/ask/commander.hpp>
 #include <rtuwire/cia402/state.hpp>
 #include <rtuwire/core/version.hpp>
 
@@ -29,7 +31,7 @@ public:
         looks_at_rest_ = not stands           ? std::uint8_t{0}
                          : looks_at_rest_ < 2 ? static_cast<std::uint8_t>(looks_at_rest_ + 1)
                                               : looks_at_rest_;
-        has_read_rest_ = cia402::is_at_rest(state_);
+        power_seen_ = power_in(state_);
     }
 
     /// The link was lost; `may_run`: the drive may have been running.
@@ -47,8 +49,8 @@ public:
     /// The command to run was given, or was not.
     constexpr void note_command(bool enables) noexcept { has_enabled_ = has_enabled_ or enables; }
 
-    /// Whether a read found the drive without power, or newly in fault; each reported once.
-    constexpr bool take_rest() noexcept { return std::exchange(has_read_rest_, false); }
+    /// What a read found of the motor's power, and whether it found the drive newly in fault; each reported once.
+    constexpr power_seen take_power() noexcept { return std::exchange(power_seen_, power_seen::nothing); }
     constexpr bool take_fault() noexcept { return std::exchange(has_read_fault_, false); }
 
     [[nodiscard]] constexpr std::uint16_t status() const noexcept { return status_; }
@@ -86,7 +88,7 @@ private:
     bool is_known_{false};
     bool was_lost_running_{false}; ///< it may have been running at the last loss
     bool has_enabled_{false};      ///< the command to run was given since the state was read
-    bool has_read_rest_{false};
+    power_seen power_seen_{power_seen::nothing};
     bool has_read_fault_{false};
 };
 

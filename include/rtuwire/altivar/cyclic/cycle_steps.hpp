@@ -101,9 +101,9 @@ public:
         return make_frame(is_confirmed);
     }
 
-    /// Whether a read found the drive without power, newly in fault, or in the drive profile, whether a stop that was
+    /// What a read found of the motor's power, whether it found the drive newly in fault, or in the drive profile, whether a stop that was
     /// ordered here has ended, and whether the next request waits for a period; each reported once.
-    constexpr bool take_rest() noexcept { return agenda_.take_rest(); }
+    constexpr power_seen take_power() noexcept { return agenda_.take_power(); }
     constexpr bool take_fault() noexcept { return agenda_.control().take_fault(); }
     constexpr bool take_meaning() noexcept { return preparation_.take_meaning(); }
     constexpr bool take_end_of_stop() noexcept { return agenda_.control().take_end_of_stop(); }

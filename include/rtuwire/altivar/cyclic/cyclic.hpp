@@ -72,8 +72,8 @@ public:
 
     /// Withdraws the order: the motor stops on its ramp, or by `how`; on the ramp, too, where the device has no halt.
     /// The stop command is sent at once, before the requests of all others and before any read; a halt is sent after
-    /// a read. `run` is accepted again once the motor is at rest. After a loss the motor coasts, as for a `stop` of a
-    /// drive that this client has not checked.
+    /// a read. `run` is accepted again once the motor is at rest. After a loss, and behind a missing response, the motor
+    /// coasts, as for a `stop` of a drive that this client has not checked; a cycle slower than 0.5 s reads CHCF first.
     constexpr void stop(stop_by how = stop_by::ramp) noexcept
     {
         steps_.stop(how);
@@ -117,7 +117,7 @@ public:
     /// For the client: the effect of the next request on the motor, and how a loss is reported.
     [[nodiscard]] constexpr effect intent() const noexcept
     {
-        return is_due_ ? this->effect_now(steps_.intent(this->was_rearranged())) : effect::none;
+        return is_due_ and not is_looking_ ? this->effect_now(steps_.intent(this->was_rearranged())) : effect::none;
     }
     [[nodiscard]] constexpr duration drive_timeout() const noexcept { return steps_.drive_timeout(); }
     [[nodiscard]] constexpr std::uint8_t tolerated_misses() const noexcept { return tolerated_misses_; }
@@ -155,12 +155,18 @@ public:
             due_ = now;
         }
         is_due_ = is_due_ or reached(at, due_);
+        heed_look(at);
     }
 
     constexpr std::optional<request_frame> next() noexcept
     {
         if (not is_due_) {
             return std::nullopt;
+        }
+        if (is_looking_) {
+            is_asking_ = true;
+            since_asked_ = {};
+            return request_frame{steps_.frames().read_one(Device::layout.safeguards.chcf)};
         }
         bool const was_rearranged = this->was_rearranged();
         this->note_arrangement();
@@ -170,7 +176,9 @@ public:
         }
         is_asking_ = true;
         since_asked_ = {};
-        return request_frame{steps_.ask(was_rearranged, this->confirmed() == Device::layout.cmd)};
+        byte_view const frame = steps_.ask(was_rearranged, this->confirmed() == Device::layout.cmd);
+        this->note_command(control().has_enabled());
+        return request_frame{frame};
     }
 
     constexpr void accept(result<response> const& outcome) noexcept
@@ -180,14 +188,14 @@ public:
             is_heard_ = true;
             since_heard_ = since_asked_;
         }
-        if (outcome) {
+        if (is_looking_) {
+            end_look(shows_drive_profile(outcome));
+        } else if (outcome) {
             steps_.take(*outcome);
         } else {
             steps_.miss(outcome.error());
         }
-        if (steps_.take_rest()) {
-            this->note_rest();
-        }
+        this->note_power(steps_.take_power());
         if (steps_.take_fault()) {
             this->note_fault();
         }
@@ -207,13 +215,54 @@ public:
 
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
-        return has_begun_ and not is_due_ ? deadline{due_} : deadline{};
+        return not has_begun_ ? deadline{}
+               : not is_due_  ? deadline{due_}
+               : is_looking_  ? deadline{look_end_}
+                              : deadline{};
+    }
+
+    /// For the client: how long the response may take.
+    [[nodiscard]] constexpr duration limited(duration timeout) const noexcept
+    {
+        duration const rest = look_end_ - now_;
+        return is_looking_ and rest < timeout ? rest : timeout;
     }
 
     /// Never: the cycle goes on as long as it is polled.
     [[nodiscard]] static constexpr bool settled() noexcept { return false; }
 
 private:
+    /// A stop command that stops only a drive in its drive profile waits for one read of that, where the last one is too
+    /// old to count. Behind a missing response, and after a loss, 0000 goes at once.
+    constexpr void heed_look(instant at) noexcept
+    {
+        constexpr drive_layout const& layout = Device::layout;
+        if constexpr (may_have_io_profile(layout) and layout.safeguards.chcf != 0) {
+            was_looked_in_vain_ = was_looked_in_vain_ and this->confirmed() == 0;
+            bool const is_stale = this->was_confirmed() == layout.cmd and not steps_.is_missed() and
+                                  not steps_.is_lost() and not was_looked_in_vain_;
+            bool const waits = is_due_ and steps_.intent(this->was_rearranged()) == effect::stopping and
+                               control().word_to_stop(true, layout) != 0;
+            if (is_asking_) {
+                return;
+            }
+            if (not is_looking_ and is_stale and waits) {
+                is_looking_ = true;
+                look_end_ = now_ + longest_look_of_a_stop;
+            } else if (is_looking_ and (not waits or reached(at, look_end_))) {
+                end_look(false);
+            }
+        }
+    }
+    constexpr void end_look(bool is_known) noexcept
+    {
+        is_looking_ = false;
+        was_looked_in_vain_ = not is_known;
+        if (is_known) {
+            this->note_meaning(Device::layout.cmd);
+        }
+    }
+
     /// The drive has stopped its motor by itself, or runs on as nobody asked it to, where its time-out has passed since the
     /// last request that it answered. A program may have slept meanwhile: nothing else tells it.
     constexpr void heed_silence() noexcept
@@ -239,6 +288,7 @@ private:
     instant now_{0};
     instant due_{0};
     instant enable_end_{0};
+    instant look_end_{0};
     duration since_heard_{}; ///< since the last request that was answered was made
     duration since_asked_{}; ///< since the last one was made
     std::uint8_t tolerated_misses_;
@@ -247,6 +297,8 @@ private:
     bool is_asking_{false};
     bool has_lost_{false};
     bool is_new_order_{false};
+    bool is_looking_{false}; ///< what the stop command means
+    bool was_looked_in_vain_{false};
     bool is_heard_{false}; ///< since the last loss
 };
 

@@ -215,11 +215,13 @@ public:
     /// Whether a halt was ordered, and is under way.
     [[nodiscard]] constexpr bool is_halting() const noexcept { return stop_.is_halting(sight_); }
 
-    /// Whether a read found the drive without power, or newly in fault, and whether a stop that was ordered here has
+    /// What a read found of the motor's power, whether it found the drive newly in fault, and whether a stop that was ordered here has
     /// ended; each reported once.
-    constexpr bool take_rest() noexcept { return sight_.take_rest(); }
+    constexpr power_seen take_power() noexcept { return sight_.take_power(); }
     constexpr bool take_fault() noexcept { return sight_.take_fault(); }
     constexpr bool take_end_of_stop() noexcept { return stop_.take_end(); }
+    /// Whether the command to run was given since the last status, which showed a motor without it.
+    [[nodiscard]] constexpr bool has_enabled() const noexcept { return sight_.has_enabled() and not is_running(); }
     [[nodiscard]] constexpr bool is_running() const noexcept { return state() == cia402::state::operation_enabled; }
     [[nodiscard]] constexpr cia402::state state() const noexcept { return sight_.state(); }
     [[nodiscard]] constexpr std::uint16_t status() const noexcept { return sight_.status(); }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 #include <rtuwire/altivar/device/drive_layout.hpp>
 #include <rtuwire/altivar/procedure/outcome.hpp>
@@ -85,6 +86,26 @@ struct action {
 /// The pause between two reads of a word that has to change.
 inline constexpr duration status_period = milliseconds(50);
 
+/// How long a stop may look what its words mean: the motor keeps turning meanwhile.
+inline constexpr duration longest_look_of_a_stop = milliseconds(100);
+
+/// Whether a response to a read of CHCF shows the drive profile.
+[[nodiscard]] constexpr bool shows_drive_profile(result<response> const& outcome) noexcept
+{
+    constexpr std::size_t size_of_one = 4;
+    return outcome and outcome->pdu().size() == size_of_one and is_drive_profile(u16_at(outcome->pdu(), 2));
+}
+
+/// What a state shows of the motor's power.
+[[nodiscard]] constexpr power_seen power_in(cia402::state at) noexcept
+{
+    bool const waits = at == cia402::state::ready_to_switch_on or at == cia402::state::switched_on;
+    return waits                    ? power_seen::waits
+           : cia402::is_at_rest(at) ? power_seen::off
+           : cia402::has_power(at)  ? power_seen::on
+                                    : power_seen::nothing;
+}
+
 /// What every procedure has: the drive's layout, and the reason why it ended. Each also has an `anew()`, itself as it was
 /// made.
 class procedure {
@@ -112,16 +133,19 @@ public:
     /// Ends a procedure because a stop was ordered later, or an order to run: the drive now belongs to that.
     constexpr action yield() noexcept { return end(outcome_kind::overruled); }
 
-    /// Whether the status read showed a motor without power, or a fault; whether CHCF was read to be the drive profile.
+    /// What the status read showed of the motor's power; whether it showed a fault; whether CHCF was read to be the drive
+    /// profile.
     /// Each call clears the flag that it returns.
-    constexpr bool take_rest() noexcept { return take(has_read_rest_); }
+    constexpr power_seen take_power() noexcept { return std::exchange(power_seen_, power_seen::nothing); }
     constexpr bool take_meaning() noexcept { return take(has_read_meaning_); }
     [[nodiscard]] constexpr std::uint16_t control_word() const noexcept { return layout_->cmd; }
+    [[nodiscard]] constexpr std::uint16_t chcf() const noexcept { return layout_->safeguards.chcf; }
+    [[nodiscard]] constexpr bool may_have_io() const noexcept { return may_have_io_profile(*layout_); }
     constexpr bool take_fault() noexcept { return take(has_read_fault_); }
 
     /// Whether the word of a stop may run the drive, which takes the words of all stops as such where its control word is
     /// the one `confirmed`: 0000 is sent instead, and the reason says so.
-    constexpr bool is_harmful(std::uint16_t word, std::uint32_t confirmed) noexcept
+    constexpr bool is_harmful(std::uint16_t word, std::uint16_t confirmed) noexcept
     {
         bool const is_other = word != 0 and confirmed != layout_->cmd and may_have_io_profile(*layout_);
         reason_.is_other_stop = reason_.is_other_stop or is_other;
@@ -184,7 +208,7 @@ protected:
     constexpr cia402::state note(std::uint16_t status) noexcept
     {
         reason_.state = cia402::decode(status);
-        has_read_rest_ = cia402::is_at_rest(reason_.state);
+        power_seen_ = power_in(reason_.state);
         has_read_fault_ = cia402::is_in_fault(reason_.state);
         return reason_.state;
     }
@@ -194,7 +218,7 @@ protected:
     /// Takes over what a procedure inside this one has read.
     constexpr void note_readings_of(procedure& inner) noexcept
     {
-        has_read_rest_ = inner.take_rest();
+        power_seen_ = inner.take_power();
         has_read_fault_ = inner.take_fault();
         has_read_meaning_ = inner.take_meaning();
     }
@@ -242,7 +266,7 @@ private:
 
     drive_layout const* layout_;
     altivar::reason reason_{};
-    bool has_read_rest_{false};
+    power_seen power_seen_{power_seen::nothing};
     bool has_read_fault_{false};
     bool has_read_meaning_{false};
 };

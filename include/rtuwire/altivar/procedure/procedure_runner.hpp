@@ -22,6 +22,9 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// The conversation of a procedure. It ends at its limit, counted from the first `advance`; or later by the procedure's
 /// grace, or at the end of the one request that is then under way or still has to be sent to leave the drive safe.
 template <typename Script> class procedure_runner : public commander {
+    /// Whether it may send a control word that stops, other than 0000.
+    static constexpr bool says_stop = Script::is_stop or Script::is_order or Script::gives_way_to_order;
+
 public:
     /// Each action says whether its request may be repeated.
     static constexpr conversation_properties properties{.urgency = urgency::stop_of_unit,
@@ -48,7 +51,7 @@ public:
         instant const at = has_begun_ ? within_reach(now_, now) : now;
         now_ = now;
         if constexpr (Script::is_stop) {
-            procedure_.note_confirmed(this->confirmed());
+            procedure_.note_confirmed(known_word());
         }
         if (not has_begun_) {
             has_begun_ = true;
@@ -60,17 +63,24 @@ public:
             } else {
                 this->note_order();
             }
-            take(procedure_.step({event::kind::begun}));
+            begin();
         }
         keep_over(late_at_, now, at);
         if (settled() or is_asking_) {
             return;
+        }
+        if (is_looking()) {
+            bool const is_over = reached(at, pause_end_) or (not is_late_ and reached(now, late_at_));
+            return is_over ? end_look(false) : void();
         }
         if (Script::follows_order and this->is_overruled() and not procedure_.takes_back()) {
             return take(procedure_.yield());
         }
         if (Script::gives_way_to_order and action_.does == effect::stopping and this->is_unit_ordered()) {
             return take(procedure_.yield());
+        }
+        if (has_to_look()) {
+            return begin_look();
         }
         // No limit ends a stop whose control word was never sent.
         bool const has_to_say = Script::is_stop and action_.does == effect::stopping and not has_said_stop_;
@@ -91,7 +101,10 @@ public:
     [[nodiscard]] constexpr unit_id unit() const noexcept { return unit_; }
 
     /// For the client: what the next request does to the motor, and when a unit counts as lost.
-    [[nodiscard]] constexpr effect intent() const noexcept { return this->effect_now(action_.does); }
+    [[nodiscard]] constexpr effect intent() const noexcept
+    {
+        return is_looking() ? effect::none : this->effect_now(action_.does);
+    }
     [[nodiscard]] constexpr duration drive_timeout() const noexcept { return procedure_.drive_timeout(); }
     [[nodiscard]] static constexpr std::uint8_t tolerated_misses() noexcept { return 1; }
 
@@ -107,28 +120,38 @@ public:
             return std::nullopt;
         }
         is_asking_ = true;
+        this->note_command(is_command_to_run());
+        if (is_looking()) {
+            return request_frame{frame_, repetition::never};
+        }
         if (action_.does == effect::stopping) {
             has_said_stop_ = true;
-            if (procedure_.is_harmful(action_.word, this->confirmed())) {
+            if (procedure_.is_harmful(action_.word, known_word())) {
                 action_.word = 0;
                 make_frame();
+            }
+            if (action_.word != 0) {
+                action_.again = repetition::never; // behind a missing response it may have another meaning
             }
         }
         return request_frame{frame_, action_.again};
     }
 
     /// For the client: how long the response may take. A look of a stop ends when its time is over.
-    [[nodiscard]] constexpr duration limited(duration timeout) const noexcept requires(Script::is_stop)
+    [[nodiscard]] constexpr duration limited(duration timeout) const noexcept requires(says_stop)
     {
-        bool const is_look = has_length() and action_.again == repetition::never;
         duration const rest = pause_end_ - now_;
-        return is_look and rest < timeout ? rest : timeout;
+        return is_looking() and rest < timeout ? rest : timeout;
     }
+
+    /// From here on what was read of its words counts until the unit is lost, however long ago that was: of a stop that
+    /// continues what broadcasts have begun.
+    constexpr void count_old_readings() noexcept requires(Script::is_stop) { counts_old_ = true; }
 
     /// Whether only 0000 is known to stop the drive, as far as this client has read.
     [[nodiscard]] constexpr bool may_run_on_a_stop() noexcept requires(Script::is_stop)
     {
-        procedure_.note_confirmed(this->confirmed());
+        procedure_.note_confirmed(known_word());
         return procedure_.may_run_on_a_stop();
     }
 
@@ -143,7 +166,8 @@ public:
     /// Whether there is a request to send.
     [[nodiscard]] constexpr bool has_request() const noexcept
     {
-        return has_begun_ and (action_.what == action::kind::read or action_.what == action::kind::write);
+        return has_begun_ and
+               (is_looking() or action_.what == action::kind::read or action_.what == action::kind::write);
     }
 
     constexpr void accept(result<response> const& outcome) noexcept
@@ -151,6 +175,10 @@ public:
         is_asking_ = false;
         if (settled()) {
             return;
+        }
+        if (is_looking()) {
+            end_look(shows_drive_profile(outcome));
+            return heed_loss();
         }
         take(outcome.error() == errc::overruled ? procedure_.yield() : procedure_.step(event_of(outcome)));
         heed_loss();
@@ -166,7 +194,7 @@ public:
         if (not is_late_) {
             next.add(late_at_);
         }
-        if (has_length()) {
+        if (has_length() or is_looking()) {
             next.add(pause_end_);
         }
         return next;
@@ -199,6 +227,63 @@ protected:
     [[nodiscard]] constexpr Script const& told() const noexcept { return procedure_; }
 
 private:
+    constexpr bool is_command_to_run() const noexcept
+    {
+        constexpr std::uint16_t run = cia402::word_of(cia402::command::enable_operation);
+        return action_.does == effect::enabling and action_.address == procedure_.control_word() and
+               (action_.word & run) == run;
+    }
+    constexpr bool is_looking() const noexcept { return says_stop and is_looking_; }
+
+    /// Whether the control word to send stops only a drive in its drive profile, and that was read too long ago.
+    constexpr bool has_to_look() const noexcept
+    {
+        return says_stop and action_.does == effect::stopping and action_.word != 0 and not has_looked_in_vain_ and
+               was_confirmed_at() and procedure_.may_have_io() and procedure_.chcf() != 0;
+    }
+    constexpr bool was_confirmed_at() const noexcept
+    {
+        return not counts_old_ and this->was_confirmed() == procedure_.control_word();
+    }
+    constexpr std::uint16_t known_word() const noexcept
+    {
+        return counts_old_ and this->confirmed() == 0 ? this->was_confirmed() : this->confirmed();
+    }
+
+    constexpr void begin() noexcept
+    {
+        if constexpr (Script::is_stop) {
+            if (procedure_.looks_first(was_confirmed_at())) {
+                return begin_look();
+            }
+        }
+        take(procedure_.step({event::kind::begun}));
+    }
+
+    constexpr void begin_look() noexcept
+    {
+        is_looking_ = true;
+        pause_end_ = now_ + longest_look_of_a_stop;
+        static_cast<void>(encode_into(frame_, unit_, read_holding_registers{procedure_.chcf(), 1}));
+    }
+
+    /// Begins, or sends the control word: the one meant where it is known to be that, else 0000.
+    constexpr void end_look(bool is_known) noexcept
+    {
+        is_looking_ = false;
+        has_looked_in_vain_ = not is_known;
+        if (is_known) {
+            this->note_meaning(procedure_.control_word());
+        }
+        if (action_.does == effect::stopping) {
+            return make_frame();
+        }
+        if constexpr (Script::is_stop) {
+            procedure_.note_confirmed(known_word());
+        }
+        take(procedure_.step({event::kind::begun}));
+    }
+
     /// The unit was lost: the next action, unless it is a word that stops, would wait until the drive has stopped by
     /// itself. So it fails now.
     constexpr void heed_loss() noexcept
@@ -207,6 +292,9 @@ private:
             return;
         }
         has_lost_ = false;
+        if (is_looking()) {
+            return end_look(false);
+        }
         if (not settled() and action_.does != effect::stopping) {
             take(procedure_.step({event::kind::failed, 0, errc::unit_lost}));
         }
@@ -242,9 +330,7 @@ private:
             next = procedure_.give_up();
         }
         was_granted_ = was_granted_ or (is_late_ and is_request);
-        if (procedure_.take_rest()) {
-            this->note_rest();
-        }
+        this->note_power(procedure_.take_power());
         if (procedure_.take_fault()) {
             this->note_fault();
         }
@@ -285,6 +371,9 @@ private:
     bool was_warned_{false}; ///< the limit is over; only the procedure's grace is left
     bool was_granted_{false};
     bool is_other_family_{false};
+    bool counts_old_{false};
+    bool is_looking_{false}; ///< until `pause_end_`
+    bool has_looked_in_vain_{false};
 };
 
 } // namespace rtuwire::altivar

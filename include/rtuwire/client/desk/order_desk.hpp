@@ -98,7 +98,7 @@ protected:
     {
         if constexpr (commanding_conversation<Conversation>) {
             orders_.note_asked(conversation.unit().byte(), what, conversation.drive_timeout(),
-                               conversation.tolerated_misses());
+                               conversation.tolerated_misses(), conversation.says_run());
         } else if constexpr (stops_by_broadcast<Conversation>) {
             for (auto& each : conversation.stops()) {
                 if (each.unit().byte() == duty::asked_unit()) {
@@ -112,6 +112,7 @@ protected:
     constexpr errc start(request_frame const& asked, instant now, std::uint8_t unit, retry_policy const& with) noexcept
     {
         if constexpr (Orders::is_kept) {
+            orders_.note_start(now);
             retry_policy own = with;
             own.retries = orders_.is_lost(unit) ? std::uint8_t{0} : with.retries;
             return duty::start(asked, now, own);

@@ -47,13 +47,17 @@ template <std::size_t Units> class orders : public unit_losses<Units> {
     using losses::places_;
     using losses::stopped_all_;
 
+    using losses::asked_;
+
 public:
     static constexpr bool is_kept = true;
 
     /// What is known of the words of a commander's unit.
     constexpr void tell(commander& who, std::uint8_t unit) const noexcept
     {
-        who.confirmed_ = places_.of(unit).confirmed;
+        if (who.read_meaning_of_ == 0) { // else what it read is newer
+            tell(who, places_.of(unit));
+        }
     }
 
     /// A commander of one unit visits: notes what its user wants, and what it read. Returns whether its unit was lost
@@ -77,7 +81,7 @@ public:
         who.is_overruled_ = is_stopped_later(who, own) and not is_by_loss(own);
         who.is_unit_ordered_ = own.is_ordered;
         who.known_ = &own;
-        who.confirmed_ = own.confirmed;
+        tell(who, own);
         return is_lost;
     }
 
@@ -112,12 +116,13 @@ public:
         return check(who, unit, who.is_stopping_ ? effect::stopping : effect::enabling) == errc::overruled;
     }
 
-    /// A request of this effect was taken.
-    constexpr void note_asked(std::uint8_t unit, effect what, duration drive_timeout, std::uint8_t tolerated) noexcept
+    /// A request of this effect was taken; `runs`: it is the command to run, of a motor that was not read to run.
+    constexpr void note_asked(std::uint8_t unit, effect what, duration drive_timeout, std::uint8_t tolerated,
+                              bool runs = false) noexcept
     {
         switch (what) {
         case effect::enabling:
-        case effect::resetting: return note_enabling(unit, drive_timeout, tolerated);
+        case effect::resetting: return note_enabling(unit, drive_timeout, tolerated, runs);
         case effect::rearranging: return note_rearranging(unit);
         case effect::stopping: return note_stopping(unit, drive_timeout);
         case effect::none: break;
@@ -132,7 +137,7 @@ public:
         }
         std::uint8_t const unit = to_u8(frame[0]);
         for (unit_order& each : places_) {
-            each.confirmed = unit == 0 or each.unit == unit ? 0 : each.confirmed;
+            each.confirmed = unit == 0 or each.unit == unit ? std::uint16_t{0} : each.confirmed;
         }
     }
 
@@ -141,21 +146,28 @@ public:
     [[nodiscard]] constexpr bool is_ordered(std::uint8_t unit) const noexcept { return places_.of(unit).is_ordered; }
 
 private:
+    static constexpr void tell(commander& who, unit_order const& own) noexcept
+    {
+        who.confirmed_ = own.confirmed;
+        who.is_doubtful_ = own.is_doubtful;
+    }
+
     constexpr void take_notes(commander& who, std::uint8_t unit, bool is_doubtful, instant now) noexcept
     {
-        if (who.has_read_rest_) {
-            who.has_read_rest_ = false;
-            if (unit_order* const own = places_.find(unit)) {
-                own->is_ordered = false;
-                own->misses = 0;
-            }
+        if (unit_order* const own = places_.find(unit)) {
+            note_power(*own, who.power_seen_);
         }
+        who.power_seen_ = power_seen::nothing;
         if (who.has_read_fault_ or who.read_meaning_of_ != 0) {
             unit_order* const found = places_.make(unit);
             unit_order& own = found == nullptr ? places_.others() : *found;
             own.last_fault = who.has_read_fault_ ? ++count_ : own.last_fault;
             // What was read of a unit without a place is forgotten at once.
-            own.confirmed = found == nullptr ? 0 : who.read_meaning_of_ != 0 ? who.read_meaning_of_ : own.confirmed;
+            if (who.read_meaning_of_ != 0 or found == nullptr) {
+                own.confirmed = found == nullptr ? std::uint16_t{0} : who.read_meaning_of_;
+                own.is_doubtful = false;
+                own.heard = asked_;
+            }
             who.has_read_fault_ = false;
             who.read_meaning_of_ = 0;
         }
@@ -175,6 +187,18 @@ private:
         if (who.is_over_) {
             who.is_over_ = false;
             end_stop(who, unit);
+        }
+    }
+
+    /// A drive that may follow its order later, as one that closes a contactor first, is not at rest where it waits.
+    static constexpr void note_power(unit_order& own, power_seen seen) noexcept
+    {
+        if (seen == power_seen::on) {
+            own.is_starting = false;
+        } else if (seen == power_seen::off or (seen == power_seen::waits and not own.is_starting)) {
+            own.is_starting = false;
+            own.is_ordered = false;
+            own.misses = 0;
         }
     }
 
@@ -241,9 +265,10 @@ private:
         return is_replaced or is_older(who.stamp_, own.last_fault);
     }
 
-    constexpr void note_enabling(std::uint8_t unit, duration drive_timeout, std::uint8_t tolerated) noexcept
+    constexpr void note_enabling(std::uint8_t unit, duration drive_timeout, std::uint8_t tolerated, bool runs) noexcept
     {
         if (unit_order* const own = places_.make(unit)) {
+            own->is_starting = own->is_starting or runs;
             own->is_ordered = true;
             own->silence = drive_timeout + milliseconds(1'000);
             own->tolerated = tolerated;
@@ -262,9 +287,9 @@ private:
     /// A unit that was not ordered here is left alone for the time that its drive's type gives.
     constexpr void note_stopping(std::uint8_t unit, duration drive_timeout) noexcept
     {
-        unit_order* const own = places_.find(unit);
-        if (own != nullptr and own->silence == duration{}) {
-            own->silence = drive_timeout + milliseconds(1'000);
+        if (unit_order* const own = places_.find(unit)) {
+            own->is_starting = false;
+            own->silence = own->silence == duration{} ? drive_timeout + milliseconds(1'000) : own->silence;
         }
     }
 };

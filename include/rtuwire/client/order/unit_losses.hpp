@@ -26,6 +26,10 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// Of a unit whose type is not the declared one: the longest time-out of any drive, and 1 s more.
 inline constexpr duration silence_of_another_family = milliseconds(31'000);
 
+/// A drive that is silent for no longer was not switched off and on again meanwhile: assumed, no manual gives the time that
+/// its control needs until it answers. What was read of a unit counts only as long as it has answered so.
+inline constexpr duration longest_gap_in_presence = milliseconds(500);
+
 /// The lost units of one client; the base of its orders.
 template <std::size_t Units> class unit_losses : public stop_holds<Units> {
     using holds = stop_holds<Units>;
@@ -39,7 +43,11 @@ public:
         if (own == nullptr or error == errc::cancelled) {
             return;
         }
-        if (error == errc::none or is_exception(error)) {
+        bool const is_answered = error == errc::none or is_exception(error);
+        own->is_doubtful = own->is_doubtful or was_repeated or not is_answered;
+        if (is_answered) {
+            heed_gap(*own, now);
+            own->heard = asked_;
             own->misses = 0;
             own->is_lost = false;
             return;
@@ -54,6 +62,9 @@ public:
             ++own->misses;
         }
     }
+
+    /// A request is taken now, to any unit.
+    constexpr void note_start(instant now) noexcept { asked_ = now; }
 
     /// Whether a unit gets no request of this effect now; for a broadcast (0), whether one of the units is lost.
     [[nodiscard]] constexpr bool is_silent(std::uint8_t unit, effect what) const noexcept
@@ -99,6 +110,7 @@ public:
         wake_ = {};
         bool is_over = false;
         for (unit_order& each : places_) {
+            heed_gap(each, now);
             each.may_be_told = each.is_lost and each.may_be_told and not reached(now, each.words_end);
             if (each.is_lost and reached(now, each.silence_end)) {
                 each.is_lost = false;
@@ -122,8 +134,19 @@ public:
 protected:
     using holds::count_;
     using holds::places_;
+    instant asked_{0}; ///< when the last request was taken, to any unit
 
 private:
+    /// The unit may have lost its power where it was not heard for long, or missed a request.
+    static constexpr void heed_gap(unit_order& own, instant now) noexcept
+    {
+        duration const gap = now - own.heard;
+        own.is_doubtful = own.is_doubtful or gap > longest_gap_in_presence;
+        if (own.is_ordered and gap + milliseconds(1'000) > own.silence) {
+            own.confirmed = 0; // its time-out is over: a read could let it run as ordered again
+        }
+    }
+
     constexpr void lose(unit_order& own, instant now) noexcept
     {
         own.confirmed = 0;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "altivar/procedure/motion/broadcast_stop_by_hand.hpp"
 #include "support/catch.hpp"
@@ -114,6 +115,9 @@ void check_stages(test::everyone_by_hand<Drives> const& fresh, std::array<stage,
                 take(it, i == 1 ? 's' : 'l');
             }
             it.wait(i == 3 ? 999 : i == 4 ? 1'000 : 0);
+            if (row.there.empty()) {
+                static_cast<void>(std::move(it).with_known_words()); // what was read counts for half a second
+            }
             CHECK(it.asks() == row.cells[i]);
         }
         INFO(row.name);

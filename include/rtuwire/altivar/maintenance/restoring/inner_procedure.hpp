@@ -68,8 +68,8 @@ public:
     /// How the procedure that runs has ended.
     [[nodiscard]] constexpr altivar::reason const& reason() const noexcept { return now().reason(); }
 
-    /// Whether a status was read that shows a motor without power, or a fault; each call clears what it returns.
-    constexpr bool take_rest() noexcept { return now().take_rest(); }
+    /// What a status that was read shows of the motor's power, and whether a fault; each call clears what it returns.
+    constexpr power_seen take_power() noexcept { return now().take_power(); }
     constexpr bool take_fault() noexcept { return now().take_fault(); }
 
 private:

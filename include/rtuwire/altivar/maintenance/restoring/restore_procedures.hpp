@@ -76,9 +76,7 @@ protected:
             return perform(inner_.begin_look({outcome_kind::succeeded}));
         }
         action const next = inner_.step(what);
-        if (inner_.take_rest()) {
-            this->note_rest();
-        }
+        this->note_power(inner_.take_power());
         if (inner_.take_fault()) {
             this->note_fault();
         }

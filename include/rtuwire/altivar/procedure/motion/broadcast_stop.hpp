@@ -271,10 +271,13 @@ private:
 
     constexpr std::optional<request_frame> ask_everyone() noexcept
     {
-        bool is_known = this->confirmed() != 0;
+        // What counted when it began goes on to count: a quick stop is not cut short, whatever its own silence lasts.
+        bool is_known = this->confirmed() != 0 or (has_told_ and this->was_confirmed() != 0);
         for (stop& each : stops_) {
             is_known = is_known and not each.may_run_on_a_stop();
+            each.count_old_readings();
         }
+        has_told_ = true;
         if (not is_known) {
             rounds_.coast();
         }
@@ -317,6 +320,7 @@ private:
     std::size_t at_{0};
     bool has_begun_{false};
     bool is_last_due_{false};
+    bool has_told_{false}; ///< everyone, once at least
 };
 
 template <device_type... Device>

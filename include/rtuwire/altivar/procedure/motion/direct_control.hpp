@@ -262,7 +262,7 @@ private:
             if (has_fallen) {
                 return abort(outcome_kind::fell_back);
             }
-            static_cast<void>(take_rest()); // the word to run stands: it may run at any moment
+            static_cast<void>(take_power()); // the word to run stands: it may run at any moment
             return to_pause(status_period);
         }
         return end((status & reference_limited_bit) != 0 ? outcome_kind::reference_limited : outcome_kind::succeeded);

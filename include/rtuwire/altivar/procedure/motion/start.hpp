@@ -228,7 +228,7 @@ private:
     constexpr action next_step(cia402::state at) noexcept
     {
         if (sent_.last() == cia402::command::enable_operation) {
-            static_cast<void>(take_rest()); // it accepted the command to run, and shows it later: that is no rest
+            static_cast<void>(take_power()); // it accepted the command to run, and shows it later: that is no rest
             return to_pause(status_period);
         }
         bool const is_ready = at == cia402::state::switched_on;

@@ -35,7 +35,7 @@ enum class stop_by : std::uint8_t {
 /// How a stop begins that is no freewheel, of a drive whose control words this client has not read to mean what they do in
 /// the drive profile.
 enum class stop_begin : std::uint8_t {
-    at_once,    ///< with 0000: the motor coasts
+    at_once,    ///< with 0000, the motor coasts; where they were read, but long ago, as `look_first`
     look_first, ///< with one read of CHCF, 100 ms at most; then with the word asked for, or with 0000 where that fails
 };
 
@@ -46,9 +46,6 @@ enum class stop_asks : std::uint8_t { status, fault, control, frequency, word };
 
 /// How long a read may wait for its turn while no word was sent to the drive yet.
 inline constexpr duration longest_wait_of_a_stop{milliseconds(1'000)};
-
-/// How long a stop may look what its words mean.
-inline constexpr duration longest_look_of_a_stop{milliseconds(100)};
 
 [[nodiscard]] constexpr bool has_stop(drive_layout const& layout, stop_by mode) noexcept
 {
@@ -339,14 +336,13 @@ private:
 ///
 /// | stage     | what happens                     | next                                                      |
 /// |-----------|----------------------------------|-----------------------------------------------------------|
-/// | usual     | begin, not confirmed, look first | looking: read CHCF                                        |
-/// |           | begin, not confirmed             | write the word; in place: write 0007                      |
+/// | usual     | begin, not confirmed             | write the word; in place: write 0007                      |
 /// |           | exception 02 to the first word   | elsewhere: write 0000 where the other family has its word |
 /// |           | any other                        | as `stop_procedure`                                       |
-/// | looking   | 1, 2                             | confirmed; usual: begin                                   |
-/// |           | any other                        | usual: write the word; in place: write 0007               |
 /// | elsewhere | confirmed, refused, no response  | end: other_family                                         |
 /// |           | limit over                       | write it again                                            |
+///
+/// Its runner looks before it begins, where `looks_first`.
 /// Internal.
 class ordered_stop_procedure : public stop_procedure {
 public:
@@ -356,7 +352,7 @@ public:
     {}
 
     /// Where the drive is known to take the words of all stops as such; told before each step.
-    constexpr void note_confirmed(std::uint32_t address) noexcept { is_confirmed_ = address == layout().cmd; }
+    constexpr void note_confirmed(std::uint16_t address) noexcept { is_confirmed_ = address == layout().cmd; }
 
     /// Whether only 0000 is known to stop the drive: in an I/O profile the words of the other stops may run it.
     [[nodiscard]] constexpr bool may_run_on_a_stop() const noexcept
@@ -364,19 +360,23 @@ public:
         return not is_confirmed_ and may_have_io_profile(layout());
     }
 
+    /// Whether CHCF is read before it begins: where the user asked for that, or it was read before and may have changed.
+    [[nodiscard]] constexpr bool looks_first(bool was_confirmed) const noexcept
+    {
+        return is_doubtful() and layout().safeguards.chcf != 0 and (was_confirmed or begin_ == stop_begin::look_first);
+    }
+
     [[nodiscard]] constexpr ordered_stop_procedure anew() const noexcept { return {layout(), ordered(), begin_}; }
 
     constexpr action step(event const& what) noexcept
     {
         switch (stage_) {
-        case stage::looking: return judge(what);
         case stage::elsewhere:
             return what.what == event::kind::late ? go_elsewhere() : end(outcome_kind::other_family, what.error);
         case stage::usual: break;
         }
         if (what.what == event::kind::begun and is_doubtful()) {
-            // Nothing that a halt could read of the status tells what its word means.
-            return begin_ == stop_begin::look_first and layout().safeguards.chcf != 0 ? look() : stop_blind();
+            return stop_blind(); // nothing that a halt could read of the status tells what its word means
         }
         bool const has_no_such_word = what.what == event::kind::failed and what.error == errc::illegal_data_address;
         return has_no_such_word and has_only_said_it() and layout().other_cmd != 0 ? go_elsewhere()
@@ -384,31 +384,11 @@ public:
     }
 
 private:
-    enum class stage : std::uint8_t { usual, looking, elsewhere };
+    enum class stage : std::uint8_t { usual, elsewhere };
 
     constexpr bool is_doubtful() const noexcept
     {
         return mode() != stop_by::freewheel and detail::has_stop(layout(), mode()) and may_run_on_a_stop();
-    }
-
-    /// One read of what the words mean: the motor keeps turning as long as this takes.
-    constexpr action look() noexcept
-    {
-        stage_ = stage::looking;
-        action next = once(to_read(layout().safeguards.chcf));
-        next.length = detail::longest_look_of_a_stop;
-        return next;
-    }
-
-    constexpr action judge(event const& what) noexcept
-    {
-        stage_ = stage::usual;
-        if (what.what != event::kind::word_read or not is_drive_profile(what.word)) {
-            return stop_blind();
-        }
-        note_meaning(true);
-        note_confirmed(layout().cmd);
-        return stop_procedure::step({event::kind::begun});
     }
 
     /// No drive of the declared family is there: 0000 takes the power of one of the other, or is refused as well.
@@ -433,8 +413,10 @@ private:
 /// A drive at 8501 (all but the ATV28) is sent 0000, "disable voltage", whatever stop was ordered, until a conversation of
 /// this client has read there that its words are those of the drive profile: its motor coasts, and `reason().is_other_stop`
 /// is set. A `start`, a `cyclic` and a `check_supervision` read it, so the stop of a motor that they ran is the one ordered,
-/// until the unit was lost or its CHCF was written. The reason: an ATV320 in its I/O profile runs by the words of the other
-/// stops, whatever type it was declared to be. `stop_begin::look_first` reads it just before.
+/// until the unit was lost or its CHCF was written. Where the drive may have been without power since, as it was not asked for
+/// 0.5 s or a request to it had no response, the stop looks first: one read of CHCF, 100 ms at most, and 0000 where that fails.
+/// The reason: an ATV320 in its I/O profile runs by the words of the other stops, whatever type it was declared to be.
+/// `stop_begin::look_first` looks also where nothing was read before.
 ///
 /// `other_family`: the drive has no such control word, exception 02. 0000 was then sent once to where the other family has
 /// it; it was taken where `error` is `none`. The unit then gets no request for 31 s, except a stop.
