@@ -293,3 +293,56 @@ TEST_CASE("defect: the stop of a cycle that is slower than half a second is the 
     it.pass(loop, milliseconds(5'000));
     CHECK_FALSE(cia402::has_power(it.drive().state_machine().state()));
 }
+
+TEST_CASE("defect: a cycle writes nothing to a drive whose power cycle a tolerated miss has covered")
+{
+    constexpr std::uint16_t outputs = atv320::device::scanner.output_addresses;
+    for (duration const off : {milliseconds(150), milliseconds(400), milliseconds(900)}) {
+        hall<atv320::device> it{{.response_timeout = milliseconds(500), .retries = 0}};
+        // Saved is another program's map: the first word would be ACC, the second the control word.
+        it.set(outputs, atv320::acc.address);
+        it.set(outputs + 1, atv320::cmd.address);
+        it.save();
+        it.set(outputs, atv320::cmd.address);
+        it.set(outputs + 1, atv320::lfrd.address);
+        cyclic<atv320::device> loop{it.drive_at};
+        it.pass(loop, milliseconds(3'000));
+        REQUIRE(loop.run(900_rpm));
+        it.pass(loop, milliseconds(4'000));
+        REQUIRE(loop.control().is_running());
+        it.drive().power_cycle(it.now());
+        int const acceleration = it.drive().word("ACC");
+        it.is_off = true;
+        it.pass(loop, off);
+        it.is_off = false;
+        it.pass(loop, milliseconds(5'000));
+        CHECK(it.drive().word("ACC") == acceleration);
+        CHECK_FALSE(loop.control().is_ordered());
+        CHECK_FALSE(cia402::has_power(it.drive().state_machine().state()));
+    }
+}
+
+TEST_CASE("defect: a cycle whose drive kept its power goes on behind a tolerated miss, with two reads")
+{
+    hall<atv320::device> it;
+    cyclic<atv320::device> loop{it.drive_at};
+    it.pass(loop, milliseconds(3'000));
+    REQUIRE(loop.run(900_rpm));
+    it.pass(loop, milliseconds(4'000));
+    std::uint16_t const word = it.drive().word("CMD");
+    it.is_off = true;
+    it.pass(loop, milliseconds(120)); // one exchange
+    it.requests_of_unit.clear();
+    it.is_off = false;
+    it.pass(loop, milliseconds(1'000));
+    CHECK(loop.control().is_running());
+    CHECK(loop.control().is_ordered());
+    CHECK_FALSE(loop.link_lost());
+    CHECK(it.drive().word("CMD") == word);
+    REQUIRE(it.requests_of_unit.size() >= 2);
+    CHECK(it.requests_of_unit[0].address == atv320::eta.address);
+    CHECK(it.requests_of_unit[1].address == atv320::lft.address);
+    for (auto const& each : it.requests_of_unit) {
+        CHECK(each.address != atv320::chcf.address); // not checked anew
+    }
+}

@@ -40,9 +40,13 @@ constexpr bool goes_on_running()
 {
     cycle it;
     bool ok = it.runs() and it.fails();
-    return ok and it.asks_later() and it.exchanges(0x000F, 1'500);
+    ok = ok and it.asks_later() and it.reads(eta_address);
+    it.hear({running});
+    ok = ok and it.asks() and it.reads(lft_address);
+    it.hear({0});
+    return ok and it.asks() and it.exchanges(0x000F, 1'500);
 }
-PROOF("and where the motor runs, with its order", goes_on_running)
+PROOF("and where the motor runs, by a look at it, then with its order", goes_on_running)
 
 constexpr bool says_a_missed_word_again()
 {

@@ -21,7 +21,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// exchange takes two requests; (f) is `look_for_fault` where the drive is newly in fault, (s) `say_stop` where it may
 /// turn without an order, (p) `prepare` and (l) `look` where it was not checked.
 ///
-/// | step           | response               | one miss, while enabling | lost     | cancelled | overruled |
+/// | step           | response               | one miss, while ordered  | lost     | cancelled | overruled |
 /// |----------------|------------------------|--------------------------|----------|-----------|-----------|
 /// | look           | look_for_fault         | look                     | look     | the same  | look      |
 /// | look_for_fault | first (p)              | look                     | look     | the same  | look      |
@@ -34,7 +34,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// | check_control  | exchange, or write     | look                     | look     | the same  | look      |
 /// | compare_...    | first                  | look                     | look     | the same  | look      |
 ///
-/// One miss of a drive that runs, or without an order, leaves the step as it is.
+/// One miss of a drive without an order leaves the step as it is.
 class cycle_agenda {
     using step = cycle_step;
 
@@ -222,16 +222,17 @@ private:
         return not was_in_fault and cia402::is_in_fault(control_.state());
     }
 
-    /// A request to a drive that does not run yet was not answered: the drive may have lost its power meanwhile.
+    /// A request to an ordered drive was not answered: it may have lost its power meanwhile, so it is read before the next
+    /// write. One that does not run yet is checked anew; one that did is, where it is found not to run any more.
     constexpr bool start_over() noexcept
     {
-        if (not control_.is_ordered() or control_.is_running()) {
+        if (not control_.is_ordered()) {
             return false;
         }
         position_.keep_comparison_if(false);
         control_.note_miss();
         position_.go_to(step::look);
-        return true;
+        return not control_.is_running();
     }
 
     cyclic_control control_{};

@@ -122,7 +122,7 @@ public:
         constexpr std::size_t words_from = 2;
         register_view const read{response.pdu().subspan(words_from)};
         switch (agenda_.now()) {
-        case step::look: return agenda_.take_look(read[0]);
+        case step::look: return take_look(read[0]);
         case step::look_for_fault: return agenda_.take_fault_code(read[0], preparation_.succeeded());
         case step::prepare: preparation_.take(read, frames_.outputs_in_use()); return go_on_preparing(read[0]);
         case step::check_control:
@@ -197,6 +197,16 @@ private:
         }
         agenda_.fail_preparation(found);
         preparation_.renew();
+    }
+
+    /// A drive that does not run any more may have lost its power, and its settings and its scanner's words with it.
+    constexpr void take_look(std::uint16_t status) noexcept
+    {
+        bool const was_running = control().is_running();
+        agenda_.take_look(status);
+        if (was_running and not control().is_running()) {
+            preparation_.renew();
+        }
     }
 
     constexpr void take_inputs(register_view read) noexcept
