@@ -145,8 +145,8 @@ protected:
                not is_older(order, known_->last_fault);
     }
 
-    /// Whether a conversation of this client ordered its unit to run, and none has read since that the motor has no
-    /// power. Told at each visit.
+    /// Whether a conversation of this client ordered its unit to run (where it stops all: any unit), and none has read since
+    /// that the motor has no power. Told at each visit.
     [[nodiscard]] constexpr bool is_unit_ordered() const noexcept { return is_unit_ordered_; }
 
     /// Whether another conversation stopped its unit, lost it or read it in fault since `heed_stop`: older readings
@@ -237,6 +237,14 @@ concept stops_by_broadcast = conversation<T> and std::derived_from<T, commander>
     {
         conversation.may_cut(unit)
         } -> std::same_as<bool>;
+};
+
+/// A conversation that sends all units, by a broadcast, a word that takes the power of their motors away, and follows
+/// none of them.
+template <typename T>
+concept frees_all_units = requires
+{
+    requires T::frees_all;
 };
 
 /// Whether a conversation has all that its properties need; what is missing is refused in a sentence.

@@ -199,10 +199,36 @@ TEST_CASE("rule 41: while a unit is lost a broadcast waits, but for one that sto
     CHECK_FALSE(of.leaves(writer));
     of.it.pass(3'000'000); // words to the unit itself are over
     hand_for_all all{9};
+    std::uint64_t const last = of.it.time;
     CHECK(of.it.says(all));
     of.it.fail(all);
     CHECK(all.told == errc::none);
     CHECK_FALSE(of.leaves(writer));
-    of.it.pass_until(of.begun + silence);
+    of.it.pass_until(last + silence - 1);
+    CHECK_FALSE(of.leaves(writer));
+    of.it.pass(1);
     CHECK(of.leaves(writer));
+}
+
+TEST_CASE("rule 40: a stop of all units loses those that are ordered and not among its drives, while it broadcasts")
+{
+    command_desk<3> it;
+    hand_commander one{3}, other{4};
+    REQUIRE(it.runs(one) == errc::none);
+    REQUIRE(it.runs(other) == errc::none);
+    hand_for_all all{4};
+    all.note_stop();
+    std::uint64_t const last = it.time;
+    REQUIRE(it.says(all));
+    CHECK((it.is_lost(3) and not it.is_lost(4)));
+    it.fail(all);
+    it.see(all);
+    it.see(one);
+    CHECK(one.losses == 1);
+    CHECK_FALSE(one.is_silenced()); // words may go to it
+    it.pass_until(last + silence - 1);
+    CHECK(it.is_lost(3));
+    it.pass(1);
+    CHECK_FALSE(it.is_lost(3));
+    CHECK((it.link.motor_orders().is_ordered(3) and it.link.motor_orders().is_ordered(4)));
 }

@@ -46,6 +46,10 @@ public:
                                   "each stop of a conversation that stops all units commands one of them");
                     visit(each, now);
                 }
+                if (conversation.is_urgent()) {
+                    orders_.lose_all_but(conversation.stops(), now);
+                }
+                orders_.tell_all(conversation);
             } else {
                 visit(conversation, now);
             }
@@ -105,6 +109,8 @@ protected:
                     note_asked(each, what);
                 }
             }
+        } else if constexpr (Orders::is_kept and frees_all_units<Conversation>) {
+            orders_.note_all_freed();
         }
     }
 

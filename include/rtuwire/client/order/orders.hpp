@@ -60,6 +60,15 @@ public:
         }
     }
 
+    /// Tells a commander that stops every unit whether one is still ordered, behind its visit and those of its stops.
+    constexpr void tell_all(commander& who) const noexcept
+    {
+        who.is_unit_ordered_ = false;
+        for (unit_order const& each : places_) {
+            who.is_unit_ordered_ = who.is_unit_ordered_ or each.is_ordered;
+        }
+    }
+
     /// A commander of one unit visits: notes what its user wants, and what it read. Returns whether its unit was lost
     /// since its last visit.
     constexpr bool visit(commander& who, std::uint8_t unit, instant now) noexcept

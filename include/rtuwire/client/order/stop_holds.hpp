@@ -36,8 +36,8 @@ public:
             stopped_all_ = count_;
             holder_of_all_ = count_;
             is_all_over_ = false; // if another one has just ended
+            note_none_counts();
             for (unit_order& each : places_) {
-                each.last_fault = count_; // no order that was given before counts
                 each.words_end = now + stop_words_after_loss;
                 each.may_be_told = each.is_lost;
             }
@@ -56,6 +56,13 @@ public:
             who.is_doubtful_ = who.is_doubtful_ or (each.is_doubtful and each.is_ordered);
         }
         who.confirmed_ = is_known ? 1 : 0;
+    }
+
+    /// All units were sent a word that takes the power away, without a conversation that stops them.
+    constexpr void note_all_freed() noexcept
+    {
+        stopped_all_ = ++count_;
+        note_none_counts();
     }
 
     /// Ends the hold of a stop that was given up: its unit can be commanded again.
@@ -164,6 +171,14 @@ protected:
 private:
     /// What its count began with.
     constexpr std::uint32_t origin() const noexcept { return (number_ << 12U) % 0x4000'0000U + 1; }
+
+    /// No order that was given before counts.
+    constexpr void note_none_counts() noexcept
+    {
+        for (unit_order& each : places_) {
+            each.last_fault = count_;
+        }
+    }
 
     constexpr unit_order& place_of(std::uint8_t unit) noexcept
     {

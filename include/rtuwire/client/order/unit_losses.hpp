@@ -4,7 +4,8 @@
 // Which units are lost, and how long nothing is sent to them.
 //
 // A *loss* is a missing response, beyond those that its commander tolerates, of a unit that is ordered or that a stop
-// holds: another controller may have ordered it, or this one before it was switched off. Then, for 2 s at most, only
+// holds: another controller may have ordered it, or this one before it was switched off. So is, while a stop of all units is
+// broadcast, an ordered unit that no stop of its own follows: nobody would see whether it heard. Then, for 2 s at most, only
 // stop requests go to that unit. After that it gets no request of any conversation, until the drive's own time-out and
 // 1 s more have passed since the last of them: it has stopped by itself if it can. A stop that begins meanwhile has
 // 2 s for its requests. A response to one of them ends the loss; the order stays cancelled.
@@ -35,6 +36,20 @@ template <std::size_t Units> class unit_losses : public stop_holds<Units> {
     using holds = stop_holds<Units>;
 
 public:
+    /// A stop of all units broadcasts, and has stops of its own for these. Each broadcast may restart a time-out.
+    template <typename Stops> constexpr void lose_all_but(Stops const& stops, instant now) noexcept
+    {
+        for (unit_order& each : places_) {
+            bool is_followed = not each.is_ordered;
+            for (auto const& own : stops) {
+                is_followed = is_followed or own.unit().byte() == each.unit;
+            }
+            if (not is_followed) {
+                lose(each, now);
+            }
+        }
+    }
+
     /// The outcome of a request of any conversation to a unit; where the client repeated it by itself, a missing
     /// response is no longer tolerated. A `cancelled` request never left: it tells nothing of its unit.
     constexpr void note_outcome(std::uint8_t unit, errc error, bool was_repeated, instant now) noexcept
@@ -57,6 +72,7 @@ public:
             return;
         }
         if (own->is_lost or was_repeated or own->misses >= own->tolerated) {
+            own->confirmed = 0;
             lose(*own, now);
         } else {
             ++own->misses;
@@ -98,6 +114,7 @@ public:
     {
         if (unit_order* const own = places_.make(unit)) {
             own->silence = silence_of_another_family;
+            own->confirmed = 0;
             lose(*own, now);
             own->may_be_told = false;
         }
@@ -149,7 +166,6 @@ private:
 
     constexpr void lose(unit_order& own, instant now) noexcept
     {
-        own.confirmed = 0;
         if (not own.is_lost) {
             own.is_lost = true;
             own.may_be_told = true;

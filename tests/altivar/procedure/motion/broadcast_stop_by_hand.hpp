@@ -48,6 +48,10 @@ template <std::size_t Drives> struct everyone_by_hand {
                 each.note_loss();
             }
         }
+        if (all.is_urgent()) {
+            motors.lose_all_but(all.stops(), now);
+        }
+        motors.tell_all(all);
         std::string told;
         if (auto const request = all.next()) {
             constexpr std::string_view digits{"0123456789ABCDEF"};

@@ -107,6 +107,10 @@ private:
 /// request enables a drive of this line until its user gives a new order after the end. `reason(i)` tells how the i-th
 /// drive's stop ended, as for `stop`.
 ///
+/// A drive that this client ordered to run and that is not given counts as lost while the broadcasts go out: after them it
+/// gets words that stop it, from a `start` or `cyclic` that visits, or no request at all, until its own time-out is over. Until
+/// it is read without power this stop has not succeeded: `leaves_ordered`.
+///
 /// | stage      | sends        | sent, or lost                        | last_after over                      | urgent |
 /// |------------|--------------|--------------------------------------|--------------------------------------|--------|
 /// | round 1    | a broadcast  | the next; after the last: round 2    |                                      | yes    |
@@ -203,11 +207,14 @@ public:
         return is_settled;
     }
 
-    /// Whether every drive's state showed that it stands. To be read in the pass in which it settles: not from the next
+    /// Whether a drive that this client ordered to run, given or not, was not read without power since.
+    [[nodiscard]] constexpr bool leaves_ordered() const noexcept { return this->is_unit_ordered(); }
+
+    /// Whether every drive's state showed that it stands, and that of every other that was ordered. To be read in the pass in which it settles: not from the next
     /// visit on.
     [[nodiscard]] constexpr bool succeeded() const noexcept
     {
-        bool is_done = settled() and not this->is_used_already();
+        bool is_done = settled() and not this->is_used_already() and not leaves_ordered();
         for (stop const& each : stops_) {
             is_done = is_done and each.succeeded();
         }

@@ -359,7 +359,8 @@ private:
 /// reverse, and one together with `run_direction::reverse` is refused. A reference of 0 in reverse, or for a motor that
 /// turns in reverse, is sent as one count in reverse, so that the motor does not turn forward at LSP. It settles once
 /// operation is enabled, without waiting for the ramp; a start that fails settles when its commands are withdrawn, up to
-/// 30 s after its limit.
+/// 30 s after its limit. Destroying it stops nothing: once the command to run was sent the motor runs on, until a stop or
+/// its drive's own time-out, which any request restarts; before, the drive stays in the state that it was brought to.
 ///
 /// A drive that would not stop by itself, or that another source commands, is refused before anything is written, with
 /// the outcomes of `check_supervision`; `supervision()` names the register. A reference above HSP, or below LSP of a motor at
