@@ -212,7 +212,7 @@ TEST_CASE("a read or a write that ended and is used again is told apart, sends n
         return single_request{unit_id{3}, read_holding_registers{3'201, 2}};
     });
     use_everywhere<device>("broadcast_setting", [&] { return broadcast_setting<device, atv12::acc>(2_s); });
-    use_everywhere<device>("broadcast_freewheel", [&] { return broadcast_freewheel<device>(); });
+    use_everywhere<device>("broadcast_freewheel", [&]() -> freewheel_request { return broadcast_freewheel<device>(); });
     use_everywhere<device>("poller", [&] { return poller<plan>{at}; });
     use_everywhere<device>("plan_writer", [&] { return plan_writer<ramps>{at, ramps{2_s, 3_s}}; });
     use_everywhere<device>("line_echo_probe", [&] { return line_echo_probe{unit_id{3}}; });

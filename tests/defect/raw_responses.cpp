@@ -57,7 +57,7 @@ PROOF("defect: D42 a raw request of function 24 takes as many registers as are c
 constexpr bool holds_most()
 {
     std::array<std::byte, 5 + 64> told{std::byte{0x18}, std::byte{0}, std::byte{66}, std::byte{0}, std::byte{32}};
-    return taken(queue, told) == errc::invalid_quantity;
+    return taken(queue, told) == errc::wrong_length;
 }
 PROOF("defect: D42 a raw request of function 24 takes no more than the function has", holds_most)
 

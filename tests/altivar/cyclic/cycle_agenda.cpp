@@ -67,8 +67,7 @@ struct row {
     step unprepared;
     step into_fault;
     step unordered; ///< the drive runs without an order
-    step missed;    ///< once; the drive is on its way to run
-    step missed_running;
+    step missed;    ///< once, with an order
     step lost;
     step cancelled;
     step overruled;
@@ -80,18 +79,18 @@ constexpr step look = step::look, code = step::look_for_fault, prepare = step::p
 
 // clang-format off
 constexpr std::array<row, all_steps.size()> rows{{
-    // step     answered  halves   unprepared into fault unordered missed missed running lost  cancelled  overruled
-    {look,      code,     code,    code,      code,      code,     look,  look,          look, look,      look},
-    {code,      transfer, half,    prepare,   transfer,  transfer, look,  code,          look, code,      look},
-    {prepare,   transfer, half,    transfer,  code,      transfer, look,  prepare,       look, prepare,   look},
-    {transfer,  transfer, transfer, transfer, code,      transfer, look,  transfer,      look, transfer,  look},
-    {half,      write,    write,   write,     code,      write,    look,  half,          look, half,      look},
-    {write,     transfer, half,    transfer,  transfer,  transfer, look,  write,         look, write,     look},
-    {stop,      observe,  observe, look,      observe,   observe,  stop,  stop,          stop, stop,      look},
-    {observe,   transfer, half,    transfer,  code,      stop,     look,  observe,       look, observe,   look},
-    {check,     transfer, write,   transfer,  transfer,  transfer, look,  check,         look, check,     look},
-    {control,   transfer, half,    transfer,  transfer,  transfer, look,  control,       look, control,   look},
-    {set_point, transfer, half,    transfer,  transfer,  transfer, look,  set_point,     look, set_point, look},
+    // step     answered  halves    unprepared into fault unordered missed lost  cancelled  overruled
+    {look,      code,     code,     code,      code,      code,     look, look, look,      look},
+    {code,      transfer, half,     prepare,   transfer,  transfer, look, look, code,      look},
+    {prepare,   transfer, half,     transfer,  code,      transfer, look, look, prepare,   look},
+    {transfer,  transfer, transfer, transfer,  code,      transfer, look, look, transfer,  look},
+    {half,      write,    write,    write,     code,      write,    look, look, half,      look},
+    {write,     transfer, half,     transfer,  transfer,  transfer, look, look, write,     look},
+    {stop,      observe,  observe,  look,      observe,   observe,  stop, stop, stop,      look},
+    {observe,   transfer, half,     transfer,  code,      stop,     look, look, observe,   look},
+    {check,     transfer, write,    transfer,  transfer,  transfer, look, look, check,     look},
+    {control,   transfer, half,     transfer,  transfer,  transfer, look, look, control,   look},
+    {set_point, transfer, half,     transfer,  transfer,  transfer, look, look, set_point, look},
 }};
 // clang-format on
 
@@ -121,7 +120,7 @@ TEST_CASE("what a failure makes of a cycle is what its table holds")
         cycle_agenda const climbing = at(each.now, transfer, ready, true);
         cycle_agenda const ordered = at(each.now, transfer, running, true);
         CHECK(failed(climbing, errc::timed_out) == each.missed);
-        CHECK(failed(ordered, errc::timed_out) == each.missed_running);
+        CHECK(failed(ordered, errc::timed_out) == each.missed);
         CHECK(failed(ordered, errc::timed_out, 2) == each.lost);
         CHECK(failed(ordered, errc::unit_lost) == each.lost);
         CHECK(failed(ordered, errc::server_device_failure) == each.lost);

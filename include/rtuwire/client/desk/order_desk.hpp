@@ -49,7 +49,7 @@ public:
                 if (conversation.is_urgent()) {
                     orders_.lose_all_but(conversation.stops(), now);
                 }
-                orders_.tell_all(conversation);
+                orders_.note_ordered(conversation);
             } else {
                 visit(conversation, now);
             }

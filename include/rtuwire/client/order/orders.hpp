@@ -61,7 +61,7 @@ public:
     }
 
     /// Tells a commander that stops every unit whether one is still ordered, behind its visit and those of its stops.
-    constexpr void tell_all(commander& who) const noexcept
+    constexpr void note_ordered(commander& who) const noexcept
     {
         who.is_unit_ordered_ = false;
         for (unit_order const& each : places_) {

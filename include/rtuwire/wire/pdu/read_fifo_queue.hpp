@@ -74,11 +74,11 @@ struct read_fifo_queue {
         return read_fifo_queue{u16_at(pdu, 1)};
     }
 
-    /// Whether a response's byte count and queue count agree.
+    /// Whether a response's byte count and queue count agree, and no more than 31 registers came.
     /// Internal.
     [[nodiscard]] static constexpr errc check_response(byte_view, byte_view response_pdu) noexcept
     {
-        return response::decode(response_pdu).error();
+        return response::decode(response_pdu) ? errc::none : errc::wrong_length;
     }
 
     /// Whether a bank has what this function serves.

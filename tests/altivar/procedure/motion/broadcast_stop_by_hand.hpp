@@ -51,7 +51,7 @@ template <std::size_t Drives> struct everyone_by_hand {
         if (all.is_urgent()) {
             motors.lose_all_but(all.stops(), now);
         }
-        motors.tell_all(all);
+        motors.note_ordered(all);
         std::string told;
         if (auto const request = all.next()) {
             constexpr std::string_view digits{"0123456789ABCDEF"};
