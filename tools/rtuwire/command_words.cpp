@@ -155,12 +155,12 @@ void add_writing(CLI::App& app, choices& chosen)
     CLI::App& stop = add_command(app, chosen, "stop", "stop a motor");
     auto* const ramp = stop.add_flag_callback(
         "--ramp", [&chosen] { chosen.motion.stop_by = "ramp"; },
-        "by its ramp (as without a word), if its type is named and no ATV320: else it coasts, 0000 goes first");
+        "by its ramp (as without a word), once CHCF was read to be the drive profile: else 0000 goes, and it coasts");
     auto* const freewheel = stop.add_flag_callback(
         "--freewheel", [&chosen] { chosen.motion.stop_by = "freewheel"; }, "without power");
     stop.add_flag_callback(
             "--quick", [&chosen] { chosen.motion.stop_by = "quick"; },
-            "by its quick stop, if its type is named and no ATV320: else it coasts")
+            "by its quick stop, once CHCF was read so: else 0000 goes, and it coasts")
         ->excludes(ramp)
         ->excludes(freewheel);
     ramp->excludes(freewheel);
