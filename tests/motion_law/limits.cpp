@@ -210,7 +210,9 @@ TEST_CASE("motion law: S43 a report of an earlier check refuses as the check wou
         static_cast<void>(it.watch(look, long_enough));
         REQUIRE(look.ready());
         CHECK((look.report().limits.lowest == 100 and look.report().limits.highest == 500));
-        CHECK((look.report().limits.lowest_speed == 300 and look.report().limits.highest_speed == 1'500));
+        auto const judged = [&](reference<Device> what) { return look.report().limits.judge(what.write(), true); };
+        CHECK((judged(299_rpm) == kind::below_lsp and judged(300_rpm) == kind::succeeded));
+        CHECK((judged(1'500_rpm) == kind::succeeded and judged(1'501_rpm) == kind::above_hsp));
         CHECK(it.end_of(start{it.drive, 60_Hz, forward, usual, look.report()}).kind == kind::above_hsp);
         CHECK(it.end_of(start{it.drive, 1'600_rpm, forward, usual, look.report()}).kind == kind::above_hsp);
         CHECK(it.requests == 1);

@@ -25,7 +25,8 @@ struct period_rule {
     /// drive without a time-out, which does not make that drive safe.
     [[nodiscard]] constexpr bool holds() const noexcept
     {
-        return timeout == duration{} or timeout >= longest_gap * gaps_in_a_timeout;
+        std::uint32_t const all = timeout.microseconds, gap = longest_gap.microseconds; // a product may be too long
+        return all == 0 or (all >= gap and all - gap >= gap and all - gap - gap >= gap);
     }
 
     /// The shortest time-out that this line allows.

@@ -25,18 +25,21 @@ struct reference_limits {
 
     std::uint16_t lowest{0};       ///< LSP, 0.1 Hz; 0 where it was not read
     std::uint16_t highest{unread}; ///< HSP, 0.1 Hz
-    std::uint16_t lowest_speed{0}; ///< the same in rpm, rounded down; by the motor's poles as the drive counts them
-    std::uint16_t highest_speed{unread}; ///< rounded up
+    std::uint16_t per_hertz{0};    ///< what 1 Hz is in rpm, times `pairs`; 0 where it was not read
+    std::uint16_t pairs{1};        ///< of the motor's poles, as the drive counts them
 
-    /// `above_hsp`, `below_lsp`, or `succeeded`. A motor that turns slows down to any reference.
+    /// `above_hsp`, `below_lsp`, or `succeeded`. A motor that turns slows down to any reference. In rpm the highest
+    /// counts rounded up, the lowest rounded down; any speed is right where only the frequencies were read.
     [[nodiscard]] constexpr outcome_kind judge(reference_write what, bool is_at_rest) const noexcept
     {
-        std::uint16_t const size = what.size();
-        if (size > (what.is_speed ? highest_speed : highest)) {
+        // Both sides times `step`: so nothing is divided.
+        std::uint32_t const size = what.size(), step = what.is_speed ? 10U * pairs : 1U,
+                            scale = what.is_speed ? per_hertz : 1U;
+        bool const has_scale = scale != 0 and highest != unread;
+        if (has_scale and size * step >= highest * scale + step) {
             return outcome_kind::above_hsp;
         }
-        bool const is_below = is_at_rest and size < (what.is_speed ? lowest_speed : lowest);
-        return is_below ? outcome_kind::below_lsp : outcome_kind::succeeded;
+        return is_at_rest and (size + 1) * step <= lowest * scale ? outcome_kind::below_lsp : outcome_kind::succeeded;
     }
 
     /// The limit that such an outcome names.
@@ -47,24 +50,18 @@ struct reference_limits {
                                                   : std::uint16_t{0};
     }
 
-    /// Takes what a hertz is in rpm, behind the frequencies: FRS and NSP give the pairs of poles, as the drive counts
-    /// them; without FRS (0) it is SDS. False where the drive does not tell: NSP or SDS is 0.
+    /// Takes what a hertz is in rpm: FRS and NSP give the pairs of poles, as the drive counts them; without FRS (0) it is
+    /// SDS. False where the drive does not tell: NSP or SDS is 0, or there are more pairs of poles than any motor has.
     constexpr bool note_scale(std::uint16_t frs, std::uint16_t speed) noexcept
     {
-        if (speed == 0) {
-            return false;
+        constexpr std::uint16_t most_pairs = 100;
+        per_hertz = frs == 0 ? speed : 60;
+        pairs = 1;
+        for (std::uint32_t counted = frs * 6U + speed / 2U; counted >= 2U * speed and pairs <= most_pairs;
+             counted -= speed) {
+            ++pairs;
         }
-        std::uint32_t const counted = (std::uint32_t{frs} * 6 + speed / 2U) / speed;
-        std::uint32_t const per_hertz = frs == 0 ? speed : 60, tenths = 10U * (frs == 0 or counted == 0 ? 1 : counted);
-        lowest_speed = narrowed(lowest * per_hertz / tenths);
-        highest_speed = highest == unread ? unread : narrowed((highest * per_hertz + tenths - 1) / tenths);
-        return true;
-    }
-
-private:
-    static constexpr std::uint16_t narrowed(std::uint32_t speed) noexcept
-    {
-        return speed < unread ? static_cast<std::uint16_t>(speed) : unread;
+        return speed != 0 and pairs <= most_pairs;
     }
 };
 

@@ -121,6 +121,9 @@ public:
         return outcome_kind::succeeded;
     }
 
+    /// TTO as it was read, 0.1 s; 0 where it was not.
+    [[nodiscard]] constexpr std::uint16_t timeout() const noexcept { return timeout_; }
+
     /// What the drive's control words mean.
     [[nodiscard]] constexpr word_meaning meaning(drive_layout const& layout) const noexcept
     {
@@ -158,9 +161,12 @@ private:
         }
     }
 
-    constexpr outcome_kind judge_timeout(std::uint16_t word, period_rule& period) const noexcept
+    constexpr outcome_kind judge_timeout(std::uint16_t word, period_rule& period) noexcept
     {
-        period.timeout = is_watched_ ? milliseconds(100) * word : duration{};
+        constexpr std::uint16_t tenth = 100, most = longest_duration.microseconds / milliseconds(tenth).microseconds;
+        timeout_ = word;
+        period.timeout =
+            is_watched_ ? duration{milliseconds(tenth).microseconds * (word < most ? word : most)} : duration{};
         return unless(word != 0, outcome_kind::unsupervised);
     }
 
@@ -181,7 +187,8 @@ private:
 
     std::uint16_t run_inputs_;
     std::uint16_t mode_{0};
-    std::uint16_t rated_{0}; ///< FRS
+    std::uint16_t rated_{0};   ///< FRS
+    std::uint16_t timeout_{0}; ///< TTO
     bool has_limits_;
     bool is_by_speed_;
     bool is_watched_{true};

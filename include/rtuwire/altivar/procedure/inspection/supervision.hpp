@@ -155,7 +155,7 @@ private:
         note_meaning(report_.words == word_meaning::cia402);
         if (not report_.period.holds()) {
             report_.address = layout().safeguards.tto;
-            report_.word = static_cast<std::uint16_t>(report_.period.timeout.microseconds / 100'000);
+            report_.word = words_.timeout();
             if (not accepts(outcome_kind::timeout_too_short)) {
                 return conclude(outcome_kind::timeout_too_short);
             }
