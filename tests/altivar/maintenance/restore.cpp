@@ -106,6 +106,21 @@ TEST_CASE("inferred parameters are left out unless they are asked for")
     CHECK(all.last("SP4").outcome == told::not_wanted);
 }
 
+TEST_CASE("options that name nothing leave out all but documented settings, and do not save")
+{
+    paper_drive drive = small_drive();
+    paper_bench bench{drive};
+    told_list all;
+    CHECK(bench.restore(other_words(), all, {}).kind == kind::not_taken); // ramps whose steps are inferred
+    CHECK(all.last("CD1").outcome == told::needs_channels);
+    CHECK(all.last("ADD").outcome == told::needs_link);
+    CHECK(all.last("SLL").outcome == told::needs_supervision);
+    CHECK(all.last("FLR").outcome == told::needs_autorestart);
+    CHECK(all.last("SP3").outcome == told::needs_inferred);
+    CHECK(all.last("SP2").outcome == told::holds);
+    CHECK(drive.saves == 0);
+}
+
 TEST_CASE("what lets the drive start by itself is told with its word before anything is written")
 {
     paper_drive drive = small_drive();
@@ -346,6 +361,25 @@ TEST_CASE("what one write changes in another is written again, and what never se
               kind::succeeded);
         CHECK(drive.word(11410) == 100);
         CHECK(drive.word(8423) == 10);
+    }
+    SECTION("once, and the step that could mend it is over")
+    {
+        drive.after_write = [&](std::uint16_t address, std::uint16_t) {
+            drive.writes.size() == 2 and address == 11410 ? drive.set(3052, 1) : void();
+        };
+        CHECK(bench.restore({{"CFG", 2}, {"SP2", 11}}, all, all_of_it).kind == kind::succeeded);
+        CHECK(drive.word(3052) == 2);
+        CHECK(drive.writes.size() == 3);
+    }
+    SECTION("always, in steps that are far apart: the agenda is gone through three times")
+    {
+        drive.after_write = [&](std::uint16_t address, std::uint16_t) {
+            address == 3052 ? drive.set(11410, 1) : drive.set(3052, 1);
+        };
+        CHECK(bench.restore({{"CFG", 2}, {"SP2", 11}}, all, all_of_it).kind == kind::not_taken);
+        CHECK(bench.failed == 1);
+        CHECK(all.last("CFG") == restore_report{told::differs, std::uint16_t{1}});
+        CHECK(drive.writes.size() == 6);
     }
     SECTION("always")
     {
