@@ -12,24 +12,15 @@ import subprocess
 import sys
 import time
 
-from pymodbus.client import ModbusSerialClient
-
-from simulator import Checks, Registers, Simulator, asked
+from simulator import Checks, Registers, Simulator, asked, pymodbus_on
 
 UNIT = 3
 TTO = 10  # in 0.1 s
 LIMIT = 60  # in seconds, for what has to happen
 
 
-def open_line(device):
-    line = ModbusSerialClient(device, baudrate=19200, parity="N", stopbits=1, timeout=5, retries=0)
-    if not line.connect():
-        raise RuntimeError("pymodbus cannot open the device")
-    return line
-
-
 def words_of(device, *addresses):
-    line = open_line(device)
+    line = pymodbus_on(device)
     words = [asked(lambda each=each: line.read_holding_registers(each, 1, slave=UNIT)).registers[0]
              for each in addresses]
     line.close()
@@ -69,7 +60,7 @@ def main(simulate, program, drive, *moments):
     for moment in moments:
         simulator = Simulator(simulate, f"{drive}:{UNIT}")
         with simulator as device:
-            line = open_line(device)
+            line = pymodbus_on(device)
             if at.tto:
                 asked(lambda: line.write_register(at.tto, TTO, slave=UNIT))
             line.close()

@@ -3,12 +3,11 @@
 """A client of pymodbus against our server: python3 pymodbus_client.py DEVICE"""
 import sys
 
-from pymodbus.client import ModbusSerialClient
 from pymodbus.exceptions import ModbusIOException
 from pymodbus.mei_message import ReadDeviceInformationRequest
 from pymodbus.pdu import ExceptionResponse
 
-from simulator import Checks
+from simulator import Checks, pymodbus_on
 
 expect = Checks()
 
@@ -18,11 +17,7 @@ def refused(answer, code):
 
 
 def main(device):
-    # A pseudo-terminal keeps no parity, and pyserial takes that for an error.
-    line = ModbusSerialClient(device, baudrate=19200, parity="N", stopbits=1, timeout=5, retries=0)
-    if not line.connect():
-        print("pymodbus cannot open the device")
-        return 2
+    line = pymodbus_on(device)
     read = line.read_holding_registers(100, 63, slave=1)
     expect(not read.isError() and read.registers == list(range(100, 163)), "03 reads 63")
     expect(not line.write_register(110, 0xBEEF, slave=1).isError(), "06 writes")

@@ -9,11 +9,10 @@ With "lossy" every second request is lost on its way, and the run has to fail.
 import contextlib
 import sys
 
-from pymodbus.client import ModbusSerialClient
 from pymodbus.mei_message import ReadDeviceInformationRequest
 
 from lossy_line import LossyLine
-from simulator import Checks, Registers, Simulator, asked
+from simulator import Checks, Registers, Simulator, asked, pymodbus_on
 
 UNIT = 7
 SHUTDOWN, SWITCH_ON, ENABLE, DISABLE_VOLTAGE, RESET = 0x0006, 0x0007, 0x000F, 0x0000, 0x0080
@@ -97,13 +96,7 @@ def main(program, name, *how):
     with simulator as device, contextlib.ExitStack() as between:
         if how == ("lossy",):
             device = between.enter_context(LossyLine(device)).name
-        # A pseudo-terminal keeps no parity, and pyserial takes that for an error.
-        line = ModbusSerialClient(device, baudrate=19200, parity="N", stopbits=1, timeout=5,
-                                  retries=0)
-        if not line.connect():
-            print("pymodbus cannot open the device")
-            return 2
-        drive = Drive(line, Registers(name))
+        drive = Drive(pymodbus_on(device), Registers(name))
         says_who_it_is(drive, name, check)
         runs(drive, check)
         trips(drive, simulator, check)

@@ -7,10 +7,9 @@ words, a line that is lost one way.
 """
 import sys
 
-from pymodbus.client import ModbusSerialClient
 from pymodbus.mei_message import ReadDeviceInformationRequest
 
-from simulator import Checks, Registers, Simulator
+from simulator import Checks, Registers, Simulator, pymodbus_on
 
 UNIT = 7
 SHUTDOWN, SWITCH_ON, ENABLE = 0x0006, 0x0007, 0x000F
@@ -35,13 +34,6 @@ class Drive:
 
     def is_disabled(self):
         return self.stands_at(0x4F, 0x40)
-
-
-def open_line(device):
-    line = ModbusSerialClient(device, baudrate=19200, parity="N", stopbits=1, timeout=1, retries=0)
-    if not line.connect():
-        raise RuntimeError("pymodbus cannot open the device")
-    return line
 
 
 def loses_its_power(drive, simulator, check):
@@ -88,7 +80,7 @@ def is_lost_one_way(drive, simulator, check):
 
 def names_another_vendor(program, name, check):
     with Simulator(program, f"{name}:{UNIT}", vendor="rtuwire") as device:
-        line = open_line(device)
+        line = pymodbus_on(device, 1)
         who = line.execute(ReadDeviceInformationRequest(read_code=1, object_id=0, unit=UNIT))
         check(not who.isError() and who.information.get(0) == b"rtuwire", "--vendor", who)
 
@@ -97,7 +89,7 @@ def main(program, name):
     check = Checks()
     simulator = Simulator(program, f"{name}:{UNIT}")
     with simulator as device:
-        drive = Drive(open_line(device), Registers(name))
+        drive = Drive(pymodbus_on(device, 1), Registers(name))
         loses_its_power(drive, simulator, check)
         is_stopped_by_hand(drive, simulator, check)
         hears_another_master(drive, simulator, check)

@@ -60,6 +60,16 @@ class Simulator:
         return state, float(frequency.removesuffix(" Hz")), int(fault.split()[1])
 
 
+def pymodbus_on(device, timeout=5):
+    """A client of pymodbus, which asks nothing twice by itself."""
+    from pymodbus.client import ModbusSerialClient
+    # A pseudo-terminal keeps no parity, and pyserial takes that for an error.
+    line = ModbusSerialClient(device, baudrate=19200, parity="N", stopbits=1, timeout=timeout, retries=0)
+    if not line.connect():
+        raise RuntimeError("pymodbus cannot open the device")
+    return line
+
+
 class Repetitions:
     """Counts the requests of this run that are made again because nobody answered. On a machine that is busy
     a byte may be late enough to end a frame; that happens once at most, and a unit that loses requests is

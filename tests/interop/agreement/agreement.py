@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""Random valid requests for our server, and what it has to answer: agreement.hpp once more, for clients in Python."""
+"""Random valid requests for our server, and what it has to answer: agreement.hpp once more, for a client in Python."""
 import random
 
 ADDRESSES = 0x10000
 WINDOW = 4096
+MOST = {1: 2000, 2: 2000, 3: 125, 4: 125, 15: 1968, 16: 123}  # of a request of each function
 STATUS_AT, EVENTS_AT, MESSAGES_AT, COUNTERS_AT, ID_AT, LOG_AT = 0x8000, 0x8001, 0x8002, 0x8008, 0x8010, 0x8100
 
 
@@ -27,14 +28,11 @@ class Lost(Exception):
 class Agreement:
     """A client is what has `read_bits`, `read_words`, `write_bit`, `write_word`, `write_bits` and `write_words`."""
 
-    def __init__(self, client, most=None, window=WINDOW, seed=3):
+    def __init__(self, client):
         self.client = client
-        self.window = window
-        self.random = random.Random(seed)
+        self.random = random.Random(3)
         self.held = [0] * ADDRESSES
         self.coils = [False] * ADDRESSES
-        # What a program can do may be less than the specification allows.
-        self.most = {1: 2000, 2: 2000, 3: 125, 4: 125, 15: 1968, 16: 123, **(most or {})}
         self.differences = self.repeated = self.asked = 0
 
     def ask(self, request, *words):
@@ -65,8 +63,8 @@ class Agreement:
         return self.random.randint(1, most // 4 + 1 if kind < 5 else most)
 
     def start(self, size):
-        first = self.random.choice((0, ADDRESSES - self.window))
-        last = first + self.window - size
+        first = self.random.choice((0, ADDRESSES - WINDOW))
+        last = first + WINDOW - size
         kind = self.random.randrange(16)
         return (first, last)[kind] if kind < 2 else self.random.randint(first, last)
 
@@ -93,10 +91,10 @@ class Agreement:
     def request(self, function):
         """One random request."""
         if function in (1, 2):
-            count = self.count(self.most[function])
+            count = self.count(MOST[function])
             self.read_bits(function, self.start(count), count)
         elif function in (3, 4):
-            count = self.count(self.most[function])
+            count = self.count(MOST[function])
             self.read_words(function, self.start(count), count)
         elif function == 5:
             at, value = self.start(1), self.random.random() < 0.5
@@ -107,21 +105,18 @@ class Agreement:
             self.expect(self.ask(self.client.write_word, at, value), "06 writes", at, value)
             self.held[at] = value
         elif function == 15:
-            bits = [self.random.random() < 0.5 for _ in range(max(2, self.count(self.most[15])))]
+            bits = [self.random.random() < 0.5 for _ in range(max(2, self.count(MOST[15])))]
             self.write_bits(self.start(len(bits)), bits)
         elif function == 16:
-            words = self.words(max(2, self.count(self.most[16])))
+            words = self.words(max(2, self.count(MOST[16])))
             self.write_words(self.start(len(words)), words)
         else:
             self.further(function)
 
-    def further(self, function):
-        self.expect(False, "the function is known", function)
-
     def each_part(self, function, visit_words, visit_bits):
         size, visit = (1024, visit_bits) if function in (1, 5, 15) else (64, visit_words)
-        for first in (0, ADDRESSES - self.window):
-            for at in range(first, first + self.window, size):
+        for first in (0, ADDRESSES - WINDOW):
+            for at in range(first, first + WINDOW, size):
                 visit(at, size)
 
     def fill(self, function):

@@ -87,7 +87,7 @@ class Client:
 
 
 class PymodbusAgreement(Agreement):
-    """The functions that pymodbus has and mbpoll has not."""
+    """The functions that are more than to read and to write bits and registers."""
 
     def further(self, function):
         {7: self.status_outputs, 8: self.diagnostics, 11: self.counter, 12: self.log, 17: self.server_id,
