@@ -150,9 +150,6 @@ def compare(row, fact):
 
 def complaints(program):
     table = facts.read_table()
-    if facts.LISTS.exists():
-        if facts.read_lists(facts.LISTS) != table:
-            yield f"{facts.TABLE.name} is not what the lists say: make it anew with facts.py"
     found = collections.Counter()
     for drive in facts.DRIVES:
         rows = rows_of(program, drive)
