@@ -1,11 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""Adds a made-up function, 65, to a copy of the project: a file of its own, its line in the list and a test; shows that
-nothing else had to be touched, and that all that is made of the list knows it.
+"""Adds a made-up function, 65, to a copy of the project: a file of its own, its line in the list and a test, and nothing
+else; shows that all that is made of the list knows it.
 
     python3 new_function.py PROJECT COMPILER [OPTION...]
 """
-import hashlib
 import pathlib
 import shutil
 import subprocess
@@ -26,11 +25,6 @@ def copy_of(project, folder):
         shutil.copytree(project / name, folder / name,
                         ignore=shutil.ignore_patterns("__pycache__", "build"))
     return folder
-
-
-def prints(folder):
-    return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
-            for path in folder.rglob("*") if path.is_file()}
 
 
 def add_to_list(text):
@@ -82,17 +76,12 @@ def main(project, compiler, *options):
     project = pathlib.Path(project).resolve()
     with tempfile.TemporaryDirectory(prefix="function-") as name:
         folder = copy_of(project, pathlib.Path(name))
-        before = prints(folder)
         shutil.copy(MADE_UP / "double_number.hpp", folder / FUNCTION)
         shutil.copy(MADE_UP / "double_number.cpp", folder / TEST)
         listed = folder / LIST
         listed.write_text(add_to_list(listed.read_text(encoding="utf-8")), encoding="utf-8")
-        after = prints(folder)
-        touched = {path for path in before.keys() | after.keys() if before.get(path) != after.get(path)}
         lists = start(folder, [sys.executable, "-B", "tests/structure/lists.py", "."])
-        steps = {"exactly three files are touched": touched == {LIST, FUNCTION, TEST},
-                 "the list agrees with the headers": ended_well(lists),
-                 **build(folder, compiler, options)}
+        steps = {"the list agrees with the headers": ended_well(lists), **build(folder, compiler, options)}
     for what, is_so in steps.items():
         print("ok  " if is_so else "FAIL", what)
     return 0 if all(steps.values()) else 1

@@ -20,34 +20,6 @@ PARTS = {
     "ear": "listener", "ears": "listeners", "twitch": "glitch", "dice": "random_source", "patience": "retry_policy",
     "stranger": "foreign_unit", "strangers": "foreign_units",
 }
-# Whole identifiers.
-NAMES = {
-    # the protocol
-    "wrong_echo": "response_mismatch", "has_echo": "has_line_echo", "echoed": "line_echo", "echo_check": "line_echo",
-    "seal": "append_crc", "pdu_place": "pdu_buffer", "length_so_far": "length_hint", "told_size": "size_hint",
-    "has_told_size": "matches_size_hint", "may_be_stale_": "must_send_now_", "check_answer": "check_response",
-    "answer_size": "response_size", "answer_frame": "response_frame", "late_answer": "late_response",
-    # the framer
-    "hear": "begin_chunk", "overhear": "note_foreign_request", "exchange_of_others": "foreign_exchange",
-    "claims": "looks_addressed_to", "trouble_": "error_", "fall_silent": "on_silence",
-    # the client
-    "attempts": "retry_state", "single_question": "single_request", "framed_question": "sized_request",
-    "reading": "register_read", "tell_all": "send_broadcast", "skip_noise": "max_leading_noise",
-    "converse_first": "run_urgent", "be_disturbed": "on_line_activity", "time_is_over": "on_timeout",
-    "write_in_steps_of": "write_with_step", "fixed_client": "static_client", "silence_reaction": "link_timeout",
-    "trust": "provenance", "milliseconds_count": "units::milliseconds",
-    # the drives
-    "heading": "run_direction", "toward_running": "next_command_to_enable", "height_of": "enable_rank",
-    "arrow": "transition_rule", "chart": "state_machine", "drive_talk": "procedure_runner",
-    "ending": "outcome_kind", "drive_profile": "drive_layout", "stop_everyone": "broadcast_stop",
-    "climb": "next_step", "climb_limit": "enable_timeout", "withdraw": "abort", "cycle_words": "cycle_layout",
-    # the server
-    "is_deaf": "is_listen_only", "loop_back": "loopback_only", "note_silence": "count_no_response",
-    # the simulation and the tests
-    "speakers": "senders", "obey": "apply", "far_end": "manual_unit", "party_line": "simulated_bus",
-}
-# These are English elsewhere.
-IN_HEADERS_ONLY = {"hear", "claims", "reading", "trust", "heading", "climb", "attempts", "ending", "withdraw", "obey"}
 # What no comment says either.
 COMMENTS = re.compile(r"\b(octets?|talks?|talked|wish(?:es|ed)?|deeds?|ears?|twitch(?:es)?|dice|patience|strangers?)\b",
                       re.IGNORECASE)
@@ -58,8 +30,6 @@ PIECES = re.compile(r'(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<other>"(?:\\.|[^"\\\n]
 
 def instead_of(name):
     """What to take instead of an identifier; none where it may stay."""
-    if name in NAMES:
-        return NAMES[name]
     parts = [PARTS.get(part.lower()) for part in name.split("_")]
     return next((part for part in parts if part), None)
 
@@ -72,8 +42,6 @@ def complaints(path, text):
             for found in COMMENTS.findall(piece["comment"]):
                 yield f"{path}:{line}: the comment says \"{found}\""
         elif piece["name"] and instead_of(piece["name"]):
-            if piece["name"] in IN_HEADERS_ONLY and str(path).split("/", maxsplit=1)[0] in FOLDERS[1:]:
-                continue
             yield f"{path}:{line}: {piece['name']}, for which the field says {instead_of(piece['name'])}"
 
 
