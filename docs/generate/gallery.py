@@ -3,17 +3,16 @@
 """The gallery of errors: each refused act of tests/fail with what GCC and Clang say of it, and each `errc` with its cause and
 its remedy as its header documents them. A refusal without its sentence, or an error without a remedy, fails the build."""
 import concurrent.futures
-import hashlib
 import os
 import pathlib
 import re
-import subprocess
-import tempfile
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests" / "fail"))
+
+import refusal  # noqa: E402
 
 COMPILERS = (("GCC", "g++"), ("Clang", "clang++"))
-FLAGS = ("-std=c++20", "-Wall", "-Wextra", "-Werror", "-fmessage-length=0")
-# With the headers precompiled, and as the test of the refusals compiles.
-FAST, WHOLE = ("-fsyntax-only",), ("-c", "-o", os.devnull)
 # Clang 14 fails at some constructors where they are refused, see tests/fail/CMakeLists.txt.
 NOT_BY = {"clang++": {"count_known_at_run_time"}}
 MOST_LINES = 12
@@ -37,34 +36,22 @@ class Refusal:
         return "\n".join(lines[last + 1:]).strip("\n")
 
 
-def precompiled(project, place, compiler):
-    """The headers once for all files, as the flags that use them."""
-    header = pathlib.Path(place) / "all.hpp"
-    header.write_text("#include <rtuwire/rtuwire.hpp>\n#include <rtuwire/altivar/all.hpp>\n", encoding="utf-8")
-    target = header.with_name("all.pch" if compiler == "clang++" else "all.hpp.gch")
-    subprocess.run([compiler, *FLAGS, f"-I{project}/include", "-x", "c++-header", header, "-o", target], check=True)
-    return ("-include-pch", target) if compiler == "clang++" else ("-include", header)
+def said_by(project, build, compiler, refusals):
+    """What a compiler says of each, as it was kept when its test ran; what was not, it is asked now."""
+    include = project / "include"
+    of = refusal.circumstances(compiler, include)
+    places = [build / "refusals", *project.glob("build/*/refusals")]
 
-
-def output_of(project, refusal, compiler, headers):
-    """Whether a compiler accepts the refused act, and what it says."""
-    how = (*FAST, *headers) if headers else WHOLE
-    done = subprocess.run([compiler, *FLAGS, *how, "-DREFUSED=1", f"-I{project}/include", refusal.path], text=True,
-                          check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env={**os.environ, "LC_ALL": "C"})
-    return done.returncode == 0, done.stdout
-
-
-def refused(project, refusal, compiler, headers):
-    """What a compiler says; with the file's own includes alone where more of them make it say something else."""
-    is_accepted, said = output_of(project, refusal, compiler, headers)
-    if headers and (is_accepted or any(sentence not in said for sentence in refusal.expected)):
-        is_accepted, said = output_of(project, refusal, compiler, ())
-    if is_accepted:
-        raise ValueError(f"{compiler} accepts {refusal.name} with -DREFUSED=1")
-    for sentence in refusal.expected:
-        if sentence not in said:
-            raise ValueError(f"{compiler} refuses {refusal.name} without saying `{sentence}`:\n{said}")
-    return shortened(readable(project, said), refusal.expected)
+    def said(each):
+        name = refusal.kept_as(of, each.path)
+        kept = next((place / name for place in places if (place / name).exists()), places[0] / name)
+        wrong = "" if kept.exists() else refusal.complaint(compiler, include, each.path, True, kept)
+        if wrong:
+            raise ValueError(f"{compiler}: {each.name} {wrong}")
+        return shortened(readable(project, kept.read_text(encoding="utf-8")), each.expected)
+    wanted = [each for each in refusals if each.name not in NOT_BY.get(compiler, ())]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        return dict(zip((each.name for each in wanted), pool.map(said, wanted)))
 
 
 def readable(project, text):
@@ -84,42 +71,6 @@ def shortened(text, sentences):
         elif out and out[-1] != "...":
             out.append("...")
     return "\n".join(out)
-
-
-def sum_of(paths):
-    found = hashlib.sha256()
-    for path in sorted(paths):
-        found.update(path.read_bytes())
-    return found
-
-
-class Memory:
-    """What a compiler said before of the same text, kept in the build tree."""
-
-    def __init__(self, project, build, compiler):
-        version = subprocess.run([compiler, "--version"], check=True, capture_output=True).stdout
-        self.base = sum_of([*(project / "include").rglob("*.hpp"), *(project / "tests").rglob("*.hpp"), pathlib.Path(__file__)])
-        self.base.update(version)
-        self.place = build / "gallery" / "said"
-        self.place.mkdir(parents=True, exist_ok=True)
-
-    def path(self, refusal):
-        found = self.base.copy()
-        found.update(refusal.text.encode())
-        return self.place / found.hexdigest()
-
-
-def said_by(project, build, compiler, refusals):
-    memory = Memory(project, build, compiler)
-    wanted = [each for each in refusals if each.name not in NOT_BY.get(compiler, ())]
-    missing = [each for each in wanted if not memory.path(each).exists()]
-    if missing:
-        with tempfile.TemporaryDirectory(dir=build / "gallery") as place:
-            headers = precompiled(project, place, compiler)
-            with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-                for each, text in zip(missing, pool.map(lambda one: refused(project, one, compiler, headers), missing)):
-                    memory.path(each).write_text(text, encoding="utf-8")
-    return {each.name: memory.path(each).read_text(encoding="utf-8") for each in wanted}
 
 
 def refusals_page(refusals, said):

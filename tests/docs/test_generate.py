@@ -237,16 +237,26 @@ class Gallery(Folder):
         with self.assertRaises((ValueError, KeyError)):
             self.errors("    /// Bad.\n    /// Remedy: Good.\n", 'case errc::none: return "no";\n')
 
+    def said(self, text):
+        self.write("x.cpp", text)
+        return gallery.said_by(self.place, self.place / "docs", "g++", [gallery.Refusal(self.place / "x.cpp")])
+
     def test_a_refusal_that_says_something_else(self):
-        self.write("x.cpp", "// EXPECT: never said\nint main() {\n#ifdef REFUSED\nstatic_assert(false, \"said\");\n#endif\n}\n")
-        refusal = gallery.Refusal(self.place / "x.cpp")
         with self.assertRaises(ValueError):
-            gallery.refused(self.place, refusal, "g++", ())
+            self.said("// EXPECT: never said\nint main() {\n#ifdef REFUSED\nstatic_assert(false, \"said\");\n#endif\n}\n")
 
     def test_an_act_that_is_accepted(self):
-        self.write("x.cpp", "// EXPECT: said\nint main() {}\n")
         with self.assertRaises(ValueError):
-            gallery.refused(self.place, gallery.Refusal(self.place / "x.cpp"), "g++", ())
+            self.said("// EXPECT: said\nint main() {}\n")
+
+    def test_what_was_kept_is_shown_and_nothing_compiled_again(self):
+        text = "// EXPECT: said\nint main() {\n#ifdef REFUSED\nstatic_assert(false, \"said\");\n#endif\n}\n"
+        self.assertIn("x.cpp:4:15: error: ", self.said(text)["x"])
+        kept = next((self.place / "docs/refusals").iterdir())
+        self.write(f"build/gcc/refusals/{kept.name}", "x.cpp:4: said before")
+        kept.unlink()
+        self.assertEqual(self.said(text), {"x": "x.cpp:4: said before"})
+        self.assertIn("error: ", self.said(text + "\n")["x"])
 
     def test_long_output_keeps_the_sentence(self):
         text = "\n".join(["x"] * 40 + ["error: said"] + ["y"] * 3)
