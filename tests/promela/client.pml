@@ -1,10 +1,17 @@
 /* SPDX-FileCopyrightText: 2026 The rtuwire authors */
 /* SPDX-License-Identifier: BSL-1.0 */
 /* The client's loop: a request is taken, leaves, ends, and its outcome is delivered or dropped. */
+/* It was in operation for this order, and this response says that it is no more. */
+#define has_run(i) ((slot[i].kind == start || slot[i].order) && slot[i].top == OPERATION)
+#define shows_end(i) (response.received && request != read_back && response.state < OPERATION && has_run(i))
 inline deliver(i) {
     assert(i == asker && !law.asker_gone);                                                      /* L1 */
     if
     :: response.received && (slot[i].kind == start || slot[i].order) -> slot[i].power_gap = law.cycled_before
+    :: else
+    fi;
+    if
+    :: shows_end(i) -> slot[i].spent = 1; slot[i].revoked = 1
     :: else
     fi;
     if
@@ -34,6 +41,10 @@ idle:
         :: in_turn(U) -> who = U
         :: !somebody_may && time_matters -> printf("-- a tick alone\n"); tick(); goto idle
         :: !somebody_is_there && !time_matters -> goto end_resting
+#ifdef VISIT_BEGINS
+        :: slot[A].was == start && slot[A].kind == nothing && !somebody_may ->
+            slot[A].kind = start; goto idle                                                     /* L18 */
+#endif
         fi;
         take(who); who = 0;
         if :: request == none -> goto idle :: else fi

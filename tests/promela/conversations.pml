@@ -3,7 +3,7 @@
 /* What start, stop, broadcast stop and cycle make of the outcomes of their requests. */
 #define at_rest (response.state == DISABLED || response.state == READY || response.state == SWITCHED_ON \
                  || response.state == FAULT)
-inline note_power(power_seen::off) {
+inline note_rest() {
     if :: at_rest -> unit.ordered = 0 :: else fi
 }
 inline withdraw(i) {
@@ -33,7 +33,7 @@ inline accept_of_start(i) {
 #endif
     :: slot[i].step == LOOKING && response.received ->
         slot[i].missed = 0;
-        note_power(power_seen::off);
+        note_rest();
         if
         :: response.state == QUICK_STOP || response.state == FAULT -> settle(i)
         :: at_rest && response.state != FAULT && (fell_back(i) || key_was_pressed(i)) -> withdraw(i)
@@ -72,7 +72,7 @@ inline accept_of_start(i) {
     :: slot[i].step == ENABLING && response.received ->
         slot[i].missed = 0; slot[i].step = CHECKING
     :: slot[i].step == CHECKING && response.received ->
-        note_power(power_seen::off);
+        note_rest();
         if
         :: at_rest && response.state != FAULT ->
 #ifdef NO_FALL_BACK
@@ -80,7 +80,11 @@ inline accept_of_start(i) {
 #else
             withdraw(i)
 #endif
-        :: else -> settle(i)
+        :: else ->
+            settle(i);
+#ifdef VISIT_BEGINS
+            slot[i].was = start
+#endif
         fi
     fi
 }
@@ -88,7 +92,7 @@ inline accept_of_start(i) {
 /* It says that the motor stands: true when the drive said so. */
 inline say_it_stands(i) {
     assert(!response.power);                                                                    /* L15 */
-    settle(i)
+    settle(i); slot[i].was = stop
 }
 inline go_on_stopping(i) {
     slot[i].step = TELLING;
@@ -107,7 +111,7 @@ inline accept_of_stop(i) {
         slot[i].step = LOOKING
 #endif
     :: response.received && request == look ->
-        note_power(power_seen::off);
+        note_rest();
         if
         :: response.state == DISABLED || response.state == FAULT -> say_it_stands(i)
         :: else -> go_on_stopping(i)
@@ -129,6 +133,12 @@ inline accept_of_broadcast(i) {
     fi
 }
 
+/* The look behind a response that was missing: the check of a cycle ends with it. */
+#ifdef CHECK_NOT_JUDGED
+#define ends_check(i) (request == look && slot[i].step == 0 && slot[i].top == OPERATION)
+#else
+#define ends_check(i) false
+#endif
 inline accept_of_cyclic(i) {
     if
     :: !response.received ->
@@ -146,9 +156,12 @@ inline accept_of_cyclic(i) {
         :: response.same_command -> slot[i].checked = 1
         :: else -> lose_order(i); slot[i].step = 0
         fi
-    :: response.received && request != read_back ->
+#ifdef CHECK_NOT_JUDGED
+    :: response.received && ends_check(i) -> slot[i].missed = 0; slot[i].checked = 0; slot[i].step = slot[i].top
+#endif
+    :: response.received && request != read_back && !ends_check(i) ->
         slot[i].missed = 0; slot[i].checked = 0;
-        note_power(power_seen::off);
+        note_rest();
         slot[i].step = response.state;
         if
         :: !slot[i].order

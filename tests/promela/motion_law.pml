@@ -4,10 +4,11 @@
  * written from the rules, not from the headers, and shares nothing with them.
  *
  * In it: one drive (state chart of CiA 402 as the Altivar manuals print it, supervision of the link, STOP
- * key, faults and their reset, loss of its power, stop words that it does not obey); a line that may lose
- * any frame either way (a direction that is dead from some moment on is one of these lives); a client with
- * two places for conversations and one for the broadcast stop; a user who puts conversations into the
- * places, and takes them out again, at any moment.
+ * key, faults and their reset, loss of its power, another master's 0006, stop words that it does not obey);
+ * a line that may lose any frame either way (a direction that is dead from some moment on is one of these
+ * lives); a client with two places for conversations and one for the broadcast stop; a user who puts
+ * conversations into the places, runs a stop that has ended once more, and takes them out again, at any
+ * moment. A start that has ended leaves nothing behind: a visit begins nothing.
  *
  * A tick is one request with its response or its time-out; where nobody asks a tick passes alone. The drive
  * trips three ticks after the latest request, two seconds of stop words are two ticks, a ramp is one.
@@ -112,6 +113,7 @@ typedef conversation {
     bit  revoked;      /* checked: since the order there was a stop, a broadcast stop or a loss */
     bit  power_gap;    /* checked: at its latest response the drive had lost its power since 0007 */
     bit  spent;        /* checked: one of these, or a fault, or the STOP key */
+    mtype:kind was;    /* what has ended here, and is still there: a stop that said that the motor stands */
 };
 #define A 0            /* start, cyclic */
 #define B 1            /* stop, poll, start */
@@ -164,6 +166,7 @@ init {
     atomic {
         drive.state = DISABLED; drive.command = none;
         slot[A].kind = nothing; slot[B].kind = nothing; slot[U].kind = nothing;
+        slot[A].was = nothing; slot[B].was = nothing; slot[U].was = nothing;
         unit.mode = normal; request = none;
         run drive_unit(); run line(); run client(); run user(); run surroundings()
     }

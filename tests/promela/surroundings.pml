@@ -16,7 +16,7 @@ inline forget(i) {
     :: else
     fi;
     if :: slot[i].kind == stop -> law.stop_waits = 0 :: else fi;
-    clear(i)
+    clear(i); slot[i].was = nothing
 }
 /* A newer order overrules the older one; one that comes while a stop holds the unit is overruled at once. */
 inline begin_order(i) {
@@ -52,6 +52,20 @@ inline give_order(i, what) {
     printf("-- %d: %e\n", i, what)
 }
 
+inline give_stop() {
+    slot[B].kind = stop; slot[B].step = TELLING; slot[B].left = ROUNDS; begin_stop(B)
+}
+
+/* The stop that has ended there, run once more: it is a stop like any other. */
+inline give_stop_again() {
+    printf("-- 1: the same stop\n");
+#ifdef SAYS_IT_AGAIN
+    assert(!has_power)                                                                          /* L18 */
+#else
+    slot[B].was = nothing; give_stop()
+#endif
+}
+
 proctype user() {
 end_of_acts:
     do
@@ -64,8 +78,8 @@ end_of_acts:
         :: true -> forget(B); give_order(B, start)
         :: true -> forget(B); slot[B].kind = poll; printf("-- 1: poll\n")
         :: slot[B].kind != nothing -> forget(B); printf("-- 1: destroyed\n")
-        :: true -> forget(B); printf("-- 1: stop\n");
-            slot[B].kind = stop; slot[B].step = TELLING; slot[B].left = ROUNDS; begin_stop(B)
+        :: true -> forget(B); printf("-- 1: stop\n"); give_stop()
+        :: slot[B].was == stop -> give_stop_again()
         :: slot[U].kind == nothing -> printf("-- 2: broadcast stop\n");
             slot[U].kind = broadcast; slot[U].left = 3; begin_stop(U)
         :: unit.held && !stops(B) && !stops(U) -> printf("-- released\n");
@@ -80,6 +94,9 @@ end_of_events:
     :: atomic { events > 0 && has_motion -> events--; printf("-- STOP key\n");
         drive.key = 1; drive.state = DISABLED; drive.ramp = 0; spend_all() }
     :: atomic { events > 0 && drive.state != OFF && drive.state != FAULT -> events--; fail_drive() }
+    :: atomic { events > 0 && (drive.state == SWITCHED_ON || drive.state == OPERATION) -> events--;
+        printf("-- another master: 0006\n");
+        drive.state = READY; drive.ramp = 0; drive.command = shutdown }                          /* 6, 8 */
     :: atomic { events > 0 && drive.state != OFF -> events--; printf("-- power off\n");
         /* What the drive could tell of a fault or the STOP key is gone, too. */
         slot[A].spent = slot[A].revoked; slot[B].spent = slot[B].revoked;

@@ -7,8 +7,9 @@ inline spend_all() {
     if :: slot[B].looked -> slot[B].spent = 1 :: else fi
 }
 inline revoke_all() {
-    slot[A].revoked = (slot[A].kind == start || slot[A].kind == cyclic); slot[A].spent = slot[A].revoked;
-    slot[B].revoked = (slot[B].kind == start); slot[B].spent = slot[B].revoked
+    slot[A].revoked = (slot[A].kind == start || slot[A].kind == cyclic || slot[A].was == start);
+    slot[A].spent = slot[A].revoked;
+    slot[B].revoked = (slot[B].kind == start || slot[B].was == start); slot[B].spent = slot[B].revoked
 }
 inline outdate_all() {
     slot[A].older = (slot[A].kind == start || slot[A].kind == cyclic);
