@@ -31,6 +31,8 @@ template <typename Engine> struct world : compare::schedule {
     model::client other_second;
     std::vector<both> conversations{slots};
     bool is_late{false}; ///< stopped, and not advanced since: times in force may lie further apart than the rules hold
+    bool is_rested{
+        false}; ///< nothing was due for hours; the same, where times of minutes begin before the next `advance`
 
     world(random_source& with, report& to, compare::setting const& as, model::options const& options)
         : compare::schedule{with, to, as, options, 10}, engine{compare::timing(as), compare::library(options)},
@@ -91,6 +93,7 @@ template <typename Engine> struct world : compare::schedule {
         case 4:
             if (not until and not second.is_woken()) {
                 now += time{roll.below(11'000)} * 1'000'000; // nothing is due for hours
+                is_rested = std::max(how.response_timeout, how.late_response) >= 10'000'000;
             }
             break;
         case 5:
@@ -134,7 +137,8 @@ template <typename Engine> struct world : compare::schedule {
             break;
         case 2: {
             auto const unit = static_cast<std::uint8_t>(1 + roll.below(compare::manual_unit::units));
-            time const end = now + (roll.chance(5) ? model::longest : time{roll.below(400'000)} - 20'000);
+            time const end =
+                now + (roll.chance(5) and not is_late ? model::longest : time{roll.below(400'000)} - 20'000);
             told.step("%lld hold %d until %lld", static_cast<long long>(now), unit, static_cast<long long>(end));
             engine.hold(*rtuwire::unit_id::checked(unit), clock.at(end));
             second.hold(unit, end);
@@ -221,11 +225,11 @@ template <typename Engine> struct world : compare::schedule {
         if (roll.chance(12)) {
             interfere();
         }
-        if (roll.chance(96)) {
+        if (roll.chance(96) or is_rested) {
             step("advance");
             engine.advance(clock.at(now));
             second.advance(now);
-            is_late = false;
+            is_late = is_rested = false;
             check();
         }
         for (std::size_t i = 0; i < slots and not told.failed(); ++i) {
