@@ -6,6 +6,7 @@ its headings, its links lead to pages of the site, and its marks are replaced:
     <!-- snippet: examples/04_poll_a_drive.cpp plan -->   the region of that name stands in the block of code behind it
     <!-- generated: registers atv320 -->                   what the build makes; a line `> On the site...` behind it, which a git
                                                            host shows instead, is left out
+    <!-- table: limits atv320 -->                          what the build makes stands behind it (tables_in_pages.py)
 """
 import os
 import re
@@ -15,6 +16,7 @@ HEADING = re.compile(r"^(#{1,4}) +(.*?)\s*$")
 LINK = re.compile(r"(?<!!)\[([^\]]*)\]\(([^)\s]+)\)")
 SNIPPET = re.compile(r"^ *<!-- snippet: (\S+) (\S+) -->$")
 GENERATED = re.compile(r"^<!-- generated: (.+?) -->$")
+TABLE = re.compile(r"^<!-- table: (.+?) -->$")
 HOST_NOTE = "> On the site"
 FILE_NAME = re.compile(r"[\w/.-]+\.md|docs/")
 NEEDS_CONTENTS = 5
@@ -156,7 +158,7 @@ class Pages:
         """The page for Doxygen."""
         text = self.texts[page]
         has_contents = len(headings(text)) > NEEDS_CONTENTS and page != "README.md"
-        out, snippet, bold, is_made = [], None, Bold(page), False
+        out, snippet, bold, is_made, table = [], None, Bold(page), False, []
         for line, is_code in lines_with_code(text):
             if is_code:
                 if snippet:
@@ -168,6 +170,15 @@ class Pages:
             if mark:
                 snippet = mark.groups()
                 self.regions.add(snippet)
+                continue
+            if table:
+                if line != (due := table.pop(0)):
+                    raise BrokenLink(f"{page}: a table has '{line}', not '{due}' (tables_in_pages.py --write)")
+                out.append(line)
+                continue
+            kept = TABLE.match(line)
+            if kept:
+                table = self.generated(page, kept[1])
                 continue
             made = GENERATED.match(line)
             if made:
@@ -188,6 +199,8 @@ class Pages:
                 out.append(f"{heading[1]} {plain(page, heading[2])} {{#{self.anchor(page, slug(heading[2]))}}}")
             else:
                 out.append(self.linked(page, bold.line(line)))
+        if table:
+            raise BrokenLink(f"{page}: its last table ends before '{table[0]}'")
         if is_made:
             raise BrokenLink(f"{page}: behind its last mark there is no line '{HOST_NOTE}...' for git hosts")
         return "\n".join(out)

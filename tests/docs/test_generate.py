@@ -185,6 +185,12 @@ class Pages(Folder):
             with self.assertRaises(pages.BrokenLink):
                 self.staged(f"# One\n\n<!-- generated: it -->{rest}", it="|a|")
 
+    def test_a_table_that_a_page_keeps_is_what_the_build_makes(self):
+        self.assertIn("|a|\n|b|\n\nMore", self.staged("# One\n\n<!-- table: it -->\n|a|\n|b|\n\nMore\n", it="|a|\n|b|"))
+        for rest in ("\n|a|\n|c|\n", "\n|a|\n\nMore\n", "\n\n|a|\n|b|\n", "\n|a|", ""):
+            with self.assertRaises(pages.BrokenLink):
+                self.staged(f"# One\n\n<!-- table: it -->{rest}", it="|a|\n|b|")
+
     def test_a_dead_link(self):
         for link in ("docs/none.md", "docs/other.md#none", "#none"):
             with self.assertRaises(pages.BrokenLink):
