@@ -395,6 +395,36 @@ def asked(program, check):
                 check(enabled == (status == 0), f"behind the question {what}: whether it sends a word to run", enabled)
 
 
+def typed(program, check):
+    """A line that is typed while it runs changes its speed, or is refused with the reason."""
+    from support import Tool
+
+    def speed_is(hertz, then):
+        def key():
+            check(soon(lambda: motor.shown()[1] == hertz), f"it turns at {hertz} Hz", motor.shown())
+            return then
+
+        return key
+
+    keys = [("operation enabled", speed_is(40, "30Hz\n")), ("goes to 30.0 Hz", speed_is(30, "50.1\n")),
+            ("highest frequency, HSP, 50.0 Hz: stays at 30.0 Hz", speed_is(30, "9rpm\n")),
+            ("mHz: stays", speed_is(30, "30.05\n")), ("steps of 0.1 Hz: stays", speed_is(30, "\n-20\n")),
+            ("goes to 20.0 Hz, reverse", speed_is(-20, "10Hz\n15Hz\n")), ("goes to 15.0 Hz", speed_is(15, ""))]
+    with Tool(program) as tool, Motor(program) as motor:
+        check("on a terminal a line such as" in tool.run("start", "--help").output, "the help says so")
+        ended = tool.on_terminal("--unit", UNIT, "--no-listen", "--timeout", motor.timeout, "-y", "--allow-run", "start", "--frequency",
+                                 f"{SPEED}Hz", "--for", "12s", port=motor.device, keys=keys)
+        check(ended.status == 0 and all(text in ended.output for text, _ in keys), "what was typed is answered", ended)
+        check("a line such as 30Hz changes that" in ended.output, "it says that before", ended)
+        check("nothing read yet" in ended.output and "no link" not in ended.output, "before the first read nothing was read", ended)
+        check(motor.stands(), "it stands at the end", motor.shown())
+        script = motor.start(program, "--for", "1s", stdin=subprocess.PIPE)
+        script.stdin.write(b"10Hz\n")
+        script.stdin.flush()
+        check(soon(lambda: motor.shown()[1] == SPEED), "what a script has on its standard input is not for the motor", motor.shown())
+        end(script)
+
+
 def runs_by_another(motor, at):
     """Another program runs the motor."""
     for word in (6, 7, 15):
@@ -500,6 +530,7 @@ def resets_and_misses(program, check):
 def orders(program, check):
     refused(program, check)
     asked(program, check)
+    typed(program, check)
     stops(program, check)
     by_a_wrong_name(program, check)
     resets_and_misses(program, check)

@@ -203,7 +203,7 @@ def check_left(program, tool, check):
         for unit in (3, 7):
             check.soon(lambda: simulator.shown(unit)[::2] == ("fault", 5), f"unit {unit} trips: SLF1")
         check(simulator.shown(8)[0] != "fault", "unit 8 does not, though its TTO is shorter")
-        reset = re.search(r"`rtuwire -u (\d+) (--write reset)`", last)
+        reset = re.search(r"`\S+rtuwire -p \S+ .* -u (\d+) (--write reset)`", last)
         check(reset and reset[1] in due, "it says what resets one", last)
         ended = tool.run(*how, "-u", 7, *(reset[2].split() if reset else ["reset"]))
         check(ended.status == DONE and "SLF1" in ended.output, "and that does", ended)

@@ -11,6 +11,15 @@
 
 namespace tool {
 
+/// How the program was called, for a command that it shows: quoted for a shell.
+struct typed_line {
+    std::string program{"rtuwire"};
+    std::string options{}; ///< those of the line, without the three below: " -p /dev/ttyUSB0"
+    std::string rate{};    ///< " -b 9600 -f 8N1"
+    std::string unit{};    ///< " -u 7"
+    std::string drive{};   ///< " -d atv320"
+};
+
 /// The line, and who is on it.
 struct line_choices {
     std::string port{};
@@ -26,6 +35,7 @@ struct line_choices {
     unsigned retries{1};
     double listen{1.0};          ///< seconds before the first frame
     bool must_not_listen{false}; ///< speaks at once, on a line in use, too
+    typed_line typed{};
 };
 
 /// What changes something needs to be allowed.

@@ -109,6 +109,54 @@ std::string configure(int argc, char** argv, line_choices& line)
     return {};
 }
 
+/// A word as a shell takes it.
+std::string quoted(std::string const& word)
+{
+    constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_/.:,=@%+-";
+    if (not word.empty() and word.find_first_not_of(plain) == std::string::npos) {
+        return word;
+    }
+    std::string text{"'"};
+    for (char const each : word) {
+        text += each == '\'' ? std::string{"'\\''"} : std::string{each};
+    }
+    return text + "'";
+}
+
+/// An option as it was typed: " -p /dev/ttyUSB0"; empty where it was not.
+std::string typed_text(CLI::Option const& option)
+{
+    if (option.count() == 0) {
+        return {};
+    }
+    std::string const name =
+        option.get_snames().empty() ? " --" + option.get_lnames().front() : " -" + option.get_snames().front();
+    std::string text;
+    for (std::string const& each : option.results()) {
+        text += name + (option.get_items_expected_max() > 0 ? ' ' + quoted(each) : std::string{});
+    }
+    return text;
+}
+
+/// What says which line, and who is on it: neither what allows something, nor the form of the output.
+typed_line typed_in(CLI::App const& app, std::string_view program)
+{
+    constexpr std::string_view others[] = {"help", "version", "json", "csv", "write", "allow-run", "yes"};
+    typed_line typed;
+    if (program.find('/') != std::string_view::npos) { // it may not stand where a shell looks for it
+        typed.program = quoted(std::string{program});
+    }
+    for (CLI::Option const* const each : app.get_options()) {
+        std::string const& name = each->get_lnames().front();
+        std::string& place = name == "unit"                       ? typed.unit
+                             : name == "drive"                    ? typed.drive
+                             : name == "baud" or name == "format" ? typed.rate
+                                                                  : typed.options;
+        place += std::ranges::count(others, name) == 0 ? typed_text(*each) : std::string{};
+    }
+    return typed;
+}
+
 /// Names of the command line stand beside those of the file, and in the place of the same name there; drives are never
 /// simulated on the port of the file.
 void mend(CLI::App const& app, choices& chosen, line_choices const& of_file)
@@ -219,6 +267,7 @@ parsed parse(int argc, char** argv)
         refuse_word(wrong);
     }
     mend(app, chosen, of_file);
+    chosen.line.typed = typed_in(app, argc > 0 ? argv[0] : "");
     if (chosen.command == "completion" or chosen.command == "man") {
         return {std::nullopt, print_own_text(app, chosen)};
     }

@@ -148,8 +148,13 @@ void add_writing(CLI::App& app, choices& chosen)
     CLI::App& write = add_command(app, chosen, "write", "write registers, and read them back (--write)");
     add_operands(write, chosen, "REG=VALUE", "ACC=1.3s, SLL=YES, 3104=60Hz", true);
     CLI::App& start = add_command(app, chosen, "start", "run a motor until somebody ends this program (--allow-run)");
-    auto* const speed = start.add_option("--speed", chosen.motion.speed, "such as 1200rpm");
-    start.add_option("--frequency", chosen.motion.frequency, "such as 40Hz")->excludes(speed);
+    auto* const speed =
+        start.add_option("--speed", chosen.motion.speed,
+                         "such as 1200rpm; on a terminal a line such as 900rpm changes it while it runs");
+    start
+        .add_option("--frequency", chosen.motion.frequency,
+                    "such as 40Hz; on a terminal a line such as 30Hz changes it while it runs")
+        ->excludes(speed);
     start.add_flag("--reverse", chosen.motion.is_reverse, "the other direction");
     add_time_limit(start, chosen);
     CLI::App& stop = add_command(app, chosen, "stop", "stop a motor");

@@ -5,10 +5,12 @@
 #include <csignal>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "commands/commands.hpp"
 #include "line/end_wish.hpp"
+#include "line/line_words.hpp"
 #include "line/time_text.hpp"
 #include "monitor/draw.hpp"
 #include "monitor/line_thread.hpp"
@@ -24,12 +26,23 @@ constexpr double usual_timeout = 0.3;
 constexpr double longest_timeout = 3.0;
 constexpr double usual_period = 0.5;
 
+/// Ends with what does without a screen.
+void refuse_screen(choices const& chosen, std::string const& why, std::string_view form = "")
+{
+    refuse_word(why + "; `" + shown_command(chosen.line, std::string{form} + "watch RFR ETA") +
+                "` writes lines, to a pipe or a file as well");
+}
+
 void check(choices const& chosen)
 {
     if (chosen.form != output_form::table) {
-        refuse_word("monitor draws a screen, no --json and no --csv; 'rtuwire watch' writes both");
+        refuse_screen(chosen, "monitor draws a screen, no --json and no --csv", "--json ");
     }
-    check_terminal();
+    try {
+        check_terminal();
+    } catch (ended const& why) {
+        refuse_screen(chosen, why.what());
+    }
     if (chosen.line.response_timeout.value_or(0) > longest_timeout) {
         refuse_word("--timeout of more than 3 s: monitor would not end when q is pressed");
     }

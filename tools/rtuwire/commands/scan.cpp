@@ -13,6 +13,7 @@
 #include "line/open_line.hpp"
 #include "line/scan_log.hpp"
 #include "line/who_is_it.hpp"
+#include "output/plain_text.hpp"
 #include "output/progress.hpp"
 
 namespace tool {
@@ -61,8 +62,9 @@ public:
         }
         bar_.clear();
         results_.finish();
-        if (std::string const sentence = left_.sentence(); not sentence.empty()) {
-            std::fprintf(stderr, "note: %s\n", sentence.c_str());
+        std::string const sentence = count_ > 0 or noted_signal() != 0 ? left_.sentence() : nobody_text();
+        if (not sentence.empty()) {
+            std::fprintf(stderr, "note: %s\n", plain_text(sentence).c_str());
         }
         if (noted_signal() != 0) {
             std::fprintf(stderr, "ended after %zu addresses%s\n", done_,
@@ -118,12 +120,40 @@ private:
         if (is_there) {
             identity_words const who = who_is_it(line, unit);
             note(how, unit, who);
-            leave(line, unit, who.drive);
+            leave(line, how, unit, who.drive);
         } else if (not is_silent) {
             note(how, unit, {.note = line.words_of_failure(outcome)});
         } else {
             log_.note_silent(how, unit.byte());
         }
+    }
+
+    /// What to look at where nobody answered.
+    std::string nobody_text() const
+    {
+        std::string settings;
+        for (line_setting const& each : settings_) {
+            settings += (settings.empty() ? "" : ", ") + std::to_string(each.baud) + ' ' +
+                        std::string{name_of_format(each.format)};
+        }
+        std::string const addresses = units_.size() == 1 ? "1 address" : std::to_string(units_.size()) + " addresses";
+        std::string text =
+            "nobody answered: " + addresses + " asked at " + settings + ", " +
+            text_of_cell(cell{chosen_.line.response_timeout.value_or(scan_timeout)}) +
+            " s each. Next: is the unit powered, are its two wires at the adapter's A and B (swap them once), "
+            "and which address, bit rate and format does its keypad show?";
+        if (settings_.size() == 1) {
+            text += " `" + other_settings() + "` tries the usual ones";
+        }
+        return text;
+    }
+
+    std::string other_settings() const
+    {
+        line_choices line = chosen_.line;
+        line.typed.rate.clear();
+        return shown_command(line,
+                             "scan --units " + chosen_.scan.units + " --bauds 9600,19200,38400 --formats 8E1,8N1");
     }
 
     void note(line_setting const& how, rtuwire::unit_id unit, identity_words const& who)
@@ -141,12 +171,22 @@ private:
     }
 
     /// Simulated drives of this program end with it.
-    void leave(open_line& line, rtuwire::unit_id unit, std::string const& drive)
+    void leave(open_line& line, line_setting const& how, rtuwire::unit_id unit, std::string const& drive)
     {
         drive_catalog const* const known = catalog_named(drive);
         if (known != nullptr and not line.port().is_simulated()) {
-            left_.note(line, unit, *known);
+            left_.note(line, unit, *known, shown_command(line_at(how), unit, "--write reset"));
         }
+    }
+
+    /// For a command on the line as it is set here.
+    line_choices line_at(line_setting const& how) const
+    {
+        line_choices line = chosen_.line;
+        if (not chosen_.scan.bauds.empty() or not chosen_.scan.formats.empty()) {
+            line.typed.rate = " -b " + std::to_string(how.baud) + " -f " + std::string{name_of_format(how.format)};
+        }
+        return line;
     }
 
     void show(record const& line)

@@ -7,6 +7,7 @@
 #include "frame/frame_record.hpp"
 #include "line/capture_output.hpp"
 #include "line/end_wish.hpp"
+#include "line/line_words.hpp"
 #include "line/played_capture.hpp"
 #include "line/tap.hpp"
 #include "line/time_text.hpp"
@@ -18,7 +19,8 @@ namespace {
 std::unique_ptr<capture_output> kept(choices const& chosen, any_port const& port, line_calendar const& calendar)
 {
     if (chosen.file == "-") {
-        refuse_word("sniff shows frames on standard output: a capture goes there by 'rtuwire capture -o -'");
+        refuse_word("sniff shows frames on standard output: a capture goes there by `" +
+                    shown_command(chosen.line, "capture -o -") + "`");
     }
     return chosen.file.empty()
                ? nullptr

@@ -3,6 +3,8 @@
 // Runs a motor until somebody ends this program, and stops it then: on every way out that a program has.
 #include <string>
 
+#include <unistd.h>
+
 #include "../support/emergency_stop.hpp"
 #include "../support/reason_to_end.hpp"
 #include "commands/commands.hpp"
@@ -26,7 +28,7 @@ line_choices line_for_motion(line_choices line)
     return line;
 }
 
-void refuse_where_it_runs(open_line& line, rtuwire::unit_id unit, drive_catalog const& drive)
+void refuse_where_it_runs(open_line& line, rtuwire::unit_id unit, drive_catalog const& drive, line_choices const& how)
 {
     auto const status = line.ask(unit, rtuwire::read_holding_registers{.start = drive.layout.eta, .count = 1});
     if (not status) {
@@ -34,7 +36,10 @@ void refuse_where_it_runs(open_line& line, rtuwire::unit_id unit, drive_catalog 
                     "the drive's status could not be read: " + line.words_of_failure(status.error())};
     }
     if (rtuwire::cia402::has_power(rtuwire::cia402::decode(status->registers[0]))) {
-        refuse_for_safety("the motor has power already: somebody else commands it; `rtuwire stop` stops it");
+        refuse_for_safety(
+            "the motor has power already: somebody else commands it, and only there its speed is changed: "
+            "a line such as 30Hz on the terminal of the start that runs it does; `" +
+            shown_command(how, "stop") + "` stops it");
     }
 }
 
@@ -44,8 +49,10 @@ std::string announcement(choices const& chosen, named_unit const& who, drive_cat
     std::string const length = chosen.last ? "for " + text_of_cell(cell{*chosen.last}) + " s" : "until Ctrl-C";
     std::string const unit =
         "unit " + std::to_string(who.unit.byte()) + (who.name.empty() ? "" : " (" + who.name + ")");
+    std::string const other = asked.is_speed ? "900rpm" : "30Hz";
+    bool const is_typed_to = ::isatty(STDIN_FILENO) == 1;
     return unit + ", " + std::string{drive.name} + " on " + chosen.line.port + ": runs the motor at " + asked.text +
-           ", " + length;
+           ", " + length + (is_typed_to ? "; a line such as " + other + " changes that meanwhile" : std::string{});
 }
 
 exit_status start_on(line_choices const& how, choices const& chosen)
@@ -59,7 +66,7 @@ exit_status start_on(line_choices const& how, choices const& chosen)
     }
     auto const looked = [&] {
         asked_motion const asked = motion_asked(chosen.motion, line, who.unit, drive);
-        refuse_where_it_runs(line, who.unit, drive);
+        refuse_where_it_runs(line, who.unit, drive, chosen.line);
         return asked;
     };
     asked_motion asked = looked();
@@ -69,8 +76,7 @@ exit_status start_on(line_choices const& how, choices const& chosen)
     if (is_asked(chosen.allowed)) {
         asked = looked();
     }
-    running motor{
-        make({line.port(), line.options()}, who.unit, asked), line.port(), who.unit, drive, chosen.form, chosen.last};
+    running motor{make({line.port(), line.options()}, who.unit, asked), asked, line.port(), who.unit, drive, chosen};
     motion_end const end = motor.run();
     complain("rtuwire: %s\n", plain_text(end.sentence).c_str());
     return end.status;

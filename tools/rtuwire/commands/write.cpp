@@ -114,7 +114,7 @@ private:
         if (value.refused) {
             refuse(*value.refused);
         }
-        refuse_unsafe_write(value, *drive_, chosen_.allowed);
+        refuse_unsafe_write(value, *drive_, chosen_);
     }
 
     std::vector<held_text> read(open_line& line, std::vector<value_to_write> const& values)

@@ -41,11 +41,11 @@ std::optional<std::string> end_of(open_line& line, rtuwire::unit_id unit, rtuwir
 
 } // namespace
 
-void left_alone::note(open_line& line, rtuwire::unit_id unit, drive_catalog const& drive)
+void left_alone::note(open_line& line, rtuwire::unit_id unit, drive_catalog const& drive, std::string const& reset)
 {
     trips_after_.erase(unit.byte());
     if (auto const end = end_of(line, unit, drive.layout)) {
-        trips_after_.emplace(unit.byte(), *end);
+        trips_after_.emplace(unit.byte(), tripping{*end, reset});
     }
 }
 
@@ -55,11 +55,11 @@ std::string left_alone::sentence() const
         return {};
     }
     std::string units;
-    for (auto const& [unit, end] : trips_after_) {
-        units += (units.empty() ? "unit " : ", unit ") + std::to_string(unit) + ' ' + end;
+    for (auto const& [unit, trips] : trips_after_) {
+        units += (units.empty() ? "unit " : ", unit ") + std::to_string(unit) + ' ' + trips.end;
     }
-    return "a drive that no program goes on asking trips (SLF): " + units + "; `rtuwire -u " +
-           std::to_string(trips_after_.begin()->first) + " --write reset` resets it";
+    return "a drive that no program goes on asking trips (SLF): " + units + "; `" + trips_after_.begin()->second.reset +
+           "` resets unit " + std::to_string(trips_after_.begin()->first);
 }
 
 } // namespace tool

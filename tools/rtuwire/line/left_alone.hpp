@@ -14,14 +14,20 @@ namespace tool {
 
 class left_alone {
 public:
-    /// Reads how the drive supervises its line, by two requests at most. Of a unit that is noted twice the later counts.
-    void note(open_line& line, rtuwire::unit_id unit, drive_catalog const& drive);
+    /// Reads how the drive supervises its line, by two requests at most. `reset`: the command that resets it. Of a unit that
+    /// is noted twice the later counts.
+    void note(open_line& line, rtuwire::unit_id unit, drive_catalog const& drive, std::string const& reset);
 
     /// Which of them trip, and how long after their last request; empty where none does.
     std::string sentence() const;
 
 private:
-    std::map<std::uint8_t, std::string> trips_after_{}; ///< "after 10.0 s", by the unit
+    struct tripping {
+        std::string end; ///< "after 10.0 s"
+        std::string reset;
+    };
+
+    std::map<std::uint8_t, tripping> trips_after_{}; ///< by the unit
 };
 
 } // namespace tool

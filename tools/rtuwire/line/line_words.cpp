@@ -160,6 +160,20 @@ named_unit unit_to_change(choices const& chosen)
     return unit_in(chosen.line);
 }
 
+std::string shown_command(line_choices const& line, std::string_view words)
+{
+    typed_line const& typed = line.typed;
+    return typed.program + typed.options + typed.rate + typed.unit + typed.drive + ' ' + std::string{words};
+}
+
+std::string shown_command(line_choices const& line, rtuwire::unit_id unit, std::string_view words)
+{
+    line_choices of_unit = line;
+    of_unit.typed.unit = " -u " + std::to_string(unit.byte());
+    of_unit.typed.drive.clear(); // is that of the unit that was named
+    return shown_command(of_unit, words);
+}
+
 rtuwire::duration seconds_in(double seconds)
 {
     return rtuwire::microseconds(static_cast<std::uint32_t>(seconds * 1'000'000.0));

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <rtuwire/client.hpp>
@@ -37,6 +38,13 @@ named_unit unit_to_change(choices const& chosen);
 
 /// All that --name names. Refuses a name for two units, and two types for one unit.
 std::vector<named_unit> names_in(line_choices const& line);
+
+/// A command that does what it says where it is pasted: this program on the line of this one, then `words`. It asks the unit
+/// that this command asks.
+std::string shown_command(line_choices const& line, std::string_view words);
+
+/// The same for another unit of the line.
+std::string shown_command(line_choices const& line, rtuwire::unit_id unit, std::string_view words);
 
 /// Seconds as the library counts them.
 rtuwire::duration seconds_in(double seconds);

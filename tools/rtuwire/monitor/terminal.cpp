@@ -27,7 +27,6 @@ namespace tool {
 namespace {
 
 constexpr short alarm_pair = 1;
-constexpr char watch_instead[] = "; 'rtuwire watch' writes lines to a pipe or a file";
 
 key key_of_code(wint_t code)
 {
@@ -86,19 +85,19 @@ void take_quit_key_away()
 void check_terminal()
 {
     if (::isatty(STDOUT_FILENO) != 1) {
-        refuse_word(std::string{"monitor draws a screen, and standard output is no terminal"} + watch_instead);
+        refuse_word("monitor draws a screen, and standard output is no terminal");
     }
     if (::isatty(STDIN_FILENO) != 1) {
-        refuse_word(std::string{"monitor needs keys, and standard input is no terminal"} + watch_instead);
+        refuse_word("monitor needs keys, and standard input is no terminal");
     }
     char const* const name = std::getenv("TERM");
     std::string const shown = name == nullptr ? "" : name;
     int found = 0;
     if (shown.empty() or ::setupterm(shown.c_str(), STDOUT_FILENO, &found) != OK) {
-        refuse_word("TERM is '" + shown + "', which this system does not know" + watch_instead);
+        refuse_word("TERM is '" + shown + "', which this system does not know");
     }
     if (::tigetstr("cup") == nullptr or ::tigetstr("clear") == nullptr) {
-        refuse_word("TERM is '" + shown + "', a terminal that cannot show a screen" + watch_instead);
+        refuse_word("TERM is '" + shown + "', a terminal that cannot show a screen");
     }
 }
 
@@ -108,7 +107,7 @@ full_screen::full_screen()
 {
     check_terminal();
     if (::newterm(nullptr, stdout, stdin) == nullptr) {
-        refuse_word(std::string{"TERM: this terminal cannot show a screen"} + watch_instead);
+        refuse_word("TERM: this terminal cannot show a screen");
     }
     ::cbreak();
     ::noecho();

@@ -61,6 +61,37 @@ std::int64_t tenths_of_hertz(std::int64_t speed, std::int64_t rated_tenths, std:
 
 std::string hertz_text(std::int64_t tenths) { return amount_text(tenths, {1, 10}, "Hz"); }
 
+void refuse_no_number(typed_motion const& it, std::string const& said)
+{
+    std::string_view const unit = it.is_speed ? "rpm" : "Hz";
+    bool const is_number = not it.size.empty() and it.size.front() >= '0' and it.size.front() <= '9';
+    if (not is_number or read_amount(it.size, unit).fault != amount_fault::none) {
+        refuse_word(said + ": a number is needed, in " + units_for(unit));
+    }
+}
+
+register_entry const& reference_of(typed_motion const& it, drive_catalog const& drive)
+{
+    return *drive.at(it.is_speed ? drive.speed_reference : drive.frequency_reference);
+}
+
+/// In steps of the reference; refuses what is no whole number of them.
+std::int64_t count_of(typed_motion const& it, register_entry const& reference, std::string const& said)
+{
+    typed_amount const amount = read_amount(it.size, reference.unit);
+    std::int64_t const count = amount.amount.counts_below(reference.step);
+    if (amount.amount.counts_above(reference.step) != count) {
+        refuse_word(said + ": not a whole number of steps of " + amount_text(1, reference.step, reference.unit));
+    }
+    return count;
+}
+
+asked_motion motion_of(typed_motion const& it, std::int64_t count, register_entry const& reference)
+{
+    std::string const text = amount_text(count, reference.step, reference.unit) + (it.is_reverse ? ", reverse" : "");
+    return {static_cast<std::int16_t>(count), it.is_speed, it.is_reverse, text};
+}
+
 } // namespace
 
 void refuse_wrong_words(motion_choices const& typed)
@@ -72,11 +103,7 @@ void refuse_wrong_words(motion_choices const& typed)
     if (it.size != it.word and typed.is_reverse) {
         refuse_word(std::string{it.option()} + ' ' + it.word + " and --reverse: say the direction once");
     }
-    std::string_view const unit = it.is_speed ? "rpm" : "Hz";
-    bool const is_number = not it.size.empty() and it.size.front() >= '0' and it.size.front() <= '9';
-    if (not is_number or read_amount(it.size, unit).fault != amount_fault::none) {
-        refuse_word(std::string{it.option()} + ' ' + it.word + ": a number is needed, in " + units_for(unit));
-    }
+    refuse_no_number(it, std::string{it.option()} + ' ' + it.word);
 }
 
 asked_motion motion_asked(motion_choices const& typed, open_line& line, rtuwire::unit_id unit,
@@ -97,14 +124,9 @@ asked_motion motion_asked(motion_choices const& typed, open_line& line, rtuwire:
     std::int64_t const lowest = count_in(reader, drive, "LSP");
     std::int64_t const highest = count_in(reader, drive, "HSP");
 
-    std::uint16_t const address = it.is_speed ? drive.speed_reference : drive.frequency_reference;
-    register_entry const& reference = *drive.at(address);
-    typed_amount const amount = read_amount(it.size, reference.unit);
-    std::int64_t const count = amount.amount.counts_below(reference.step);
+    register_entry const& reference = reference_of(it, drive);
     std::string const said = std::string{it.option()} + ' ' + it.word;
-    if (amount.amount.counts_above(reference.step) != count) {
-        refuse_word(said + ": not a whole number of steps of " + amount_text(1, reference.step, reference.unit));
-    }
+    std::int64_t const count = count_of(it, reference, said);
     bool const fits = count <= reference.highest_count();
     std::int64_t const tenths =
         it.is_speed and fits ? tenths_of_hertz(count, count_in(reader, drive, "FRS"), count_in(reader, drive, "NSP"))
@@ -114,8 +136,22 @@ asked_motion motion_asked(motion_choices const& typed, open_line& line, rtuwire:
                     ": the drive is set to run from " + hertz_text(lowest) + " (LSP) to " + hertz_text(highest) +
                     " (HSP)");
     }
-    std::string const text = amount_text(count, reference.step, reference.unit) + (it.is_reverse ? ", reverse" : "");
-    return {static_cast<std::int16_t>(count), it.is_speed, it.is_reverse, text};
+    return motion_of(it, count, reference);
+}
+
+asked_motion motion_typed(std::string const& word, asked_motion const& now, drive_catalog const& drive)
+{
+    motion_choices typed;
+    (now.is_speed ? typed.speed : typed.frequency) = word;
+    typed_motion it = typed_in(typed);
+    it.is_speed = now.is_speed;
+    refuse_no_number(it, word);
+    register_entry const& reference = reference_of(it, drive);
+    std::int64_t const count = count_of(it, reference, word);
+    if (count > reference.highest_count()) {
+        refuse_word(word + ": no more than " + amount_text(reference.highest_count(), reference.step, reference.unit));
+    }
+    return motion_of(it, count, reference);
 }
 
 } // namespace tool

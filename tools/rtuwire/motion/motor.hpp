@@ -42,6 +42,10 @@ public:
     /// Orders it to run at what was asked; false where the drive takes no order now.
     virtual bool run() = 0;
 
+    /// Orders a motor that runs to go on otherwise. False where the drive's limits do not allow it, and then it goes on as
+    /// before; `reason` names the limit.
+    virtual bool change(asked_motion const& asked) = 0;
+
     /// Stops it. A freewheel may follow another stop.
     virtual void stop(rtuwire::altivar::stop_by how) = 0;
 

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "../support/say.hpp"
+#include "output/plain_text.hpp"
 
 namespace tool {
 
@@ -32,11 +33,6 @@ double amperes_a_step(drive_catalog const& drive)
 
 constexpr std::size_t longest_state = 22;
 
-std::string state_text(motor_sight const& seen)
-{
-    return seen.is_linked ? std::string{std::string_view{name_of(seen.state)}} : std::string{"no link"};
-}
-
 } // namespace
 
 motor_display::motor_display(output_form how, drive_catalog const& drive)
@@ -46,6 +42,7 @@ motor_display::motor_display(output_form how, drive_catalog const& drive)
 
 void motor_display::show(motor_sight const& seen)
 {
+    was_linked_ = was_linked_ or seen.is_linked;
     if (seconds() < next_) {
         return;
     }
@@ -56,6 +53,18 @@ void motor_display::show(motor_sight const& seen)
 void motor_display::end(motor_sight const& seen, std::string const& sentence)
 {
     standard_output.put(is_line_ ? line_of(seen) + '\n' : form_->text_of(record_of(seen, sentence)) + form_->rest());
+}
+
+void motor_display::say(motor_sight const& seen, std::string const& sentence)
+{
+    standard_output.put(is_line_ ? '\r' + plain_text(sentence) + "\x1b[K\n"
+                                 : form_->text_of(record_of(seen, sentence)));
+}
+
+std::string motor_display::state_text(motor_sight const& seen) const
+{
+    return seen.is_linked ? std::string{std::string_view{name_of(seen.state)}}
+                          : std::string{was_linked_ ? "no link" : "nothing read yet"};
 }
 
 record motor_display::record_of(motor_sight const& seen, std::string const& note) const

@@ -24,7 +24,11 @@ public:
     /// Shows it now, with a sentence behind it: how it ended.
     void end(motor_sight const& seen, std::string const& sentence);
 
+    /// Shows a sentence now, and goes on.
+    void say(motor_sight const& seen, std::string const& sentence);
+
 private:
+    std::string state_text(motor_sight const& seen) const;
     record record_of(motor_sight const& seen, std::string const& note) const;
     std::string line_of(motor_sight const& seen) const;
     double hertz_of(motor_sight const& seen) const;
@@ -33,6 +37,7 @@ private:
     std::unique_ptr<form> form_;
     bool is_table_;
     bool is_line_;             ///< one line that changes
+    bool was_linked_{false};   ///< something was read
     double amperes_a_step_{0}; ///< 0 where nobody knows
     std::chrono::steady_clock::time_point began_{std::chrono::steady_clock::now()};
     double next_{0}; ///< seconds after `began_`

@@ -49,9 +49,7 @@ public:
         : port_{line.port}, bus_{line.port.timing(), line.options, {.silent_share = 50}},
           cycle_{station_of(unit), {.supervision = {.longest_gap = longest_gap(line.options)}}},
           reference_{setting::checked(typename setting::value_type{asked.count})},
-          direction_{asked.is_reverse ? rtuwire::altivar::run_direction::reverse
-                                      : rtuwire::altivar::run_direction::forward},
-          unit_{unit}, shown_at_{clock::now()}
+          direction_{direction_of(asked)}, unit_{unit}, shown_at_{clock::now()}
     {}
 
     rtuwire::result<void> pass() override
@@ -79,6 +77,12 @@ public:
         return reference_ and cycle_.run(*reference_, direction_);
     }
 
+    bool change(asked_motion const& asked) override
+    {
+        auto const reference = setting::checked(typename setting::value_type{asked.count});
+        return reference and cycle_.run(*reference, direction_of(asked));
+    }
+
     void stop(rtuwire::altivar::stop_by how) override
     {
         sight_.has_output = false;
@@ -102,6 +106,11 @@ public:
     rtuwire::altivar::supervision_report const& supervision() const override { return cycle_.supervision(); }
 
 private:
+    static rtuwire::altivar::run_direction direction_of(asked_motion const& asked)
+    {
+        return asked.is_reverse ? rtuwire::altivar::run_direction::reverse : rtuwire::altivar::run_direction::forward;
+    }
+
     static rtuwire::station<Device> station_of(rtuwire::unit_id unit)
     {
         auto const found = rtuwire::station<Device>::checked(unit.byte());

@@ -9,6 +9,8 @@
 
 #include "../support/emergency_stop.hpp"
 #include "catalog/value_text.hpp"
+#include "line/line_words.hpp"
+#include "words/amount_words.hpp"
 
 namespace tool {
 
@@ -30,12 +32,13 @@ std::string words_of_kind(outcome_kind kind) { return std::string{std::string_vi
 
 } // namespace
 
-running::running(std::unique_ptr<motor> which, any_port& port, rtuwire::unit_id unit, drive_catalog const& drive,
-                 output_form how, std::optional<double> limit)
-    : motor_{std::move(which)}, port_{port}, unit_{unit}, drive_{drive}, display_{how, drive}, must_end_{longest_look}
+running::running(std::unique_ptr<motor> which, asked_motion const& asked, any_port& port, rtuwire::unit_id unit,
+                 drive_catalog const& drive, choices const& chosen)
+    : motor_{std::move(which)}, port_{port}, unit_{unit}, drive_{drive}, display_{chosen.form, drive},
+      must_end_{longest_look}, reset_{shown_command(chosen.line, "--write reset")}, asked_{asked}
 {
-    if (limit) {
-        length_ = std::chrono::duration<double>{*limit};
+    if (chosen.last) {
+        length_ = std::chrono::duration<double>{*chosen.last};
     }
 }
 
@@ -114,7 +117,7 @@ motion_end running::refusal_of_check() const
     } else if (why.kind == outcome_kind::misconfigured) {
         sentence += "; --frequency does without it";
     } else if (why.kind == outcome_kind::in_fault) {
-        return {exit_status::differs, sentence + fault_text() + "; `rtuwire reset` resets it"};
+        return {exit_status::differs, sentence + fault_text() + "; `" + reset_ + "` resets it"};
     }
     return {why.kind == outcome_kind::refused ? exit_status::differs : exit_status::refused, sentence};
 }
@@ -152,6 +155,9 @@ motion_end running::keep_running()
         if (not seen.is_ordered) {
             return order_lost();
         }
+        if (auto const line = typed_.next(); line and not line->empty()) {
+            change(*line);
+        }
         bool const runs = seen.state == state::operation_enabled;
         if (runs and length_ and not until) {
             until = clock::now() + std::chrono::duration_cast<clock::duration>(*length_);
@@ -160,6 +166,27 @@ motion_end running::keep_running()
             return {exit_status::done, "the time is over"};
         }
     }
+}
+
+/// What was ordered stays where this is refused.
+void running::change(std::string const& typed)
+{
+    std::string sentence;
+    try {
+        asked_motion const next = motion_typed(typed, asked_, drive_);
+        if (motor_->change(next)) {
+            asked_ = next;
+            sentence = "goes to " + next.text;
+        } else {
+            auto const why = motor_->reason();
+            sentence = typed + ": " + words_of_kind(why.kind) +
+                       (why.limit != 0 ? ", " + amount_text(why.limit, {1, 10}, "Hz") : std::string{}) + ": stays at " +
+                       asked_.text;
+        }
+    } catch (ended const& why) {
+        sentence = why.what() + (": stays at " + asked_.text);
+    }
+    display_.say(motor_->sight(), sentence);
 }
 
 motion_end running::interrupted() const

@@ -11,9 +11,11 @@
 
 #include "../support/reason_to_end.hpp"
 #include "catalog/catalog.hpp"
+#include "choices.hpp"
 #include "exit_status.hpp"
 #include "motion/motor.hpp"
 #include "motion/motor_display.hpp"
+#include "motion/typed_lines.hpp"
 
 namespace tool {
 
@@ -25,9 +27,9 @@ struct motion_end {
 
 class running {
 public:
-    /// `limit`: how many seconds it runs; nothing: until somebody ends the program.
-    running(std::unique_ptr<motor> which, any_port& port, rtuwire::unit_id unit, drive_catalog const& drive,
-            output_form how, std::optional<double> limit);
+    /// For as long as the choices say, at what was asked, and then at what is typed on the terminal.
+    running(std::unique_ptr<motor> which, asked_motion const& asked, any_port& port, rtuwire::unit_id unit,
+            drive_catalog const& drive, choices const& chosen);
     running(running const&) = delete;
     running& operator=(running const&) = delete;
     /// Stops the motor where it was not seen to stand: an exception is on its way.
@@ -44,6 +46,7 @@ private:
     std::optional<motion_end> connect();
     std::optional<motion_end> order();
     motion_end keep_running();
+    void change(std::string const& typed);
     std::string stop(motion_end& end);
 
     motion_end refusal_of_check() const;
@@ -61,6 +64,9 @@ private:
     reason_to_end must_end_;
     std::optional<std::chrono::duration<double>> length_{};
     bool is_coasting_{false};
+    std::string reset_; ///< the command that resets a fault
+    asked_motion asked_;
+    typed_lines typed_{};
 };
 
 } // namespace tool

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "exit_status.hpp"
+#include "line/line_words.hpp"
 #include "line/register_reader.hpp"
 #include "motion/moving_registers.hpp"
 
@@ -78,11 +79,13 @@ std::optional<ended> why_not_now(std::vector<value_to_write> const& values, open
                                   "; to write it to a drive with power, say --allow-run besides"};
 }
 
-void refuse_unsafe_write(value_to_write const& value, drive_catalog const& drive, permissions const& allowed)
+void refuse_unsafe_write(value_to_write const& value, drive_catalog const& drive, choices const& chosen)
 {
+    permissions const& allowed = chosen.allowed;
     std::string const label = value.entry != nullptr ? std::string{value.entry->code} : std::to_string(value.address);
     if (commands_a_motor(value.address, drive)) {
-        refuse_for_safety(label + " commands the motor: use `rtuwire start` and `rtuwire stop`");
+        refuse_for_safety(label + " commands the motor: that is what the command start is for; `" +
+                          shown_command(chosen.line, "stop") + "` stops it");
     }
     if (value.entry == nullptr) {
         refuse_without_run(allowed, "register " + label + " is none of the parameters of an " +

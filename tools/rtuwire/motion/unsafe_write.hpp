@@ -16,7 +16,7 @@ namespace tool {
 
 /// Ends the command where a value is never written, or needs --allow-run that was not said. A value that is not known
 /// yet, because another register sets its step, is looked at once it is.
-void refuse_unsafe_write(value_to_write const& value, drive_catalog const& drive, permissions const& allowed);
+void refuse_unsafe_write(value_to_write const& value, drive_catalog const& drive, choices const& chosen);
 
 /// Why none of these values may be written now: one of them changes how a running motor turns, --allow-run was not said,
 /// and the drive is not read to be without power, its output frequency 0. Nothing where they may. Asks the drive where

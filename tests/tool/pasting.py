@@ -1,0 +1,137 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Each command that a message shows does what the message says where it is pasted as it stands: with the port, the unit, the
+type and the times of whoever reads it.
+
+    python3 pasting.py TOOL SOURCES
+"""
+import pathlib
+import re
+import subprocess
+
+from support import DIFFERS, DONE, LIMIT, NO_ANSWER, PORT, REFUSED, USAGE, Simulator, Tool, Units, runs
+
+SHOWN = re.compile(r"`([^`\n]* [^`\n]*)`")
+# A text of the sources that would show a command, with words of its own.
+WRITTEN = re.compile(r"\"[^\"\n]*[`'](?:rtuwire|start|stop|reset|watch|capture|scan|write)[ `'][^\"\n]*\"")
+
+UNIT = 7
+TIMES = ["--no-listen", "--timeout", "0.2", "--retries", "2"]
+
+
+def shown_in(text):
+    return SHOWN.findall(text.replace("\r\n", "\n"))
+
+
+def pasted(tool, command, limit=LIMIT):
+    """What a shell makes of it, where nobody has put the program into its PATH."""
+    done = subprocess.run(["sh", "-c", command], cwd=tool.place, env={**tool.environment, "PATH": "/usr/bin:/bin"}, check=False,
+                          stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=limit)
+    return done
+
+
+def check_reset(tool, simulator, device, check):
+    """A start that finds a fault shows what resets it: of this drive, and of no other on the line."""
+    (tool.place / "named lines.toml").write_text(f'name = ["fan={UNIT}:atv320"]\n', encoding="utf-8")
+    cases = [("by address", ["-u", UNIT, "-d", "atv320"]), ("by name", ["--name", f"fan={UNIT}:atv320", "-u", "fan"]),
+             ("by a file", ["--config", "named lines.toml", "--unit=fan"])]
+    for what, words in cases:
+        simulator.suffer(f"{UNIT} fault")
+        check.soon(lambda: simulator.shown(UNIT)[0] == "fault", f"{what}: a fault")
+        ended = tool.run("--port", device, *TIMES, *words, "--allow-run", "-y", "start", "--frequency", "9Hz")
+        found = shown_in(ended.errors)
+        check(ended.status == DIFFERS and len(found) == 1 and "OCF" in ended.errors, f"{what}: a start names the fault", ended)
+        simulator.suffer(f"{UNIT} clear")
+        done = pasted(tool, found[0] if found else "false")
+        check(done.returncode == DONE and "reset" in done.stdout, f"{what}: what it shows resets it", (found, done))
+        check(simulator.shown(UNIT)[0] == "switch on disabled", f"{what}: it is reset", simulator.shown(UNIT))
+
+
+def check_stop(tool, simulator, device, check):
+    """A motor that somebody else runs is stopped by what a start shows; so is one whose command register is to be written."""
+    start = ["--allow-run", "-y", "start", "--frequency", "9Hz"]
+    for what, words in (("start", start), ("write", ["--write", "write", "CMD=0"])):
+        for word in (6, 7, 15):
+            simulator.suffer(f"{UNIT} write 8501 {word}")
+        check.soon(lambda: simulator.shown(UNIT)[0] == "operation enabled", f"{what}: it has power")
+        ended = tool.run("--port", device, *TIMES, "-u", UNIT, "-d", "atv320", *words)
+        found = shown_in(ended.errors)
+        check(ended.status == REFUSED and len(found) == 1, f"{what}: refused", ended)
+        done = pasted(tool, found[0] if found else "false")
+        check(done.returncode == DONE and "stands" in done.stdout, f"{what}: what it shows stops it", (found, done))
+        check(simulator.shown(UNIT)[0] == "switch on disabled", f"{what}: it stands", simulator.shown(UNIT))
+
+
+def check_scan(tool, simulator, device, check):
+    """A scan shows what resets a drive that it leaves; a scan that finds nobody, what to try next."""
+    for rates in ([], ["--bauds", "9600,19200"]):
+        ended = tool.run("--port", device, *TIMES, "scan", "--units", f"{UNIT}-{UNIT + 1}", *rates)
+        found = shown_in(ended.errors)
+        simulator.suffer(f"{UNIT} fault")
+        simulator.suffer(f"{UNIT} clear")
+        done = pasted(tool, found[0] if found else "false")
+        check(done.returncode == DONE and "reset" in done.stdout, f"{rates}: what a scan shows resets the drive", (found, done))
+        check(not rates or "-b " in found[0], f"{rates}: with the rate at which it was found", found)
+    with Units({9: {3201: 0}}) as line:
+        ended = tool.run("--port", line.name, "--no-listen", "--timeout", "0.05", "scan", "--units", "3,5-7")
+        said = ended.errors
+        check(ended.status == NO_ANSWER and not ended.output, "nobody there: status 3", ended)
+        for part in ("nobody answered", "4 addresses", "19200 8E1", "0.05 s", "powered", "A and B", "keypad"):
+            check(part in said, f"nobody there: {part}", said)
+        found = shown_in(said)
+        done = pasted(tool, found[0] if found else "false")
+        check(done.returncode == NO_ANSWER and "38400 8N1" in done.stderr and len(line.requests) == 28,
+              "the next scan that it shows tries other rates and formats", (found, done, len(line.requests)))
+        check(not shown_in(done.stderr), "and does not show itself", done.stderr)
+        ended = tool.run("--port", line.name, "--no-listen", "--timeout", "0.05", "scan", "--units", "9")
+        check(ended.status == DONE and "nobody" not in ended.errors, "where somebody is there nothing of it", ended)
+
+
+def check_screens(tool, device, check):
+    """What works without a screen, or goes to standard output."""
+    for words, form in ((["monitor"], ""), (["--json", "monitor"], '{"'), (["sniff", "-o", "-"], None)):
+        ended = tool.run("--port", device, *TIMES, "-u", UNIT, *words)
+        found = shown_in(ended.errors)
+        check(ended.status == USAGE and len(found) == 1, f"{words}: shows what else to type", ended)
+        command = f"timeout -s INT 2 {found[0]}" if found else "false"
+        done = subprocess.run(["sh", "-c", command], cwd=tool.place, env=tool.environment, check=False, stdin=subprocess.DEVNULL,
+                              capture_output=True, timeout=LIMIT)
+        right = done.stdout.startswith(b"\x0a\x0d\x0d\x0a") if form is None else b"RFR" in done.stdout and \
+            done.stdout.startswith(form.encode())
+        check(right, f"{words}: and that does it", (found, done))
+
+
+def check_quoting(tool, check):
+    """Words that a shell would take apart."""
+    ended = tool.run("--port", "/a b/it's $HOME", *TIMES, "-u", UNIT, "monitor")
+    found = shown_in(ended.errors)
+    done = pasted(tool, found[0] if found else "false")
+    check(len(found) == 1 and done.returncode == PORT and "/a b/it's $HOME" in done.stderr, "a port with blanks and signs",
+          (ended, found, done))
+
+
+def check_sources(sources, check):
+    """No text of the program shows a command but by `shown_command`."""
+    found = []
+    for path in sorted(pathlib.Path(sources).rglob("*.[ch]pp")):
+        if path.parent.name == "help":
+            continue
+        text = path.read_text(encoding="utf-8")
+        code = "\n".join(line for line in text.splitlines() if not line.lstrip().startswith("//"))
+        found += [f"{path.name}: {each}" for each in WRITTEN.findall(code)]
+    check(not found, "a command that is written out", found)
+
+
+def main(check, program, sources):
+    with Tool(program) as tool:
+        simulator = Simulator(program, f"atv320:{UNIT}", "atv12:3")
+        with simulator as device:
+            check_reset(tool, simulator, device, check)
+            check_stop(tool, simulator, device, check)
+            check_scan(tool, simulator, device, check)
+            check_screens(tool, device, check)
+        check_quoting(tool, check)
+        check_sources(sources, check)
+
+
+runs(main)

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Lines that somebody types while something else goes on.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace tool {
+
+/// From a terminal alone: what a script has on its standard input is not meant for a motor.
+class typed_lines {
+public:
+    typed_lines();
+
+    /// The next line that was typed, without its end; never waits.
+    std::optional<std::string> next();
+
+private:
+    std::string typed_{};
+    bool is_open_;
+};
+
+} // namespace tool
