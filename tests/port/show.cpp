@@ -75,7 +75,10 @@ TEST_CASE("a reason tells all that is known")
     CHECK(shown(altivar::reason{.kind = outcome_kind::silent, .error = errc::timed_out}) ==
           "no response: no response in time");
     CHECK(shown(altivar::reason{.kind = outcome_kind::in_fault, .state = state::fault, .fault = 5}) ==
-          "the drive is in fault, LFT 5, state fault");
+          "the drive is in fault, LFT 5 (SLF: nobody asked the drive for longer than its time-out), state fault; "
+          "reset_fault resets it once its cause is gone");
+    CHECK(shown(altivar::reason{.kind = outcome_kind::in_fault, .fault = 250}) ==
+          "the drive is in fault, LFT 250; reset_fault resets it once its cause is gone");
     CHECK(shown(altivar::reason{.kind = outcome_kind::succeeded, .is_other_stop = true}) ==
           "done, another stop than the one ordered");
     CHECK(shown(altivar::reason{.kind = outcome_kind::above_hsp, .limit = 505}) ==
@@ -96,6 +99,22 @@ TEST_CASE("a reason tells all that is known")
         }
     }
     CHECK(longest > 150);
+}
+
+TEST_CASE("a reason calls a fault as each drive's last fault does")
+{
+    unsigned compared = 0;
+    rtuwire::test::all_drives::for_each([&]<typename Device>() {
+        Device::registers::for_each([&]<auto const & R>() {
+            for (std::uint16_t lft = 0; lft < 256 and R.code == rtuwire::literal{"LFT"}; ++lft) {
+                std::string const called = shown(altivar::common_fault(lft)),
+                                  own = shown(rtuwire::from_word<rtuwire::value_of<R>>(lft));
+                CHECK((called.empty() or called.substr(0, 3) == own.substr(0, 3)));
+                compared += called.empty() ? 0 : 1;
+            }
+        });
+    });
+    CHECK(compared == 9 * 5);
 }
 
 TEST_CASE("a stream's width holds for the whole of a value")

@@ -116,12 +116,33 @@ struct [[nodiscard]] reason {
 /// The same, for what shows any value.
 [[nodiscard]] constexpr literal text_of(outcome_kind kind) noexcept { return name_of(kind); }
 
-/// All of a reason: "refused by the drive: illegal data value, LFT 5, state fault", as far as it is known. What a fault is
-/// called depends on the drive: `text_of(atv320::fault_code{why.fault})`.
+/// What a fault is called that has the same LFT on every drive here; empty for others, whose names depend on the drive:
+/// `text_of(atv320::fault_code{why.fault})`.
+[[nodiscard]] constexpr literal common_fault(std::uint16_t lft) noexcept
+{
+    switch (lft) {
+    case 5: return "SLF: nobody asked the drive for longer than its time-out";
+    case 9: return "OCF: overcurrent";
+    case 16: return "OHF: drive overheated";
+    case 17: return "OLF: motor overloaded";
+    case 18: return "ObF: DC bus overvoltage";
+    case 19: return "OSF: mains overvoltage";
+    case 21: return "PHF: mains phase lost";
+    case 23: return "SCF: motor short circuit";
+    case 25: return "tnF: tuning failed";
+    default: return "";
+    }
+}
+
+/// All of a reason, as far as it is known: "the drive is in fault, LFT 9 (OCF: overcurrent), state fault; reset_fault resets it
+/// once its cause is gone".
 [[nodiscard]] constexpr auto text_of(reason const& why) noexcept
 {
-    constexpr std::size_t longest = 256;
+    constexpr std::size_t longest = 320;
     short_text<longest> text;
+    if (why.kind == outcome_kind::in_fault) {
+        text.precede("; reset_fault resets it once its cause is gone");
+    }
     if (why.is_other_stop) {
         text.precede(", another stop than the one ordered");
     }
@@ -130,6 +151,11 @@ struct [[nodiscard]] reason {
         text.precede(", state ");
     }
     if (why.fault != 0) {
+        if (literal const called = common_fault(why.fault); called.size() != 0) {
+            text.precede(')');
+            text.precede(called);
+            text.precede(" (");
+        }
         precede_by_number(text, std::uint32_t{why.fault});
         text.precede(", LFT ");
     }
