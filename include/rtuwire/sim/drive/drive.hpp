@@ -122,6 +122,7 @@ public:
     constexpr void power_cycle(instant now) noexcept
     {
         registers_ = registers{};
+        faults_ = fault_record<Device>{};
         memory_.recall(registers_);
         power_up(now);
     }
@@ -174,10 +175,12 @@ private:
     constexpr void trip(std::uint16_t code) noexcept
     {
         if (control_.trip(code)) {
-            record_fault(registers_, code);
+            faults_.add(registers_, code);
             update_status();
         }
     }
+
+    fault_record<Device> faults_{};
 };
 
 } // namespace rtuwire::sim

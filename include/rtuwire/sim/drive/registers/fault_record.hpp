@@ -8,9 +8,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/drive/registers/image.hpp>
 #include <rtuwire/sim/drive/registers/register_index.hpp>
+#include <rtuwire/sim/drive/registers/row_rules.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
@@ -58,21 +60,108 @@ inline constexpr std::array<fault_form, 13> fault_forms{{
     return {code, code == 0 ? std::uint16_t{0} : generic, 0, 0};
 }
 
-/// Records a fault by its LFT: as the last one, as the first of the record, and by its CiA 402 code.
+/// A register that shows a value, and the first of those that keep it as it was at the last faults, the most recent first.
 /// Internal.
-template <device_type Device> constexpr void record_fault(image<Device>& registers, std::uint16_t code) noexcept
-{
-    constexpr std::size_t nowhere = image<Device>::nowhere;
-    constexpr std::size_t dp0 = image<Device>::at("DP0"), dp1 = image<Device>::at("DP1");
-    constexpr std::array<std::size_t, 5> record{dp0 == nowhere ? dp1 : dp0, dp1, image<Device>::at("DP2"),
-                                                image<Device>::at("DP3"), image<Device>::at("DP4")};
-    for (std::size_t i = record.size() - 1; i > 0; --i) {
-        registers.put(record[i], registers.get(record[i - 1]));
+struct kept_value {
+    std::uint16_t first;
+    literal source;
+};
+
+/// As the public lists of ATV12 and ATV320 name them; an ATV12 has fewer, and none of the moment of the most recent fault but
+/// its state.
+/// Internal.
+inline constexpr std::array<kept_value, 12> kept_values{{
+    {7210, "ETA"},
+    {7220, "ETI"},
+    {7230, "CMD"},
+    {7240, "LCR"},
+    {7250, "RFR"},
+    {7260, "RTH"},
+    {7270, "ULN"},
+    {7280, "THR"},
+    {7320, "HMIS"},
+    {7330, "OTR"},
+    {7340, "THD"},
+    {7360, "SFR"},
+}};
+
+/// The registers that keep a drive's last faults, each with its moment.
+/// Internal.
+template <device_type Device> class fault_record {
+    using registers = image<Device>;
+    static constexpr std::size_t nowhere = registers::nowhere;
+
+public:
+    /// Records a fault by its LFT, before the other registers show it: as the last one, as the first of the record, and by
+    /// its CiA 402 code.
+    constexpr void add(registers& all, std::uint16_t code) noexcept
+    {
+        constexpr std::size_t dp0 = registers::at("DP0"), dp1 = registers::at("DP1"), count = registers::at("FNB");
+        constexpr std::array<std::size_t, 9> codes{dp0 == nowhere ? dp1 : dp0, dp1,
+                                                   registers::at("DP2"),       registers::at("DP3"),
+                                                   registers::at("DP4"),       registers::at("DP5"),
+                                                   registers::at("DP6"),       registers::at("DP7"),
+                                                   registers::at("DP8")};
+        for (std::size_t i = codes.size() - 1; i > 0; --i) {
+            all.put(codes[i], all.get(codes[i - 1]));
+        }
+        all.put(codes[0], code);
+        all.put(count, std::int64_t{all.get(count)} + 1);
+        all.put(register_index<Device>{}.lft, code);
+        all.put(registers::at("ERRD"), form_of(code).profile);
+        if constexpr (is_whole<Device>) {
+            keep_moment(all);
+        }
     }
-    registers.put(record[0], code);
-    registers.put(register_index<Device>{}.lft, code);
-    registers.put(image<Device>::at("ERRD"), form_of(code).profile);
-}
+
+private:
+    static constexpr std::size_t before = 8; ///< faults before the most recent one
+    static constexpr std::size_t values = is_whole<Device> ? kept_values.size() : 0;
+
+    static constexpr std::size_t place(std::size_t value, std::size_t back) noexcept
+    {
+        return registers::at_address(kept_values[value].first + back);
+    }
+
+    constexpr void keep_moment(registers& all) noexcept
+    {
+        for (std::size_t i = 0; i < values; ++i) {
+            for (std::size_t back = before; back > 1; --back) {
+                all.put_word(place(i, back), all.get(place(i, back - 1)));
+            }
+            all.put_word(place(i, 1), latest_[i]);
+            latest_[i] = static_cast<std::uint16_t>(shown(all, i));
+            all.put_word(place(i, 0), latest_[i]);
+        }
+    }
+
+    /// In the steps of the register that keeps it.
+    static constexpr std::int64_t shown(registers const& all, std::size_t value) noexcept
+    {
+        constexpr std::int64_t hertz_a_step = 100; // of SFR
+        std::size_t const source = registers::at(kept_values[value].source);
+        std::size_t const kept = place(value, place(value, 0) == nowhere ? 1 : 0);
+        std::int64_t const word = registers::is_signed(source) ? all.get_signed(source) : std::int32_t{all.get(source)};
+        if (source == registers::at("SFR")) {
+            return word * hertz_a_step;
+        }
+        bool const is_short = source == register_index<Device>{}.eta and registers::at("IP0") == nowhere;
+        return is_short ? short_state(all) : word * registers::scale(kept) / registers::scale(source);
+    }
+
+    /// The bits of ETA and ETI in one word, as an ATV12 keeps them; its bit 3 is that of local control, 0 where it is in force.
+    static constexpr std::int64_t short_state(registers const& all) noexcept
+    {
+        constexpr register_index<Device> at{};
+        unsigned const status = all.get(at.eta);
+        unsigned const extended = all.get(at.eti);
+        constexpr unsigned same_place = 0xFE80; // 7 and 9 to 15
+        return (status >> 1U & 1U) | (status >> 5U & 1U) << 1U | (status >> 6U & 1U) << 2U | (status >> 9U & 1U) << 3U |
+               (status >> 15U & 1U) << 4U | (extended >> 4U & 3U) << 5U | (extended & same_place);
+    }
+
+    std::array<std::uint16_t, values> latest_{};
+};
 
 /// Shows the present fault; 0 for none.
 /// Internal.
