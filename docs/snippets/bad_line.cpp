@@ -53,6 +53,13 @@ int main()
     //! [unit]
     line.set(1, {.with = {.response_timeout = milliseconds(2'000), .retries = 0}}); // the slow unit in slot 1 of a bus
     //! [unit]
+    //! [pause]
+    line.set(0, {.with = {.pause = milliseconds(700)}});               // of the unit in slot 0
+    line_timing const slow = timing.with_silence(milliseconds(1'000)); // of all units: blocking_client{port, slow}
+    //! [pause]
+    if (slow.silence() != milliseconds(1'000) or slow.frame_end() != timing.frame_end()) {
+        return 1;
+    }
 
     std::uint32_t const as_delivered = wait_for_nobody(host_client{timing});
     std::uint32_t const as_set = wait_for_nobody(link);

@@ -70,7 +70,8 @@ inline rtuwire::line_timing line_of(std::uint32_t bits, rtuwire::character_forma
 /// A silence before sending, where it is not t3.5.
 inline std::optional<model::time> any_silence(random_source& roll)
 {
-    return roll.chance(60) ? std::nullopt : std::optional{roll.any<model::time>({0, 0, 1, 700, 4'000, 60'000})};
+    return roll.chance(60) ? std::nullopt
+                           : std::optional{roll.any<model::time>({0, 0, 1, 700, 4'000, 60'000, 900'000})};
 }
 
 inline std::string hex(model::bytes const& of)

@@ -73,14 +73,16 @@ inline model::retry_policy any_retry_policy(random_source& roll, time response)
             .retries = repetitions(response, roll.below(4)),
             .busy_retries = repetitions(response, roll.any<unsigned>({0, 1, 2, 9, 255})),
             .busy_pause = roll.any<time>({0, 1'000, 10'000, 50'000, model::longest / 3, model::longest / 2,
-                                          model::longest / 2 - 1, model::longest / 9})};
+                                          model::longest / 2 - 1, model::longest / 9}),
+            .pause = roll.chance(70) ? 0 : roll.any<time>({1, 3'000, 40'000, 700'000})};
 }
 inline rtuwire::retry_policy library(model::retry_policy const& of)
 {
     return {.response_timeout = length(of.response_timeout),
             .retries = static_cast<std::uint8_t>(of.retries),
             .busy_retries = static_cast<std::uint8_t>(of.busy_retries),
-            .busy_pause = length(of.busy_pause)};
+            .busy_pause = length(of.busy_pause),
+            .pause = length(of.pause)};
 }
 
 /// A request that somebody may ask, or one that no client takes.

@@ -30,6 +30,7 @@ struct retry_policy {
     unsigned retries;
     unsigned busy_retries;
     time busy_pause;
+    time pause;
 };
 
 class client {
@@ -166,7 +167,7 @@ public:
         converse(who, now, with);
         std::swap(who.prompt_unit, prompt_unit);
     }
-    retry_policy own_retry_policy() const { return {how_.response_timeout, how_.retries, 3, 50'000}; }
+    retry_policy own_retry_policy() const { return {how_.response_timeout, how_.retries, 3, 50'000, 0}; }
 
     /// What a conversation is told when it comes by; none where it is told nothing.
     std::optional<fault> deliver(conversation& who, time now) { return deliver(who, not who.settled(), now); }
@@ -232,7 +233,8 @@ public:
         if (line_.is_known) {
             if (not line_.is_quiet and phase_ != phase::awaiting) {
                 add(line_.last + line_.times.silence);
-            } else if (line_.at != receiver::state::between and not awaits_rest()) {
+            }
+            if (line_.at != receiver::state::between and not awaits_rest()) {
                 add(line_.last + line_.times.frame_end);
             }
         }
@@ -327,7 +329,7 @@ private:
         retries_left_ = of.may_be_repeated and request_[0] != 0 ? with.retries : 0;
         busy_left_ = of.may_be_repeated and request_[0] != 0 ? with.busy_retries : 0;
         pauses_ = 0;
-        pause_ = with.busy_pause;
+        pause_ = std::max(with.busy_pause, with.pause);
         was_sent_ = false;
         may_be_repeated_ = of.may_be_repeated;
         error_ = none;
@@ -342,8 +344,13 @@ private:
     void wait(time now)
     {
         drop_unended();
+        if (phase_ == phase::awaiting and with_.pause > 0) { // 11
+            phase_ = phase::pausing;
+            until_ = now + with_.pause;
+            return;
+        }
         phase_ = phase::waiting;
-        until_ = now + limited_response();
+        until_ = now + limited_response() + line_.times.silence;
     }
     /// 21, where no outcome is told.
     void come_by(conversation& who, bool wants_turn, time now)
@@ -539,8 +546,8 @@ private:
             response_.assign(line_.frame.begin() + 1, line_.frame.end() - 2);
         }
         if (sendings_.unanswered > 0) { // 18
-            debts_.hold(unit(), now + limited(static_cast<time>(sendings_.unanswered) *
-                                              limited(sendings_.taken(now) + how_.late_response)));
+            debts_.hold(unit(), now + limited(with_.pause + static_cast<time>(sendings_.unanswered) *
+                                                                limited(sendings_.taken(now) + how_.late_response)));
             sendings_ = {};
         }
         settle(found, now);
@@ -558,8 +565,8 @@ private:
         } else if (phase_ == phase::awaiting) {
             fault why = error_;
             if (why == none) {
-                why = line_.is_quiet ? timed_out : bus_jam;
-                counted.note(line_.is_quiet ? a_timeout : a_jam, unit());
+                why = line_.is_at_rest(now) ? timed_out : bus_jam;
+                counted.note(why == timed_out ? a_timeout : a_jam, unit());
             }
             fail(why, now);
         } else if (phase_ == phase::pausing) {
@@ -598,6 +605,8 @@ private:
         ended_at_ = now;
         if (sendings_.unanswered > 0 and unit() != 0) {
             debts_.hold(unit(), std::max(now, std::min(sendings_.begun, now + sendings_.allowed)));
+        } else if (with_.pause > 0 and unit() != 0) {
+            debts_.hold(unit(), now + with_.pause);
         }
         sendings_ = {};
         error_ = why;

@@ -84,8 +84,7 @@ struct line_times {
           t3_5{bits_per_second > 19'200 ? 1750
                : bits_per_second == 0   ? up(7 * 11 * 1'000'000, 2 * 19'200)
                                         : up(7 * bits * 1'000'000, 2 * bits_per_second)},
-          frame_end{std::max({t3_5, host_frame_end, before_sending.value_or(0)})}, silence{before_sending.value_or(
-                                                                                       bits_per_second == 0 ? 0 : t3_5)}
+          frame_end{std::max(t3_5, host_frame_end)}, silence{before_sending.value_or(bits_per_second == 0 ? 0 : t3_5)}
     {}
     static time up(time dividend, time divisor) { return (dividend + divisor - 1) / divisor; }
     time characters(std::size_t count) const { return character * static_cast<time>(count); }
@@ -197,6 +196,8 @@ struct receiver {
     {
         return is_known and now >= last + times.frame_end + times.characters(count);
     }
+    /// 10: nothing has come for a while, whatever the silence before sending.
+    bool is_at_rest(time now) const { return is_quiet or now >= last + times.t3_5; }
     /// Without a wire silence does not end a response that lacks bytes while one is awaited.
     bool lacks_rest() const
     {

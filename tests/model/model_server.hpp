@@ -277,7 +277,7 @@ private:
         if (frame[0] == unit_ or frame[0] == 0) {
             request_ = frame;
             phase_ = phase::asked;
-            until_ = line_.last + line_.times.frame_end + response_limit;
+            until_ = line_.last + std::max(line_.times.frame_end, line_.times.silence) + response_limit;
         } else {
             expected_unit_ = frame[0];
             expected_function_ = frame[1];

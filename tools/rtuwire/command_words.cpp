@@ -37,6 +37,9 @@ void add_line_options(CLI::App& app, line_choices& line)
     app.add_option("--retries", line.retries, "how often a request is repeated")
         ->check(CLI::Range(0, 10))
         ->capture_default_str();
+    app.add_option("--pause", line.pause, "milliseconds of silence before each request but those of stop")
+        ->check(CLI::Range(0, 3'000))
+        ->capture_default_str();
     app.add_option("--listen", line.listen, "seconds to listen before the first frame")
         ->check(why_no_number)
         ->check(CLI::Range(0.0, 3'600.0))

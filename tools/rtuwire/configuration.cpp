@@ -211,6 +211,8 @@ constexpr option options[] = {
      [](line_choices& line, std::string const& word) { line.response_timeout = number_in(word, 0.001, 30); }},
     {"retries",
      [](line_choices& line, std::string const& word) { line.retries = static_cast<unsigned>(number_in(word, 0, 10)); }},
+    {"pause", [](line_choices& line,
+                 std::string const& word) { line.pause = static_cast<unsigned>(number_in(word, 0, 3'000)); }},
     {"listen", [](line_choices& line, std::string const& word) { line.listen = number_in(word, 0, 3'600); }},
 };
 

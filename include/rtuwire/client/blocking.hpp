@@ -182,7 +182,8 @@ private:
     {
         instant const begin = port_.now();
         client_.advance(begin);
-        instant until = client_.is_quiet() ? begin : begin + client_.line().silence();
+        instant until =
+            client_.is_quiet() ? begin : *earlier(client_.poll_deadline(), begin + client_.line().silence());
         instant const limit = until + write_limit_;
         for (;;) {
             stale_input old{client_};

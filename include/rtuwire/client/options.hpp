@@ -24,6 +24,10 @@ struct retry_policy {
     /// The pause before the first of these repetitions; each further one is twice as long. No other request leaves on
     /// the line meanwhile.
     duration busy_pause{milliseconds(50)};
+    /// The least time from a response to the next request to the same unit, and from a failed attempt to its repetition,
+    /// for a unit that misses what comes sooner. Other units' requests go on between two requests, and a stop request
+    /// does not wait for it. For a pause of all units see `line_timing::with_silence`.
+    duration pause{};
 };
 
 /// A client's time-outs and retries, and the properties of its line.

@@ -61,14 +61,13 @@ public:
         return line;
     }
 
-    /// The same with another silence before sending than t3.5, at most 35 minutes: more for units that miss a request
-    /// that comes that soon, less behind an adapter that hands bytes over late, so that the line has rested already.
-    /// Keep it below the response time-out: a request waits no longer for silence, and ends as `bus_jam`.
+    /// The same with another silence before sending than t3.5: more for units that miss a request that comes that soon,
+    /// less behind an adapter that hands bytes over late, so that the line has rested already. At most 40
+    /// s. It changes nothing of when a frame ends.
     [[nodiscard]] constexpr line_timing with_silence(duration silence) const noexcept
     {
         line_timing line = *this;
         line.silence_ = silence;
-        line.frame_end_ = silence > frame_end_ ? silence : frame_end_;
         return line;
     }
 
@@ -94,7 +93,7 @@ public:
     /// The shortest silence between frames: 3.5 characters, 1 750 us above 19 200 bit/s.
     [[nodiscard]] constexpr duration t3_5() const noexcept { return t3_5_; }
 
-    /// The silence after which a receiver treats what it has as complete; never below t3.5, nor the one before sending.
+    /// The silence after which a receiver treats what it has as complete; never below t3.5.
     [[nodiscard]] constexpr duration frame_end() const noexcept { return frame_end_; }
 
     /// The silence before sending: t3.5 where no other was given.

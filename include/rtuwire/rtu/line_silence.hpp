@@ -63,10 +63,10 @@ public:
     /// before sending out: nothing is to be sent before more has arrived, or a time limit is over.
     constexpr void add_to(earliest& next, bool awaits_bytes = false) const noexcept
     {
-        // The silence that ends a frame is never shorter than the one before sending.
         if (activity_ == activity::busy and not awaits_bytes) {
             next.add(last_ + line().silence());
-        } else if (activity_ != activity::unknown and ends_by_silence()) {
+        }
+        if (activity_ != activity::unknown and ends_by_silence()) {
             next.add(last_ + end_silence());
         }
     }
@@ -118,6 +118,12 @@ public:
 
     /// Whether the silence before sending has passed.
     [[nodiscard]] constexpr bool is_quiet() const noexcept { return activity_ == activity::quiet; }
+
+    /// Whether nothing has come for t3.5, or for the silence before sending where that is shorter.
+    [[nodiscard]] constexpr bool is_at_rest(instant now) const noexcept
+    {
+        return is_quiet() or reached(now, last_ + line().t3_5());
+    }
 
     /// Whether the next byte would be the first of a frame.
     [[nodiscard]] constexpr bool is_at_start() const noexcept { return not waits_for_silence(); }

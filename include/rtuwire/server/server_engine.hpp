@@ -142,6 +142,13 @@ protected:
 private:
     using phase = server_phase;
 
+    /// From a request to its end, or to where its response may leave.
+    constexpr duration longest_silence() const noexcept
+    {
+        line_timing const& line = framer_.line();
+        return line.frame_end() < line.silence() ? line.silence() : line.frame_end();
+    }
+
     constexpr void take_frame() noexcept
     {
         if (not framer_.poll_end()) {
@@ -160,7 +167,7 @@ private:
             if (units_.contains(heard.unit()) or heard.unit() == 0) {
                 is_broadcast_ = heard.unit() == 0;
                 pdu_size_ = static_cast<std::uint8_t>(heard.pdu().size());
-                until_ = framer_.last_activity() + framer_.line().frame_end() + response_limit;
+                until_ = framer_.last_activity() + longest_silence() + response_limit;
                 phase_ = phase::asked;
             } else {
                 expected = heard.wire_code();

@@ -61,6 +61,7 @@ any_port open_port(line_choices const& chosen, line_setting const& how)
     if (not port.open(which.port, {.bits_per_second = how.baud, .format = how.format})) {
         throw ended{exit_status::port, port.failure()};
     }
+    port.keep_pause(rtuwire::milliseconds(chosen.pause));
     return port;
 }
 

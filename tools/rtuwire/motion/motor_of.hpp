@@ -47,7 +47,7 @@ template <rtuwire::device_type Device> class motor_of final : public motor {
 public:
     motor_of(motor_line const& line, rtuwire::unit_id unit, asked_motion const& asked)
         : port_{line.port}, bus_{line.port.timing(), line.options, {.silent_share = 50}},
-          cycle_{station_of(unit), {.supervision = {.longest_gap = longest_gap(line.options)}}},
+          cycle_{station_of(unit), {.supervision = {.longest_gap = longest_gap(line)}}},
           reference_{setting::checked(typename setting::value_type{asked.count})},
           direction_{direction_of(asked)}, unit_{unit}, shown_at_{clock::now()}
     {}
@@ -121,10 +121,11 @@ private:
         return *found;
     }
 
-    /// An exchange and a read that got no answer, and the period.
-    static rtuwire::duration longest_gap(rtuwire::client_options const& options)
+    /// An exchange and a read that got no answer, the silence before each, and the period.
+    static rtuwire::duration longest_gap(motor_line const& line)
     {
-        return options.response_timeout * (1U + options.retries) + rtuwire::milliseconds(30);
+        rtuwire::duration const each = line.options.response_timeout + line.port.timing().silence();
+        return each * (1U + line.options.retries) + rtuwire::milliseconds(30);
     }
 
     void take_shown()

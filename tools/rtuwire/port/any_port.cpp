@@ -58,6 +58,11 @@ result<void> any_port::open_one(capture_file const& chosen, serial_settings cons
     return errc::device_not_serial;
 }
 
+void any_port::keep_pause(rtuwire::duration silence) noexcept
+{
+    timing_ = silence > timing_.silence() ? timing_.with_silence(silence) : timing_;
+}
+
 void any_port::close() noexcept
 {
     std::visit([](auto& port) { port.close(); }, port_);

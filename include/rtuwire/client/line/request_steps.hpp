@@ -41,14 +41,21 @@ protected:
 
     constexpr std::uint8_t unit() const noexcept { return this->asked_unit(); }
 
-    /// The request waits for the line. Not inlined: it is called in several places.
+    /// The request waits for the line: for others to end no longer than for a response, and for the silence besides; where
+    /// it has left already, first for its unit's pause. Not inlined: it is called in several places.
     [[gnu::noinline]] constexpr void wait_for_silence(instant now) noexcept
     {
         leave_begun();
-        phase_ = phase::waiting;
         error_ = errc::none;
         echo_.end();
-        deadline_ = now + retries_.response_timeout();
+        deadline_ = now + retries_.pause();
+        if (phase_ == phase::awaiting and deadline_ != now) {
+            phase_ = phase::pausing;
+            return;
+        }
+        phase_ = phase::waiting;
+        // Both fit: see `longest_duration`.
+        deadline_ = now + retries_.response_timeout() + framer().line().silence();
     }
 
     /// The transmitter has the time that the request takes, plus the response time-out.
@@ -89,8 +96,9 @@ protected:
     {
         leave_begun();
         error_ = error;
-        if (retries_.unanswered() != 0) {
-            bool const has_response = error_ == errc::none or is_exception(error_);
+        bool const owes = retries_.unanswered() != 0;
+        if (owes or (retries_.pause() != duration{} and unit() != 0)) {
+            bool const has_response = not owes or error_ == errc::none or is_exception(error_);
             duration const late = late_response();
             quarantine_.begin(unit(),
                               has_response ? now + retries_.all_that_follow(now, late) : retries_.owed_until(now));
@@ -105,8 +113,9 @@ protected:
     {
         if (phase_ == phase::awaiting) {
             if (error_ == errc::none) {
-                error_ = framer().is_quiet() ? errc::timed_out : errc::bus_jam;
-                statistics_.note(framer().is_quiet() ? line_event::timeout : line_event::jam, unit());
+                bool const is_silent = framer().is_at_rest(now);
+                error_ = is_silent ? errc::timed_out : errc::bus_jam;
+                statistics_.note(is_silent ? line_event::timeout : line_event::jam, unit());
             }
             attempt_failed(now);
         } else if (phase_ == phase::pausing) {

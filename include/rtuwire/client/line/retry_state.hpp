@@ -26,7 +26,8 @@ public:
         pauses_ = 0;
         unanswered_ = 0;
         response_timeout_ = with.response_timeout;
-        busy_pause_ = with.busy_pause;
+        pause_ = with.pause;
+        busy_pause_ = with.busy_pause < with.pause ? with.pause : with.busy_pause;
     }
 
     /// Takes one repetition after silence or damage; returns false where none is left.
@@ -91,12 +92,12 @@ public:
     /// A response to one of the sendings has come, whole or damaged.
     constexpr void note_response() noexcept { --unanswered_; }
 
-    /// How long the responses to all other sendings may take, once one has come at `now`: each as long as the first
-    /// may have taken, plus `late`. A program that was stopped meanwhile counts no longer than its request may take.
+    /// The unit's pause, and how long the responses to all other sendings may take, once one has come at `now`: each as long
+    /// as the first may have taken, plus `late`. A program that was stopped meanwhile counts no longer than its request may take.
     [[nodiscard]] constexpr duration all_that_follow(instant now, duration late) const noexcept
     {
         duration const each = shorter(now - first_sent_, longest_) + late;
-        duration length{};
+        duration length = pause_;
         for (unsigned i = 0; i < unanswered_; ++i) {
             length = length + each;
         }
@@ -110,6 +111,9 @@ public:
 
     [[nodiscard]] constexpr duration response_timeout() const noexcept { return response_timeout_; }
 
+    /// What its unit gets behind a response, and before a repetition.
+    [[nodiscard]] constexpr duration pause() const noexcept { return pause_; }
+
 private:
     static constexpr duration shorter(duration one, duration other) noexcept { return one < other ? one : other; }
 
@@ -119,6 +123,7 @@ private:
     std::uint8_t pauses_{0};
     duration response_timeout_{};
     duration busy_pause_{}; ///< the next one
+    duration pause_{};
     instant first_sent_{0};
     instant owed_until_{0};
     duration longest_{};          ///< what the time limits leave from the first of the unanswered sendings on

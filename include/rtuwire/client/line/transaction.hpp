@@ -123,9 +123,9 @@ public:
         framer().add_to(next, phase_ == phase::awaiting and not is_reserved);
         quarantine_.add_to(next);
         if (is_woken_ or is_under_way(phase_)) {
-            // After `wake`, a time that has come already.
+            // After `wake`, a time that has come already: a request that waits then has seen the line fall silent.
             bool const is_past = is_woken_ and phase_ == phase::waiting;
-            next.add(is_past ? deadline_ - retries_.response_timeout() : deadline_);
+            next.add(is_past ? framer().last_activity() : deadline_);
         }
     }
 

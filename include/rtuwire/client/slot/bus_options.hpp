@@ -24,7 +24,8 @@ struct bus_options {
 /// How a bus treats one unit.
 struct slot_options {
     retry_policy with{};
-    /// The least time from the end of a transaction with this unit to the next request to it.
+    /// The least time from the outcome of this slot's request to its next one, which sets how often it asks. A unit that
+    /// misses what comes too soon has the `pause` of its `retry_policy`, which holds for repetitions, too.
     duration least_idle{};
     /// The longest time from one request to this unit to the next; zero where it does not matter. A silent unit is
     /// sent a request only where its whole time-out ends before any such time of a unit that is not silent, and before
