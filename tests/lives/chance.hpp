@@ -72,7 +72,9 @@ private:
         node& own = any();
         std::size_t const unit = nodes_[0].get() == &own ? 0U : 1U;
         said_.now = now_;
-        switch (chance_.below(24)) {
+        switch (chance_.below(26)) {
+        case 24:
+        case 25: return cut_between_frames(own, unit);
         case 0:
         case 1:
         case 2:
@@ -181,17 +183,21 @@ private:
     void switch_drive(node& own)
     {
         counts_.note(event::drive_power_cycle);
-        said_.say("the drive is switched off and on");
-        own.law.note_disturbance(now_, own.drive->state(), false);
-        own.drive->power_cycle(at());
-        own.is_local = false;
-        own.response_size = 0;
-        own.drive->sent(at());
+        base::cycle_power(own);
+    }
+
+    /// Its power goes and comes back between two frames, while somebody starts it.
+    void cut_between_frames(node& own, std::size_t unit)
+    {
+        own.cut_behind = 1 + chance_.below(24);
+        std::size_t const place = chance_.below(slots);
+        chance_.below(2) == 0 ? base::begin_direct_start(place, unit) : base::begin_start(place, unit);
     }
 
     void switch_controller()
     {
         counts_.note(event::controller_power_cycle);
+        base::is_left_out_ = false;
         said_.say("the controller is switched off and on");
         for (slot& each : slots_) {
             each.what.template emplace<std::monostate>();

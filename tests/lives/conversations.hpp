@@ -50,6 +50,9 @@ template <typename Device> station<Device> station_of(drive_setting const& set)
 /// A stop of all drives of a life.
 using everyone = std::variant<std::monostate, a::broadcast_stop<1>, a::broadcast_stop<2>>;
 
+/// HSP of each drive, as delivered.
+inline constexpr int highest_half_hertz = 100;
+
 /// What an order asks for: a frequency in half hertz, and its direction, which 0 has, too.
 struct asked_motion {
     int half_hertz{0};

@@ -39,6 +39,8 @@ struct drive_setting {
     bool is_link_ignored{false}; ///< NTO of an ATV28
     std::uint16_t ramp{10};      ///< 0.1 s from 0 to 50 Hz
     std::uint16_t lsp{0};        ///< 0.1 Hz
+    bool is_io{false};           ///< an ATV320 in its I/O profile: bit 0 of the control word runs it
+    model called{model::atv320}; ///< by its user
 
     /// Whether a lost link takes the motor's power away.
     bool is_supervised() const
@@ -66,6 +68,7 @@ public:
 
     virtual cia402::state state() const = 0;
     virtual std::int32_t frequency() const = 0; ///< mHz
+    virtual std::int16_t reference() const = 0; ///< LFR, 0.1 Hz
     virtual std::uint16_t status() const = 0;
 
     virtual void trip(std::uint16_t code) = 0;
@@ -94,6 +97,7 @@ public:
 
     cia402::state state() const override { return unit_.drive().state_machine().state(); }
     std::int32_t frequency() const override { return unit_.drive().motor().frequency(); }
+    std::int16_t reference() const override { return static_cast<std::int16_t>(unit_.drive().word("LFR")); }
     std::uint16_t status() const override { return unit_.drive().word("ETA"); }
 
     void trip(std::uint16_t code) override { unit_.drive().inject_fault(code); }
@@ -122,6 +126,10 @@ private:
         altivar::safeguard_layout const& at = Device::layout.safeguards;
         put(at.sll, set_.sll);
         put(at.tto, set_.tto);
+        if (set_.is_io) {
+            constexpr std::uint16_t io_profile = 3;
+            put(at.chcf, io_profile);
+        }
         if (at.nto != 0 and set_.is_link_ignored) {
             put(Device::layout.cmi, at.nto);
         }

@@ -70,6 +70,12 @@ public:
         is_halting_ = is_halt;
         stopped_at_ = now;
     }
+    /// A stop of everyone does not name this drive: its broadcasts may be for another family, and nobody follows up.
+    void note_left_out(moment now)
+    {
+        note_stop(now, false);
+        last_missed_ = now;
+    }
     /// The user was told that an order is over.
     void note_end_of_order(std::size_t place, moment now)
     {
@@ -90,6 +96,9 @@ public:
     /// The user gave a conversation up before its end: what it ordered stays ordered, what it was to stop nobody stops.
     void note_given_up(std::size_t place, bool was_stopping)
     {
+        if (was_stopping) {
+            word_due_since_ = 0;
+        }
         if (orders_[place].is_there) {
             detached_ = {true, true, false, true, true, std::max(detached_.at, orders_[place].at)};
             orders_[place] = {};
@@ -100,6 +109,7 @@ public:
     /// What was under way was cancelled: no loss is told by it.
     void note_cancel()
     {
+        word_due_since_ = 0;
         unanswered_ = 0;
         asked_function_ = 0;
     }
@@ -109,8 +119,23 @@ public:
         detached_ = {};
         is_orphan_ = true;
         unanswered_ = 0;
+        unheeded_ = 0;
+        word_due_since_ = 0;
     }
-    void note_death(moment now) { died_at_ = now; }
+    void note_death(moment now)
+    {
+        died_at_ = now;
+        word_due_since_ = 0;
+    }
+
+    /// A stop of its own has begun: its word, or its look, is due.
+    void note_word_due(moment now) { word_due_since_ = stop_begun_ = now; }
+
+    /// The line was taken by a request of another drive's stop: these come before all others, and not in turns.
+    void note_other_stop(moment now) { word_due_since_ = word_due_since_ != 0 ? now : 0; }
+
+    /// It has responded, whoever heard that; or it was off.
+    void note_own_response() { unheeded_ = 0; }
 
     /// The controller was not scheduled until now. Where that was longer than the drive's time-out, what its cycles were
     /// ordered is gone; whether there was such an order.
@@ -125,6 +150,8 @@ public:
         }
         // What takes time from one of these on begins now.
         taken_at_ = stopped_at_ = lost_at_ = now;
+        unheeded_ = 0;
+        word_due_since_ = 0; // its limit may be over
         is_asleep_ = false;
         return was_ordered;
     }
@@ -146,12 +173,18 @@ public:
         }
     }
 
+    void note_power_cycle(moment now) { cycled_at_ = now; }
+
     // What is on the line.
 
     /// A request of this controller to this drive, or to all.
     std::optional<breach> note_request(byte_view frame, moment now, bool is_heard)
     {
         bool const is_broadcast = frame[0] == std::byte{0};
+        word_due_since_ = 0;
+        if (not is_broadcast) {
+            count_unheeded(now, is_heard);
+        }
         if (not is_broadcast) {
             last_missed_ = unanswered_ == 0 ? last_missed_ : now;
             ++unanswered_;
@@ -169,6 +202,11 @@ public:
         bool const is_enabling = word and enables(*word, drive_.profile());
         is_enabling_ = is_enabling;
         if (is_heard) {
+            if (word and (*word & drive_.profile().direct_control) != 0 and cycled_at_ != 0 and
+                cycled_at_ >= last_heard_) {
+                note_reference(0, false); // the reference is gone since the last look, and its sign with it
+                note_reference(0, true);
+            }
             last_heard_ = now;
             was_foreign_ = false;
             if (word and (*word & 0x80U) != 0) {
@@ -213,7 +251,7 @@ public:
         last_foreign_ = now;
         was_foreign_ = true;
         if (to_u8(frame[1]) != 3) {
-            is_foreign_ = true;
+            was_written_to_ = is_foreign_ = true;
             auto const word = control_word_in(frame, drive_.profile());
             bool const stops = word and (*word == 0 or *word == 2);
             if (stops) {
@@ -250,6 +288,12 @@ public:
         cia402::state const at = drive_.state();
         bool const had_power = has_power_;
         bool const was_running = runs_;
+        if (set_.is_io and drive_.frequency() != 0 and not was_written_to_) {
+            return breach::moved_without_order;
+        }
+        if (auto const wrong = judge_line(now)) {
+            return wrong;
+        }
         has_power_ = cia402::has_power(at);
         runs_ = at == cia402::state::operation_enabled;
         if (cia402::is_in_fault(at) and not was_in_fault_) {
@@ -267,6 +311,24 @@ public:
         }
         return has_power_ ? judge_power(now) : std::nullopt;
     }
+
+    /// What this drive was told last by who ordered it alone, in 0.1 Hz.
+    std::optional<breach> told_reference(std::size_t place, int asked) const
+    {
+        // What befell it behind its last look nobody can know.
+        bool const is_known = number_of_orders() == 1 and orders_[place].is_alone and not is_foreign_ and asked != 0 and
+                              (disturbed_at_ == 0 or disturbed_at_ < looked_at_[0]);
+        return is_known and drive_.reference() != asked ? std::optional{breach::ran_otherwise} : std::nullopt;
+    }
+    /// A stop has ended: one that was carried out has sent something. `has_none`: another stop is under way, or it has no
+    /// place.
+    std::optional<breach> told_of_a_stop(moment begun, bool has_none)
+    {
+        bool const is_missing = word_due_since_ != 0 and begun == stop_begun_;
+        word_due_since_ = is_missing ? 0 : word_due_since_;
+        return is_missing and not has_none ? std::optional{breach::stopped_late} : std::nullopt;
+    }
+    bool is_ordered() const { return has_order() and not is_orphan_; }
 
     /// What a user was told.
     std::optional<breach> told_to_stand(bool by_halt) const
@@ -320,6 +382,17 @@ private:
         return latest;
     }
 
+    /// Requests in a row, each soon behind the one before.
+    void count_unheeded(moment now, bool is_heard)
+    {
+        constexpr moment soon = 1'000'000;
+        bool const is_in_a_row = is_heard and now < last_unheeded_ + soon;
+        unheeded_ = is_in_a_row ? unheeded_ : 0;
+        unheeded_since_ = unheeded_ == 0 ? now : unheeded_since_;
+        unheeded_ += is_heard ? 1 : 0;
+        last_unheeded_ = now;
+    }
+
     void note_look_behind_ambush(byte_view frame, bool is_enabling)
     {
         bool const shows_state = is_look_ or to_u8(frame[1]) == 23 or (to_u8(frame[1]) == 3 and u16_at(frame, 4) > 2);
@@ -371,6 +444,22 @@ private:
             return breach::moved_by_itself;
         }
         return was_asked_ or is_foreign_ ? std::nullopt : std::optional{breach::moved_without_order};
+    }
+
+    /// What has to leave at once, and what has to come back.
+    std::optional<breach> judge_line(moment now) const
+    {
+        constexpr unsigned most_unheeded = 6;
+        constexpr moment longest_save = 4'000'000; // an EEPROM that is written twice
+        if (is_asleep_ or died_at_ != 0) {
+            return std::nullopt;
+        }
+        if (unheeded_ > most_unheeded and last_unheeded_ > unheeded_since_ + longest_save) {
+            return breach::deaf;
+        }
+        moment const others = 2 * retry_state() + 1'000'000;
+        bool const is_late = word_due_since_ != 0 and now > word_due_since_ + others;
+        return is_late ? std::optional{breach::stopped_late} : std::nullopt;
     }
 
     /// Twice as many frames as a loss needs at most: a request and its repetitions, one more where that is tolerated.
@@ -449,6 +538,12 @@ private:
     moment ran_at_{0};
     moment died_at_{0};
     moment last_missed_{0};
+    moment word_due_since_{0};
+    moment cycled_at_{0};
+    moment unheeded_since_{0};
+    moment last_unheeded_{0};
+    moment stop_begun_{0}; ///< of the latest stop of its own
+    unsigned unheeded_{0}; ///< requests that it heard since its last response
     unsigned unanswered_{0};
     std::uint8_t asked_function_{0};
     std::int32_t most_forward_{0};
@@ -459,6 +554,7 @@ private:
     bool is_orphan_{false};  ///< nobody is left who ordered it, or who was to stop it
     bool is_foreign_{false}; ///< another master wrote to it since it stood, or since the last order
     bool was_foreign_{false};
+    bool was_written_to_{false}; ///< by another master, ever
     bool runs_for_another_{false};
     bool is_key_known_{false};
     bool is_enabling_{false}; ///< the last request

@@ -39,6 +39,9 @@ public:
         for (std::size_t i = 0; i < how.drives; ++i) {
             nodes_.push_back(std::make_unique<node>(how_, how_.drive[i], at(), counts));
             nodes_.back()->law.note_line(how_.late_in_a_million == 0, 0);
+            if (how.drive[i].is_io) {
+                counts.note(event::named_otherwise);
+            }
         }
         pass(5'000);
     }
@@ -91,6 +94,19 @@ protected:
         own.law.note_line(own.lost.is_good() and how_.late_in_a_million == 0, now_);
     }
 
+    void cycle_power(node& own)
+    {
+        said_.now = now_;
+        said_.say("the drive is switched off and on");
+        own.law.note_disturbance(now_, own.drive->state(), false);
+        own.law.note_power_cycle(now_);
+        own.law.note_own_response();
+        own.drive->power_cycle(at());
+        own.is_local = false;
+        own.response_size = 0;
+        own.drive->sent(at());
+    }
+
     /// A frame of another master.
     void say_as_another(byte_view frame)
     {
@@ -132,8 +148,9 @@ protected:
     everyone everyone_{};
     std::optional<breach> wrong_{};
     moment now_{0};
-    bool is_dead_{false};   ///< the controller
-    bool is_asleep_{false}; ///< its program
+    bool is_left_out_{false}; ///< a drive that was ordered, of a stop of everyone
+    bool is_dead_{false};     ///< the controller
+    bool is_asleep_{false};   ///< its program
 
 private:
     std::size_t index_of(node const& which) const { return nodes_[0].get() == &which ? 0U : 1U; }
@@ -149,7 +166,13 @@ private:
             converse(now);
         }
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
-            nodes_[i]->drive->advance(now);
+            // A unit that stands sleeps by its deadline while nobody asks.
+            bool const is_idle = is_asleep_ and how_.is_event_driven and not nodes_[i]->law.has_power() and
+                                 nodes_[i]->response_size == 0;
+            deadline const due = nodes_[i]->drive->poll_deadline();
+            if (not is_idle or (due and reached(now, *due))) {
+                nodes_[i]->drive->advance(now);
+            }
             accuse(nodes_[i]->law.look(now_), i);
         }
         bool is_moved = is_awake() and ask();
@@ -194,10 +217,11 @@ private:
     {
         is_everyone_told_ = true;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
-            if (all.reason(i).kind == a::outcome_kind::succeeded) {
+            if (all.reason(i).kind == a::outcome_kind::succeeded or (all.succeeded() and is_left_out_)) {
                 accuse(nodes_[i]->law.told_to_stand(false), i);
             }
         }
+        is_left_out_ = false;
     }
 
     void converse(std::size_t, std::monostate, instant) {}
@@ -242,11 +266,44 @@ private:
         judge& law = of(own).law;
         bool const is_done = what.reason().kind == a::outcome_kind::succeeded;
         if constexpr (is_start<Conversation>) {
-            what.running() ? accuse(law.told_to_run(own.began), own.unit) : law.note_end_of_order(place, now_);
+            if (not what.running()) {
+                law.note_end_of_order(place, now_);
+                return;
+            }
+            accuse(law.told_to_run(own.began), own.unit);
+            accuse(own.asked.half_hertz > highest_half_hertz ? std::optional{breach::beyond_limits} : std::nullopt,
+                   own.unit);
+            accuse(law.told_reference(place, own.asked.signed_half_hertz() * 5), own.unit);
         } else if constexpr (std::is_same_v<Conversation, a::stop>) {
+            auto const how = what.reason().kind;
+            bool const has_none = how == a::outcome_kind::overruled or how == a::outcome_kind::aborted or
+                                  how == a::outcome_kind::no_place;
+            accuse(law.told_of_a_stop(own.began, has_none), own.unit);
             if (is_done) {
                 accuse(law.told_to_stand(own.is_halt), own.unit);
+                look_for_runners(own);
             }
+        } else if constexpr (std::is_same_v<Conversation, a::change_reference>) {
+            if (is_done and own.asked.half_hertz > highest_half_hertz) {
+                accuse(breach::beyond_limits, own.unit);
+            }
+        }
+    }
+
+    /// Behind a stop that is done no start of its unit runs that was told before.
+    void look_for_runners(slot const& stopped)
+    {
+        for (slot& each : slots_) {
+            std::visit(
+                [&](auto& what) {
+                    if constexpr (is_start<std::decay_t<decltype(what)>>) {
+                        bool const is_meant = each.unit == stopped.unit and each.has_told and not each.is_away;
+                        if (is_meant and each.began < stopped.began and what.running()) {
+                            accuse(breach::said_to_run, each.unit);
+                        }
+                    }
+                },
+                each.what);
         }
     }
 
@@ -279,9 +336,19 @@ private:
             }
             if (is_meant) {
                 wait_for(each, frame, is_lost);
+            } else if (is_stop_under_way(i)) {
+                each.law.note_other_stop(now_);
             }
         }
         return true;
+    }
+
+    /// Of another drive.
+    bool is_stop_under_way(std::size_t unit) const
+    {
+        return everyone_.index() != 0 or std::any_of(slots_.begin(), slots_.end(), [&](slot const& each) {
+                   return each.unit != unit and not each.has_told and std::holds_alternative<a::stop>(each.what);
+               });
     }
 
     /// Another master waits for a word to run; another write ends its waiting for its time to speak.
@@ -370,6 +437,11 @@ private:
         own.response_size = 0;
         if (not is_lost and not is_asleep_) {
             count_for(own, frame);
+        }
+        own.law.note_own_response();
+        if (own.cut_behind != 0 and --own.cut_behind == 0) {
+            counts_.note(event::power_cycle_between_frames);
+            cycle_power(own);
         }
         return true;
     }

@@ -31,6 +31,7 @@ struct life_setting {
     std::uint32_t seed{0};
     bool is_bus{true};
     bool is_unsupervised{false}; ///< one of its drives is: only with the risk accepted
+    bool is_event_driven{false}; ///< its drives sleep by their deadlines while the controller does
     std::size_t drives{1};
     std::array<drive_setting, most_drives> drive{};
     std::uint32_t bits_per_second{19'200};
@@ -57,6 +58,13 @@ inline drive_setting drive_of(sim::random_source& chance, std::uint8_t address, 
     set.ramp = static_cast<std::uint16_t>(chance.below(4) == 0 ? 30 : 1 + chance.below(10));
     bool const has_lsp = chance.below(2) == 0;
     set.lsp = static_cast<std::uint16_t>(has_lsp ? 1 + chance.below(200) : 0);
+    set.called = set.which;
+    if (set.which == model::atv320 and chance.below(8) == 0) {
+        constexpr std::array<model, 4> names{model::atv320, model::atv12, model::atv310_2014, model::atv310_2026};
+        set.is_io = true;
+        set.lsp = static_cast<std::uint16_t>(50 + chance.below(100)); // it turns by bit 0 alone
+        set.called = names[chance.below(4)];
+    }
     return set;
 }
 
@@ -80,6 +88,7 @@ inline life_setting setting_of(std::uint32_t seed)
     bool const wraps = chance.below(4) == 0;
     how.start_count = wraps ? 0U - chance.below(8'000'000) : chance.next();
     how.moments = 6 + chance.below(12);
+    how.is_event_driven = chance.below(2) == 0;
     how.end = static_cast<last_part>(chance.below(static_cast<std::uint32_t>(last_part::count)));
     return how;
 }

@@ -29,7 +29,11 @@ public:
     {
         std::size_t const place = chance_.below(slots);
         std::size_t const unit = chance_.below(static_cast<std::uint32_t>(how_.drives));
-        switch (chance_.below(24)) {
+        switch (chance_.below(28)) {
+        case 24:
+        case 25:
+        case 26:
+        case 27: return use_again(place);
         case 0:
         case 1:
         case 2:
@@ -64,7 +68,11 @@ protected:
     asked_motion any_reference()
     {
         bool const is_reverse = chance_.below(2) == 0;
-        return {chance_.below(6) == 0 ? 0 : static_cast<int>(chance_.below(101)), is_reverse};
+        if (chance_.below(12) == 0) {
+            counts_.note(event::asked_beyond_limits);
+            return {highest_half_hertz + 1 + static_cast<int>(chance_.below(20)), is_reverse};
+        }
+        return {chance_.below(3) == 0 ? 0 : static_cast<int>(chance_.below(101)), is_reverse};
     }
     /// For a printed life; the sign of 0, too.
     static double hertz(asked_motion asked) { return (asked.is_reverse ? -1 : 1) * (asked.half_hertz / 2.0); }
@@ -150,9 +158,10 @@ protected:
         asked_motion const asked = any_reference();
         counts_.note(event::started);
         duration const limit = milliseconds(500 + chance_.below(3'000));
-        with_device(set_of(unit).which,
+        with_device(set_of(unit).called,
                     [&]<typename Device>(Device) { put(place, unit, make_start<Device>(set_of(unit), asked, limit)); });
         said_.say("start in place %zu: drive %u at %.1f Hz", place, set_of(unit).address, hertz(asked));
+        slots_[place].asked = asked;
         note_order(place, asked, false);
     }
 
@@ -168,6 +177,7 @@ protected:
             a::atv28::direct_start{station_of<a::atv28::device>(set_of(unit)), reference_of<a::atv28::device>(asked),
                                    milliseconds(3'000), risks_of(set_of(unit))});
         said_.say("direct start in place %zu: drive %u at %.1f Hz", place, set_of(unit).address, hertz(asked));
+        slots_[place].asked = asked;
         note_order(place, asked, false);
     }
 
@@ -190,18 +200,52 @@ protected:
         how = has_none ? a::stop_by::ramp : how;
         count_stop(how);
         auto const begin = chance_.below(2) == 0 ? a::stop_begin::at_once : a::stop_begin::look_first;
-        with_device(set_of(unit).which, [&]<typename Device>(Device) {
+        with_device(set_of(unit).called, [&]<typename Device>(Device) {
             put(place, unit, a::stop{station_of<Device>(set_of(unit)), how, any_limit(), begin});
         });
         slots_[place].is_halt = how == a::stop_by::halt;
         said_.say("stop in place %zu: drive %u, way %d", place, set_of(unit).address, static_cast<int>(how));
         law_of(unit).note_stop(now_, how == a::stop_by::halt);
+        law_of(unit).note_word_due(now_);
+    }
+
+    /// One that has ended begins anew; what orders is a new order, and a stop stops again.
+    void use_again(std::size_t place)
+    {
+        slot& own = slots_[place];
+        if (own.has_told and not own.is_away) {
+            std::visit([&](auto& what) { begin_anew(place, own, what); }, own.what);
+        }
+    }
+    template <typename Conversation> void begin_anew(std::size_t place, slot& own, Conversation& what)
+    {
+        constexpr bool is_used = is_start<Conversation> or std::is_same_v<Conversation, a::stop> or
+                                 std::is_same_v<Conversation, a::change_reference> or
+                                 std::is_same_v<Conversation, a::reset_fault>;
+        if constexpr (is_used) {
+            counts_.note(event::used_again);
+            said_.now = now_;
+            said_.say("place %zu is used again", place);
+            what.again();
+            own.has_told = false;
+            own.began = now_;
+            law_of(own.unit).note_company(place);
+        }
+        if constexpr (is_start<Conversation>) {
+            law_of(own.unit).note_given_up(place, false); // the motor may run by the order before
+            note_order(place, own.asked, false);
+        } else if constexpr (std::is_same_v<Conversation, a::stop>) {
+            law_of(own.unit).note_stop(now_, own.is_halt);
+            law_of(own.unit).note_word_due(now_);
+        } else if constexpr (std::is_same_v<Conversation, a::change_reference>) {
+            law_of(own.unit).note_change(own.asked.half_hertz * 500, own.asked.is_reverse);
+        }
     }
 
     void begin_cycle(std::size_t place, std::size_t unit)
     {
         counts_.note(event::cycle_begun);
-        with_device(set_of(unit).which,
+        with_device(set_of(unit).called,
                     [&]<typename Device>(Device) { put(place, unit, make_cycle<Device>(set_of(unit), chance_)); });
         said_.say("cycle in place %zu: drive %u", place, set_of(unit).address);
     }
@@ -246,6 +290,9 @@ protected:
         bool const is_taken = run_cycle<Device>(loop, asked);
         said_.say("run in place %zu: %.1f Hz, taken %d", place, hertz(asked), int{is_taken});
         counts_.note(is_taken ? event::cycle_ran : event::cycle_refused_to_run);
+        if (is_taken and asked.half_hertz > highest_half_hertz) {
+            base::accuse(breach::beyond_limits, slots_[place].unit);
+        }
         if (is_taken) {
             note_order(place, asked, true);
         }
@@ -264,7 +311,7 @@ protected:
     {
         asked_motion const asked = any_reference();
         counts_.note(event::reference_changed);
-        with_device(set_of(unit).which, [&]<typename Device>(Device) {
+        with_device(set_of(unit).called, [&]<typename Device>(Device) {
             put(place, unit,
                 a::change_reference{station_of<Device>(set_of(unit)), reference_of<Device>(asked), any_limit()});
         });
@@ -280,7 +327,7 @@ protected:
             nodes_[unit]->drive->clear_cause();
             counts_.note(event::cause_gone);
         }
-        with_device(set_of(unit).which, [&]<typename Device>(Device) {
+        with_device(set_of(unit).called, [&]<typename Device>(Device) {
             put(place, unit, a::reset_fault{station_of<Device>(set_of(unit))});
         });
         said_.say("fault reset in place %zu: drive %u", place, set_of(unit).address);
@@ -300,15 +347,15 @@ protected:
     {
         said_.now = now_;
         said_.say("save or scanner in place %zu: drive %u", place, set_of(unit).address);
-        if (set_of(unit).which == model::atv320 and chance_.below(2) == 0) {
+        if (set_of(unit).called == model::atv320 and chance_.below(2) == 0) {
             counts_.note(event::scanner_configured);
             put(place, unit, scanner_of_atv320{station_of<a::atv320::device>(set_of(unit))});
-        } else if (set_of(unit).which == model::atv12 and chance_.below(2) == 0) {
+        } else if (set_of(unit).called == model::atv12 and chance_.below(2) == 0) {
             counts_.note(event::scanner_configured);
             put(place, unit, scanner_of_atv12{station_of<a::atv12::device>(set_of(unit))});
         } else {
             counts_.note(event::saved);
-            with_device(set_of(unit).which, [&]<typename Device>(Device) {
+            with_device(set_of(unit).called, [&]<typename Device>(Device) {
                 put(place, unit, a::save_to_eeprom{station_of<Device>(set_of(unit))});
             });
         }
@@ -319,20 +366,26 @@ protected:
         counts_.note(event::stopped_everyone);
         a::broadcast_stop_options const options{
             .freewheel = chance_.below(2) == 0, .cuts_short = chance_.below(4) == 0, .last_after = milliseconds(400)};
-        with_device(set_of(0).which, [&]<typename First>(First) {
+        // A drive that this controller did not order nobody stops who does not name it.
+        bool const is_one_left_out = how_.drives == 2 and law_of(1).is_ordered() and chance_.below(2) == 0;
+        base::is_left_out_ = is_one_left_out;
+        if (is_one_left_out) {
+            counts_.note(event::left_out_of_a_stop_of_everyone);
+        }
+        with_device(set_of(0).called, [&]<typename First>(First) {
             auto const first = station_of<First>(set_of(0));
-            if (how_.drives == 1) {
+            if (how_.drives == 1 or is_one_left_out) {
                 everyone_.template emplace<a::broadcast_stop<1>>(options, first);
             } else {
-                with_device(set_of(1).which, [&]<typename Second>(Second) {
+                with_device(set_of(1).called, [&]<typename Second>(Second) {
                     everyone_.template emplace<a::broadcast_stop<2>>(options, first, station_of<Second>(set_of(1)));
                 });
             }
         });
         said_.now = now_;
         said_.say("stop of everyone");
-        for (auto const& each : nodes_) {
-            each->law.note_stop(now_, false);
+        for (std::size_t i = 0; i < how_.drives; ++i) {
+            is_one_left_out and i == 1 ? law_of(i).note_left_out(now_) : law_of(i).note_stop(now_, false);
         }
     }
 

@@ -1,0 +1,152 @@
+# SPDX-FileCopyrightText: 2026 The rtuwire authors
+# SPDX-License-Identifier: BSL-1.0
+"""Puts defects that were mended back into a copy of the headers, one at a time, and looks whether the random lives report it.
+
+    /usr/bin/python3 tests/lives/put_back.py [--lives N] [--first SEED] [--jobs J] [--compiler C] [NAME...]
+
+Each is an exact change of texts that stand in the headers once. It fails where one does not, where no life of N breaks the law,
+or where the law that breaks is none of those that this defect has to break. D22 is the tool's: its list's test holds it.
+"""
+import argparse
+import concurrent.futures
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from typing import NamedTuple
+
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+
+RUNNER = "altivar/procedure/procedure_runner.hpp"
+DIRECT = "altivar/procedure/motion/direct_control.hpp"
+
+MOVED = {"a motor got power without an order", "a word that enables left"}
+POWER = {"power too long"}
+
+
+class Defect(NamedTuple):
+    name: str
+    changes: list  # header below include/rtuwire, text, what it becomes
+    breaks: set    # one of these has to be reported: its first words
+
+
+DEFECTS = [
+    Defect("D18 a stop that is used again says done and sends nothing", [
+        (RUNNER, """        asker const former{*this};
+        *this = procedure_runner{unit_, procedure_.anew(), limit_};
+        this->replace(former);
+""", ""),
+    ], {"a stop that was done", "a stop whose word"}),
+    Defect("D19 a start runs behind a stop of the same client", [
+        (RUNNER, "return is_done and this->is_order_in_force(unit_);", "return is_done;"),
+    ], {"a start that says that the motor runs"}),
+    Defect("D20 a reference of 0 in reverse is one forward", [
+        ("altivar/device/reference.hpp", "has_no_other ? ~unsigned{word} : 0U - word", "0U - word"),
+        ("altivar/device/reference.hpp", "        bool const has_no_other = (word & 0x7FFFU) == 0;\n", ""),
+    ], {"a motor turned faster"}),
+    Defect("D21 the words of a stop rest on the declared type", [
+        ("altivar/device/drive_layout.hpp", "return layout.cmd == later_control_word;",
+         "return layout.cmd == later_control_word and layout.cmd == 0;"),
+    ], {"a motor got power without an order"}),
+    Defect("D23 what was in force lies ahead after half the counter: the client", [
+        ("core/time.hpp", "return (now - before).microseconds - half < reach ? instant{before.microseconds + reach} : now;",
+         "return reach == 0 ? before : now;"),
+        ("rtu/line_silence.hpp", "return within_reach(last_, now, line().characters(max_adu_size) + latency);",
+         "duration const ahead = line().characters(max_adu_size) + latency; std::uint32_t const reach = 0x8000'0000U - "
+         "ahead.microseconds; return (now - last_).microseconds - 0x8000'0000U < reach ? instant{last_.microseconds + reach} "
+         ": now;"),
+    ], {"a stop whose word", "a unit that hears", *POWER}),
+    Defect("D24 what was in force lies ahead after half the counter: the line", [
+        ("rtu/line_silence.hpp", "return within_reach(last_, now, line().characters(max_adu_size) + latency);",
+         "static_cast<void>(latency); return now;"),
+        ("rtu/line_silence.hpp", "not(waits_for_silence() or activity_ == activity::busy)", "not waits_for_silence()"),
+    ], {"a unit that hears", "a stop whose word", *POWER}),
+    Defect("D25 a reference beyond the drive's limits is taken", [
+        ("altivar/procedure/inspection/reference_limits.hpp",
+         "if (has_scale and size * step >= highest * scale + step) {", "if (has_scale and size > 0x8000U) {"),
+    ], {"a reference beyond"}),
+    Defect("D26 the status that ends a cycle's check is not judged", [
+        ("altivar/cyclic/cycle_agenda.hpp",
+         "position_.go_to(judge(status, false) ? step::look_for_fault : position_.first());",
+         "static_cast<void>(status); position_.go_to(position_.first());"),
+    ], MOVED),
+    Defect("D27 a stop of everyone forgets a drive that it does not name", [
+        ("client/desk/order_desk.hpp", "orders_.lose_all_but(conversation.stops(), now);", ""),
+        ("altivar/procedure/motion/broadcast_stop.hpp",
+         "bool is_done = settled() and not this->is_used_already() and not leaves_ordered();",
+         "bool is_done = settled() and not this->is_used_already();"),
+    ], {*POWER, "a stop that was done"}),
+    Defect("D28 a cycle goes on behind a sleep longer than the drive's time-out", [
+        ("altivar/cyclic/cyclic.hpp", "if (is_heard_ and not is_asking_ and since_heard_ > drive_timeout()) {",
+         "if (is_heard_ and is_asking_ and since_heard_ > drive_timeout()) {"),
+    ], {*MOVED, *POWER}),
+    Defect("D29 a direct start reads the command before the status", [
+        (DIRECT, "read(may_run_ ? stage::confirming : stage::looking_again, layout().eta)",
+         "(may_run_ ? read(stage::confirming, layout().eta) : read(stage::reading_command, layout().cmd))"),
+        (DIRECT, "case stage::reading_command: return word == 0 ? run() : abort(outcome_kind::overwritten);",
+         "case stage::reading_command:\n            return word == 0 ? read(stage::looking_again, layout().eta)\n"
+         "                             : abort(outcome_kind::overwritten);"),
+        (DIRECT, "        return read(stage::reading_command, layout().cmd);\n    }", "        return run();\n    }"),
+        (DIRECT, "        case stage::writing_reference:\n        case stage::running: return read(stage::reading_reference, reference_.address);",
+         "        case stage::writing_reference: return read(stage::reading_reference, reference_.address);\n"
+         "        case stage::running: return read(stage::confirming, layout().eta);"),
+    ], {"a start that was done", "a motor turned faster"}),
+]
+
+
+def copy_with(defect, folder):
+    """A copy of the headers with the defect; a message where it cannot be made."""
+    shutil.copytree(PROJECT / "include", folder)
+    for header, text, becomes in defect.changes:
+        path = folder / "rtuwire" / header
+        old = path.read_text(encoding="utf-8")
+        if (found := old.count(text)) != 1:
+            return f"{header} has the text {found} times, not once: {text}"
+        path.write_text(old.replace(text, becomes), encoding="utf-8")
+    return None
+
+
+def attempt(defect, options):
+    """Whether it was reported, and a line that says how."""
+    with tempfile.TemporaryDirectory() as place:
+        headers, program = pathlib.Path(place, "include"), pathlib.Path(place, "lives")
+        if wrong := copy_with(defect, headers):
+            return False, wrong
+        made = subprocess.run([options.compiler, "-std=c++20", "-Og", f"-I{headers}", f"-I{PROJECT / 'tests'}", "-w",
+                               str(PROJECT / "tests" / "lives" / "random_lives.cpp"), "-o", str(program)],
+                              capture_output=True, text=True, check=False)
+        if made.returncode != 0:
+            return False, made.stderr
+        done = subprocess.run([program, str(options.lives), str(options.first)], capture_output=True, text=True, check=False)
+    seeds = re.findall(r"^seed (\d+): (.+)$", done.stdout, re.MULTILINE)
+    of_it = [(int(seed), law) for seed, law in seeds if any(law.startswith(each) for each in defect.breaks)]
+    if not of_it:
+        return False, "not reported; broken were: " + (", ".join(sorted({law for _, law in seeds})) or "no laws")
+    seed, law = min(of_it)
+    return True, f"after {seed - options.first + 1} lives: {law}"
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    arguments.add_argument("--lives", type=int, default=10_000, help="as many as CI has with each build")
+    arguments.add_argument("--first", type=int, default=1)
+    arguments.add_argument("--jobs", type=int, default=2)
+    arguments.add_argument("--compiler", default="g++")
+    arguments.add_argument("names", nargs="*", help="the first words of those to try")
+    options = arguments.parse_args()
+    wanted = [each for each in DEFECTS if not options.names or any(each.name.startswith(name) for name in options.names)]
+    if not wanted:
+        sys.exit("no defect has such a name")
+    missed = 0
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for defect, (is_reported, says) in zip(wanted, pool.map(lambda each: attempt(each, options), wanted)):
+            print(f"{'reported' if is_reported else 'MISSED'}: {defect.name}: {says}", flush=True)
+            missed += not is_reported
+    print(f"{len(wanted) - missed} of {len(wanted)} were reported")
+    return 1 if missed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
