@@ -53,6 +53,18 @@ unsigned exception_of(whole_bank& bank, byte_view asked, server_profile const& p
     return is_as_before(bank) ? to_u8(told[1]) : 0xFFU;
 }
 
+/// Function 65, which nobody has.
+struct doubling {
+    static constexpr function_code code = static_cast<function_code>(65);
+    static constexpr frame_rules rules{sized(length_rule::fixed, 6), sized(length_rule::fixed, 6), answer_rule::own};
+
+    template <typename Memory, typename Server> static constexpr errc respond(Memory& pdu, Server const&) noexcept
+    {
+        put_u16(&pdu.bytes[1], static_cast<std::uint16_t>(2U * u16_at(pdu.view(), 1)));
+        return errc::none;
+    }
+};
+
 template <std::size_t Size> unsigned exception_to(std::array<std::byte, Size> const& asked)
 {
     whole_bank bank = fresh();
@@ -214,6 +226,16 @@ TEST_CASE("a function that a server has not is exception 01 at any size")
         CHECK(exception_of<only_coils>(bank, byte_view{"05 00 00 00 01 00"_hex}.first(size)) == 1);
         CHECK(exception_of<only_coils>(bank, byte_view{"03 00 00 00 01 00"_hex}.first(size)) == 1);
     }
+}
+
+TEST_CASE("a function of a list that is not public needs no entry of a profile, and takes none from the public ones")
+{
+    whole_bank bank = fresh();
+    using with_one_more = function_list<read_coils, doubling>;
+    CHECK(exception_of<with_one_more>(bank, "41 00 04"_hex) == 0);
+    CHECK(exception_of<with_one_more>(bank, "01 00 00 00 01"_hex) == 0);
+    CHECK(exception_of<with_one_more>(bank, "01 00 00 00 01"_hex, {.functions = function_set{}}) == 1);
+    CHECK(exception_of<function_list<read_coils>>(bank, "41 00 04"_hex) == 1);
 }
 
 TEST_CASE("a server of input registers, files or coils alone needs nothing else of its bank")
