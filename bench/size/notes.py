@@ -70,7 +70,6 @@ TRICKS = (
     inlining("inline", "client/line/transaction.hpp", "constexpr bool advance("),
     inlining("inline", "client/line/transaction.hpp", "constexpr result<response> take_outcome("),
     inlining("inline", "client/line/transaction.hpp", "constexpr void wake("),
-    inlining("inline", "client/line/reception.hpp", "constexpr bool take_echo("),
     inlining("inline", "client/line/line_end.hpp", "constexpr errc keep("),
     inlining("inline", "client/line/quarantine.hpp", "constexpr bool covers("),
     inlining("not inline", "client/turns.hpp", "constexpr void renew("),

@@ -240,8 +240,8 @@ constexpr bool begun_like_an_echo()
     end.unit.now = end.unit.now + line.characters(6);
     end.unit.link.sent(end.unit.now);
     end.unit.say(response_1234);
-    return is(end.has(0, "01 03"_hex, role::unknown, verdict::stray), "no echo") and
-           is(end.has(1, read_eta, role::request, verdict::good, true), "request") and
+    return is(end.has(0, read_eta, role::request, verdict::good, true), "request") and
+           is(end.has(1, "01 03"_hex, role::unknown, verdict::stray), "no echo") and
            is(end.has(2, response_1234, role::response, verdict::good), "response");
 }
 PROOF("bytes that equal the request's first on a line without echo are stray", begun_like_an_echo)

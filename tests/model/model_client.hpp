@@ -48,9 +48,10 @@ public:
         bool const is_start = line_.is_quiet;
         end_by_silence(chunk.size(), now);
         hear(now);
+        std::size_t const back = take_echo(chunk, now);
         std::size_t strays = 0;
-        for (std::uint8_t const byte : chunk) {
-            strays += take(byte, now) ? 0U : 1U;
+        for (std::size_t i = back; i < chunk.size(); ++i) {
+            strays += take(chunk[i], now) ? 0U : 1U;
         }
         note_strays(strays, is_start, chunk[0], strays == chunk.size());
     }
@@ -82,7 +83,6 @@ public:
         if (unit() == 0) {
             phase_ = phase::turnaround;
             until_ = at + how_.turnaround;
-            close_echo();
             return;
         }
         note_sending(at);
@@ -94,7 +94,6 @@ public:
         until_ = at + response_time();
         sent_at_ = at;
         skips_left_ = how_.max_leading_noise;
-        close_echo();
     }
 
     void advance(time now)
@@ -150,7 +149,7 @@ public:
         counted.note(was_sent_ ? a_repetition : a_request, unit());
         was_sent_ = true;
         echo_at_ = 0;
-        is_echo_over_ = false;
+        echo_ = echo::open;
         return request_;
     }
 
@@ -306,7 +305,7 @@ private:
         return limited(limited_response() + line_.times.characters(size.bytes) +
                        (size.is_final ? 0 : line_.times.frame_end));
     }
-    bool is_echo_open() const { return not is_echo_over_ and echo_at_ < request_.size(); }
+    bool expects_echo() const { return how_.has_line_echo or echoes_seen_ == 2; }
 
     /// 4.
     fault refusal(bytes const& frame) const
@@ -344,6 +343,7 @@ private:
     void wait(time now)
     {
         drop_unended();
+        echo_ = echo::over;
         if (phase_ == phase::awaiting and with_.pause > 0) { // 11
             phase_ = phase::pausing;
             until_ = now + with_.pause;
@@ -426,63 +426,79 @@ private:
             settle(bus_jam, now);
         }
     }
+    /// 14 to 16: how many bytes of a chunk are the echo's, or a difference of one.
+    std::size_t take_echo(bytes const& chunk, time now)
+    {
+        if (echo_ != echo::open) {
+            return 0;
+        }
+        bool const expects = expects_echo();
+        bool const may_answer = phase_ == phase::awaiting and not expects;
+        std::size_t same = 0;
+        while (same < chunk.size() and echo_at_ + same < request_.size() and chunk[same] == request_[echo_at_ + same]) {
+            ++same;
+        }
+        std::size_t const before = echo_at_;
+        echo_at_ += same;
+        if (echo_at_ == request_.size()) {
+            bool const is_in_frame = line_.at == receiver::state::inside and line_.frame.size() == before;
+            bool const is_all_behind = is_in_frame or (line_.at != receiver::state::inside and before == 0);
+            bool const is_mirrored = check_response(request_, request_) != line_echo;
+            bool const may_be_it = may_answer and is_all_behind and is_mirrored;
+            if (may_be_it and echoes_seen_ == 0) {
+                echo_ = echo::over;
+                return 0;
+            }
+            echo_ = echo::whole;
+            line_.at = may_answer ? receiver::state::between : line_.at;
+            if (not may_be_it) {
+                come_back(not is_mirrored, now);
+            }
+            return same;
+        }
+        if (same == chunk.size()) {
+            return may_answer ? 0 : same;
+        }
+        bool const is_all_behind = line_.at == receiver::state::inside ? line_.frame.size() == before : before == 0;
+        echo_ = phase_ == phase::awaiting and is_all_behind ? echo::over : echo::suspected;
+        if (expects) {
+            counted.note(a_collision, unit());
+            error_ = error_ == none ? collision : error_;
+            echoes_seen_ = std::min(echoes_seen_, 1U);
+            return same + 1;
+        }
+        return may_answer ? 0 : same;
+    }
+    void come_back(bool is_sure, time now)
+    {
+        bool const is_news = not how_.has_line_echo and echoes_seen_ == 0 and phase_ != phase::turnaround;
+        echoes_seen_ = is_sure ? std::min(echoes_seen_ + 1, 2U) : echoes_seen_;
+        if (not is_news) {
+            return;
+        }
+        counted.note(a_mismatch, unit());
+        error_ = line_echo;
+        if (phase_ == phase::awaiting) {
+            settle(line_echo, now);
+        }
+    }
     /// Whether the byte belongs to something.
     bool take(std::uint8_t byte, time now)
     {
-        if (is_leaving() or phase_ == phase::turnaround) {
-            return is_echo_open() and compare(byte);
-        }
         if (phase_ != phase::awaiting) {
             return false;
-        }
-        if (is_echo_open()) {
-            bool const is_same = compare(byte);
-            if (is_same) {
-                if (not how_.has_line_echo and error_ == line_echo) {
-                    settle(line_echo, now);
-                }
-                return true;
-            }
         }
         if (line_.at == receiver::state::between and skips_left_ > 0 and byte != unit()) {
             --skips_left_;
             counted.note(a_noise, unit());
+            echo_ = echo_ == echo::over ? echo::suspected : echo_;
             return true;
         }
-        if (line_.take(byte, false)) {
+        if (line_.take(byte, false) and echo_ != echo::open) {
             line_.at = receiver::state::between;
             judge(false, now);
         }
         return true;
-    }
-    /// 14, 15. Whether the byte is accounted for.
-    bool compare(std::uint8_t byte)
-    {
-        if (request_[echo_at_] != byte) {
-            differ();
-            return how_.has_line_echo;
-        }
-        ++echo_at_;
-        if (echo_at_ == request_.size() and not how_.has_line_echo) {
-            error_ = line_echo;
-            counted.note(a_mismatch, unit());
-        }
-        return true;
-    }
-    /// The transmission is over.
-    void close_echo()
-    {
-        if (not how_.has_line_echo and echo_at_ < request_.size() / 2) {
-            is_echo_over_ = true;
-        }
-    }
-    void differ()
-    {
-        is_echo_over_ = true;
-        if (how_.has_line_echo) {
-            counted.note(a_collision, unit());
-            error_ = error_ == none ? collision : error_;
-        }
     }
 
     bool awaits_rest() const { return phase_ == phase::awaiting and line_.lacks_rest(); }
@@ -501,8 +517,11 @@ private:
     /// 3, 9 and 25.
     void judge(bool is_by_silence, time now)
     {
-        if (how_.has_line_echo and error_ == collision) {
+        if (error_ == collision) {
             return;
+        }
+        if (echo_ == echo::open and not expects_echo()) {
+            echo_ = echo::over;
         }
         bytes const& frame = line_.frame;
         bool const has_size = matches_size_hint(frame);
@@ -514,9 +533,14 @@ private:
             }
         }
         counted.note_frame(found, unit(), now - sent_at_);
+        if (found != none and found >= 0x80 and echo_ == echo::over) {
+            echo_ = echo::suspected;
+        }
         if (found == none or found < 0x80) {
+            echoes_seen_ = echo_ == echo::over ? 0 : echoes_seen_;
             take_response(found, now);
         } else if (found == line_echo) {
+            echoes_seen_ = std::min(echoes_seen_ + 1, 2U);
             settle(line_echo, now);
         } else if ((found == crc_mismatch or found == uart_error) and frame.size() >= 4 and frame[0] == request_[0] and
                    (frame[1] & 0x7F) == request_[1] and has_size) {
@@ -582,7 +606,6 @@ private:
             phase_ = phase::turnaround;
             until_ = now + how_.turnaround;
             error_ = transmit_stalled;
-            close_echo();
             return;
         }
         note_sending(now);
@@ -602,6 +625,7 @@ private:
     void settle(fault why, time now)
     {
         drop_unended();
+        echo_ = echo::over;
         ended_at_ = now;
         if (sendings_.unanswered > 0 and unit() != 0) {
             debts_.hold(unit(), std::max(now, std::min(sendings_.begun, now + sendings_.allowed)));
@@ -652,8 +676,9 @@ private:
     sendings sendings_{};
     time sent_at_{0};
     time ended_at_{0};
+    enum class echo { over, open, suspected, whole } echo_{echo::over};
     std::size_t echo_at_{0};
-    bool is_echo_over_{true};
+    unsigned echoes_seen_{0}; ///< 2: two or more
     unsigned skips_left_{0};
     bool is_woken_{false};
     bool is_held_back_{false};

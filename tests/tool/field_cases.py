@@ -146,7 +146,35 @@ def check_pause(tool, check):
     check(ended.status == 2 and "--pause" in ended.errors, "a pause of more than 3 s is refused", ended)
 
 
-PARTS = {"formats": check_formats, "pieces": check_pieces, "pause": check_pause}
+def echoed(request):
+    """The line gives back what is sent, and the unit answers at once."""
+    return request + (good(request) if request[1] in (3, 4) else request)
+
+
+def check_echo(tool, check):
+    for words, value in (("0", 0), ("100", 100), ("1000", 1000), ("3201", 3201), ("8501", 8501), ("0x0200", 0x200)):
+        with UnitOnLine(echoed) as line:
+            how = ["--port", line.name, "--no-listen", "--timeout", 0.3, "--retries", 0, "-u", 1, "--json"]
+            first = tool.run(*how, "read", words)
+            check(first.status == DIFFERS and "the line echoes" in first.output and "--echo" in first.output, f"{words} tells the echo", first)
+            known = tool.run(*how, "--echo", "read", words)
+            check(known.status == DONE and [row["raw"] for row in known.objects()] == [value], f"{words} is read with --echo", known)
+            two = tool.run(*how, "read", words, "0x4000").objects()
+            check("the line echoes" in two[0]["error"] and two[1]["raw"] == 0x4000, f"{words} is told once, and what is behind it read", two)
+    with UnitOnLine(echoed) as line:
+        ended = tool.run("--port", line.name, "--no-listen", "--json", "scan", "--units", "1-5")
+        rows = ended.objects()
+        check(ended.status == DIFFERS and len(rows) == 1 and "the line echoes" in rows[0]["note"], "the one finding of a scan", ended)
+        check(len(line.unit.requests) == 1, "which asks no more", line.unit.requests)
+    with UnitOnLine(lambda request: request + (good(request) if request[0] == 3 and request[1] == 3 else b"")) as line:
+        ended = tool.run("--port", line.name, "--no-listen", "--timeout", 0.3, "--echo", "--json", "scan", "--units", "1-5")
+        check(ended.status == DONE and [row["unit"] for row in ended.objects()] == [3], "a scan through the echo", ended)
+    with UnitOnLine(lambda request: request) as line:
+        ended = tool.run("--port", line.name, "--no-listen", "--timeout", 0.3, "--retries", 0, "--echo", "-u", 1, "read", "1")
+        check(ended.status == NO_ANSWER and "no response in time" in ended.output, "an echo alone is no answer", ended)
+
+
+PARTS = {"echo": check_echo, "formats": check_formats, "pieces": check_pieces, "pause": check_pause}
 
 
 def main(check, program, part):

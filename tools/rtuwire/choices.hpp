@@ -34,6 +34,7 @@ struct line_choices {
         0.2}; ///< seconds behind that time, for what comes too late to be waited for; see client_options
     unsigned retries{1};
     unsigned pause{0};           ///< milliseconds of silence before a request, where that is more than the line's
+    bool has_echo{false};        ///< the line gives back what is sent
     double listen{1.0};          ///< seconds before the first frame
     bool must_not_listen{false}; ///< speaks at once, on a line in use, too
     typed_line typed{};

@@ -251,7 +251,7 @@ parsed parse(int argc, char** argv)
     app.add_option(
         "--config", ignored,
         "a file with what is said each time: port, unit, baud, format, drive, name, timeout, retries, pause,\n"
-        "listen, such as port = \"/dev/ttyUSB0\" and name = [\"fan=7:atv320\"];\n"
+        "echo, listen, such as port = \"/dev/ttyUSB0\" and name = [\"fan=7:atv320\"];\n"
         "without it ./rtuwire.toml, then $XDG_CONFIG_HOME/rtuwire.toml");
     add_words(app, chosen);
     try {

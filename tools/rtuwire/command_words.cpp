@@ -40,6 +40,7 @@ void add_line_options(CLI::App& app, line_choices& line)
     app.add_option("--pause", line.pause, "milliseconds of silence before each request but those of stop")
         ->check(CLI::Range(0, 3'000))
         ->capture_default_str();
+    app.add_flag("--echo", line.has_echo, "the line gives back what is sent");
     app.add_option("--listen", line.listen, "seconds to listen before the first frame")
         ->check(why_no_number)
         ->check(CLI::Range(0.0, 3'600.0))

@@ -213,6 +213,13 @@ constexpr option options[] = {
      [](line_choices& line, std::string const& word) { line.retries = static_cast<unsigned>(number_in(word, 0, 10)); }},
     {"pause", [](line_choices& line,
                  std::string const& word) { line.pause = static_cast<unsigned>(number_in(word, 0, 3'000)); }},
+    {"echo",
+     [](line_choices& line, std::string const& word) {
+         if (word != "true" and word != "false") {
+             refuse_word("it is true or false");
+         }
+         line.has_echo = word == "true";
+     }},
     {"listen", [](line_choices& line, std::string const& word) { line.listen = number_in(word, 0, 3'600); }},
 };
 

@@ -91,6 +91,9 @@ public:
     /// Valid until the next `ask` or `run`.
     [[nodiscard]] std::optional<refused_frame> refused() const noexcept { return client_.refused(); }
 
+    /// Whether the line has given back what was sent: see the client's.
+    [[nodiscard]] bool has_seen_echo() const noexcept { return client_.has_seen_echo(); }
+
     /// Runs a conversation until it is settled, and returns its `outcome()`; where it has none, its `reason()`; where it
     /// has neither, a `result<void>`. Of a conversation without a name, whose response would end with the statement, only
     /// the error. One that is already settled begins anew, by its `again()`. Errors besides its own: `used_already` where it

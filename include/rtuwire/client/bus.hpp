@@ -53,8 +53,8 @@ public:
     }
 
     /// As for a client.
-    using places::cancel, places::hold, places::is_held, places::line, places::poll_transmit, places::receive,
-        places::receive_error, places::refused, places::sent, places::trace_to;
+    using places::cancel, places::has_seen_echo, places::hold, places::is_held, places::line, places::poll_transmit,
+        places::receive, places::receive_error, places::refused, places::sent, places::trace_to;
 
     /// Lets time pass.
     constexpr void advance(instant now) noexcept

@@ -34,8 +34,7 @@ public:
     }
 
 private:
-    /// Any address whose high byte is 3: read as a response, the request then has the length that this byte gives, so
-    /// that it can be told from a response that follows at once.
+    /// Any address: an exception is a response, too.
     static constexpr std::uint16_t address = 0x0300;
 };
 

@@ -44,8 +44,9 @@ struct client_options {
     /// As in `retry_policy`.
     std::uint8_t retries{2};
     /// Whether the line returns what is sent (two wires without receiver disable). Each byte is then compared with the
-    /// one sent; a difference is a `collision`. Without it, a request that comes back ends as `line_echo` wherever it
-    /// can be told from a response; `line_echo_probe` finds out.
+    /// one sent; a difference is a `collision`. Without it, the first request that comes back ends as `line_echo`, wherever
+    /// it can be told from a response; from then on echoes are taken out (see `has_seen_echo`) until a response comes
+    /// without one, and after two of them a difference is a collision. `line_echo_probe` finds out before a write.
     bool has_line_echo{false};
     /// How many bytes of noise before a response are skipped: only bytes that differ from the unit's address, and the
     /// response must then be whole. Each one adds 1.5e-5 to the share of noise that passes a CRC, so the default is

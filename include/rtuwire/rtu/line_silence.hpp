@@ -98,6 +98,12 @@ public:
         state_ = waits_for_silence() and not ends_by_silence() ? state::idle : state_;
     }
 
+    /// Drops what is being received: the next byte is the first of a frame.
+    constexpr void drop_begun() noexcept { state_ = state::idle; }
+
+    /// A frame that has ended by its length goes on: nothing but silence ends it.
+    constexpr void go_on() noexcept { state_ = state_ == state::done ? state::receiving : state_; }
+
     /// Drops what is being received and takes the next byte as the first of a frame: for a line that the
     /// caller knows to be silent, because its own transmission just ended.
     constexpr void restart(instant now) noexcept

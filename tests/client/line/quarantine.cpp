@@ -52,20 +52,40 @@ constexpr bool compares_an_echo()
     constexpr std::array<std::byte, 8> sent{std::byte{1}, std::byte{2}, std::byte{3}, std::byte{4},
                                             std::byte{5}, std::byte{6}, std::byte{7}, std::byte{8}};
     line_echo echo;
-    bool ok = not echo.is_open() and not echo.is_half(sent.size());
+    bool ok = not echo.is_open() and not echo.is_whole();
     echo.begin();
     for (std::size_t i = 0; i < sent.size(); ++i) {
-        ok = ok and echo.is_open() and echo.is_half(sent.size()) == (i >= 4);
-        ok = ok and echo.take(sent[i], sent);
+        ok = ok and echo.is_open() and echo.taken() == i and not echo.is_whole();
+        ok = ok and echo.take({&sent[i], 1}, sent) == 1;
     }
-    ok = ok and not echo.is_open() and not echo.is_half(sent.size());
+    ok = ok and not echo.is_open() and echo.is_whole() and echo.taken() == 0;
+    echo.begin();
+    ok = ok and echo.take(byte_view{sent}.first(3), sent) == 3 and echo.taken() == 3;
+    ok = ok and echo.take(byte_view{sent}.subspan(3), sent) == 5 and echo.is_whole();
     echo.begin();
     echo.end();
-    ok = ok and not echo.is_open();
+    ok = ok and not echo.is_open() and not echo.is_whole();
     echo.begin();
-    return ok and not echo.take(sent[1], sent) and not echo.is_open();
+    return ok and echo.take({&sent[1], 1}, sent) == 0 and not echo.is_open() and not echo.is_whole();
 }
-PROOF("an echo is open until its last byte or another one, and half from the middle on", compares_an_echo)
+PROOF("an echo is open until its last byte or another one", compares_an_echo)
+
+constexpr bool learns_an_echo()
+{
+    line_echo echo;
+    echo.doubt();
+    bool ok = not echo.is_known() and not echo.is_proven();
+    echo.note_seen();
+    ok = ok and echo.is_known() and not echo.is_proven();
+    echo.note_seen();
+    echo.note_seen();
+    ok = ok and echo.is_proven();
+    echo.doubt();
+    ok = ok and echo.is_known() and not echo.is_proven();
+    echo.forget();
+    return ok and not echo.is_known();
+}
+PROOF("a line is known to echo when it did once, for sure when twice, and until it is forgotten", learns_an_echo)
 
 STATIC_CHECK(retry_policy{}.response_timeout == milliseconds(1'000) and retry_policy{}.retries == 2);
 STATIC_CHECK(retry_policy{}.busy_retries == 3 and retry_policy{}.busy_pause == milliseconds(50));

@@ -71,7 +71,7 @@ public:
                          chosen_.scan.resume_file.empty() ? "" : "; the same command goes on from there");
             return static_cast<exit_status>(128 + noted_signal());
         }
-        return count_ > 0 ? exit_status::done : exit_status::no_answer;
+        return has_echo_ ? exit_status::differs : count_ > 0 ? exit_status::done : exit_status::no_answer;
     }
 
 private:
@@ -89,6 +89,9 @@ private:
                     line = std::make_unique<open_line>(choices_here(), how);
                 }
                 look_at(*line, how, *rtuwire::unit_id::checked(unit));
+                if (has_echo_) {
+                    return false;
+                }
             }
             ++done_;
         }
@@ -117,7 +120,10 @@ private:
         if (status_of(outcome) == exit_status::port) {
             throw ended{exit_status::port, line.port().failure()};
         }
-        if (is_there) {
+        has_echo_ = outcome == errc::line_echo;
+        if (has_echo_) { // of the line, and of no unit: every address would show it
+            show(record_of(how, unit, {.note = line.words_of_failure(outcome)}));
+        } else if (is_there) {
             identity_words const who = who_is_it(line, unit);
             note(how, unit, who);
             leave(line, how, unit, who.drive);
@@ -158,16 +164,21 @@ private:
 
     void note(line_setting const& how, rtuwire::unit_id unit, identity_words const& who)
     {
-        record line{{"unit", std::int64_t{unit.byte()}},
-                    {"baud", std::int64_t{how.baud}},
-                    {"format", name_of_format(how.format)},
-                    {"vendor", who.vendor},
-                    {"product", who.product},
-                    {"revision", who.revision},
-                    {"drive", who.drive},
-                    {"note", who.note}};
+        record const line = record_of(how, unit, who);
         log_.note_found(how, unit.byte(), line);
         show(line);
+    }
+
+    static record record_of(line_setting const& how, rtuwire::unit_id unit, identity_words const& who)
+    {
+        return {{"unit", std::int64_t{unit.byte()}},
+                {"baud", std::int64_t{how.baud}},
+                {"format", name_of_format(how.format)},
+                {"vendor", who.vendor},
+                {"product", who.product},
+                {"revision", who.revision},
+                {"drive", who.drive},
+                {"note", who.note}};
     }
 
     /// Simulated drives of this program end with it.
@@ -210,6 +221,7 @@ private:
     std::size_t done_{0};
     std::size_t count_{0};
     bool has_listened_{false};
+    bool has_echo_{false};
 };
 
 } // namespace

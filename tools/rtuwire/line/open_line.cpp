@@ -39,6 +39,7 @@ rtuwire::client_options options_in(line_choices const& chosen)
     options.response_timeout = seconds_in(chosen.response_timeout.value_or(1.0));
     options.late_response = seconds_in(chosen.late_response);
     options.retries = static_cast<std::uint8_t>(chosen.retries);
+    options.has_line_echo = chosen.has_echo;
     return options;
 }
 
@@ -80,12 +81,16 @@ open_line::open_line(line_choices const& chosen, line_setting const& how)
 
 std::string open_line::words_of_failure(rtuwire::errc why) const
 {
+    using rtuwire::errc;
     std::string text = words_of(why);
+    if (why == errc::line_echo) {
+        return text + " (say --echo, or switch the adapter's receiver off while it sends)";
+    }
     auto const refused = client_.refused();
     if (not refused) {
         return text;
     }
-    if (why == rtuwire::errc::wrong_length) {
+    if (why == errc::wrong_length) {
         text +=
             ": the unit departs from the function's format: " + std::to_string(refused->bytes.size()) + " bytes came";
         text += refused->due == 0 ? "" : ", " + std::to_string(refused->due) + " are due";

@@ -66,15 +66,18 @@ protected:
         }
     }
 
-    /// Traces an echo that has come back whole, or up to a byte that differs; `before` are the bytes before this one.
-    [[gnu::always_inline]] constexpr void pass_echoed(std::byte byte, std::size_t before, bool is_same) noexcept
+    /// Traces an echo that has come back whole, or up to a byte that differs, which begins `rest`; `before` bytes had come
+    /// before.
+    [[gnu::always_inline]] constexpr void pass_echoed(std::size_t before, std::size_t same, byte_view rest) noexcept
     {
         if constexpr (is_traced<Statistics>) {
-            if (not echo_.is_open()) {
-                this->pass_echo(before + (is_same ? 1U : 0U));
+            if (echo_.is_open()) {
+                return;
             }
-            if (not is_same and options().has_line_echo) {
-                statistics_.pass({&byte, 1}, frame_role::unknown, frame_verdict::damaged);
+            bool const is_all = echo_.is_whole() or this->expects_echo() or steps::phase_ != client_phase::awaiting;
+            this->pass_echo(is_all ? before + same : this->outside_frame(before));
+            if (not echo_.is_whole() and this->expects_echo()) {
+                statistics_.pass(rest.first(1), frame_role::unknown, frame_verdict::damaged);
             }
         }
     }

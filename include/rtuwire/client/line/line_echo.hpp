@@ -13,7 +13,8 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Compares the received bytes with the bytes of one transmission, in their order.
+/// Compares the received bytes with the bytes of one transmission, in their order, and keeps what the transmissions before
+/// have shown: a line that has given back a whole one echoes, until a response comes without.
 class line_echo {
 public:
     /// A transmission begins.
@@ -22,27 +23,53 @@ public:
     /// Expects no echo from here on.
     constexpr void end() noexcept { next_ = 0; }
 
-    /// Whether the next byte may belong to the echo.
-    [[nodiscard]] constexpr bool is_open() const noexcept { return next_ != 0; }
+    /// Something else has come that may have been an echo, damaged or in part.
+    constexpr void suspect() noexcept { next_ = next_ == 0 ? suspected : next_; }
 
-    /// Whether half of `size` bytes have come, and more are to come.
-    [[nodiscard]] constexpr bool is_half(std::size_t size) const noexcept { return next_ > size / 2; }
+    /// Whether nothing has come of an echo.
+    [[nodiscard]] constexpr bool is_absent() const noexcept { return next_ == 0; }
+
+    /// Whether the next byte may belong to the echo.
+    [[nodiscard]] constexpr bool is_open() const noexcept { return next_ != 0 and next_ < suspected; }
+
+    /// Whether this transmission has come back whole.
+    [[nodiscard]] constexpr bool is_whole() const noexcept { return next_ == whole; }
 
     /// How many bytes have come, while more are to come.
     [[nodiscard]] constexpr std::size_t taken() const noexcept { return is_open() ? next_ - 1U : 0U; }
 
-    /// Takes a byte while the echo is open. Returns whether it equals the byte that was sent; after one that differs,
-    /// and after the last one, the echo is over.
-    constexpr bool take(std::byte byte, byte_view sent) noexcept
+    /// Takes bytes while the echo is open. Returns how many of them equal what was sent; after one that differs, and after
+    /// the last one, the echo is over.
+    constexpr std::size_t take(byte_view bytes, byte_view sent) noexcept
     {
-        bool const is_same = byte == sent[next_ - 1U];
-        bool const is_last = next_ == sent.size();
-        next_ = is_same and not is_last ? static_cast<std::uint16_t>(next_ + 1) : std::uint16_t{0};
-        return is_same;
+        std::size_t same = 0;
+        while (is_open() and same < bytes.size()) {
+            if (bytes[same] != sent[next_ - 1U]) {
+                end();
+                break;
+            }
+            ++same;
+            next_ = next_ == sent.size() ? whole : static_cast<std::uint16_t>(next_ + 1);
+        }
+        return same;
     }
 
+    /// Whether the line has echoed.
+    [[nodiscard]] constexpr bool is_known() const noexcept { return seen_ != 0; }
+    /// Whether it has done so twice.
+    [[nodiscard]] constexpr bool is_proven() const noexcept { return seen_ == twice; }
+    constexpr void note_seen() noexcept { seen_ = is_known() ? twice : std::uint8_t{1}; }
+    /// What comes next decides again.
+    constexpr void doubt() noexcept { seen_ = is_known() ? std::uint8_t{1} : std::uint8_t{0}; }
+    constexpr void forget() noexcept { seen_ = 0; }
+
 private:
+    static constexpr std::uint16_t suspected = 0xFFFE;
+    static constexpr std::uint16_t whole = 0xFFFF;
+    static constexpr std::uint8_t twice = 2;
+
     std::uint16_t next_{0}; ///< the next byte's number, from 1; 0 where none is expected
+    std::uint8_t seen_{0};
 };
 
 } // namespace rtuwire

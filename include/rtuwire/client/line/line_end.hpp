@@ -85,6 +85,10 @@ public:
     [[nodiscard]] constexpr bool is_held(unit_id unit) const noexcept { return is_held(unit.byte()); }
     [[nodiscard]] constexpr bool is_held(std::uint8_t unit) const noexcept { return quarantine_.covers(unit); }
 
+    /// Whether the line has given back what was sent, and echoes are taken out by themselves: `client_options::has_line_echo`
+    /// says how.
+    [[nodiscard]] constexpr bool has_seen_echo() const noexcept { return echo_.is_known(); }
+
     /// The unit of the last request; 0 for a broadcast.
     [[nodiscard]] constexpr std::uint8_t asked_unit() const noexcept { return unit_; }
 
@@ -123,6 +127,9 @@ protected:
         unit_ = to_u8(frame[0]);
         return errc::none;
     }
+
+    /// Whether what is sent has to come back before a response.
+    constexpr bool expects_echo() const noexcept { return options().has_line_echo or echo_.is_proven(); }
 
     constexpr byte_view request() const noexcept { return {framer().storage().data(), size_}; }
 

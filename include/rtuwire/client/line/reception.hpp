@@ -61,11 +61,11 @@ public:
         }
         bool const is_start = framer().is_quiet();
         begin_chunk(bytes.size(), now);
-        std::size_t taken = 0;
+        std::size_t taken = take_echo(bytes, now);
         while (taken < bytes.size()) {
             if (takes_all()) {
                 taken += framer().take_many(bytes.data() + taken, bytes.size() - taken);
-                take_frame(now);
+                end_frame(now);
             } else if (take(bytes[taken], now)) {
                 ++taken;
             } else {
@@ -80,7 +80,7 @@ public:
     {
         bool const is_start = framer().is_quiet();
         begin_chunk(1, now);
-        if (not take(byte, now)) {
+        if (take_echo({&byte, 1}, now) == 0 and not take(byte, now)) {
             drop({&byte, 1}, is_start, now);
         }
     }
@@ -130,6 +130,9 @@ protected:
         if (not is_end or error_ == errc::collision) {
             return this->pass_collision(is_end);
         }
+        if (echo_.is_open() and not this->expects_echo()) {
+            end_echo(); // silence has ended a beginning of it
+        }
         errc const wrong = judged();
         line_event const event = event_of(wrong);
         note_frame(statistics_, event, wrong, unit(), now);
@@ -143,11 +146,19 @@ protected:
         if (is_response or (is_damaged and quarantine_.is_empty())) {
             retries_.note_response();
         }
+        if (not is_response) {
+            echo_.suspect();
+        } else if (echo_.is_absent()) {
+            echo_.forget();
+        }
         if (retries_.may_pause(wrong)) {
             deadline_ = now + retries_.take_pause();
             phase_ = phase::pausing;
             error_ = errc::none;
-        } else if (is_response or wrong == errc::line_echo) {
+        } else if (is_response) {
+            settle(wrong, now);
+        } else if (wrong == errc::line_echo) {
+            echo_.note_seen();
             settle(wrong, now);
         } else if (event != line_event::foreign and wrong != errc::frame_too_short) {
             // A damaged response of our unit is worth an early repetition. Anything else may be noise
@@ -169,13 +180,10 @@ private:
         this->pass_heard(now);
     }
 
-    /// Takes a byte of an echo, of a response or before it; returns false where none is expected. Inlined, it would save
-    /// 2 % of the instructions of a read, and cost 24 bytes of stack.
+    /// Takes a byte of a response or before it; returns false where none is expected. Inlined, it would save 2 % of the
+    /// instructions of a read, and cost 24 bytes of stack.
     constexpr bool take(std::byte byte, instant now) noexcept
     {
-        if (may_be_echo() and take_echo(byte, now)) {
-            return true;
-        }
         if (phase_ != phase::awaiting) {
             return false;
         }
@@ -183,10 +191,22 @@ private:
         if (this->may_skip() and to_u8(byte) != unit()) {
             this->drop_leading_noise();
             this->pass_noise(byte);
+            echo_.suspect();
         } else if (framer().push(byte)) {
-            take_frame(now);
+            end_frame(now);
         }
         return true;
+    }
+
+    /// A frame may have ended by its length. One that is the beginning of the request goes on: what looks like a response of
+    /// 7 bytes may be 7 of the 8 bytes of an echo.
+    constexpr void end_frame(instant now) noexcept
+    {
+        if (echo_.is_open()) {
+            framer().go_on();
+        } else {
+            take_frame(now);
+        }
     }
 
     /// Bytes that nobody expected.
@@ -197,39 +217,75 @@ private:
     }
 
     /// Whether the next bytes are those of a response, whatever they are.
-    constexpr bool takes_all() const noexcept
-    {
-        return phase_ == phase::awaiting and not may_be_echo() and not this->may_skip();
-    }
+    constexpr bool takes_all() const noexcept { return phase_ == phase::awaiting and not this->may_skip(); }
 
-    /// Whether the next byte may be one of our own.
-    constexpr bool may_be_echo() const noexcept
+    /// Compares bytes with those that were sent. Returns how many are accounted for: on a line that is known to echo up to
+    /// the first that differs, elsewhere those that come back while the request leaves, and a whole request where the
+    /// response would be something else. All others may be a response.
+    constexpr std::size_t take_echo(byte_view bytes, instant now) noexcept
     {
-        return echo_.is_open() and (options().has_line_echo or is_leaving(phase_) or echo_.is_half(this->size_));
-    }
-
-    /// Compares a byte with the one that was sent. Returns whether it is accounted for: on a line that echoes it
-    /// always is, elsewhere where it is the same.
-    [[gnu::always_inline]] constexpr bool take_echo(std::byte byte, instant now) noexcept
-    {
-        [[maybe_unused]] std::size_t const before = echo_.taken();
-        bool const is_same = echo_.take(byte, request());
-        this->pass_echoed(byte, before, is_same);
-        if (options().has_line_echo) {
-            if (not is_same) {
-                statistics_.note(line_event::collision, unit());
-                error_ = error_ == errc::none ? errc::collision : error_;
-            }
-            return true;
+        if (not echo_.is_open()) {
+            return 0;
         }
-        if (is_same and not echo_.is_open()) {
+        bool const expects = this->expects_echo();
+        bool const may_be_response = phase_ == phase::awaiting and not expects;
+        std::size_t const before = echo_.taken();
+        std::size_t const same = echo_.take(bytes, request());
+        if (echo_.is_whole()) {
+            // What came behind the request as a whole may be the response to it; what came before `sent`, to an earlier one,
+            // or to this one where `sent` is late. Neither shows what the line does.
+            bool const is_mirrored = check_response(request(), adu{request()}) != errc::line_echo;
+            bool const is_doubtful = is_mirrored and may_be_response and framer().begun().size() == before;
+            if (is_doubtful and not echo_.is_known()) {
+                echo_.end();
+                return 0;
+            }
+            this->pass_echoed(before, same, {});
+            if (may_be_response) {
+                framer().drop_begun();
+            }
+            if (not is_doubtful) {
+                note_echo(not is_mirrored, now);
+            }
+            return same;
+        }
+        this->pass_echoed(before, same, bytes.subspan(same));
+        if (phase_ != phase::awaiting or framer().begun().size() != before) {
+            echo_.suspect(); // what came while the request left is no response
+        }
+        if (expects and not echo_.is_open()) {
+            statistics_.note(line_event::collision, unit());
+            error_ = error_ == errc::none ? errc::collision : error_;
+            echo_.doubt();
+            return same + 1;
+        }
+        return may_be_response ? 0 : same;
+    }
+
+    /// The request has come back. Where it was not known that the line echoes, it ends; a broadcast that has left has done
+    /// what it should.
+    constexpr void note_echo(bool is_sure, instant now) noexcept
+    {
+        bool const is_news = not options().has_line_echo and not echo_.is_known() and phase_ != phase::turnaround;
+        if (is_sure) {
+            echo_.note_seen();
+        }
+        if (is_news) {
             statistics_.note(line_event::mismatch, unit());
             error_ = errc::line_echo;
             if (phase_ == phase::awaiting) {
                 settle(errc::line_echo, now);
             }
         }
-        return is_same;
+    }
+
+    /// What had begun like an echo is none.
+    constexpr void end_echo() noexcept
+    {
+        if constexpr (is_traced<Statistics>) {
+            this->pass_echo(this->outside_frame(echo_.taken()));
+        }
+        echo_.end();
     }
 
     /// The line was not silent when a request was to leave.

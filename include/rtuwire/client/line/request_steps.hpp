@@ -151,22 +151,28 @@ protected:
     }
 
     /// Traces bytes that were taken for the beginning of an echo: on another line than one that echoes, they are none.
-    constexpr void pass_begun_echo() noexcept requires is_traced<Statistics> { pass_echo(echo_.taken()); }
+    constexpr void pass_begun_echo() noexcept requires is_traced<Statistics>
+    {
+        pass_echo(outside_frame(echo_.taken()));
+    }
 
-    /// Traces the request that has left. Less than half an echo will not be taken for one from here on.
+    /// Of so many bytes that came back, those that belong to no frame that may be a response.
+    constexpr std::size_t outside_frame(std::size_t taken) const noexcept
+    {
+        std::size_t const inside = phase_ == phase::awaiting and not this->expects_echo() ? framer().begun().size() : 0;
+        return inside < taken ? taken - inside : 0;
+    }
+
+    /// Traces the request that has left.
     constexpr void pass_request(instant at) noexcept requires is_traced<Statistics>
     {
-        if (not options().has_line_echo and not echo_.is_half(this->size_)) {
-            pass_begun_echo();
-            echo_.end();
-        }
         statistics_.pass_own(this->request(), frame_role::request, at);
     }
 
     constexpr void pass_echo(std::size_t taken) noexcept requires is_traced<Statistics>
     {
         byte_view const bytes = this->request().first(taken);
-        if (options().has_line_echo or taken == this->size_) {
+        if (this->expects_echo() or taken == this->size_) {
             statistics_.pass_echo(bytes, frame_role::request);
         } else {
             statistics_.pass(bytes, frame_role::unknown, frame_verdict::stray);
