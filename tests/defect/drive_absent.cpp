@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: BSL-1.0
 // A drive that was without power while nobody looked: what was read of it before counts no longer. An ATV320 comes back in its
 // saved I/O profile, in which the words of most stops are RUN.
+#include "defect/powered_drive.hpp"
 #include "support/catch.hpp"
 #include "support/drives.hpp"
-#include "support/simulated_bus.hpp"
 
 #include <cstdint>
-#include <vector>
 
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
-#include <rtuwire/altivar/procedure/commissioning/channel.hpp>
-#include <rtuwire/altivar/procedure/inspection/supervision.hpp>
 #include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
@@ -23,106 +20,12 @@ using namespace rtuwire::altivar;
 
 namespace {
 
-constexpr unit_id unit{3};
-constexpr client_options quick{.response_timeout = milliseconds(100), .retries = 0};
+using test::quick;
+using test::taken_over;
+constexpr unit_id unit = test::powered_unit;
 constexpr stop_by ways[]{stop_by::ramp, stop_by::quick_stop, stop_by::halt, stop_by::freewheel};
 
-/// A client and a drive of which all requests are kept.
-template <typename Device> struct hall : test::simulated_bus<drive_client<4>, Device> {
-    static constexpr station<Device> drive_at{unit};
-
-    struct written {
-        std::uint8_t function;
-        std::uint16_t address;
-        std::uint16_t word;
-    };
-    std::vector<written> requests_of_unit{};
-    bool is_off{false};
-    int fastest{0};
-
-    explicit hall(client_options const& options = quick)
-        : test::simulated_bus<drive_client<4>, Device>{drive_client<4>{test::bus_timing, options}}
-    {
-        this->add(unit);
-        this->idle(milliseconds(20));
-        this->disturb([this](test::frame_bytes& frame, bool is_request) {
-            if (is_request and frame.size() == 8) {
-                requests_of_unit.push_back({to_u8(frame[1]), u16_at(byte_view{frame}, 2), u16_at(byte_view{frame}, 4)});
-            }
-            if (is_off) {
-                frame.clear();
-            }
-        });
-    }
-
-    void set(std::uint16_t address, std::uint16_t word)
-    {
-        register_block<1> const one{word};
-        REQUIRE(this->drive().write(address, one) == errc::none);
-    }
-    void save()
-    {
-        set(Device::layout.cmi, 2);
-        this->idle(milliseconds(500));
-        set(Device::layout.cmi, 0);
-    }
-
-    template <typename Conversation> void pass(Conversation& whom, duration length)
-    {
-        instant const end = this->now() + length;
-        while (not reached(this->now(), end)) {
-            this->step(
-                [&](instant now) {
-                    if (not whom.settled()) {
-                        this->link().converse(whom, now);
-                    }
-                },
-                milliseconds(5));
-            int const now = this->drive().motor().frequency();
-            fastest = fastest < now ? now : fastest;
-        }
-    }
-    template <typename Conversation> void finish(Conversation& whom)
-    {
-        for (int i = 0; i < 4'000 and not whom.settled(); ++i) {
-            pass(whom, milliseconds(10));
-        }
-        REQUIRE(whom.settled());
-    }
-
-    /// Reads the status once, and keeps it from then on for some time.
-    void poll(duration length, duration every)
-    {
-        instant const end = this->now() + length;
-        while (not reached(this->now(), end)) {
-            single_request look{unit, read_holding_registers{Device::layout.eta, 1}};
-            REQUIRE(this->run(look));
-            this->idle(every);
-        }
-        requests_of_unit.clear();
-    }
-};
-
-/// A drive that was saved in its I/O profile, with a reference of 30 Hz at its terminals; this client has taken it over, and
-/// has read that. Nothing of that is saved.
-struct taken_over : hall<atv320::device> {
-    explicit taken_over(client_options const& options = quick) : hall<atv320::device>{options}
-    {
-        set(atv320::chcf.address, 3);
-        set(atv320::cd1.address, 10);
-        set(atv320::fr1.address, 1);
-        save();
-        drive().set_analog_reference(30'000);
-        set_channel take{drive_at, channel_settings<atv320::device>::by_modbus()};
-        finish(take);
-        REQUIRE(take.succeeded());
-        check_supervision check{drive_at};
-        finish(check);
-        REQUIRE(check.ready());
-        requests_of_unit.clear();
-        fastest = 0;
-    }
-};
+template <typename Device> using hall = test::powered_drive<Device>;
 
 } // namespace
 

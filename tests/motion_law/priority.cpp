@@ -109,6 +109,7 @@ TEST_CASE("motion law: a stop that was destroyed before its end releases nothing
     std::optional<stop> rest{std::in_place, motor};
     it.pass([&](instant at) { it.link().converse(1, *rest, at); }, milliseconds(15));
     rest.reset();
+    it.idle(milliseconds(1'000)); // the motor stands by now
     test::remembered<start> again{motor, 50_Hz};
     it.pass([&](instant at) { it.link().converse(0, again, at); }, milliseconds(5'000));
     CHECK(again.reason().kind == outcome_kind::overruled);

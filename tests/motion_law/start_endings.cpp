@@ -104,7 +104,8 @@ TEST_CASE("motion law: L8 a drive that shows later that it runs is not told to s
             return it.note(frame);
         }
         bool const is_told = not it.words.empty() and it.words.back() == 0x000F;
-        if (is_told and frame[1] == std::byte{3} and late_looks-- > 0) { // still "switched on"
+        bool const is_look = u16_at(it.request(), 2) == device::layout.eta;
+        if (is_told and is_look and late_looks-- > 0) { // still "switched on"
             frame = {frame[0], frame[1], std::byte{2}, std::byte{2}, std::byte{0x33}};
             std::uint16_t const crc = crc16(frame);
             frame.push_back(to_byte(crc));

@@ -38,6 +38,10 @@ enum class power_seen : std::uint8_t {
 /// other one the word of a stop may run the motor.
 inline constexpr std::uint16_t meaning_register = 8401;
 
+/// A drive that is silent for no longer was not switched off and on again meanwhile: assumed, no manual gives the time that
+/// its control needs until it answers. What was read of a unit counts only as long as it has answered so.
+inline constexpr duration longest_gap_in_presence = milliseconds(500);
+
 /// The base of every conversation that can command the motor of a unit. It notes what its user wants and what it read;
 /// the client takes that over when the conversation visits (`converse` is called for it).
 class commander : public asker {
@@ -106,6 +110,7 @@ protected:
     {
         return is_doubtful_ ? confirmed_ : std::uint16_t{0};
     }
+    [[nodiscard]] constexpr bool is_doubtful() const noexcept { return is_doubtful_; }
 
     /// A stop request that may not be sent now counts as `none`: no other conversation waits for it.
     [[nodiscard]] constexpr effect effect_now(effect what) const noexcept
@@ -128,21 +133,19 @@ protected:
         if (known_ == nullptr) {
             return true;
         }
-        bool const is_replaced = known_->last_order != 0 and is_older(stamp_, known_->last_order);
         bool const is_ended = is_older(stamp_, known_->last_stop) or is_older(stamp_, known_->last_fault);
-        return known_->unit == unit.byte() and known_->is_ordered and not is_replaced and not is_ended;
+        return known_->unit == unit.byte() and known_->is_ordered and not is_replaced() and not is_ended;
     }
 
     /// Whether the order to run that counts is another conversation's: later than any of its own and than its stops, and
     /// neither stopped nor lost since, nor read in fault. As far as the client knows that it visited last.
     [[nodiscard]] constexpr bool is_ordered_by_another(unit_id unit) const noexcept
     {
-        if (known_ == nullptr or known_->unit != unit.byte() or known_->last_order == 0) {
+        if (known_ == nullptr or known_->unit != unit.byte()) {
             return false;
         }
         std::uint32_t const order = known_->last_order;
-        return is_older(stamp_, order) and not is_older(order, known_->last_stop) and
-               not is_older(order, known_->last_fault);
+        return is_replaced() and not is_older(order, known_->last_stop) and not is_older(order, known_->last_fault);
     }
 
     /// Whether a conversation of this client ordered its unit to run (where it stops all: any unit), and none has read since
@@ -155,6 +158,12 @@ protected:
     constexpr void heed_stop() noexcept { was_stopped_ = false; }
 
 private:
+    /// Whether another order to run came later than its own.
+    constexpr bool is_replaced() const noexcept
+    {
+        return known_->last_order != 0 and is_older(stamp_, known_->last_order);
+    }
+
     template <std::size_t> friend class orders;
     template <std::size_t> friend class stop_holds;
 

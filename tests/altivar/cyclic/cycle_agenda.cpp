@@ -16,9 +16,10 @@ namespace {
 
 constexpr std::uint16_t ready = 0x0231, running = 0x0237, in_fault = 0x0208;
 
-constexpr std::array all_steps{step::look,          step::look_for_fault,  step::prepare,          step::exchange,
-                               step::read,          step::write,           step::say_stop,         step::observe,
-                               step::check_control, step::compare_control, step::compare_reference};
+constexpr std::array all_steps{
+    step::look,          step::look_for_fault,  step::prepare,         step::exchange,
+    step::read,          step::write,           step::say_stop,        step::observe,
+    step::check_control, step::compare_meaning, step::compare_control, step::compare_reference};
 
 /// A cycle that was prepared, of a drive that was found so, at a step.
 constexpr cycle_agenda at(step now, step first, std::uint16_t status, bool is_ordered)
@@ -46,6 +47,7 @@ constexpr step answered(cycle_agenda agenda, std::uint16_t status, bool is_prepa
     case step::write: agenda.end_exchange(); break;
     case step::say_stop: agenda.end_stop_word(is_prepared); break;
     case step::check_control:
+    case step::compare_meaning:
     case step::compare_control:
     case step::compare_reference: agenda.compare(7, 7); break;
     }
@@ -75,7 +77,8 @@ struct row {
 
 constexpr step look = step::look, code = step::look_for_fault, prepare = step::prepare, transfer = step::exchange,
                half = step::read, write = step::write, stop = step::say_stop, observe = step::observe,
-               check = step::check_control, control = step::compare_control, set_point = step::compare_reference;
+               check = step::check_control, meaning = step::compare_meaning, control = step::compare_control,
+               set_point = step::compare_reference;
 
 // clang-format off
 constexpr std::array<row, all_steps.size()> rows{{
@@ -89,6 +92,7 @@ constexpr std::array<row, all_steps.size()> rows{{
     {stop,      observe,  observe,  look,      observe,   observe,  stop, stop, stop,      look},
     {observe,   transfer, half,     transfer,  code,      stop,     look, look, observe,   look},
     {check,     transfer, write,    transfer,  transfer,  transfer, look, look, check,     look},
+    {meaning,   transfer, half,     transfer,  transfer,  transfer, look, look, meaning,   look},
     {control,   transfer, half,     transfer,  transfer,  transfer, look, look, control,   look},
     {set_point, transfer, half,     transfer,  transfer,  transfer, look, look, set_point, look},
 }};

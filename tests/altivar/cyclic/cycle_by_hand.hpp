@@ -70,6 +70,13 @@ template <typename Device> struct cycle_by_hand {
     {
         return asked[1] == std::byte{6} and word(2) == cmd_address and word(4) == command;
     }
+    /// CHCF, and right behind it a word that is sent for the second time, or to withdraw an order.
+    constexpr bool looks_before(std::uint16_t command)
+    {
+        bool const is_asked = reads(8401);
+        hear({1});
+        return is_asked and asks_at_once() and says(command);
+    }
     [[nodiscard]] constexpr bool exchanges(std::uint16_t command, std::uint16_t reference) const
     {
         return asked[1] == std::byte{23} and word(11) == command and word(13) == reference;

@@ -32,26 +32,28 @@ constexpr bool reads_back_every_tenth_time()
 {
     cycle it;
     bool ok = it.runs(); // one exchange with the command to run
-    ok = ok and orders_of(it) == 9 and it.reads(cmd_address);
+    ok = ok and orders_of(it) == 9 and it.reads(8401);
+    it.hear({1});
+    ok = ok and orders_of(it) == 10 and it.reads(cmd_address);
     it.hear({0x000F});
     ok = ok and orders_of(it) == 10 and it.reads(lfrd_address);
     it.hear({1'500});
-    ok = ok and orders_of(it) == 10 and it.reads(cmd_address);
-    it.hear({0x000F});
-    return ok and orders_of(it) == 10 and it.reads(lfrd_address);
+    ok = ok and orders_of(it) == 10 and it.reads(8401);
+    it.hear({2});
+    return ok and orders_of(it) == 10 and it.reads(cmd_address);
 }
-PROOF("while the motor runs command and reference are read back in turn, at each tenth exchange",
+PROOF("while the motor runs CHCF, command and reference are read back in turn, at each tenth exchange",
       reads_back_every_tenth_time)
 
 constexpr bool reads_back_what_it_took_over()
 {
     cycle it;
     bool ok = it.begins(running) and it.loop.run(1'500_rpm);
-    ok = ok and orders_of(it) == 10 and it.reads(cmd_address);
-    it.hear({0x000F});
-    return ok and orders_of(it) == 10 and it.reads(lfrd_address);
+    ok = ok and orders_of(it) == 10 and it.reads(8401);
+    it.hear({1});
+    return ok and orders_of(it) == 10 and it.reads(cmd_address);
 }
-PROOF("so it is where the motor was found running: ten exchanges, then the command first", reads_back_what_it_took_over)
+PROOF("so it is where the motor was found running: ten exchanges, then CHCF first", reads_back_what_it_took_over)
 
 constexpr bool reads_nothing_back_without_need()
 {
@@ -86,8 +88,10 @@ bool finds_another_master(unsigned exchanges)
         ok = ok and it.exchange();
     }
     ok = ok and it.exchange(running, 900) and it.loop.run(1'500_rpm);
-    ok = ok and it.asks() and it.reads(cmd_address);
-    it.hear({0x000F});
+    ok = ok and it.asks() and it.reads(8401);
+    it.hear({1});
+    ok = ok and orders_of(it) == 10 and it.reads(cmd_address);
+    it.hear({0x0007});
     return ok and it.loop.control().reason().kind == outcome_kind::overwritten;
 }
 

@@ -151,7 +151,7 @@ constexpr bool stops_what_another_lost()
     it.loop.note_loss();
     ok = ok and it.loop.link_lost() and not it.loop.control().is_ordered();
     ok = ok and it.loop.control().reason().error == errc::unit_lost;
-    return ok and it.asks_at_once() and it.says(0x0007);
+    return ok and it.asks_at_once() and it.says(0x0000);
 }
 PROOF("a motor whose unit another conversation lost is told to stop at once", stops_what_another_lost)
 
@@ -163,7 +163,7 @@ constexpr bool takes_an_response_before_the_loss()
     it.hear({running, 777, 0, 0});
     ok = ok and it.loop.speed() == 777 and it.loop.link_lost();
     ok = ok and it.loop.control().state() == cia402::state::unknown;
-    return ok and it.asks_at_once() and it.says(0x0007);
+    return ok and it.asks_at_once() and it.says(0x0000);
 }
 PROOF("a loss that is told while a request is under way waits for what comes of it, and no longer",
       takes_an_response_before_the_loss)

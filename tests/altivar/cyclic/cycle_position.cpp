@@ -65,9 +65,10 @@ constexpr stop_duty to_stop(bool is_halt)
     return duty;
 }
 
-constexpr std::array all_steps{step::look,          step::look_for_fault,  step::prepare,          step::exchange,
-                               step::read,          step::write,           step::say_stop,         step::observe,
-                               step::check_control, step::compare_control, step::compare_reference};
+constexpr std::array all_steps{
+    step::look,          step::look_for_fault,  step::prepare,         step::exchange,
+    step::read,          step::write,           step::say_stop,        step::observe,
+    step::check_control, step::compare_meaning, step::compare_control, step::compare_reference};
 
 struct row {
     situation at;
@@ -76,38 +77,39 @@ struct row {
 
 constexpr step look = step::look, code = step::look_for_fault, prepare = step::prepare, transfer = step::exchange,
                read = step::read, write = step::write, stop = step::say_stop, observe = step::observe,
-               check = step::check_control, control = step::compare_control, set_point = step::compare_reference;
+               check = step::check_control, meaning = step::compare_meaning, control = step::compare_control,
+               set_point = step::compare_reference;
 
 // clang-format off
 constexpr std::array<row, 13> rows{{
     // where the cycle is:
-    //  look, look_for_fault, prepare, exchange, read, write, say_stop, observe, check, compare control, reference
+    //  look, look_for_fault, prepare, exchange, read, write, say_stop, observe, check, compare meaning, control, reference
     {{.name = "a stop was ordered", .duty = to_stop(false)},
-     {stop, stop, stop, stop, stop, stop, stop, stop, stop, stop, stop}},
+     {stop, stop, stop, stop, stop, stop, stop, stop, stop, stop, stop, stop}},
     {{.name = "a halt was ordered", .control = halting(), .duty = to_stop(true)},
-     {observe, observe, observe, observe, observe, observe, observe, observe, observe, observe, observe}},
+     {observe, observe, observe, observe, observe, observe, observe, observe, observe, observe, observe, observe}},
     {{.name = "not prepared", .control = found(ready, false), .is_prepared = false},
-     {look, code, prepare, look, look, look, stop, observe, check, control, set_point}},
+     {look, code, prepare, look, look, look, stop, observe, check, meaning, control, set_point}},
     {{.name = "rearranged", .control = found(ready, true), .was_rearranged = true},
-     {look, code, prepare, look, look, look, look, observe, check, control, set_point}},
+     {look, code, prepare, look, look, look, look, observe, check, meaning, control, set_point}},
     {{.name = "power without an order", .control = found(running, false)},
-     {look, code, prepare, stop, stop, stop, stop, observe, check, control, set_point}},
+     {look, code, prepare, stop, stop, stop, stop, observe, check, meaning, control, set_point}},
     {{.name = "a halt under way", .control = halting()},
-     {look, code, prepare, observe, observe, observe, stop, observe, check, control, set_point}},
+     {look, code, prepare, observe, observe, observe, stop, observe, check, meaning, control, set_point}},
     {{.name = "another's order", .control = giving_way(ready)},
-     {look, code, prepare, observe, observe, observe, stop, observe, check, control, set_point}},
+     {look, code, prepare, observe, observe, observe, stop, observe, check, meaning, control, set_point}},
     {{.name = "power by another's order", .control = giving_way(running)},
-     {look, code, prepare, stop, stop, stop, stop, observe, check, control, set_point}},
+     {look, code, prepare, stop, stop, stop, stop, observe, check, meaning, control, set_point}},
     {{.name = "the same word again", .control = found(ready, true), .was_taken = true, .last_command = 7},
-     {look, code, prepare, observe, observe, observe, look, observe, check, control, set_point}},
+     {look, code, prepare, observe, observe, observe, look, observe, check, meaning, control, set_point}},
     {{.name = "the same word, not accepted", .control = found(ready, true), .last_command = 7},
-     {look, code, prepare, transfer, read, write, look, observe, check, control, set_point}},
+     {look, code, prepare, transfer, read, write, look, observe, check, meaning, control, set_point}},
     {{.name = "before the command to run", .control = about_to_enable()},
-     {look, code, prepare, check, read, check, look, observe, check, control, set_point}},
+     {look, code, prepare, check, read, check, look, observe, check, meaning, control, set_point}},
     {{.name = "ten exchanges of a running drive", .control = found(running, true), .exchanges = 10},
-     {look, code, prepare, control, control, write, look, observe, check, control, set_point}},
+     {look, code, prepare, meaning, meaning, write, look, observe, check, meaning, control, set_point}},
     {{.name = "any other", .control = found(running, true), .exchanges = 9},
-     {look, code, prepare, transfer, read, write, look, observe, check, control, set_point}},
+     {look, code, prepare, transfer, read, write, look, observe, check, meaning, control, set_point}},
 }};
 // clang-format on
 
@@ -141,19 +143,27 @@ TEST_CASE("the step that is due in a cycle is the one that its table holds")
     }
 }
 
-TEST_CASE("the reference is compared after the control word, and the control word before the command to run once")
+TEST_CASE(
+    "CHCF, the control word and the reference are compared in turn, the control word before the command to run once")
 {
     situation const running_drive{.name = "", .control = found(running, true), .exchanges = 10};
     auto const due = [](cycle_position const& position, cyclic_control const& law) {
         return position.due(law, stop_duty{}, true, false, 0);
     };
-    cycle_position position = at(running_drive, control);
-    position.note_comparison();
-    CHECK(due(position, running_drive.control) == transfer);
-    for (unsigned i = 0; i < 10; ++i) {
-        position.note_taken();
+    cycle_position position = at(running_drive, transfer);
+    for (step const next : {meaning, control, set_point, meaning, control}) {
+        CHECK(due(position, running_drive.control) == next);
+        position.go_to(next);
+        position.note_comparison();
+        CHECK(due(position, running_drive.control) == transfer);
+        for (unsigned i = 0; i < 10; ++i) {
+            position.note_taken();
+        }
     }
-    CHECK(due(position, running_drive.control) == set_point);
+    position.go_to(control);
+    position.note_comparison();
+    position.note_standstill();
+    CHECK(due(position, running_drive.control) == meaning); // at once
 
     cycle_position checked = at(situation{.name = ""}, check);
     checked.note_comparison();

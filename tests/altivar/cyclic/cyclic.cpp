@@ -258,7 +258,9 @@ TEST_CASE("a drive whose control word is not the one written last is not told to
     it.say("03 03 02 00 00 C1 84"_hex); // it lost its power, or somebody else wrote
     CHECK(it.loop.control().reason().kind == outcome_kind::overwritten);
     CHECK_FALSE(it.loop.control().is_ordered());
-    CHECK(it.asks("03 17 31 C5 00 04 31 D9 00 04 08 00 00 00 00 00 00 00 00 BD 4E"_hex));
+    CHECK(it.asks("03 06 21 35 00 00 92 1A"_hex));
+    it.say("03 06 21 35 00 00 92 1A"_hex);
+    CHECK(it.asks("03 03 0C 81 00 01 D6 90"_hex)); // all that an order relies on is read anew
 }
 
 TEST_CASE("an exchange on the way up that is not answered is followed by a look, not by the next word")

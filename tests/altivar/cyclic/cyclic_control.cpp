@@ -14,7 +14,7 @@ namespace {
 
 // Bit 9: under remote control. No state of CiA 402 has bit 0 alone.
 constexpr std::uint16_t no_state = 0x0201;
-constexpr std::uint16_t operation_enabled = 0x0237, ready = 0x0231, fault = 0x0208;
+constexpr std::uint16_t operation_enabled = 0x0237, switched_on = 0x0233, ready = 0x0231, fault = 0x0208;
 constexpr std::uint16_t quick_stop_active = 0x0217, local = 0x0037;
 constexpr std::uint16_t with_stop_key = 0x4000 | operation_enabled;
 
@@ -133,10 +133,24 @@ constexpr bool drops_when_the_drive_falls_back()
     cyclic_control control = ordered(operation_enabled);
     control.note_status(ready, false);
     cyclic_control enabling = ordered(ready);
-    enabling.note_status(operation_enabled, false);
+    enabling.note_status(switched_on, false);
     return is_dropped(control, outcome_kind::fell_back) and enabling.is_ordered();
 }
 PROOF("a drive that falls back has lost its order", drops_when_the_drive_falls_back)
+
+constexpr bool drops_where_nobody_here_told_it_to_run()
+{
+    cyclic_control told = ordered(switched_on);
+    bool const goes_up = told.next_command() == 0x0007; // as often as it is found there
+    told.note_status(switched_on, false);
+    cyclic_control early = told;
+    early.note_status(operation_enabled, false);
+    bool const runs = told.next_command() == 0x000F;
+    told.note_status(switched_on, false); // it follows later
+    told.note_status(operation_enabled, false);
+    return goes_up and runs and told.is_ordered() and is_dropped(early, outcome_kind::overwritten);
+}
+PROOF("a drive that runs without having been told to has lost its order", drops_where_nobody_here_told_it_to_run)
 
 constexpr bool drops_at_the_stop_key()
 {

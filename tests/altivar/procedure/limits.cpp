@@ -83,6 +83,8 @@ constexpr reason told_of_a_stop(std::uint16_t first, std::uint16_t last, bool is
     it.wait(0);
     bool ok = true;
     for (std::uint16_t const frequency : {first, last}) {
+        bool const is_again = it.conversation.intent() != effect::stopping;
+        ok = ok and (not is_again or it.reads_and_hears(8401, 1));
         ok = ok and it.writes(cmd, 0x0007);
         it.confirm();
         ok = ok and it.reads(eta);
@@ -92,10 +94,11 @@ constexpr reason told_of_a_stop(std::uint16_t first, std::uint16_t last, bool is
         it.wait(50);
     }
     if (not is_seen_since) {
-        ok = ok and it.writes(cmd, 0x0007);
+        ok = ok and it.reads_and_hears(8401, 1) and it.writes(cmd, 0x0007);
         it.confirm();
     }
-    it.wait(1'000);
+    it.wait(1'000); // in a look, perhaps
+    it.wait(0);
     if (not it.conversation.settled()) { // what was due then
         it.miss();
     }
@@ -166,6 +169,8 @@ constexpr bool has_no_loss_but_its_own()
         ok = ok and it.reads(eta);
         it.hear(0x0637);
     }
+    ok = ok and it.reads(8502);
+    it.hear(0);
     ok = ok and it.conversation.succeeded();
     it.conversation.note_loss();
     return ok and it.conversation.succeeded();

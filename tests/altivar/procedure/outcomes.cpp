@@ -97,6 +97,7 @@ struct stubborn {
             it.hear_word(address == device::layout.eta   ? status
                          : address == device::layout.rfr ? frequency
                          : address == device::layout.cmd ? control
+                         : address == meaning_register   ? std::uint16_t{1}
                                                          : std::uint16_t{9});
         }
         return true;

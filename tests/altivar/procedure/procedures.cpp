@@ -107,7 +107,8 @@ constexpr bool starts_from_below()
     ok = ok and reads(it.step({kind::written}), eta) and writes(it.step(word(0x0231)), cmd, 0x0007);
     ok = ok and reads(it.step({kind::written}), eta) and writes(it.step(word(0x0233)), lfrd, 0xFA24);
     ok = ok and reads(it.step({kind::written}), cmd) and writes(it.step(word(0x0007)), cmd, 0x000F);
-    ok = ok and reads(it.step({kind::written}), eta) and it.step(word(0x8237)).what == action::kind::end;
+    ok = ok and reads(it.step({kind::written}), 8401) and reads(it.step(word(1)), eta);
+    ok = ok and it.step(word(0x8237)).what == action::kind::end;
     return ok and it.reason().kind == outcome_kind::succeeded;
 }
 PROOF("a start waits for a drive that is not ready, commands it up, and reads back before it enables",
@@ -141,11 +142,12 @@ constexpr bool is_reached_by_the_second_look()
 {
     reference_procedure it = changed();
     bool ok = true;
-    for (action::kind const next : {action::kind::pause, action::kind::end}) {
+    for (action::kind const next : {action::kind::pause, action::kind::read}) {
         ok = ok and reads(it.step(goes_on), eta);
         ok = ok and it.step(word(0x0637)).what == action::kind::read; // RFR tells whether it turns
         ok = ok and it.step(word(1)).what == next;
     }
+    ok = ok and it.step(word(1'500)).what == action::kind::end; // the reference is still the one written
     return ok and it.reason().kind == outcome_kind::succeeded;
 }
 constexpr bool is_not_reached_by_one_look()

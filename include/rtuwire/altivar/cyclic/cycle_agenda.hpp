@@ -134,6 +134,16 @@ public:
     /// A status word of 0: a drive that was powered up, or another scanner setting; its ETA tells which.
     constexpr void look_again() noexcept { position_.go_to(step::look); }
 
+    /// The drive was not heard for long: it is read before the next write of an order.
+    constexpr void doubt() noexcept
+    {
+        bool const writes = now() == step::exchange or now() == step::write;
+        if (writes and control_.is_ordered()) {
+            position_.keep_comparison_if(false);
+            position_.go_to(step::look);
+        }
+    }
+
     /// An exchange, or a read, has found this status.
     constexpr void take_status(std::uint16_t status, bool stands) noexcept
     {
@@ -153,6 +163,18 @@ public:
         if (is_newly_in_fault) {
             position_.go_to(step::look_for_fault);
         }
+    }
+
+    /// The motor stands that was turning.
+    constexpr void note_standstill() noexcept { position_.note_standstill(); }
+
+    /// A status or a comparison has ended the order: what may turn, or is one word away from that, is stopped first.
+    constexpr void note_end_of_order() noexcept
+    {
+        bool const waits = power_in(control_.state()) == power_seen::waits and not control_.gives_way();
+        duty_.note_finding(true);
+        duty_.say_if(waits or control_.must_stop());
+        waits_ = waits_ and not duty_.must_say();
     }
 
     /// The drive holds what was written last, or another client commands it, or it lost its power.

@@ -72,7 +72,7 @@ private:
 /// | no order, and another conversation's order counts  | observe         | observe       |          |                |
 /// | the word that it accepted would be sent again      | observe         | observe       |          |                |
 /// | the command to run is next, CMD was not read back  | check_control, but read | check_control | |              |
-/// | ten exchanges since the last comparison            | compare_control, compare_reference in turn | | |        |
+/// | ten exchanges since the last comparison            | compare_meaning, ..._control, ..._reference in turn | | | |
 class cycle_position {
     using step = cycle_step;
 
@@ -100,6 +100,7 @@ public:
         comparison_.note_comparison(now_);
         now_ = is_before_enabling and first_ == step::read ? step::write : first_;
     }
+    constexpr void note_standstill() noexcept { comparison_.note_standstill(); }
     constexpr void keep_comparison_if(bool is_still_so) noexcept { comparison_.keep_if(is_still_so); }
 
     /// The step that is due now: before any other step, a drive that must not run is stopped; one that is halted is

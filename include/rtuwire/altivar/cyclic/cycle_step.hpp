@@ -22,11 +22,12 @@ enum class cycle_step : std::uint8_t {
     say_stop,          ///< the stop command, by function 06
     observe,           ///< reads as an exchange does, and writes nothing
     check_control,     ///< the control word, before the command to run
-    compare_control,   ///< and from time to time while it runs
-    compare_reference, ///< the reference, in the same way
+    compare_meaning,   ///< CHCF, from time to time while it runs: in the I/O profile it runs by the same word
+    compare_control,   ///< the control word, in the same way
+    compare_reference, ///< and the reference
 };
 
-/// The control word is read back before each command to run; it and the reference in turn every tenth exchange.
+/// The control word is read back before each command to run; CHCF, it and the reference in turn every tenth exchange.
 class cycle_comparison {
 public:
     /// The drive accepted an exchange.
@@ -38,8 +39,17 @@ public:
     constexpr void note_comparison(cycle_step which) noexcept
     {
         is_checked_ = which == cycle_step::check_control;
-        is_of_reference_ = which == cycle_step::compare_control;
+        next_ = which == cycle_step::compare_meaning   ? cycle_step::compare_control
+                : which == cycle_step::compare_control ? cycle_step::compare_reference
+                                                       : cycle_step::compare_meaning;
         exchanges_ = 0;
+    }
+
+    /// The motor stands that was turning: CHCF is read next.
+    constexpr void note_standstill() noexcept
+    {
+        next_ = cycle_step::compare_meaning;
+        exchanges_ = exchanges_between;
     }
 
     /// Whether the command to run may be sent: the control word was read back, and nothing happened since.
@@ -48,17 +58,14 @@ public:
 
     /// Whether a comparison is due while the motor runs, and of which word.
     [[nodiscard]] constexpr bool is_due() const noexcept { return exchanges_ >= exchanges_between; }
-    [[nodiscard]] constexpr cycle_step next() const noexcept
-    {
-        return is_of_reference_ ? cycle_step::compare_reference : cycle_step::compare_control;
-    }
+    [[nodiscard]] constexpr cycle_step next() const noexcept { return next_; }
 
 private:
     static constexpr std::uint8_t exchanges_between = 10;
 
     std::uint8_t exchanges_{0};
     bool is_checked_{false};
-    bool is_of_reference_{false};
+    cycle_step next_{cycle_step::compare_meaning};
 };
 
 } // namespace rtuwire::altivar

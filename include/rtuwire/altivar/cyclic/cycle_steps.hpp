@@ -28,6 +28,8 @@ template <drive_type Device> class cycle_steps {
     using words = cycle_layout<Device>;
     using step = cycle_step;
 
+    static constexpr bool has_io_profile = may_have_io_profile(Device::layout) and Device::layout.safeguards.chcf != 0;
+
 public:
     constexpr cycle_steps(unit_id its_unit, cyclic_options const& its_options) noexcept
         : agenda_{words::fits_function_23 and its_options.by_function_23 ? step::exchange : step::read},
@@ -48,6 +50,12 @@ public:
     }
     constexpr bool reset_fault() noexcept { return agenda_.control().reset_fault(); }
 
+    /// All that an order relies on is read anew before the next write.
+    constexpr void check_anew() noexcept { preparation_.renew(); }
+
+    /// The drive was not heard for long: it is read before the next write of an order.
+    constexpr void doubt() noexcept { agenda_.doubt(); }
+
     /// Another conversation stopped the drive, or read it in fault: it has to be read anew.
     constexpr void note_stopped() noexcept { agenda_.control().note_stopped(); }
 
@@ -64,6 +72,9 @@ public:
     [[nodiscard]] constexpr cyclic_control const& control() const noexcept { return agenda_.control(); }
     [[nodiscard]] constexpr supervision_report const& report() const noexcept { return preparation_.report(); }
     [[nodiscard]] constexpr bool is_lost() const noexcept { return agenda_.is_lost(); }
+
+    /// Whether the request that was made last is the stop command.
+    [[nodiscard]] constexpr bool says_stop() const noexcept { return agenda_.now() == step::say_stop; }
 
     /// Whether the last request had no response.
     [[nodiscard]] constexpr bool is_missed() const noexcept { return agenda_.is_missed(); }
@@ -109,32 +120,17 @@ public:
     constexpr bool take_end_of_stop() noexcept { return agenda_.control().take_end_of_stop(); }
     constexpr bool take_pause() noexcept { return agenda_.take_pause(); }
 
-    /// Takes the response to the request.
+    /// Takes the response to the request. A drive that has left its order behind may have lost its power, and its settings and
+    /// its scanner's words with it.
     constexpr void take(response const& response) noexcept
     {
+        bool const was_ordered = control().is_ordered();
         agenda_.note_response();
-        if (agenda_.now() == step::write) {
-            return agenda_.end_exchange();
+        take_response(response);
+        if (was_ordered and not control().is_ordered()) {
+            agenda_.note_end_of_order();
+            preparation_.renew();
         }
-        if (agenda_.now() == step::say_stop) {
-            return agenda_.end_stop_word(preparation_.succeeded());
-        }
-        constexpr std::size_t words_from = 2;
-        register_view const read{response.pdu().subspan(words_from)};
-        switch (agenda_.now()) {
-        case step::look: return take_look(read[0]);
-        case step::look_for_fault: return agenda_.take_fault_code(read[0], preparation_.succeeded());
-        case step::prepare: preparation_.take(read, frames_.outputs_in_use()); return go_on_preparing(read[0]);
-        case step::check_control:
-        case step::compare_control: return agenda_.compare(read[0], frames_.command());
-        case step::compare_reference: return agenda_.compare(read[0], frames_.reference());
-        case step::exchange:
-        case step::read:
-        case step::observe:
-        case step::write:
-        case step::say_stop: break;
-        }
-        take_inputs(read);
     }
 
     constexpr void miss(errc error) noexcept
@@ -143,7 +139,8 @@ public:
             preparation_.take_exception(error);
             return go_on_preparing(0);
         }
-        if (agenda_.miss(error, tolerated_misses_)) {
+        bool const was_preparing = agenda_.now() == step::prepare; // and has to begin anew
+        if (agenda_.miss(error, tolerated_misses_) or was_preparing) {
             preparation_.renew();
         }
     }
@@ -156,6 +153,35 @@ public:
     }
 
 private:
+    constexpr void take_response(response const& response) noexcept
+    {
+        if (agenda_.now() == step::write) {
+            return agenda_.end_exchange();
+        }
+        if (agenda_.now() == step::say_stop) {
+            return agenda_.end_stop_word(preparation_.succeeded());
+        }
+        constexpr std::size_t words_from = 2;
+        register_view const read{response.pdu().subspan(words_from)};
+        switch (agenda_.now()) {
+        case step::look: return agenda_.take_look(read[0]);
+        case step::look_for_fault: return agenda_.take_fault_code(read[0], preparation_.succeeded());
+        case step::prepare: preparation_.take(read, frames_.outputs_in_use()); return go_on_preparing(read[0]);
+        case step::check_control:
+        case step::compare_control: return agenda_.compare(read[0], frames_.command());
+        case step::compare_meaning:
+            return has_io_profile ? agenda_.compare(is_drive_profile(read[0]) ? 1 : 0, 1)
+                                  : agenda_.compare(read[0], frames_.command());
+        case step::compare_reference: return agenda_.compare(read[0], frames_.reference());
+        case step::exchange:
+        case step::read:
+        case step::observe:
+        case step::write:
+        case step::say_stop: break;
+        }
+        take_inputs(read);
+    }
+
     constexpr step due_step(bool was_rearranged) const noexcept
     {
         return agenda_.due(preparation_.succeeded(), was_rearranged, frames_.command());
@@ -173,6 +199,7 @@ private:
         case step::say_stop: agenda_.note_write(); return frames_.say(control().word_to_stop(is_confirmed, layout));
         case step::check_control:
         case step::compare_control: return frames_.read_one(layout.cmd);
+        case step::compare_meaning: return frames_.read_one(has_io_profile ? layout.safeguards.chcf : layout.cmd);
         case step::compare_reference: return frames_.read_one(words::reference.address);
         case step::write:
         case step::exchange: break;
@@ -199,18 +226,9 @@ private:
         preparation_.renew();
     }
 
-    /// A drive that does not run any more may have lost its power, and its settings and its scanner's words with it.
-    constexpr void take_look(std::uint16_t status) noexcept
-    {
-        bool const was_running = control().is_running();
-        agenda_.take_look(status);
-        if (was_running and not control().is_running()) {
-            preparation_.renew();
-        }
-    }
-
     constexpr void take_inputs(register_view read) noexcept
     {
+        std::int16_t const before = frames_.speed();
         frames_.take(read);
         std::uint16_t const status = frames_.status();
         if (words::has_scanner and cia402::decode(status) == cia402::state::unknown) {
@@ -222,6 +240,9 @@ private:
             return agenda_.look_again();
         }
         agenda_.take_status(status, frames_.speed() == 0);
+        if (before != 0 and frames_.speed() == 0) {
+            agenda_.note_standstill();
+        }
     }
 
     cycle_agenda agenda_;

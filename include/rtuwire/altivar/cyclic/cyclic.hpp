@@ -65,6 +65,10 @@ public:
         bool const is_taken = steps_.run(is_reverse ? asked.reversed() : asked.keeping(status));
         if (is_taken and not was_ordered) {
             is_new_order_ = true;
+            look_.note_order(false);
+            if (this->is_doubtful()) {
+                steps_.check_anew(); // it may have lost its power since it was checked
+            }
             this->note_order_to_run();
         }
         return is_taken;
@@ -76,6 +80,9 @@ public:
     /// coasts, as for a `stop` of a drive that this client has not checked; a cycle slower than 0.5 s reads CHCF first.
     constexpr void stop(stop_by how = stop_by::ramp) noexcept
     {
+        if (control().is_ordered()) {
+            look_.note_order(true);
+        }
         steps_.stop(how);
         this->note_stop();
         is_due_ = has_begun_;
@@ -117,7 +124,8 @@ public:
     /// For the client: the effect of the next request on the motor, and how a loss is reported.
     [[nodiscard]] constexpr effect intent() const noexcept
     {
-        return is_due_ and not is_looking_ ? this->effect_now(steps_.intent(this->was_rearranged())) : effect::none;
+        return is_due_ and not look_.is_under_way() ? this->effect_now(steps_.intent(this->was_rearranged()))
+                                                    : effect::none;
     }
     [[nodiscard]] constexpr duration drive_timeout() const noexcept { return steps_.drive_timeout(); }
     [[nodiscard]] constexpr std::uint8_t tolerated_misses() const noexcept { return tolerated_misses_; }
@@ -163,10 +171,14 @@ public:
         if (not is_due_) {
             return std::nullopt;
         }
-        if (is_looking_) {
+        if (look_.is_under_way()) {
             is_asking_ = true;
             since_asked_ = {};
             return request_frame{steps_.frames().read_one(Device::layout.safeguards.chcf)};
+        }
+        if (since_heard_ > longest_gap_in_presence and not has_doubted_) {
+            has_doubted_ = true; // once a period: the line may be as slow
+            steps_.doubt();
         }
         bool const was_rearranged = this->was_rearranged();
         this->note_arrangement();
@@ -176,7 +188,7 @@ public:
         }
         is_asking_ = true;
         since_asked_ = {};
-        byte_view const frame = steps_.ask(was_rearranged, this->confirmed() == Device::layout.cmd);
+        byte_view const frame = steps_.ask(was_rearranged, look_.allows_word(this->confirmed() == Device::layout.cmd));
         this->note_command(control().has_enabled());
         return request_frame{frame};
     }
@@ -188,7 +200,10 @@ public:
             is_heard_ = true;
             since_heard_ = since_asked_;
         }
-        if (is_looking_) {
+        if (steps_.says_stop() and not look_.is_under_way() and outcome.error() != errc::cancelled) {
+            look_.note_word(); // else it never left
+        }
+        if (look_.is_under_way()) {
             end_look(shows_drive_profile(outcome));
         } else if (outcome) {
             steps_.take(*outcome);
@@ -207,6 +222,7 @@ public:
         }
         if (steps_.take_pause()) {
             is_due_ = false;
+            has_doubted_ = false;
             due_ = now_ + steps_.period();
         }
         heed_silence();
@@ -215,49 +231,52 @@ public:
 
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
-        return not has_begun_ ? deadline{}
-               : not is_due_  ? deadline{due_}
-               : is_looking_  ? deadline{look_end_}
-                              : deadline{};
+        return not has_begun_       ? deadline{}
+               : not is_due_        ? deadline{due_}
+               : has_limited_look() ? deadline{look_end_}
+                                    : deadline{};
     }
 
     /// For the client: how long the response may take.
     [[nodiscard]] constexpr duration limited(duration timeout) const noexcept
     {
         duration const rest = look_end_ - now_;
-        return is_looking_ and rest < timeout ? rest : timeout;
+        return has_limited_look() and rest < timeout ? rest : timeout;
     }
 
     /// Never: the cycle goes on as long as it is polled.
     [[nodiscard]] static constexpr bool settled() noexcept { return false; }
 
 private:
-    /// A stop command that stops only a drive in its drive profile waits for one read of that, where the last one is too
-    /// old to count. Behind a missing response, and after a loss, 0000 goes at once.
+    /// Whether it looks before the first word of a stop.
+    constexpr bool has_limited_look() const noexcept { return look_.is_under_way() and not look_.has_said(); }
+
+    /// A stop command that stops only a drive in its drive profile waits for one read of that, where it is due. Behind a
+    /// missing response, and after a loss, 0000 goes at once.
     constexpr void heed_look(instant at) noexcept
     {
         constexpr drive_layout const& layout = Device::layout;
         if constexpr (may_have_io_profile(layout) and layout.safeguards.chcf != 0) {
-            was_looked_in_vain_ = was_looked_in_vain_ and this->confirmed() == 0;
-            bool const is_stale = this->was_confirmed() == layout.cmd and not steps_.is_missed() and
-                                  not steps_.is_lost() and not was_looked_in_vain_;
+            bool const is_due = not steps_.is_missed() and not steps_.is_lost() and
+                                look_.is_due(this->confirmed() == layout.cmd, this->was_confirmed() == layout.cmd);
             bool const waits = is_due_ and steps_.intent(this->was_rearranged()) == effect::stopping and
                                control().word_to_stop(true, layout) != 0;
             if (is_asking_) {
                 return;
             }
-            if (not is_looking_ and is_stale and waits) {
-                is_looking_ = true;
+            if (is_due and waits) {
+                look_.begin();
                 look_end_ = now_ + longest_look_of_a_stop;
-            } else if (is_looking_ and (not waits or reached(at, look_end_))) {
+            } else if (look_.is_under_way() and not waits) {
+                look_.give_up();
+            } else if (has_limited_look() and reached(at, look_end_)) {
                 end_look(false);
             }
         }
     }
     constexpr void end_look(bool is_known) noexcept
     {
-        is_looking_ = false;
-        was_looked_in_vain_ = not is_known;
+        look_.end(is_known);
         if (is_known) {
             this->note_meaning(Device::layout.cmd);
         }
@@ -297,9 +316,9 @@ private:
     bool is_asking_{false};
     bool has_lost_{false};
     bool is_new_order_{false};
-    bool is_looking_{false}; ///< what the stop command means
-    bool was_looked_in_vain_{false};
-    bool is_heard_{false}; ///< since the last loss
+    stop_look look_{false};   ///< what the stop command means
+    bool is_heard_{false};    ///< since the last loss
+    bool has_doubted_{false}; ///< since the last pause
 };
 
 } // namespace rtuwire::altivar

@@ -60,6 +60,7 @@ public:
         stop_.end();
         if (not is_ordered_) {
             is_ordered_ = true;
+            was_told_to_run_ = false;
             highest_ = cia402::enable_rank(state());
             had_stop_key_ = sight_.shows_stop_key();
         }
@@ -112,6 +113,9 @@ public:
         }
         if (is_ordered_ and rank < highest_) {
             return drop(outcome_kind::fell_back);
+        }
+        if (is_ordered_ and is_running() and highest_ < rank and not was_told_to_run_) {
+            return note_overwritten(); // no word from here explains it
         }
         had_stop_key_ = had_stop_key_ and shows_stop_key;
         highest_ = rank;
@@ -249,6 +253,7 @@ private:
             next = cia402::command::switch_on;
         }
         sight_.note_command(next == cia402::command::enable_operation);
+        was_told_to_run_ = was_told_to_run_ or next == cia402::command::enable_operation;
         has_switched_on_ = has_switched_on_ or next == cia402::command::switch_on;
         return next == cia402::command::none ? std::uint16_t{0} : cia402::word_of(next);
     }
@@ -260,6 +265,7 @@ private:
     cycle_stop stop_{};
     reset_edge reset_{};
     bool has_switched_on_{false}; ///< "switch on" was sent, while enabling
+    bool was_told_to_run_{false}; ///< since the order
     bool is_ordered_{false};
     bool gives_way_{false};
     bool had_stop_key_{false}; ///< pressed before the order, and shown until the motor runs

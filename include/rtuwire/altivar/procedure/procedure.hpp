@@ -89,6 +89,53 @@ inline constexpr duration status_period = milliseconds(50);
 /// How long a stop may look what its words mean: the motor keeps turning meanwhile.
 inline constexpr duration longest_look_of_a_stop = milliseconds(100);
 
+/// Whether a word of a stop other than 0000 may be sent to a drive that runs by it in an I/O profile. The first word of a stop
+/// that its user orders rests on what was read before. Each later one, and each one that withdraws an order, is sent behind a
+/// read of CHCF: the drive may have lost its power, and its profile with it, and no response told that.
+class stop_look {
+public:
+    explicit constexpr stop_look(bool is_ordered) noexcept : is_ordered_{is_ordered} {}
+
+    /// A stop is ordered, or an order to run, which a stop may withdraw.
+    constexpr void note_order(bool is_stop) noexcept
+    {
+        is_ordered_ = is_stop;
+        has_said_ = false;
+        at_ = at_ == stage::under_way ? at_ : stage::none;
+    }
+    constexpr void begin() noexcept { at_ = stage::under_way; }
+    constexpr void give_up() noexcept { at_ = stage::none; }
+    constexpr void end(bool is_drive_profile) noexcept { at_ = is_drive_profile ? stage::known : stage::in_vain; }
+    constexpr void note_word() noexcept
+    {
+        has_said_ = true;
+        at_ = at_ == stage::known ? stage::none : at_;
+    }
+
+    [[nodiscard]] constexpr bool is_under_way() const noexcept { return at_ == stage::under_way; }
+    /// Whether a word was sent: a look before the first one ends when its time is over.
+    [[nodiscard]] constexpr bool has_said() const noexcept { return has_said_; }
+    /// Whether CHCF has to be read before the next word: it was read as the drive profile, and that `counts`, or does no more.
+    [[nodiscard]] constexpr bool is_due(bool counts, bool does_no_more) const noexcept
+    {
+        return at_ == stage::none and (does_no_more or (counts and not is_first()));
+    }
+    /// Whether the next word may be another one than 0000.
+    [[nodiscard]] constexpr bool allows_word(bool counts) const noexcept
+    {
+        return at_ == stage::known or (counts and is_first());
+    }
+
+private:
+    enum class stage : std::uint8_t { none, under_way, known, in_vain };
+
+    constexpr bool is_first() const noexcept { return is_ordered_ and not has_said_; }
+
+    stage at_{stage::none};
+    bool is_ordered_;
+    bool has_said_{false};
+};
+
 /// Whether a response to a read of CHCF shows the drive profile.
 [[nodiscard]] constexpr bool shows_drive_profile(result<response> const& outcome) noexcept
 {
@@ -143,11 +190,11 @@ public:
     [[nodiscard]] constexpr bool may_have_io() const noexcept { return may_have_io_profile(*layout_); }
     constexpr bool take_fault() noexcept { return take(has_read_fault_); }
 
-    /// Whether the word of a stop may run the drive, which takes the words of all stops as such where its control word is
-    /// the one `confirmed`: 0000 is sent instead, and the reason says so.
-    constexpr bool is_harmful(std::uint16_t word, std::uint16_t confirmed) noexcept
+    /// Whether the word of a stop may run the drive, which is not known to take the words of all stops as such: 0000 is sent
+    /// instead, and the reason says so.
+    constexpr bool is_harmful(std::uint16_t word, bool is_known) noexcept
     {
-        bool const is_other = word != 0 and confirmed != layout_->cmd and may_have_io_profile(*layout_);
+        bool const is_other = word != 0 and not is_known and may_have_io_profile(*layout_);
         reason_.is_other_stop = reason_.is_other_stop or is_other;
         return is_other;
     }
@@ -212,6 +259,9 @@ protected:
         has_read_fault_ = cia402::is_in_fault(reason_.state);
         return reason_.state;
     }
+
+    /// It goes on although it had ended.
+    constexpr void forget_end() noexcept { reason_.kind = outcome_kind::pending; }
 
     constexpr void note_state(cia402::state at) noexcept { reason_.state = at; }
 

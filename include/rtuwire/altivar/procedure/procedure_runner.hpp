@@ -70,7 +70,8 @@ public:
             return;
         }
         if (is_looking()) {
-            bool const is_over = reached(at, pause_end_) or (not is_late_ and reached(now, late_at_));
+            bool const is_over =
+                (has_length() and reached(at, pause_end_)) or (not is_late_ and reached(now, late_at_));
             return is_over ? end_look(false) : void();
         }
         if (Script::follows_order and this->is_overruled() and not procedure_.takes_back()) {
@@ -83,7 +84,7 @@ public:
             return begin_look();
         }
         // No limit ends a stop whose control word was never sent.
-        bool const has_to_say = Script::is_stop and action_.does == effect::stopping and not has_said_stop_;
+        bool const has_to_say = Script::is_stop and action_.does == effect::stopping and not look_.has_said();
         if (not is_late_ and reached(now, late_at_) and not has_to_say) {
             is_late_ = was_warned_ or Script::grace.microseconds == 0;
             was_warned_ = true;
@@ -116,6 +117,10 @@ public:
 
     constexpr std::optional<request_frame> next() noexcept
     {
+        if (not is_looking() and has_to_look()) {
+            begin_look(); // it was heard of only now that what was read counts no more
+            return std::nullopt;
+        }
         if (not has_request()) {
             return std::nullopt;
         }
@@ -125,8 +130,7 @@ public:
             return request_frame{frame_, repetition::never};
         }
         if (action_.does == effect::stopping) {
-            has_said_stop_ = true;
-            if (procedure_.is_harmful(action_.word, known_word())) {
+            if (procedure_.is_harmful(action_.word, look_.allows_word(counts(known_word())))) {
                 action_.word = 0;
                 make_frame();
             }
@@ -141,11 +145,11 @@ public:
     [[nodiscard]] constexpr duration limited(duration timeout) const noexcept requires(says_stop)
     {
         duration const rest = pause_end_ - now_;
-        return is_looking() and rest < timeout ? rest : timeout;
+        return is_looking() and has_length() and rest < timeout ? rest : timeout;
     }
 
-    /// From here on what was read of its words counts until the unit is lost, however long ago that was: of a stop that
-    /// continues what broadcasts have begun.
+    /// From here on what was read of its words counts for the first one until the unit is lost, however long ago that was: of a
+    /// stop that continues what broadcasts have begun.
     constexpr void count_old_readings() noexcept requires(Script::is_stop) { counts_old_ = true; }
 
     /// Whether only 0000 is known to stop the drive, as far as this client has read.
@@ -180,6 +184,9 @@ public:
             end_look(shows_drive_profile(outcome));
             return heed_loss();
         }
+        if (action_.does == effect::stopping and outcome.error() != errc::cancelled) {
+            look_.note_word(); // else it never left
+        }
         take(outcome.error() == errc::overruled ? procedure_.yield() : procedure_.step(event_of(outcome)));
         heed_loss();
     }
@@ -194,7 +201,7 @@ public:
         if (not is_late_) {
             next.add(late_at_);
         }
-        if (has_length() or is_looking()) {
+        if (has_length()) {
             next.add(pause_end_);
         }
         return next;
@@ -233,22 +240,22 @@ private:
         return action_.does == effect::enabling and action_.address == procedure_.control_word() and
                (action_.word & run) == run;
     }
-    constexpr bool is_looking() const noexcept { return says_stop and is_looking_; }
+    constexpr bool is_looking() const noexcept { return says_stop and look_.is_under_way(); }
 
-    /// Whether the control word to send stops only a drive in its drive profile, and that was read too long ago.
-    constexpr bool has_to_look() const noexcept
+    /// Whether the control word to send stops only a drive in its drive profile, and that has to be read.
+    [[gnu::noinline]] constexpr bool has_to_look() const noexcept
     {
-        return says_stop and action_.does == effect::stopping and action_.word != 0 and not has_looked_in_vain_ and
-               was_confirmed_at() and procedure_.may_have_io() and procedure_.chcf() != 0;
+        return says_stop and action_.does == effect::stopping and action_.word != 0 and
+               look_.is_due(counts(known_word()), was_confirmed_at()) and procedure_.may_have_io() and
+               procedure_.chcf() != 0;
     }
-    constexpr bool was_confirmed_at() const noexcept
-    {
-        return not counts_old_ and this->was_confirmed() == procedure_.control_word();
-    }
+    constexpr bool was_confirmed_at() const noexcept { return not counts_old() and counts(this->was_confirmed()); }
+    constexpr bool counts_old() const noexcept { return Script::is_stop and counts_old_; }
     constexpr std::uint16_t known_word() const noexcept
     {
-        return counts_old_ and this->confirmed() == 0 ? this->was_confirmed() : this->confirmed();
+        return counts_old() and this->confirmed() == 0 ? this->was_confirmed() : this->confirmed();
     }
+    constexpr bool counts(std::uint16_t confirmed) const noexcept { return confirmed == procedure_.control_word(); }
 
     constexpr void begin() noexcept
     {
@@ -262,7 +269,7 @@ private:
 
     constexpr void begin_look() noexcept
     {
-        is_looking_ = true;
+        look_.begin();
         pause_end_ = now_ + longest_look_of_a_stop;
         static_cast<void>(encode_into(frame_, unit_, read_holding_registers{procedure_.chcf(), 1}));
     }
@@ -270,8 +277,7 @@ private:
     /// Begins, or sends the control word: the one meant where it is known to be that, else 0000.
     constexpr void end_look(bool is_known) noexcept
     {
-        is_looking_ = false;
-        has_looked_in_vain_ = not is_known;
+        look_.end(is_known);
         if (is_known) {
             this->note_meaning(procedure_.control_word());
         }
@@ -300,10 +306,12 @@ private:
         }
     }
 
-    /// Whether the action is a pause, or a request that may wait only for a limited time.
+    /// Whether the action is a pause, or a request that may wait only for a limited time. Before its first word a stop looks
+    /// for a limited time, later as long as its turn and the response take.
     constexpr bool has_length() const noexcept
     {
-        return action_.what == action::kind::pause or action_.length.microseconds != 0;
+        return is_looking() ? not look_.has_said()
+                            : action_.what == action::kind::pause or action_.length.microseconds != 0;
     }
 
     constexpr event event_of(result<response> const& outcome) const noexcept
@@ -344,6 +352,9 @@ private:
         action_ = next;
         pause_end_ = now_ + next.length;
         make_frame();
+        if (has_to_look()) {
+            begin_look();
+        }
     }
 
     [[gnu::noinline]] constexpr void make_frame() noexcept
@@ -365,15 +376,13 @@ private:
     unit_id unit_;
     bool has_begun_{false};
     bool is_asking_{false};
-    bool has_said_stop_{false};
     bool has_lost_{false};
     bool is_late_{false};
     bool was_warned_{false}; ///< the limit is over; only the procedure's grace is left
     bool was_granted_{false};
     bool is_other_family_{false};
     bool counts_old_{false};
-    bool is_looking_{false}; ///< until `pause_end_`
-    bool has_looked_in_vain_{false};
+    stop_look look_{Script::is_stop};
 };
 
 } // namespace rtuwire::altivar

@@ -278,6 +278,7 @@ private:
     {
         if (unit_order* const own = places_.make(unit)) {
             own->is_starting = own->is_starting or runs;
+            own->heard = own->is_ordered ? own->heard : asked_;
             own->is_ordered = true;
             own->silence = drive_timeout + milliseconds(1'000);
             own->tolerated = tolerated;

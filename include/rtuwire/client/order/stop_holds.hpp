@@ -39,7 +39,7 @@ public:
             note_none_counts();
             for (unit_order& each : places_) {
                 each.words_end = now + stop_words_after_loss;
-                each.may_be_told = each.is_lost;
+                each.may_be_told = true;
             }
         }
         if (who.is_over_) {
@@ -113,7 +113,7 @@ protected:
         own.holder = count_;
         own.held = hold::by_its_stop;
         own.words_end = now + stop_words_after_loss;
-        own.may_be_told = own.is_lost;
+        own.may_be_told = true;
     }
 
     /// A stop under way visits: a place that has become free goes to its unit, and where the stop of another unit

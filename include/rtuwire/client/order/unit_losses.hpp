@@ -27,10 +27,6 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// Of a unit whose type is not the declared one: the longest time-out of any drive, and 1 s more.
 inline constexpr duration silence_of_another_family = milliseconds(31'000);
 
-/// A drive that is silent for no longer was not switched off and on again meanwhile: assumed, no manual gives the time that
-/// its control needs until it answers. What was read of a unit counts only as long as it has answered so.
-inline constexpr duration longest_gap_in_presence = milliseconds(500);
-
 /// The lost units of one client; the base of its orders.
 template <std::size_t Units> class unit_losses : public stop_holds<Units> {
     using holds = stop_holds<Units>;
@@ -72,7 +68,6 @@ public:
             return;
         }
         if (own->is_lost or was_repeated or own->misses >= own->tolerated) {
-            own->confirmed = 0;
             lose(*own, now);
         } else {
             ++own->misses;
@@ -114,7 +109,6 @@ public:
     {
         if (unit_order* const own = places_.make(unit)) {
             own->silence = silence_of_another_family;
-            own->confirmed = 0;
             lose(*own, now);
             own->may_be_told = false;
         }
@@ -128,7 +122,7 @@ public:
         bool is_over = false;
         for (unit_order& each : places_) {
             heed_gap(each, now);
-            each.may_be_told = each.is_lost and each.may_be_told and not reached(now, each.words_end);
+            each.may_be_told = each.may_be_told and not reached(now, each.words_end);
             if (each.is_lost and reached(now, each.silence_end)) {
                 each.is_lost = false;
                 is_over = true;
@@ -154,18 +148,23 @@ protected:
     instant asked_{0}; ///< when the last request was taken, to any unit
 
 private:
-    /// The unit may have lost its power where it was not heard for long, or missed a request.
-    static constexpr void heed_gap(unit_order& own, instant now) noexcept
+    /// The unit may have lost its power where it was not heard for long. Behind its own time-out it has stopped: no order to
+    /// run counts any more.
+    constexpr void heed_gap(unit_order& own, instant now) noexcept
     {
-        duration const gap = now - own.heard;
-        own.is_doubtful = own.is_doubtful or gap > longest_gap_in_presence;
-        if (own.is_ordered and gap + milliseconds(1'000) > own.silence) {
-            own.confirmed = 0; // its time-out is over: a read could let it run as ordered again
+        constexpr duration behind = milliseconds(1'000); // a clock may be, a little
+        duration const gap = now + behind - own.heard;
+        own.is_doubtful = own.is_doubtful or gap > longest_gap_in_presence + behind;
+        if (own.is_ordered and gap > own.silence) {
+            own.confirmed = 0; // a read could let it run as ordered again
+            bool const counts = own.last_order != 0 and not is_older(own.last_order, own.last_fault);
+            own.last_fault = counts ? ++count_ : own.last_fault;
         }
     }
 
     constexpr void lose(unit_order& own, instant now) noexcept
     {
+        own.confirmed = 0;
         if (not own.is_lost) {
             own.is_lost = true;
             own.may_be_told = true;

@@ -37,8 +37,17 @@ template <std::size_t Drives> struct everyone_by_hand {
         return std::move(*this);
     }
 
-    /// The frame of the next request without its check, or nothing.
+    /// The frame of the next request without its check, or nothing. Whoever reads CHCF hears at once of the drive profile.
     std::string asks()
+    {
+        std::string told = asks_once();
+        for (unsigned i = 0; i < 4 and told.size() > 2 and told.substr(2) == " 03 20 D1 00 01"; ++i) {
+            hear(1);
+            told = asks_once();
+        }
+        return told;
+    }
+    std::string asks_once()
     {
         motors.advance(now);
         all.advance(now);

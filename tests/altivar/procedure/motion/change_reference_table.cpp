@@ -23,7 +23,7 @@ constexpr std::uint16_t speed = 8602;
 constexpr std::uint16_t reached = 0x0637, reached_back = 0x8637, limited = 0x0A37, limited_reached = 0x0E37;
 
 constexpr cell eta = reads(layout.eta), lft = reads(layout.lft), rfr = reads(layout.rfr), cmd = reads(layout.cmd);
-constexpr cell x = never;
+constexpr cell x = never, again = reads(speed), other = ends(kind::overwritten);
 constexpr cell done = ends(kind::succeeded), silent = ends(kind::silent), refused = ends(kind::refused);
 constexpr cell aborted = ends(kind::aborted), too_late = ends(kind::state_timeout), fault = ends(kind::in_fault);
 constexpr cell local = ends(kind::local_control), key = ends(kind::stop_key), fell = ends(kind::fell_back);
@@ -80,7 +80,7 @@ constexpr std::array<stage_row<20>, 5> forward_looks{{
       silent, refused, too_late}},
     {"a look after it was limited once", limited_once,
      {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
-      key, pauses, local, lft, rfr, pauses, at_limit, at_limit,
+      key, pauses, local, lft, rfr, pauses, again, again,
       silent, refused, too_late}},
     {"a look after it was limited, and then not", limited_before,
      {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
@@ -100,11 +100,11 @@ constexpr std::array<stage_row<20>, 4> zero_looks{{
       silent, refused, too_late}},
     {"a look after it was reached once", {begun, word(enabled_word), word(0x000F), confirmed, pause_over, word(reached), pause_over},
      {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
-      key, pauses, local, lft, done, done, pauses, pauses,
+      key, pauses, local, lft, again, again, pauses, pauses,
       silent, refused, too_late}},
     {"a look after it was limited once", limited_once,
      {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
-      key, pauses, local, lft, pauses, pauses, at_limit, at_limit,
+      key, pauses, local, lft, pauses, pauses, again, again,
       silent, refused, too_late}},
     {"a look after it was reached, and then not",
      {begun, word(enabled_word), word(0x000F), confirmed, pause_over, word(reached), pause_over, word(enabled_word), pause_over},
@@ -125,7 +125,7 @@ constexpr std::array<answer, 8> others{{
     {"limit over", late},
 }};
 constexpr cell write = writes(speed, 1'500), write_turned = writes(speed, 0xFA24); // -1500
-constexpr std::array<stage_row<8>, 7> other_rows{{
+constexpr std::array<stage_row<8>, 8> other_rows{{
     {"the control word", {begun, word(enabled_word)}, {write, write, write_turned, x, x, silent, refused, aborted}},
     {"the write", {begun, word(enabled_word), word(0x000F)}, {x, x, x, pauses, x, silent, refused, aborted}},
     {"a wait after the write",
@@ -137,7 +137,11 @@ constexpr std::array<stage_row<8>, 7> other_rows{{
     {"the frequency for the second time",
      {begun, word(enabled_word), word(0x000F), confirmed, pause_over, word(reached), word(300), pause_over,
       word(reached)},
-     {pauses, done, done, x, x, silent, refused, too_late}},
+     {pauses, again, again, x, x, silent, refused, too_late}},
+    {"the reference when it is reached",
+     {begun, word(enabled_word), word(0x000F), confirmed, pause_over, word(reached), word(300), pause_over,
+      word(reached), word(300)},
+     {other, other, other, x, x, silent, refused, too_late}},
     {"the fault of a drive that was not written to",
      {begun, word(fault_word)},
      {fault, fault, fault, x, x, silent, refused, fault}},
@@ -225,6 +229,12 @@ TEST_CASE("a change of the reference does at each look what its table says")
 TEST_CASE("a change of the reference does in each stage, at each answer, what its table says")
 {
     check_table(forward, others, other_rows);
+    way const reached_twice{begun,        word(enabled_word), word(0x000F), confirmed,    pause_over,
+                            word(0x0637), word(300),          pause_over,   word(0x0637), word(300)};
+    CHECK(does(led(forward, reached_twice), word(1'500), done));
+    way const limited_twice{begun,      word(enabled_word), word(0x000F), confirmed,
+                            pause_over, word(0x0A37),       pause_over,   word(0x0A37)};
+    CHECK(does(led(forward, limited_twice), word(1'500), at_limit));
 }
 
 TEST_CASE("a change of the reference that may be refused reads no limit where it slows down")

@@ -56,7 +56,7 @@ constexpr bool is_told_to_run(start_procedure& it)
     bool ok = reads(it.step(begins), eta) and writes(it.step(word(on)), cmd, 0x0007);
     ok = ok and reads(it.step(written), eta) and writes(it.step(word(on)), lfrd, 1'500);
     ok = ok and reads(it.step(written), cmd) and writes(it.step(word(0x0007)), cmd, 0x000F);
-    return ok and reads(it.step(written), eta);
+    return ok and reads(it.step(written), 8401) and reads(it.step(word(1)), eta);
 }
 
 constexpr bool bears_three_misses()
@@ -135,13 +135,14 @@ constexpr bool is_reached_at(std::uint16_t reference, bool looks_whether_it_turn
     bool ok = reads(it.step(begins), eta) and reads(it.step(word(enabled)), cmd);
     ok = ok and writes(it.step(word(0x000F)), lfrd, reference);
     ok = ok and it.step(written).what == action::kind::pause;
-    for (action::kind const next : {action::kind::pause, action::kind::end}) {
+    for (action::kind const next : {action::kind::pause, action::kind::read}) {
         ok = ok and reads(it.step(goes_on), eta);
         action last = it.step(word(enabled_and_there));
         ok = ok and reads(last, rfr) == looks_whether_it_turns;
         last = looks_whether_it_turns ? it.step(word(1)) : last;
         ok = ok and last.what == next;
     }
+    ok = ok and it.step(word(reference)).what == action::kind::end; // it holds it still
     return ok and it.reason().kind == outcome_kind::succeeded;
 }
 constexpr bool tells_standing_from_crawling() { return is_reached_at(0, false) and is_reached_at(1, true); }

@@ -19,7 +19,7 @@ namespace {
 constexpr auto const& layout = atv320::device::layout;
 constexpr std::uint16_t disabled = 0x0250, ready = 0x0231, on = 0x0233, enabled = 0x0237;
 
-constexpr cell eta = reads(layout.eta), lft = reads(layout.lft), cmd = reads(layout.cmd);
+constexpr cell eta = reads(layout.eta), lft = reads(layout.lft), cmd = reads(layout.cmd), chcf = reads(8401);
 constexpr cell reference = writes(8602, 1'500), shut_down = writes(layout.cmd, 0x0006);
 constexpr cell switch_on = writes(layout.cmd, 0x0007), enable = writes(layout.cmd, 0x000F);
 
@@ -56,7 +56,7 @@ constexpr cell overwritten = ends(kind::overwritten);
 constexpr cell timeout = ends(kind::state_timeout), aborted = ends(kind::aborted), fault = ends(kind::in_fault);
 
 // clang-format off
-constexpr std::array<stage_row<13>, 12> rows{{
+constexpr std::array<stage_row<13>, 13> rows{{
     // stage, and the way there
     //   disabled, ready, switched on, enabled, quick stop, fault, local, STOP key,
     //   no state or another word, confirmed, no response, refused, limit over
@@ -77,8 +77,11 @@ constexpr std::array<stage_row<13>, 12> rows{{
       undo(kind::overwritten), x, eta, undo(kind::refused), undo(kind::state_timeout)}},
     {"enabled, to be confirmed", {begun, word(on), confirmed, word(on), confirmed, word(7)},
      {x, x, x, x, x, x, x, x,
-      x, eta, eta, ramp(kind::refused), ramp(kind::state_timeout)}},
-    {"enabled, at a look", {begun, word(on), confirmed, word(on), confirmed, word(7), confirmed},
+      x, chcf, eta, ramp(kind::refused), ramp(kind::state_timeout)}},
+    {"examining the profile", {begun, word(on), confirmed, word(on), confirmed, word(7), confirmed},
+     {x, x, x, x, x, x, x, x,
+      ramp(kind::not_drive_profile), x, eta, ramp(kind::refused), ramp(kind::state_timeout)}},
+    {"enabled, at a look", {begun, word(on), confirmed, word(on), confirmed, word(7), confirmed, word(2)},
      {ramp(kind::fell_back), ramp(kind::fell_back), pauses, ends(kind::succeeded), ramp(kind::fell_back), lft, ramp(kind::local_control), ramp(kind::stop_key),
       ramp(kind::fell_back), x, eta, ramp(kind::refused), ramp(kind::state_timeout)}},
     {"reading the direction", {begun, word(enabled)},
@@ -86,10 +89,10 @@ constexpr std::array<stage_row<13>, 12> rows{{
       overwritten, x, silent, refused, timeout}},
     {"redirecting", {begun, word(enabled), word(0x000F)},
      {x, x, x, x, x, x, x, x,
-      x, cmd, silent, refused, timeout}},
+      x, cmd, eta, refused, timeout}},
     {"checking one that ran already", {begun, word(enabled), word(0x000F), confirmed},
      {x, x, x, x, x, x, x, x,
-      overwritten, x, silent, refused, timeout}},
+      ramp(kind::overwritten), x, eta, ramp(kind::refused), ramp(kind::state_timeout)}},
     {"reading the fault of a drive that was not commanded", {begun, word(0x0238)},
      {x, x, x, x, x, x, x, x,
       fault, x, silent, refused, fault}},
@@ -139,5 +142,6 @@ TEST_CASE("a start enables a drive whose control word is the one that it wrote")
     CHECK(does(led(checked_before, {begun, word(enabled), word(0x000F), confirmed}), word(0x000F), enable));
     constexpr cell enable_back = writes(layout.cmd, 0x080F);
     CHECK(does(led(checked_before, {begun, word(enabled), word(0x090F), confirmed}), word(0x090F), enable_back));
-    CHECK(does(led(checked_before, {begun, word(enabled), word(0x090F), confirmed}), word(0x080F), overwritten));
+    CHECK(does(led(checked_before, {begun, word(enabled), word(0x090F), confirmed}), word(0x080F),
+               ramp(kind::overwritten)));
 }

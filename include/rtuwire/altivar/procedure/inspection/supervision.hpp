@@ -30,7 +30,8 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// | exception 02: ETA            | end: refused                                                            |
 /// | exception 02: another        | the finding unknown_register                                            |
 /// | refused otherwise            | end: refused                                                            |
-/// | no response                  | end: silent                                                             |
+/// | no response, to the first    | end: silent                                                             |
+/// | no response, to a later one  | read the first again: the drive may have lost its power                 |
 /// | limit over                   | end: aborted                                                            |
 /// Internal.
 class supervision_procedure : public procedure {
@@ -58,11 +59,19 @@ public:
                          : supervision_procedure{layout(), options_, is_by_speed_};
     }
 
+    /// Before another `begun`: reads all of it again.
+    constexpr void restart() noexcept
+    {
+        at_ = safeguard::highest;
+        has_read_ = false;
+        forget_end();
+    }
+
     constexpr action step(event const& what) noexcept
     {
         switch (what.what) {
         case event::kind::begun: return is_known_ ? end(report_.finding) : ask();
-        case event::kind::word_read: return go_on(judge(what.word), what.word);
+        case event::kind::word_read: has_read_ = true; return go_on(judge(what.word), what.word);
         case event::kind::failed: return go_without(what.error);
         case event::kind::written:
         case event::kind::pause_over:
@@ -88,7 +97,7 @@ private:
         while (address() == 0) {
             at_ = after(at_);
         }
-        return to_read(address());
+        return has_read_ ? once(to_read(address())) : to_read(address());
     }
 
     static constexpr safeguard after(safeguard at) noexcept
@@ -108,6 +117,10 @@ private:
     /// ordered, whatever risk is accepted.
     constexpr action go_without(errc error) noexcept
     {
+        if (has_read_ and not is_exception(error) and error != errc::unit_lost) {
+            restart();
+            return ask();
+        }
         if (error != errc::illegal_data_address or at_ == safeguard::status) {
             return end(error);
         }
@@ -169,6 +182,7 @@ private:
     safeguard at_{safeguard::highest};
     bool is_by_speed_{false};
     bool is_known_{false}; ///< an earlier check gave the report
+    bool has_read_{false};
 };
 
 /// Checks a drive before its first order: at most nine reads, and four of its limits. It ends as `succeeded` (`ready`), or with the reason

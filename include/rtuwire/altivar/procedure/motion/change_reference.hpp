@@ -48,8 +48,8 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// |               | limit over, of LFT                  | end: in_fault, 0    | end: in_fault, 0                    |
 /// |               | limit over                          | end: aborted        | end: state_timeout                  |
 ///
-/// "Reached" waits the first time, and ends as `succeeded` the second time in a row; "limited" does so as
-/// `reference_limited`. A reference of 0 has no direction: it keeps that of the motor, where LSP may be above 0 by one
+/// "Reached" waits the first time; the second time in a row it reads the reference, and ends as `succeeded` where that is the
+/// one written, else as `overwritten`; "limited" does so as `reference_limited`. A reference of 0 has no direction: it keeps that of the motor, where LSP may be above 0 by one
 /// count with the sign for it.
 /// Internal.
 class reference_procedure : public procedure {
@@ -86,7 +86,8 @@ private:
         highest,
         rated_frequency,
         rated_speed,
-        frequency
+        frequency,
+        written, ///< its reference, when it is reached: another order may have written one since
     };
 
     constexpr action ask(asked what, std::uint16_t address) noexcept
@@ -107,6 +108,7 @@ private:
         case asked::rated_frequency: rated_ = word; return ask(asked::rated_speed, speed_address());
         case asked::rated_speed:
             return limits_.note_scale(rated_, word) ? hold_against_limits() : end(outcome_kind::unknown_register);
+        case asked::written: return end(word == told_.word ? shown_ : outcome_kind::overwritten);
         case asked::frequency: break;
         }
         return count(word != 0 ? outcome_kind::succeeded : outcome_kind::pending);
@@ -148,7 +150,7 @@ private:
     {
         bool const is_second = shown == shown_ and shown != outcome_kind::pending;
         shown_ = shown;
-        return is_second ? end(shown) : to_pause(status_period);
+        return is_second ? ask(asked::written, told_.address) : to_pause(status_period);
     }
 
     /// One write of the reference with its sign: the direction bit stays as it is.
@@ -175,7 +177,8 @@ private:
         case asked::status:
         case asked::fault:
         case asked::control:
-        case asked::frequency: break;
+        case asked::frequency:
+        case asked::written: break;
         }
         return end(error);
     }
@@ -211,8 +214,8 @@ private:
 };
 
 /// Changes the reference of a drive in operation; a negative one is in reverse, and 0 keeps the direction in which the
-/// motor turns. Done where two status reads after the write show that it is reached, and the motor turns in that
-/// direction; `reference_limited` where two show that the drive limits it; `above_hsp` where it was not written, because it
+/// motor turns. Done where two status reads after the write show that it is reached, the motor turns in that
+/// direction, and the drive still holds it, else `overwritten`; `reference_limited` where two show that the drive limits it; `above_hsp` where it was not written, because it
 /// is above HSP and not slower than the one before (`beyond_limits::limit` writes it all the same); `halted` where the halt bit is set,
 /// `state_timeout` where the drive does not reach it in time. A long ramp needs a long limit. A drive that leaves operation ends it as `stop_key` or `fell_back`; one not in operation at the
 /// first read as `aborted`, or as `stop_key` if that stopped it.

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 #include <rtuwire/altivar/device/atv28.hpp>
 #include <rtuwire/altivar/device/reference.hpp>
@@ -123,7 +124,7 @@ public:
         case event::kind::word_read: return stage_ == stage::meeting ? meet(what) : on_response(what.word);
         case event::kind::written: return after_write();
         case event::kind::pause_over: return read(stage::confirming, layout().eta);
-        case event::kind::failed: return abort(kind_for(what.error), what.error);
+        case event::kind::failed: return look_again_or_abort(what.error);
         case event::kind::late: break;
         }
         if (stage_ == stage::reading_fault) {
@@ -249,9 +250,17 @@ private:
     /// CMD still held the 0000 written here: nobody commands it, and it had its power all the time.
     constexpr action run() noexcept
     {
-        may_run_ = true;
         rank_ = cia402::enable_rank(cia402::state::switch_on_disabled);
-        return write(stage::running, layout().cmd, direct_run);
+        action next = write(stage::running, layout().cmd, direct_run);
+        next.length = std::exchange(may_run_, true) ? duration{} : longest_gap_in_presence;
+        return next;
+    }
+
+    /// The word to run that could not be sent for so long that CMD may be another one: it is read once more.
+    constexpr action look_again_or_abort(errc error) noexcept
+    {
+        bool const is_late = stage_ == stage::running and error == errc::bus_jam and not std::exchange(was_late_, true);
+        return is_late ? read(stage::reading_command, layout().cmd) : abort(kind_for(error), error);
     }
 
     constexpr action confirm(cia402::state at, std::uint16_t status) noexcept
@@ -290,6 +299,7 @@ private:
     stage stage_{stage::meeting};
     int rank_{0}; ///< of the state that was read last, once the word to run was sent
     bool may_run_{false};
+    bool was_late_{false};
 };
 
 /// Starts a drive at rest by direct control, at 50_Hz or 1500_rpm; a negative reference is in reverse, so that one

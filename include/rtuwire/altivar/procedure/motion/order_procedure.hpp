@@ -43,6 +43,12 @@ protected:
         bool const goes_on = found == outcome_kind::succeeded or reason().kind != outcome_kind::pending;
         return goes_on ? next : end_beyond(found, limits().named_by(found));
     }
+    /// Begins the check again, of a motor at rest.
+    constexpr action examine_anew(reference_write asked) noexcept
+    {
+        check_.restart();
+        return examine({event::kind::begun}, asked, true);
+    }
     [[nodiscard]] constexpr bool is_ready() const noexcept
     {
         return check_.reason().kind == outcome_kind::succeeded and reason().kind == outcome_kind::pending;

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 #include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/device/reference.hpp>
@@ -32,6 +33,7 @@ enum class start_stage : std::uint8_t {
     redirecting,       ///< the reference of a drive that already runs is written
     writing_reference, ///< the reference is written
     checking,          ///< the control word is read back
+    examining_profile, ///< CHCF: the command to run was sent, which runs in the I/O profile whatever was forgotten
     enabled,           ///< the command to run was sent
     reading_fault,
     aborting,
@@ -94,7 +96,10 @@ private:
 /// | writing_reference |                           | read CMD   | read ETA    | undo: refused | undo: state_timeout |
 /// | checking, as ever | write 000F                |            | read ETA    | undo: refused | undo: state_timeout |
 /// | checking, another | undo: overwritten         |            |             |               |                     |
-/// | enabled           | a status                  | read ETA   | read ETA    | undo: refused | undo: state_timeout |
+/// | enabled           | a status                  | read CHCF  | read ETA    | undo: refused | undo: state_timeout |
+/// | examining_profile | 1, 2: read ETA            |            | read ETA    | undo: refused | undo: state_timeout |
+/// |                   | else undo:                |            |             |               |                     |
+/// |                   | not_drive_profile         |            |             |               |                     |
 /// | reading_fault     | undo: in_fault            |            | read ETA    | undo: refused | undo: in_fault, 0   |
 ///
 /// | status               | meeting             | enabling                 | enabled                              |
@@ -108,7 +113,9 @@ private:
 /// | in local control     | end: local_control  | undo: local_control      | undo: local_control                  |
 /// | STOP key, newly      |                     | undo: stop_key           | undo: stop_key                       |
 ///
-/// "As ever" is the 0007 written here, or what was read of a drive that already runs. A state below the one read last has
+/// CHCF is read there only where the check found the drive profile in it. 000F that could not be sent for 0.5 s begins again
+/// with ETA, once. A reference without a confirmation may be that of a running motor. "As ever" is the 0007 written here, or
+/// what was read of a drive that already runs. A state below the one read last has
 /// fallen back, also below the one met before the check. Four requests in a row without a response are `silent`, and two
 /// once the motor may run.
 /// Internal.
@@ -179,7 +186,7 @@ private:
     constexpr action next_step_after_check(action const& next, std::uint16_t status) noexcept
     {
         if (not is_ready()) {
-            return next;
+            return next.what == action::kind::end ? abort(reason().kind, reason().error) : next;
         }
         stage_ = stage::enabling;
         return judge(status);
@@ -193,6 +200,7 @@ private:
         case stage::reading_direction: return redirect(word);
         case stage::comparing: return slow_down(word);
         case stage::checking: return enable(word);
+        case stage::examining_profile: return confirm_profile(word);
         case stage::meeting:
         case stage::examining:
         case stage::enabling:
@@ -242,7 +250,6 @@ private:
         if (not is_ready or next != cia402::command::enable_operation) {
             return send_command(next, 0);
         }
-        control_ = cia402::word_of(cia402::command::switch_on);
         return write_reference(stage::writing_reference, reference_);
     }
 
@@ -265,7 +272,17 @@ private:
             return abort(outcome_kind::overwritten);
         }
         stage_ = stage::enabled;
-        return send_command(cia402::command::enable_operation, control & reverse_bit);
+        action next = send_command(cia402::command::enable_operation, control & reverse_bit);
+        // The control word that was read longer ago is read once more.
+        next.length = std::exchange(has_tried_, true) ? duration{} : longest_gap_in_presence;
+        return next;
+    }
+
+    constexpr action confirm_profile(std::uint16_t profile) noexcept
+    {
+        stage_ = stage::enabled;
+        note_meaning(is_drive_profile(profile));
+        return is_drive_profile(profile) ? read_status() : abort(outcome_kind::not_drive_profile);
     }
 
     /// In operation: after the reference was written, or before that if the drive was already running.
@@ -314,25 +331,49 @@ private:
 
     constexpr action after_write() noexcept
     {
+        note_redirection();
         sent_.note_response();
         sent_.note_taken();
         if (stage_ == stage::writing_reference or stage_ == stage::redirecting) {
             stage_ = stage::checking;
             return once(to_read(layout().cmd));
         }
+        if (stage_ == stage::enabled and report().words == word_meaning::cia402 and may_have_io() and chcf() != 0) {
+            stage_ = stage::examining_profile;
+            return once(to_read(chcf()));
+        }
         return read_status();
     }
 
-    /// A request without a response may have arrived or not, so the start begins again with a status read. A command
-    /// that was confirmed is not sent again: a drive that does not follow it is read until the limit.
+    /// A request without a response may have arrived or not, and the drive may have lost its power behind it. So the start
+    /// begins again, with the check where the motor does not run yet, else with a status read. A command that was confirmed is
+    /// not sent again: a drive that does not follow it is read until the limit.
     constexpr action go_on(errc error) noexcept
     {
+        if (not is_exception(error)) {
+            note_redirection();
+        }
         if (sent_.must_end(error)) {
             return abort(kind_for(error), error);
         }
-        stage_ = stage::enabling;
         sent_.forget_unless_taken();
+        if (not sent_.may_run() and is_at_rest()) {
+            stage_ = stage::examining;
+            action const next = examine_anew(reference_);
+            if (not is_ready()) {
+                return next;
+            }
+        }
+        stage_ = stage::enabling;
         return read_status();
+    }
+
+    /// A motor that ran may now run by the reference from here.
+    constexpr void note_redirection() noexcept
+    {
+        if (stage_ == stage::redirecting) {
+            sent_.note(cia402::command::enable_operation);
+        }
     }
 
     /// Ends, but withdraws the commands sent: a motor that may run stops on its ramp.
@@ -348,10 +389,12 @@ private:
 
     reference_write reference_;
     std::uint16_t running_status_{0}; ///< of a drive that already runs
-    std::uint16_t control_{0};        ///< the control word that it has to hold before the command to run
+    /// The control word that it has to hold before the command to run.
+    std::uint16_t control_{cia402::word_of(cia402::command::switch_on)};
     int rank_{0};
     stage stage_{stage::meeting};
     sent_commands sent_{};
+    bool has_tried_{false}; ///< the command to run was due
     bool is_contradictory_;
 };
 
@@ -398,7 +441,8 @@ public:
     [[nodiscard]] constexpr supervision_report const& supervision() const noexcept { return told().report(); }
 
     /// Whether the motor runs as ordered, or at the nearest limit: from the success on, until this client stops, loses or
-    /// orders the unit anew, or a conversation that commands it reads a motor without power, or a fault. It needs no visit,
+    /// orders the unit anew, or finds that it answered nothing for longer than the drive's own time-out; or until a
+    /// conversation that commands it reads a motor without power, or a fault. It needs no visit,
     /// and asks the client that it visited last, which must still be there. Unknown here: a motor that somebody else
     /// stopped, or that a `watch` saw at rest.
     [[nodiscard]] constexpr bool running() const noexcept { return has_done_its_order(); }
