@@ -27,10 +27,9 @@ def rooms_of(header):
 
 
 class Compiler:
-    """`too_long` are the test cases that are not run; `most` is how many tests are compiled for a change, or None."""
+    """`too_long` are the test cases that are not run."""
 
-    def __init__(self, folder, common, headers, too_long, most):
-        self.most = most
+    def __init__(self, folder, common, headers, too_long):
         self.folder, self.common, self.headers = folder, common, headers
         self.run = ["--abort", "".join(f'~"{escaped(name)}"' for name in too_long)]
         self.lock, self.kills = threading.Lock(), {}
@@ -78,4 +77,4 @@ class Compiler:
             return sorted(tests, key=lambda path: (path.stem != stem, path.stem.split("_")[0] != stem.split("_")[0],
                                                    itself not in path.read_text(encoding="utf-8"),
                                                    -self.kills.get(path, 0), path.parent.name == "fail",
-                                                   path.stat().st_size))[:self.most]
+                                                   path.stat().st_size))

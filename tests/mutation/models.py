@@ -14,17 +14,22 @@ COMPILE = ["g++", "-std=c++20", "-w", "-O1", f"-I{TESTS}"]
 LONGEST_S = 60
 
 
-class Models:
-    """One program for each judge, with every change behind its switch."""
+def judges_of(header):
+    return ONLY.get(header.split("/")[0], JUDGES)
 
-    def __init__(self, folder, pool):
-        self.programs = {judge: folder / judge.split("/")[1] for judge in JUDGES}
+
+class Models:
+    """One program for each judge that changes of these headers need, with every change behind its switch."""
+
+    def __init__(self, folder, pool, headers):
+        judges = {judge for header in headers for judge in judges_of(header)}
+        self.programs = {judge: folder / judge.split("/")[1] for judge in judges}
         said = pool.map(lambda judge: complaints([*COMPILE, f"-I{folder / 'include'}", "-o", self.programs[judge],
-                                                  TESTS / f"{judge}.cpp"]), JUDGES)
-        for judge, each in zip(JUDGES, said):
+                                                  TESTS / f"{judge}.cpp"]), judges)
+        for judge, each in zip(judges, said):
             if each:
                 raise SystemExit(f"mutate.py: {judge}.cpp does not compile:\n{each}")
-        for judge in JUDGES:
+        for judge in judges:
             if not self.passes(judge):
                 raise SystemExit(f"mutate.py: {judge} finds something without any change")
 
@@ -33,5 +38,4 @@ class Models:
 
     def kills(self, number, header):
         """Whether one of those that include the header finds something with this change."""
-        asked = ONLY.get(header.split("/")[0], JUDGES)
-        return not all(self.passes(judge, RTUWIRE_CHANGE=str(number)) for judge in asked)
+        return not all(self.passes(judge, RTUWIRE_CHANGE=str(number)) for judge in judges_of(header))

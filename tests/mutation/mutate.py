@@ -5,15 +5,15 @@
     python3 tests/mutation/mutate.py [--since COMMIT [--most N]] [--jobs J] [--work DIR] [headers, or folders of them]
 
 The tests are compiled once, with every change behind a switch; they run with one switch turned at a time, and
-only those that come by it. What they do not see and survivors.txt does not explain is tried with the second engines
+only those that come by it. With --since the nearest tests come first, and others only for what those do not see.
+What they do not see and survivors.txt does not explain is tried with the second engines
 of tests/model and the lives of tests/lives, then compiled into a copy of the headers, with the tests of its room and
 their proofs. A change that is no switch (a type, an array's size, what only the compiler evaluates) is compiled at
 once. A change is killed by a test that fails, crashes or does not end in time, and by a build that fails.
 survivors.txt says why no test can see a change; open.txt lists those that nobody has explained yet, and may only get
 shorter. Survivors that stand in neither are printed as they are found, and rows that are for nothing at the end;
 either is a failure. With --since only lines are changed that differ from that commit, of more than N (40) changes some
-drawn by chance; the tests of their headers' rooms come first, and the others only for what those do not see. Without
-it all changes are tried, in the order of the arguments. tried.txt keeps what whole runs found: a header that has changed
+drawn by chance. Without it all changes are tried, in the order of the arguments. tried.txt keeps what whole runs found: a header that has changed
 since is named. --note writes open.txt and tried.txt anew for the headers asked.
 """
 import argparse
@@ -33,14 +33,14 @@ from changes import changes_of
 from compiled import Compiler, rooms_of
 from ledger import Ledger
 from models import Models
-from programs import PROJECT, ROOMS, Switchboard, precompiled
+from programs import PROJECT, ROOMS, TESTS, Switchboard, included, precompiled, sources, words_of
 import switches
 
 HEADERS = PROJECT / "include" / "rtuwire"
 # What stands for a machine or for a drive's manual: the simulated devices, the host's port, the register tables.
 LEFT_OUT = ("sim/", "port/", "altivar/device/atv", "altivar/device/compact_values", "altivar/atv", "altivar/parameters/atv",
             "altivar/parameters/compact_values", "altivar/parameters/family_words")
-LIKELIEST = 12
+STEP = 28  # tests: two files of joined ones, for two processors
 # A start value that the compiler needs where it evaluates a table (GCC 12 fails to).
 NO_SWITCH = {("core/literal.hpp", "std::size_t size_{1};")}
 
@@ -65,61 +65,97 @@ def lines_since(commit):
     return found
 
 
-def switched_tests(folder, common, pool, changes, may_switch, rooms):
-    """The tests with these changes behind switches. What the compiler refuses becomes none, by lines."""
-    board = Switchboard(folder, common, pool, rooms, {change.header for change in changes})
-    while True:
-        switches.write(folder / "include", HEADERS, changes, sorted(may_switch))
-        wrong = board.complaints_of_headers() or board.compile()
-        if not board.waiting:
+def tests_that_changed(commit):
+    """The tests that differ from a commit: likely those of what changed with them."""
+    said = subprocess.run(["git", "diff", "--name-only", "--relative", commit, "--", "."], cwd=TESTS, text=True, check=True,
+                          stdout=subprocess.PIPE).stdout
+    return {TESTS / name for name in said.splitlines()}
+
+
+def nearest(header, fresh):
+    """All tests that include a header: first those of its own rooms, of its name, that changed with it, and that share the
+    words which are rare in other tests."""
+    tests = [path for path in sources(ROOMS) if header in included(path)]
+    common = collections.Counter(word for path in tests for word in words_of(path))
+    own, words, name = rooms_of(header), words_of(HEADERS / header), pathlib.Path(header).stem.split("_")[0]
+
+    def distance(path):
+        shared = sum(1 / common[word] for word in words & words_of(path)) / len(words_of(path)) ** 0.5
+        return path.relative_to(TESTS).parts[0] not in own, path.stem.split("_")[0] != name, path not in fresh, -shared
+    return sorted(tests, key=distance)
+
+
+def steps(left, fresh, most):
+    """The tests that are asked together, one time after the other: the nearest to the headers in `left()`, whose changes no
+    test has seen by then; at last, as an empty list, those of the CRC by carry-less multiplication."""
+    seen = set()
+    while headers_left := left():
+        ranks = {}
+        for header in sorted(headers_left):
+            for rank, path in enumerate(each for each in nearest(header, fresh) if each not in seen):
+                ranks[path] = min(rank, ranks.get(path, rank))
+        tests = sorted(ranks, key=ranks.get)[:most]
+        if not tests:
             break
-        refused = {number for number in may_switch for header, line in wrong
-                   if changes[number].header == header and line in changes[number].lines}
-        if not refused:
-            raise SystemExit(f"mutate.py: no change stands where the compiler complains: {sorted(wrong)[:5]}")
-        may_switch -= refused
-    board.link()
-    return board
+        seen |= set(tests)
+        yield sorted(tests)
+    if any(header.startswith("core/crc16/") for header in left()):
+        yield []
 
 
-def outcomes(folder, pool, changes, is_explained, report, rooms=ROOMS, is_first=False):
-    """Whether each change survives the tests of these rooms. The first of two times the engines and what only the
-    compiler proves are not asked, and of a change that is no switch the likeliest tests alone."""
-    folder.mkdir(parents=True, exist_ok=True)
+def write_switched(folder, changes, may_switch, wrong=()):
+    """The headers with these changes behind switches. What the compiler refuses becomes none, by lines."""
+    refused = {number for number in may_switch for header, line in wrong
+               if changes[number].header == header and line in changes[number].lines}
+    if wrong and not refused:
+        raise SystemExit(f"mutate.py: no change stands where the compiler complains: {sorted(wrong)[:5]}")
+    may_switch -= refused
+    switches.write(folder / "include", HEADERS, changes, sorted(may_switch))
+
+
+def outcomes(folder, pool, changes, is_explained, report, fresh=(), most=None):
+    """Whether each change survives. `most` tests at a time are compiled, until all changes are killed."""
     common = precompiled(folder)
     may_switch = {number for number, change in enumerate(changes) if change.first >= 0 and
                   (change.header, change.becomes) not in NO_SWITCH}
-    board = switched_tests(folder, common, pool, changes, may_switch, rooms)
-    cases = board.cases()
-    report.say(f"{len(changes)} changes, {len(may_switch)} of them switches; {len(cases)} test cases of "
-               f"{sum(case.seconds for case in cases):.1f} s")
-    compiler = Compiler(folder, common, HEADERS, board.too_long, LIKELIEST if is_first else None)
-    models = None if is_first else Models(folder, pool)
+    board = Switchboard(folder, common, pool)
+    write_switched(folder, changes, may_switch)
+    while wrong := board.complaints_of_headers():
+        write_switched(folder, changes, may_switch, wrong)
+    killed, cases = set(), []
+
+    def try_cases(some):
+        left = sorted(may_switch - killed)
+        killed.update(number for number, is_killed in zip(left, pool.map(lambda each: board.kills(each, some), left))
+                      if is_killed)
+        report.say(f"{len(may_switch - killed)} of {len(may_switch)} switches left by {len(some)} test cases of "
+                   f"{sum(case.seconds for case in some):.1f} s")
+    for tests in steps(lambda: {changes[number].header for number in may_switch - killed}, fresh, most):
+        board.add(tests)
+        while board.waiting:
+            if wrong := board.compile():
+                write_switched(folder, changes, may_switch, wrong)
+        board.link()
+        cases.append(board.cases())
+        try_cases(cases[-1])
+    if may_switch - killed:
+        # These take nine tenths of the time, and see little that the fast ones do not.
+        cases.append(board.slow_cases())
+        try_cases(cases[-1])
+    reached = set().union(*(case.reached for some in cases for case in some))
+    compiler = Compiler(folder, common, HEADERS, board.too_long())
+    to_judge = {number for number in reached & may_switch - killed if not is_explained(changes[number])}
+    models = Models(folder, pool, {changes[number].header for number in to_judge})
 
     def lives(number):
-        change = changes[number]
-        killed = board.kills(number, cases) if number in may_switch else None
-        if killed is None and (is_first or rooms is ROOMS or number not in may_switch):
-            killed = not compiler.survives(change)
-        elif not killed and not is_first and not is_explained(change):
-            killed = models.kills(number, change.header) or not compiler.survives(change, True)
-        if not is_first:
-            report.note(change, not killed)
-        return not killed
+        change, is_alive = changes[number], number not in killed
+        if number in to_judge:
+            is_alive = not models.kills(number, change.header) and compiler.survives(change, True)
+        elif is_alive and number not in reached & may_switch:
+            is_alive = compiler.survives(change)
+        report.note(change, is_alive)
+        return is_alive
     return list(pool.map(lives, range(len(changes))))
-
-
-def outcomes_by_rooms(folder, pool, changes, is_explained, report):
-    """The same for few changes: their own rooms first, and the others for what those do not see."""
-    own = sorted({room for change in changes for room in rooms_of(change.header)})
-    lives = outcomes(folder / "own", pool, changes, is_explained, report, own, True)
-    left = [number for number, is_alive in enumerate(lives) if is_alive]
-    if left:
-        others = [room for room in ROOMS if room not in own]
-        again = outcomes(folder / "others", pool, [changes[number] for number in left], is_explained, report, others)
-        for number, is_alive in zip(left, again):
-            lives[number] = is_alive
-    return lives
 
 
 class Report:
@@ -187,9 +223,10 @@ def main():
         print(f"changed since all of its changes were tried: {header}, {count} to be tried")
     with contextlib.ExitStack() as stack:
         folder = pathlib.Path(asked.work or stack.enter_context(tempfile.TemporaryDirectory()))
+        folder.mkdir(parents=True, exist_ok=True)
         pool = stack.enter_context(concurrent.futures.ThreadPoolExecutor(asked.jobs))
-        how = outcomes_by_rooms if asked.since else outcomes
-        survive = how(folder, pool, tried, is_explained, report)
+        nearest_first = (tests_that_changed(asked.since), STEP) if asked.since else ()
+        survive = outcomes(folder, pool, tried, is_explained, report, *nearest_first)
     counts, new, idle = report.total(tried, survive)
     idle = [] if asked.since else idle
     for change in new:

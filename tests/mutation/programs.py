@@ -25,6 +25,8 @@ CARRYLESS = ("-mpclmul", "-DRTUWIRE_TEST_CARRYLESS")
 COMPILE = ["g++", "-std=c++20", "-w", "-O0", "-D_GLIBCXX_ASSERTIONS", "-fsanitize=bounds",
            "-fsanitize-undefined-trap-on-error", f"-I{TESTS}"]
 OWN_FILE = "own_file.cpp"
+# In seconds of the processor: of a test case that is asked at once, and of one that is asked at all.
+FAST, LONGEST = 0.2, 2.0
 COMMON = ["algorithm", "array", "bit", "chrono", "compare", "concepts", "cstddef", "cstdint", "functional", "map",
           "optional", "ratio", "span", "string", "type_traits", "utility", "vector", "support/catch.hpp"]
 INCLUDE = re.compile(r"#include [<\"](\w+/[\w/]+\.hpp)[>\"]")
@@ -48,6 +50,12 @@ def included(path):
         elif (TESTS / name).exists():
             found |= included(TESTS / name)
     return found
+
+
+@functools.cache
+def words_of(path):
+    """The longer words of a file."""
+    return set(re.findall(r"[a-z_]{5,}", path.read_text(encoding="utf-8")))
 
 
 def complaints(command, limit=300):
@@ -94,19 +102,21 @@ def precompiled(folder):
 
 
 class Switchboard:
-    """The tests of these headers with every change behind its switch: one program of these rooms, one of the CRC by
-    carry-less multiplication."""
+    """Programs of tests with every change behind its switch; `name` is that of the one which `add` made last."""
 
-    def __init__(self, folder, common, pool, rooms, headers):
+    def __init__(self, folder, common, pool):
         self.folder, self.common, self.pool = folder, common, pool
-        rooms = [file for room in rooms for file in
-                 join.in_files([path for path in sources([room]) if headers & included(path)], folder / "joined", room)]
-        self.parts = {"all": (rooms, ()),
-                      "carryless": ([TESTS / "core" / "crc16.cpp", TESTS / "core" / "crc16_forms.cpp"], CARRYLESS)}
-        self.parts = {name: ([*paths, LISTENER, folder / OWN_FILE], flags)
-                      for name, (paths, flags) in self.parts.items()}
-        self.too_long = []
-        self.waiting = [(name, path) for name, (paths, _) in self.parts.items() for path in paths]
+        self.parts, self.slow, self.name = {}, {}, ""
+        self.waiting = [("", LISTENER), ("", folder / OWN_FILE)]  # each program has these
+
+    def add(self, tests):
+        """A program more: of these tests, or of the CRC by carry-less multiplication where none are named."""
+        self.name = f"tests{len(self.parts)}" if tests else "carryless"
+        flags = () if tests else CARRYLESS
+        paths = list(join.in_files(tests, self.folder / "joined", self.name)) if tests else \
+            [TESTS / "core" / "crc16.cpp", TESTS / "core" / "crc16_forms.cpp"]
+        self.parts[self.name] = paths, flags
+        self.waiting += [(self.name, path) for path in paths]
 
     def place_of(self, name, path):
         below = path.relative_to(TESTS if path.is_relative_to(TESTS) else self.folder)
@@ -122,7 +132,8 @@ class Switchboard:
         def one(part):
             name, path = part
             common = [] if path == LISTENER else self.common
-            return complaints([*COMPILE, *common, *self.parts[name][1], "-DRTUWIRE_NO_STATIC_TESTS",
+            flags = self.parts[name][1] if name else ()
+            return complaints([*COMPILE, *common, *flags, "-DRTUWIRE_NO_STATIC_TESTS",
                                f"-I{self.folder / 'include'}", "-c", "-o", self.place_of(name, path), path])
         said = list(self.pool.map(one, self.waiting))
         wrong = {place for each in said for place in places(each)}
@@ -133,25 +144,31 @@ class Switchboard:
         return wrong
 
     def link(self):
-        for name, (paths, _) in self.parts.items():
-            objects = [self.place_of(name, path) for path in paths]
-            subprocess.run(["g++", "-o", self.folder / name, *objects, "-lCatch2WithMain", "-pthread"],
-                           check=True)
+        objects = [self.place_of(self.name, path) for path in self.parts[self.name][0]]
+        objects += [self.place_of("", path) for path in (LISTENER, self.folder / OWN_FILE)]
+        subprocess.run(["g++", "-o", self.folder / self.name, *objects, "-lCatch2WithMain", "-pthread"], check=True)
 
     def cases(self):
-        """Each test case: how long it takes, and which changes it comes by. Those that take too long, where the
-        listener ends the program, are left out."""
-        found = [case for each in self.pool.map(self.cases_of, self.parts) for case in each]
-        asked = {case.name for case in found}
-        self.too_long = [name for name in self.names("all") if name not in asked]
-        return sorted(found, key=lambda case: case.seconds)
+        """The fast test cases of the program that was made last."""
+        return self.cases_of(self.name, self.names(self.name), FAST)
 
-    def cases_of(self, program):
+    def slow_cases(self):
+        """Those of all programs that are not; what is then left in `slow` takes too long to be asked often."""
+        found = self.pool.map(lambda program: self.cases_of(program, self.slow[program], LONGEST), list(self.slow))
+        return sorted((case for each in found for case in each), key=lambda case: case.seconds)
+
+    def too_long(self):
+        return [name for names in self.slow.values() for name in names]
+
+    def cases_of(self, program, names, limit):
+        """How long each of these test cases takes, and which changes it comes by; where one takes longer than the limit, the
+        listener ends the program."""
         report, chosen = self.folder / f"{program}.reached", self.folder / f"{program}.names"
-        left, found = self.names(program), []
+        left, found = names, []
         while left:
             chosen.write_text("".join(f"{escaped(name)}\n" for name in left), encoding="utf-8")
-            ended = exit_of([self.folder / program, "-f", chosen], 300, RTUWIRE_REACHED=str(report))
+            ended = exit_of([self.folder / program, "-f", chosen], 300, RTUWIRE_REACHED=str(report),
+                            RTUWIRE_MICROSECONDS=str(int(1e6 * limit)))
             if ended not in (0, -signal.SIGPROF):
                 raise SystemExit(f"mutate.py: {self.folder / program} fails without any change")
             rows = [row.split("\t") for row in report.read_text(encoding="utf-8").splitlines()]
@@ -160,7 +177,9 @@ class Switchboard:
                 break
             done = {row[1] for row in rows}
             left = [name for name in left if name not in done][1:]
-        return found
+        asked = {case.name for case in found}
+        self.slow[program] = [name for name in names if name not in asked]
+        return sorted(found, key=lambda case: case.seconds)
 
     def names(self, program):
         """In the order in which they run."""
@@ -169,16 +188,12 @@ class Switchboard:
         return [name for name in done.stdout.splitlines() if name]
 
     def kills(self, number, cases):
-        """Whether one of these test cases, the fast ones first, fails with this change. None: none was asked."""
+        """Whether one of these test cases fails with this change."""
         asked = [case for case in cases if number in case.reached]
-        if not asked:
-            return None
-        for program in self.parts:
+        for program in dict.fromkeys(case.program for case in asked):
             here = [case for case in asked if case.program == program]
-            fast = [case for case in here if case.seconds <= 0.2]
-            for some in (fast[:20], fast[20:], here[len(fast):]):
-                if some and not self.passes(program, number, some):
-                    return True
+            if any(some and not self.passes(program, number, some) for some in (here[:20], here[20:])):
+                return True
         return False
 
     def passes(self, program, number, cases):
