@@ -110,7 +110,7 @@ TEST_CASE("a reason calls a fault as each drive's last fault does")
                 std::string const called = shown(altivar::common_fault(lft)),
                                   own = shown(rtuwire::from_word<rtuwire::value_of<R>>(lft));
                 CHECK((called.empty() or called.substr(0, 3) == own.substr(0, 3)));
-                compared += called.empty() ? 0 : 1;
+                compared += called.empty() ? 0U : 1U;
             }
         });
     });
