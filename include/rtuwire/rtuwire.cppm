@@ -345,6 +345,7 @@ using altivar::channel_settings;
 using altivar::check_supervision;
 using altivar::command_bit;
 using altivar::command_word;
+using altivar::common_fault;
 using altivar::configuration_fault_bit;
 using altivar::configuration_faults;
 using altivar::configure_scanner;
