@@ -409,7 +409,9 @@ def typed(program, check):
     keys = [("operation enabled", speed_is(40, "30Hz\n")), ("goes to 30.0 Hz", speed_is(30, "50.1\n")),
             ("highest frequency, HSP, 50.0 Hz: stays at 30.0 Hz", speed_is(30, "9rpm\n")),
             ("mHz: stays", speed_is(30, "30.05\n")), ("steps of 0.1 Hz: stays", speed_is(30, "\n-20\n")),
-            ("goes to 20.0 Hz, reverse", speed_is(-20, "10Hz\n15Hz\n")), ("goes to 15.0 Hz", speed_is(15, ""))]
+            ("to turn it the other way: stays at 30.0 Hz; Ctrl-C stops it", speed_is(30, "10Hz\n15Hz\n")),
+            ("goes to 15.0 Hz", speed_is(15, ""))]
+    reverse = [("operation enabled", speed_is(-40, "25Hz\n")), ("goes to 25.0 Hz, reverse", speed_is(-25, ""))]
     with Tool(program) as tool, Motor(program) as motor:
         check("on a terminal a line such as" in tool.run("start", "--help").output, "the help says so")
         ended = tool.on_terminal("--unit", UNIT, "--no-listen", "--timeout", motor.timeout, "-y", "--allow-run", "start", "--frequency",
@@ -417,6 +419,9 @@ def typed(program, check):
         check(ended.status == 0 and all(text in ended.output for text, _ in keys), "what was typed is answered", ended)
         check("a line such as 30Hz changes that" in ended.output, "it says that before", ended)
         check("nothing read yet" in ended.output and "no link" not in ended.output, "before the first read nothing was read", ended)
+        back = tool.on_terminal("--unit", UNIT, "--no-listen", "--timeout", motor.timeout, "-y", "--allow-run", "start", "--frequency",
+                                f"{SPEED}Hz", "--reverse", "--for", "6s", port=motor.device, keys=reverse)
+        check(back.status == 0 and all(text in back.output for text, _ in reverse), "it keeps its direction", back)
         check(motor.stands(), "it stands at the end", motor.shown())
         script = motor.start(program, "--for", "1s", stdin=subprocess.PIPE)
         script.stdin.write(b"10Hz\n")

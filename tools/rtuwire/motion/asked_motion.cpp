@@ -145,6 +145,10 @@ asked_motion motion_typed(std::string const& word, asked_motion const& now, driv
     (now.is_speed ? typed.speed : typed.frequency) = word;
     typed_motion it = typed_in(typed);
     it.is_speed = now.is_speed;
+    if (it.size != it.word) {
+        refuse_word(word + ": the direction is the one that was ordered; stop the motor to turn it the other way");
+    }
+    it.is_reverse = now.is_reverse;
     refuse_no_number(it, word);
     register_entry const& reference = reference_of(it, drive);
     std::int64_t const count = count_of(it, reference, word);

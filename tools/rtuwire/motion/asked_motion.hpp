@@ -26,8 +26,8 @@ void refuse_wrong_words(motion_choices const& typed);
 asked_motion motion_asked(motion_choices const& typed, open_line& line, rtuwire::unit_id unit,
                           drive_catalog const& drive);
 
-/// What somebody types while the motor runs at `now`: the same quantity, with a sign for its direction: "30Hz", "-1200rpm".
-/// Refuses what is none, or no whole step. What limits it says the drive.
+/// What somebody types while the motor runs at `now`: the same quantity, in the same direction: "30Hz", "1200rpm". Refuses a
+/// sign, what is none, or no whole step. What limits it says the drive.
 asked_motion motion_typed(std::string const& word, asked_motion const& now, drive_catalog const& drive);
 
 } // namespace tool

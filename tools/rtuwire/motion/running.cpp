@@ -184,7 +184,7 @@ void running::change(std::string const& typed)
                        asked_.text;
         }
     } catch (ended const& why) {
-        sentence = why.what() + (": stays at " + asked_.text);
+        sentence = why.what() + (": stays at " + asked_.text + "; Ctrl-C stops it");
     }
     display_.say(motor_->sight(), sentence);
 }
