@@ -38,6 +38,9 @@ enum class power_seen : std::uint8_t {
 /// other one the word of a stop may run the motor.
 inline constexpr std::uint16_t meaning_register = 8401;
 
+/// In the place of a control word's address: `meaning_register` was read, and no word is known to stop the unit but 0000.
+inline constexpr std::uint16_t other_meaning = 0xFFFF;
+
 /// A drive that is silent for no longer was not switched off and on again meanwhile: assumed, no manual gives the time that
 /// its control needs until it answers. What was read of a unit counts only as long as it has answered so.
 inline constexpr duration longest_gap_in_presence = milliseconds(500);
@@ -91,11 +94,14 @@ protected:
 
     /// The unit was read to be in the drive profile: at this address the words of all stops stop it. That holds until it
     /// may have been without power: it was lost, a request to it had no response, or none was made for 0.5 s; and until
-    /// `meaning_register` is written.
+    /// `meaning_register` is written. `other_meaning`: it was read to be in another one, which ends what was read before; 0:
+    /// nothing was read.
     constexpr void note_meaning(std::uint16_t control_word) noexcept
     {
-        read_meaning_of_ = confirmed_ = control_word;
-        is_doubtful_ = false;
+        if (control_word != 0) {
+            read_meaning_of_ = confirmed_ = control_word;
+            is_doubtful_ = false;
+        }
     }
 
     /// Where a conversation of this client has read so, and it still holds; 0: nowhere. Told at each visit; a stop

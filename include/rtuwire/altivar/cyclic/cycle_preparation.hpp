@@ -40,7 +40,7 @@ public:
     [[nodiscard]] constexpr supervision_report const& report() const noexcept { return report_; }
 
     /// Whether CHCF was read to be the drive profile; reported once.
-    constexpr bool take_meaning() noexcept { return check_.take_meaning(); }
+    constexpr std::uint16_t take_meaning() noexcept { return check_.take_meaning(); }
 
     /// The next read.
     [[nodiscard]] constexpr read_holding_registers request() noexcept

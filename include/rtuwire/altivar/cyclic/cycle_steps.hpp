@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include <rtuwire/altivar/cyclic/cycle_agenda.hpp>
 #include <rtuwire/altivar/cyclic/cycle_frames.hpp>
@@ -116,7 +117,7 @@ public:
     /// ordered here has ended, and whether the next request waits for a period; each reported once.
     constexpr power_seen take_power() noexcept { return agenda_.take_power(); }
     constexpr bool take_fault() noexcept { return agenda_.control().take_fault(); }
-    constexpr bool take_meaning() noexcept { return preparation_.take_meaning(); }
+    constexpr std::uint16_t take_meaning() noexcept { return std::exchange(meaning_, std::uint16_t{0}); }
     constexpr bool take_end_of_stop() noexcept { return agenda_.control().take_end_of_stop(); }
     constexpr bool take_pause() noexcept { return agenda_.take_pause(); }
 
@@ -170,8 +171,12 @@ private:
         case step::check_control:
         case step::compare_control: return agenda_.compare(read[0], frames_.command());
         case step::compare_meaning:
-            return has_io_profile ? agenda_.compare(is_drive_profile(read[0]) ? 1 : 0, 1)
-                                  : agenda_.compare(read[0], frames_.command());
+            if (has_io_profile) {
+                bool const is_ours = is_drive_profile(read[0]);
+                meaning_ = is_ours ? Device::layout.cmd : other_meaning;
+                return agenda_.compare(is_ours ? 1 : 0, 1);
+            }
+            return agenda_.compare(read[0], frames_.command());
         case step::compare_reference: return agenda_.compare(read[0], frames_.reference());
         case step::exchange:
         case step::read:
@@ -217,6 +222,7 @@ private:
         if (found == outcome_kind::pending) {
             return;
         }
+        meaning_ = preparation_.take_meaning();
         if (found == outcome_kind::succeeded) {
             duration const longest = period_rule{drive_timeout()}.longest_period();
             period_ = longest < wanted_period_ ? longest : wanted_period_;
@@ -250,6 +256,7 @@ private:
     duration period_;
     duration wanted_period_;
     cycle_frames<Device> frames_;
+    std::uint16_t meaning_{0}; ///< what was read of CHCF, until it is taken
     std::uint8_t tolerated_misses_;
 };
 

@@ -204,7 +204,7 @@ public:
             look_.note_word(); // else it never left
         }
         if (look_.is_under_way()) {
-            end_look(shows_drive_profile(outcome));
+            end_look(meaning_in(outcome, Device::layout.cmd));
         } else if (outcome) {
             steps_.take(*outcome);
         } else {
@@ -214,9 +214,7 @@ public:
         if (steps_.take_fault()) {
             this->note_fault();
         }
-        if (steps_.take_meaning()) {
-            this->note_meaning(Device::layout.cmd);
-        }
+        this->note_meaning(steps_.take_meaning());
         if (steps_.take_end_of_stop()) {
             this->note_stop_over();
         }
@@ -270,16 +268,14 @@ private:
             } else if (look_.is_under_way() and not waits) {
                 look_.give_up();
             } else if (has_limited_look() and reached(at, look_end_)) {
-                end_look(false);
+                end_look(0);
             }
         }
     }
-    constexpr void end_look(bool is_known) noexcept
+    constexpr void end_look(std::uint16_t meaning) noexcept
     {
-        look_.end(is_known);
-        if (is_known) {
-            this->note_meaning(Device::layout.cmd);
-        }
+        look_.end(meaning == Device::layout.cmd);
+        this->note_meaning(meaning);
     }
 
     /// The drive has stopped its motor by itself, or runs on as nobody asked it to, where its time-out has passed since the

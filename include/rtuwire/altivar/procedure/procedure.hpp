@@ -136,11 +136,14 @@ private:
     bool has_said_{false};
 };
 
-/// Whether a response to a read of CHCF shows the drive profile.
-[[nodiscard]] constexpr bool shows_drive_profile(result<response> const& outcome) noexcept
+/// What a response to a read of CHCF shows: the address of the control word that has its usual meaning, `other_meaning`, or 0.
+[[nodiscard]] constexpr std::uint16_t meaning_in(result<response> const& outcome, std::uint16_t control_word) noexcept
 {
     constexpr std::size_t size_of_one = 4;
-    return outcome and outcome->pdu().size() == size_of_one and is_drive_profile(u16_at(outcome->pdu(), 2));
+    if (not outcome or outcome->pdu().size() != size_of_one) {
+        return 0;
+    }
+    return is_drive_profile(u16_at(outcome->pdu(), 2)) ? control_word : other_meaning;
 }
 
 /// What a state shows of the motor's power.
@@ -180,11 +183,10 @@ public:
     /// Ends a procedure because a stop was ordered later, or an order to run: the drive now belongs to that.
     constexpr action yield() noexcept { return end(outcome_kind::overruled); }
 
-    /// What the status read showed of the motor's power; whether it showed a fault; whether CHCF was read to be the drive
-    /// profile.
-    /// Each call clears the flag that it returns.
+    /// What the status read showed of the motor's power; what was read of CHCF, as for `commander::note_meaning`; whether the
+    /// status showed a fault. Each call clears what it returns.
     constexpr power_seen take_power() noexcept { return std::exchange(power_seen_, power_seen::nothing); }
-    constexpr bool take_meaning() noexcept { return take(has_read_meaning_); }
+    constexpr std::uint16_t take_meaning() noexcept { return std::exchange(read_meaning_, std::uint16_t{0}); }
     [[nodiscard]] constexpr std::uint16_t control_word() const noexcept { return layout_->cmd; }
     [[nodiscard]] constexpr std::uint16_t chcf() const noexcept { return layout_->safeguards.chcf; }
     [[nodiscard]] constexpr bool may_have_io() const noexcept { return may_have_io_profile(*layout_); }
@@ -270,10 +272,10 @@ protected:
     {
         power_seen_ = inner.take_power();
         has_read_fault_ = inner.take_fault();
-        has_read_meaning_ = inner.take_meaning();
+        read_meaning_ = inner.take_meaning();
     }
     constexpr void note_other_stop() noexcept { reason_.is_other_stop = true; }
-    constexpr void note_meaning(bool is_drive_profile) noexcept { has_read_meaning_ = is_drive_profile; }
+    constexpr void note_meaning(std::uint16_t control_word) noexcept { read_meaning_ = control_word; }
 
     /// Runs the next step of a procedure inside this one, and takes over what it reads.
     template <typename Inner> constexpr action follow(Inner& inner, event const& what) noexcept
@@ -318,7 +320,7 @@ private:
     altivar::reason reason_{};
     power_seen power_seen_{power_seen::nothing};
     bool has_read_fault_{false};
-    bool has_read_meaning_{false};
+    std::uint16_t read_meaning_{0};
 };
 
 } // namespace rtuwire::altivar

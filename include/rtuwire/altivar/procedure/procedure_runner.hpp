@@ -72,7 +72,7 @@ public:
         if (is_looking()) {
             bool const is_over =
                 (has_length() and reached(at, pause_end_)) or (not is_late_ and reached(now, late_at_));
-            return is_over ? end_look(false) : void();
+            return is_over ? end_look(0) : void();
         }
         if (Script::follows_order and this->is_overruled() and not procedure_.takes_back()) {
             return take(procedure_.yield());
@@ -150,7 +150,7 @@ public:
 
     /// From here on what was read of its words counts for the first one until the unit is lost, however long ago that was: of a
     /// stop that continues what broadcasts have begun.
-    constexpr void count_old_readings() noexcept requires(Script::is_stop) { counts_old_ = true; }
+    constexpr void count_old_readings(bool counts) noexcept requires(Script::is_stop) { counts_old_ = counts; }
 
     /// Whether only 0000 is known to stop the drive, as far as this client has read.
     [[nodiscard]] constexpr bool may_run_on_a_stop() noexcept requires(Script::is_stop)
@@ -181,7 +181,7 @@ public:
             return;
         }
         if (is_looking()) {
-            end_look(shows_drive_profile(outcome));
+            end_look(meaning_in(outcome, procedure_.control_word()));
             return heed_loss();
         }
         if (action_.does == effect::stopping and outcome.error() != errc::cancelled) {
@@ -275,12 +275,10 @@ private:
     }
 
     /// Begins, or sends the control word: the one meant where it is known to be that, else 0000.
-    constexpr void end_look(bool is_known) noexcept
+    constexpr void end_look(std::uint16_t meaning) noexcept
     {
-        look_.end(is_known);
-        if (is_known) {
-            this->note_meaning(procedure_.control_word());
-        }
+        look_.end(counts(meaning));
+        this->note_meaning(meaning);
         if (action_.does == effect::stopping) {
             return make_frame();
         }
@@ -299,7 +297,7 @@ private:
         }
         has_lost_ = false;
         if (is_looking()) {
-            return end_look(false);
+            return end_look(0);
         }
         if (not settled() and action_.does != effect::stopping) {
             take(procedure_.step({event::kind::failed, 0, errc::unit_lost}));
@@ -342,9 +340,7 @@ private:
         if (procedure_.take_fault()) {
             this->note_fault();
         }
-        if (procedure_.take_meaning()) {
-            this->note_meaning(procedure_.control_word());
-        }
+        this->note_meaning(procedure_.take_meaning());
         if (Script::is_stop and next.what == action::kind::end) {
             this->note_stop_over();
             is_other_family_ = procedure_.reason().kind == outcome_kind::other_family;

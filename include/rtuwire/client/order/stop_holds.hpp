@@ -52,7 +52,8 @@ public:
         bool is_known = true;
         who.is_doubtful_ = false;
         for (unit_order const& each : places_) {
-            is_known = is_known and (each.confirmed != 0 or not each.is_ordered);
+            bool const is_usual = each.confirmed != 0 and each.confirmed != other_meaning;
+            is_known = is_known and (is_usual or not each.is_ordered);
             who.is_doubtful_ = who.is_doubtful_ or (each.is_doubtful and each.is_ordered);
         }
         who.confirmed_ = is_known ? 1 : 0;

@@ -147,6 +147,9 @@ private:
     constexpr action conclude(outcome_kind found, errc error = errc::none) noexcept
     {
         report_.finding = found;
+        if (found == outcome_kind::not_drive_profile) {
+            note_meaning(other_meaning);
+        }
         return end(found, error);
     }
 
@@ -165,7 +168,7 @@ private:
     constexpr action finish() noexcept
     {
         report_.words = words_.meaning(layout());
-        note_meaning(report_.words == word_meaning::cia402);
+        note_meaning(report_.words == word_meaning::cia402 ? control_word() : std::uint16_t{0});
         if (not report_.period.holds()) {
             report_.address = layout().safeguards.tto;
             report_.word = words_.timeout();

@@ -278,15 +278,18 @@ private:
 
     constexpr std::optional<request_frame> ask_everyone() noexcept
     {
-        // What counted when it began goes on to count: a quick stop is not cut short, whatever its own silence lasts.
+        // What counted when it began goes on to count: a quick stop is not cut short, whatever its own silence lasts. What did
+        // not count then is read before a word of each drive's own stop rests on it.
         bool is_known = this->confirmed() != 0 or (has_told_ and this->was_confirmed() != 0);
         for (stop& each : stops_) {
             is_known = is_known and not each.may_run_on_a_stop();
-            each.count_old_readings();
         }
         has_told_ = true;
         if (not is_known) {
             rounds_.coast();
+        }
+        for (stop& each : stops_) {
+            each.count_old_readings(not rounds_.coasts());
         }
         static_cast<void>(encode_into(frame_, broadcast, rounds_.request()));
         return request_frame{frame_};
