@@ -56,7 +56,8 @@ unsigned exception_of(whole_bank& bank, byte_view asked, server_profile const& p
 /// Function 65, which nobody has.
 struct doubling {
     static constexpr function_code code = static_cast<function_code>(65);
-    static constexpr frame_rules rules{sized(length_rule::fixed, 6), sized(length_rule::fixed, 6), answer_rule::own};
+    [[maybe_unused]] static constexpr frame_rules rules{sized(length_rule::fixed, 6), sized(length_rule::fixed, 6),
+                                                        answer_rule::own};
 
     template <typename Memory, typename Server> static constexpr errc respond(Memory& pdu, Server const&) noexcept
     {
