@@ -8,16 +8,15 @@ Each is an exact change of texts that stand in the headers once. It fails where 
 or where the law that breaks is none of those that this defect has to break. D22 is the tool's: its list's test holds it.
 """
 import argparse
-import concurrent.futures
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
 from typing import NamedTuple
 
-PROJECT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from changed_headers import PROJECT, changed_copy, try_all  # noqa: E402
 
 RUNNER = "altivar/procedure/procedure_runner.hpp"
 DIRECT = "altivar/procedure/motion/direct_control.hpp"
@@ -96,23 +95,11 @@ DEFECTS = [
 ]
 
 
-def copy_with(defect, folder):
-    """A copy of the headers with the defect; a message where it cannot be made."""
-    shutil.copytree(PROJECT / "include", folder)
-    for header, text, becomes in defect.changes:
-        path = folder / "rtuwire" / header
-        old = path.read_text(encoding="utf-8")
-        if (found := old.count(text)) != 1:
-            return f"{header} has the text {found} times, not once: {text}"
-        path.write_text(old.replace(text, becomes), encoding="utf-8")
-    return None
-
-
 def attempt(defect, options):
     """Whether it was reported, and a line that says how."""
     with tempfile.TemporaryDirectory() as place:
         headers, program = pathlib.Path(place, "include"), pathlib.Path(place, "lives")
-        if wrong := copy_with(defect, headers):
+        if wrong := changed_copy(defect.changes, headers):
             return False, wrong
         made = subprocess.run([options.compiler, "-std=c++20", "-Og", f"-I{headers}", f"-I{PROJECT / 'tests'}", "-w",
                                str(PROJECT / "tests" / "lives" / "random_lives.cpp"), "-o", str(program)],
@@ -139,13 +126,7 @@ def main():
     wanted = [each for each in DEFECTS if not options.names or any(each.name.startswith(name) for name in options.names)]
     if not wanted:
         sys.exit("no defect has such a name")
-    missed = 0
-    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        for defect, (is_reported, says) in zip(wanted, pool.map(lambda each: attempt(each, options), wanted)):
-            print(f"{'reported' if is_reported else 'MISSED'}: {defect.name}: {says}", flush=True)
-            missed += not is_reported
-    print(f"{len(wanted) - missed} of {len(wanted)} were reported")
-    return 1 if missed else 0
+    return try_all(wanted, lambda each: attempt(each, options), options.jobs, "defects")
 
 
 if __name__ == "__main__":

@@ -8,16 +8,16 @@ Each weakening is an exact change of one text in a copy of the headers. It fails
 exactly once, where the simulation finds nothing wrong within a million requests, or where nothing of what it finds
 is of the kind that this weakening must show; and where there are faults without it.
 """
-import concurrent.futures
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
 from typing import NamedTuple
 
-PROJECT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from changed_headers import PROJECT, changed_copy, try_all  # noqa: E402
+
 PROGRAM = PROJECT / "tests" / "simulation" / "slow_units.cpp"
 # Requests, the first seed, which units, and how many seeds with a fault are enough.
 HOW = ("1000000", "1", "any", "200")
@@ -104,18 +104,6 @@ WEAKENINGS = [
 ]
 
 
-def weakened_copy(weakening, folder):
-    """A copy of the headers with the change; a message where it cannot be made."""
-    shutil.copytree(PROJECT / "include", folder)
-    header = folder / "rtuwire" / weakening.header
-    text = header.read_text(encoding="utf-8")
-    found = text.count(weakening.text)
-    if found != 1:
-        return f"{weakening.header} has the text {found} times, not once: {weakening.text}"
-    header.write_text(text.replace(weakening.text, weakening.becomes), encoding="utf-8")
-    return None
-
-
 def simulate(headers, place):
     """The simulation with these headers: what it printed and whether it was content."""
     program = pathlib.Path(place, "simulation")
@@ -130,7 +118,7 @@ def attempt(weakening):
     """What became of a weakening: whether it was reported, and a line that says how."""
     with tempfile.TemporaryDirectory() as place:
         headers = pathlib.Path(place, "include")
-        if wrong := weakened_copy(weakening, headers):
+        if wrong := changed_copy([(weakening.header, weakening.text, weakening.becomes)], headers):
             return False, wrong
         run = simulate(headers, place)
         if run.stderr:
@@ -152,13 +140,7 @@ def main(names):
         run = simulate(PROJECT / "include", place)
     if run.returncode != 0:
         sys.exit("without any weakening there are faults already:\n" + run.stdout + run.stderr)
-    missed = 0
-    with concurrent.futures.ThreadPoolExecutor(JOBS) as pool:
-        for weakening, (is_reported, says) in zip(wanted, pool.map(attempt, wanted)):
-            print(f"{'reported' if is_reported else 'MISSED'}: {weakening.name}: {says}", flush=True)
-            missed += not is_reported
-    print(f"{len(wanted) - missed} of {len(wanted)} weakenings were reported")
-    return 1 if missed else 0
+    return try_all(wanted, attempt, JOBS, "weakenings")
 
 
 if __name__ == "__main__":
