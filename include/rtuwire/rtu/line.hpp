@@ -62,8 +62,8 @@ public:
     }
 
     /// The same with another silence before sending than t3.5: more for units that miss a request that comes that soon,
-    /// less behind an adapter that hands bytes over late, so that the line has rested already. At most 40
-    /// s. It changes nothing of when a frame ends.
+    /// less behind an adapter that hands bytes over late, so that the line has rested already. At most 40 s. It changes
+    /// nothing of when a frame ends.
     [[nodiscard]] constexpr line_timing with_silence(duration silence) const noexcept
     {
         line_timing line = *this;

@@ -141,14 +141,10 @@ asked_motion motion_asked(motion_choices const& typed, open_line& line, rtuwire:
 
 asked_motion motion_typed(std::string const& word, asked_motion const& now, drive_catalog const& drive)
 {
-    motion_choices typed;
-    (now.is_speed ? typed.speed : typed.frequency) = word;
-    typed_motion it = typed_in(typed);
-    it.is_speed = now.is_speed;
-    if (it.size != it.word) {
+    if (word.starts_with('-')) {
         refuse_word(word + ": the direction is the one that was ordered; stop the motor to turn it the other way");
     }
-    it.is_reverse = now.is_reverse;
+    typed_motion const it{word, word, now.is_speed, now.is_reverse};
     refuse_no_number(it, word);
     register_entry const& reference = reference_of(it, drive);
     std::int64_t const count = count_of(it, reference, word);

@@ -39,7 +39,7 @@ public:
     /// The report of the last check that was completed.
     [[nodiscard]] constexpr supervision_report const& report() const noexcept { return report_; }
 
-    /// Whether CHCF was read to be the drive profile; reported once.
+    /// What was read of CHCF, as for `commander::note_meaning`; reported once.
     constexpr std::uint16_t take_meaning() noexcept { return check_.take_meaning(); }
 
     /// The next read.

@@ -113,8 +113,9 @@ public:
         return make_frame(is_confirmed);
     }
 
-    /// What a read found of the motor's power, whether it found the drive newly in fault, or in the drive profile, whether a stop that was
-    /// ordered here has ended, and whether the next request waits for a period; each reported once.
+    /// What a read found of the motor's power, whether it found the drive newly in fault, what it found in CHCF (as for
+    /// `commander::note_meaning`), whether a stop that was ordered here has ended, and whether the next request waits for a
+    /// period; each reported once.
     constexpr power_seen take_power() noexcept { return agenda_.take_power(); }
     constexpr bool take_fault() noexcept { return agenda_.control().take_fault(); }
     constexpr std::uint16_t take_meaning() noexcept { return std::exchange(meaning_, std::uint16_t{0}); }

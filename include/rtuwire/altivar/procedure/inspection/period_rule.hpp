@@ -25,8 +25,9 @@ struct period_rule {
     /// drive without a time-out, which does not make that drive safe.
     [[nodiscard]] constexpr bool holds() const noexcept
     {
-        std::uint32_t const all = timeout.microseconds, gap = longest_gap.microseconds; // a product may be too long
-        return all == 0 or (all >= gap and all - gap >= gap and all - gap - gap >= gap);
+        // Three times the gap may be too long for a duration.
+        std::uint32_t const all = timeout.microseconds, gap = longest_gap.microseconds;
+        return all == 0 or (gap <= all and gap <= (all - gap) / 2U);
     }
 
     /// The shortest time-out that this line allows.
