@@ -82,7 +82,7 @@ template <typename Device> struct powered_drive : simulated_bus<drive_client<4>,
         REQUIRE(whom.settled());
     }
 
-    /// Reads the status once, and keeps it from then on for some time.
+    /// Reads the status now and then for some time, so that the drive is not silent; none of these requests is kept.
     void poll(duration length, duration every)
     {
         instant const end = this->now() + length;
