@@ -34,11 +34,9 @@ constexpr struct {
     char const* name;
     crc_function crc;
 } forms[] = {
-    {"two tables", bench::crc_by_two_tables},           {"bitwise", crc_by<crc_form::bitwise>},
-    {"nibble table", crc_by<crc_form::nibble_table>},   {"byte table", crc_by<crc_form::byte_table>},
-    {"slicing by 4", crc_by<crc_form::slicing_by_4>},   {"slicing by 8", crc_by<crc_form::slicing_by_8>},
-    {"slicing by 16", crc_by<crc_form::slicing_by_16>}, {"byte algebra", crc_by<crc_form::byte_algebra>},
-    {"word algebra", crc_by<crc_form::word_algebra>},   {"host (default)", crc_by<crc_form::host>},
+    {"two tables", bench::crc_by_two_tables},         {"bitwise", crc_by<crc_form::bitwise>},
+    {"nibble table", crc_by<crc_form::nibble_table>}, {"byte table", crc_by<crc_form::byte_table>},
+    {"host (default)", crc_by<crc_form::host>},
 };
 
 int add_all()

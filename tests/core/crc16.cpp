@@ -19,13 +19,7 @@ constexpr auto check_text = "31 32 33 34 35 36 37 38 39"_hex;
 STATIC_CHECK(crc16<crc_form::bitwise>(check_text) == 0x4B37);
 STATIC_CHECK(crc16<crc_form::nibble_table>(check_text) == 0x4B37);
 STATIC_CHECK(crc16<crc_form::byte_table>(check_text) == 0x4B37);
-STATIC_CHECK(crc16<crc_form::slicing_by_4>(check_text) == 0x4B37);
-STATIC_CHECK(crc16<crc_form::slicing_by_8>(check_text) == 0x4B37);
-STATIC_CHECK(crc16<crc_form::slicing_by_16>(check_text) == 0x4B37);
-STATIC_CHECK(crc16<crc_form::byte_algebra>(check_text) == 0x4B37);
-STATIC_CHECK(crc16<crc_form::word_algebra>(check_text) == 0x4B37);
 STATIC_CHECK(crc16<crc_form::host>(check_text) == 0x4B37);
-STATIC_CHECK(crc16<crc_form::carryless>(check_text) == 0x4B37);
 STATIC_CHECK(crc16(check_text) == 0x4B37);
 STATIC_CHECK(crc16(byte_view{}) == 0xFFFF);
 STATIC_CHECK(crc16("02 03 0C 1E 00 04 27 6C"_hex) == 0);
@@ -62,7 +56,7 @@ template <crc_form Form> constexpr bool goes_on()
 constexpr bool goes_on_in_every_form()
 {
     return goes_on<crc_form::bitwise>() and goes_on<crc_form::nibble_table>() and goes_on<crc_form::byte_table>() and
-           goes_on<crc_form::byte_algebra>() and goes_on<crc_form::word_algebra>();
+           goes_on<crc_form::host>();
 }
 PROOF("a running CRC goes on from that of the bytes before", goes_on_in_every_form)
 

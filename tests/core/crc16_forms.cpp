@@ -22,8 +22,7 @@ template <crc_form... Others> constexpr bool agree(byte_view bytes)
 constexpr bool all_agree(byte_view bytes)
 {
     using enum crc_form;
-    return agree<nibble_table, byte_table, slicing_by_4, slicing_by_8, slicing_by_16, byte_algebra, word_algebra, host,
-                 carryless>(bytes);
+    return agree<nibble_table, byte_table, host>(bytes);
 }
 
 constexpr bool agree_up_to(std::size_t most)
@@ -41,21 +40,10 @@ constexpr bool agree_up_to(std::size_t most)
 constexpr bool agree_on_short_frames() { return agree_up_to(72); }
 PROOF("the forms agree on frames of every length up to 72", agree_on_short_frames)
 
-#ifdef RTUWIRE_TEST_CARRYLESS
-STATIC_CHECK(crc16_carryless::is_available);
-#endif
-
 #ifdef RTUWIRE_CRC_FORM_IS_DEFAULT
-// Where nobody chooses: carry-less multiplication if there is any, then by the size of a pointer.
-STATIC_CHECK(default_crc_form == (crc16_carryless::is_available ? crc_form::carryless
-                                  : sizeof(void*) == 8          ? crc_form::host
-                                                                : crc_form::byte_algebra));
+// Where nobody chooses: by the size of a pointer.
+STATIC_CHECK(default_crc_form == (sizeof(void*) == 8 ? crc_form::host : crc_form::nibble_table));
 #endif
-
-STATIC_CHECK(crc16_forms::slices_of(crc_form::byte_table) == 1);
-STATIC_CHECK(crc16_forms::slices_of(crc_form::slicing_by_4) == 4);
-STATIC_CHECK(crc16_forms::slices_of(crc_form::slicing_by_8) == 8);
-STATIC_CHECK(crc16_forms::slices_of(crc_form::slicing_by_16) == 16);
 
 /// How often the next byte leads a growing CRC elsewhere than the bits do.
 template <crc_form Form>
@@ -107,5 +95,5 @@ TEST_CASE("a growing CRC takes every byte in every state as the bits do")
 {
     CHECK(differences_in_every_state<crc_form::nibble_table>() == 0);
     CHECK(differences_in_every_state<crc_form::byte_table>() == 0);
-    CHECK(differences_in_every_state<crc_form::byte_algebra>() == 0);
+    CHECK(differences_in_every_state<crc_form::host>() == 0);
 }

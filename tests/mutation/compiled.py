@@ -9,7 +9,7 @@ import sys
 import tempfile
 import threading
 
-from programs import CARRYLESS, COMPILE, OWN_FILE, PROJECT, TESTS, complaints, escaped, included, runs, sources
+from programs import COMPILE, OWN_FILE, PROJECT, TESTS, complaints, escaped, included, runs, sources
 
 sys.path.insert(0, str(TESTS / "fail"))
 import refusal  # noqa: E402  pylint: disable=wrong-import-position
@@ -43,8 +43,6 @@ class Compiler:
             changed = copy / "rtuwire" / change.header
             changed.write_text(change.apply(changed.read_text(encoding="utf-8")), encoding="utf-8")
             flags = [*COMPILE, *self.common, f"-I{copy}"]
-            if change.header == "core/crc16/carryless.hpp":
-                flags += CARRYLESS
             paths = self.ordered(change.header, [] if is_switch else self.refused)
             if is_switch:
                 paths = [path for path in paths if PROOF.search(path.read_text(encoding="utf-8"))]

@@ -87,7 +87,7 @@ def nearest(header, fresh):
 
 def steps(left, fresh, most):
     """The tests that are asked together, one time after the other: the nearest to the headers in `left()`, whose changes no
-    test has seen by then; at last, as an empty list, those of the CRC by carry-less multiplication."""
+    test has seen by then."""
     seen = set()
     while headers_left := left():
         ranks = {}
@@ -99,8 +99,6 @@ def steps(left, fresh, most):
             break
         seen |= set(tests)
         yield sorted(tests)
-    if any(header.startswith("core/crc16/") for header in left()):
-        yield []
 
 
 def write_switched(folder, changes, may_switch, wrong=()):

@@ -20,7 +20,6 @@ ROOMS = ["core", "wire", "rtu", "table", "ask", "client", "server", "cia402", "a
 LISTENER = TESTS / "mutation" / "listener.cpp"
 # The port is not portable, threads come in any order, and real time goes on under a debugger as well.
 LEFT_OUT = re.compile(r"/port_|/interrupt_threads|/an_hour_of_noise")
-CARRYLESS = ("-mpclmul", "-DRTUWIRE_TEST_CARRYLESS")
 # A place too far ends the program, as far as that is seen cheaply.
 COMPILE = ["g++", "-std=c++20", "-w", "-O0", "-D_GLIBCXX_ASSERTIONS", "-fsanitize=bounds",
            "-fsanitize-undefined-trap-on-error", f"-I{TESTS}"]
@@ -110,13 +109,10 @@ class Switchboard:
         self.waiting = [("", LISTENER), ("", folder / OWN_FILE)]  # each program has these
 
     def add(self, tests):
-        """A program more: of these tests, or of the CRC by carry-less multiplication where none are named."""
-        self.name = f"tests{len(self.parts)}" if tests else "carryless"
-        flags = () if tests else CARRYLESS
-        paths = list(join.in_files(tests, self.folder / "joined", self.name)) if tests else \
-            [TESTS / "core" / "crc16.cpp", TESTS / "core" / "crc16_forms.cpp"]
-        self.parts[self.name] = paths, flags
-        self.waiting += [(self.name, path) for path in paths]
+        """A program more, of these tests."""
+        self.name = f"tests{len(self.parts)}"
+        self.parts[self.name] = list(join.in_files(tests, self.folder / "joined", self.name))
+        self.waiting += [(self.name, path) for path in self.parts[self.name]]
 
     def place_of(self, name, path):
         below = path.relative_to(TESTS if path.is_relative_to(TESTS) else self.folder)
@@ -132,8 +128,7 @@ class Switchboard:
         def one(part):
             name, path = part
             common = [] if path == LISTENER else self.common
-            flags = self.parts[name][1] if name else ()
-            return complaints([*COMPILE, *common, *flags, "-DRTUWIRE_NO_STATIC_TESTS",
+            return complaints([*COMPILE, *common, "-DRTUWIRE_NO_STATIC_TESTS",
                                f"-I{self.folder / 'include'}", "-c", "-o", self.place_of(name, path), path])
         said = list(self.pool.map(one, self.waiting))
         wrong = {place for each in said for place in places(each)}
@@ -144,7 +139,7 @@ class Switchboard:
         return wrong
 
     def link(self):
-        objects = [self.place_of(self.name, path) for path in self.parts[self.name][0]]
+        objects = [self.place_of(self.name, path) for path in self.parts[self.name]]
         objects += [self.place_of("", path) for path in (LISTENER, self.folder / OWN_FILE)]
         subprocess.run(["g++", "-o", self.folder / self.name, *objects, "-lCatch2WithMain", "-pthread"], check=True)
 

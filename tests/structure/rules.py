@@ -42,8 +42,6 @@ STANDARD = set("array bit compare concepts cstddef cstdint limits optional ratio
                " utility".split())
 # Only these show a name to a person, and may use <string_view> for it.
 SHOWS_A_NAME = {"wire/errc_name.hpp", "altivar/procedure/outcome.hpp"}
-# The compiler's own headers, behind the macros that say they are there.
-MULTIPLIES = {"core/crc16/carryless.hpp": {"wmmintrin.h", "arm_neon.h"}}
 
 # Everything is in the namespace that names the build; before it stand directives and macros only, one of them the include of
 # what defines it. The version itself, tests/packaging/versions.py checks.
@@ -148,8 +146,6 @@ def standard_includes(tree):
     for header in tree.portable():
         for target in tree.others[header]:
             if target == "string_view" and header in SHOWS_A_NAME:
-                continue
-            if target in MULTIPLIES.get(header, ()):
                 continue
             if target not in STANDARD:
                 yield f"{header}: includes {target}, which is not on the list for portable headers"

@@ -3,7 +3,7 @@
 //
 // The version of rtuwire, the language that it needs, and how it is built. Everything is in an inline namespace
 // that names the version and the switches that change code, so that two files of one program that were built
-// differently (say, one with -mpclmul) do not share a function by mistake. User code leaves it out:
+// differently (say, one with -DRTUWIRE_CHECKED=0) do not share a function by mistake. User code leaves it out:
 // `rtuwire::client`. Every header includes this one before its own first declaration.
 #pragma once
 
@@ -39,20 +39,11 @@
 #define RTUWIRE_CHECKED RTUWIRE_HAS_SYSTEM
 #endif
 
-// The processor multiplies without carries: PCLMULQDQ, PMULL, or VMULL.P64 on a 32-bit Arm.
-#if defined(__PCLMUL__)
-#define RTUWIRE_CARRYLESS_X86
-#elif defined(__ARM_NEON) && !defined(__ARM_BIG_ENDIAN) && (defined(__ARM_FEATURE_AES) || defined(__ARM_FEATURE_CRYPTO))
-#define RTUWIRE_CARRYLESS_ARM
-#endif
-
 /// The form of the CRC in the whole program; `crc_form` tells what each form needs.
 #ifndef RTUWIRE_CRC_FORM
 #define RTUWIRE_CRC_FORM_IS_DEFAULT
-#if defined(RTUWIRE_CARRYLESS_X86) || defined(RTUWIRE_CARRYLESS_ARM)
-#define RTUWIRE_CRC_FORM carryless
-#elif defined(__SIZEOF_POINTER__) && __SIZEOF_POINTER__ < 8
-#define RTUWIRE_CRC_FORM byte_algebra
+#if defined(__SIZEOF_POINTER__) && __SIZEOF_POINTER__ < 8
+#define RTUWIRE_CRC_FORM nibble_table
 #else
 #define RTUWIRE_CRC_FORM host
 #endif

@@ -191,7 +191,7 @@ private:
         if (first.size() < 3) {
             return;
         }
-        if constexpr (is_of_host(default_crc_form)) {
+        if constexpr (default_crc_form == crc_form::host) {
             // 0 and 1 say that only silence ends it, and are no bytes to look at.
             if (std::size_t const told = size_hint(Way, first); told > 3 and not others_.is_expected(first)) {
                 return this->look_at(told);

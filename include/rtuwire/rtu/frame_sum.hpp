@@ -16,19 +16,6 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Whether a form takes many bytes at a time.
-[[nodiscard]] constexpr bool is_fast_over_many(crc_form form) noexcept
-{
-    return form != crc_form::bitwise and form != crc_form::nibble_table and form != crc_form::byte_table and
-           form != crc_form::byte_algebra;
-}
-
-/// Whether a form is a host's, where speed counts more than size.
-[[nodiscard]] constexpr bool is_of_host(crc_form form) noexcept
-{
-    return form == crc_form::host or form == crc_form::carryless;
-}
-
 /// Byte by byte.
 template <crc_form Form = default_crc_form> class frame_sum {
 public:
@@ -56,21 +43,16 @@ private:
 };
 
 /// At the end.
-template <crc_form Form>
-    requires(is_fast_over_many(Form))
-class frame_sum<Form> {
+template <> class frame_sum<crc_form::host> {
 public:
     constexpr void begin() noexcept { is_right_ = false; }
     static constexpr void add(std::byte) noexcept {}
 
-    /// A host has a faster way than byte by byte; elsewhere it would cost flash.
     static constexpr void copy(std::byte const* from, std::size_t count, std::byte* to) noexcept
     {
-        if constexpr (is_of_host(Form)) {
-            if (not std::is_constant_evaluated()) {
-                __builtin_memmove(to, from, count);
-                return;
-            }
+        if (not std::is_constant_evaluated()) {
+            __builtin_memmove(to, from, count);
+            return;
         }
         for (std::byte const* const end = from + count; from != end; ++from) {
             *to++ = *from;
@@ -79,7 +61,7 @@ public:
 
     [[nodiscard]] constexpr bool is_right(byte_view frame) const noexcept
     {
-        return is_right_ or crc16<Form>(frame) == 0;
+        return is_right_ or crc16<crc_form::host>(frame) == 0;
     }
 
     /// The frame ended here, and its CRC was right.

@@ -57,7 +57,7 @@ public:
         : options_{its_options}, line_{its_timing}
     {
         // Written before it is read. A constant has no part without a value; a microcontroller would call memset for it.
-        if (std::is_constant_evaluated() or is_of_host(default_crc_form)) {
+        if (std::is_constant_evaluated() or default_crc_form == crc_form::host) {
             bytes_.fill(std::byte{0});
         }
     }

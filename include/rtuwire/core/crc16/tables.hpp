@@ -7,7 +7,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
@@ -110,20 +109,12 @@ inline constexpr std::uint16_t started[] = {shifted(0xFFFF, 0),  shifted(0xFFFF,
     }
 }
 
-/// The CRC after `Count` more bytes.
-template <std::size_t Count, std::size_t... I>
-[[nodiscard]] constexpr std::uint16_t after(std::uint32_t crc, std::byte const* at,
-                                            std::index_sequence<0, 1, I...>) noexcept
+/// The CRC after eight more bytes.
+[[nodiscard]] constexpr std::uint16_t after_eight(std::uint32_t crc, std::byte const* at) noexcept
 {
-    auto const& tables = at_distance<Count>.at;
-    return static_cast<std::uint16_t>(tables[Count - 1][to_u8(at[0]) ^ (crc & 0xFFU)] ^
-                                      tables[Count - 2][to_u8(at[1]) ^ (crc >> 8U)] ^
-                                      (tables[Count - 1 - I][to_u8(at[I])] ^ ...));
-}
-template <std::size_t Count>
-[[nodiscard]] constexpr std::uint16_t after(std::uint32_t crc, std::byte const* at) noexcept
-{
-    return after<Count>(crc, at, std::make_index_sequence<Count>{});
+    return static_cast<std::uint16_t>(eight[7][to_u8(at[0]) ^ (crc & 0xFFU)] ^ eight[6][to_u8(at[1]) ^ (crc >> 8U)] ^
+                                      eight[5][to_u8(at[2])] ^ eight[4][to_u8(at[3])] ^ eight[3][to_u8(at[4])] ^
+                                      eight[2][to_u8(at[5])] ^ eight[1][to_u8(at[6])] ^ eight[0][to_u8(at[7])]);
 }
 
 /// The CRC of more than 8 bytes: up to 8 at the front, then eight at a time.
@@ -135,23 +126,10 @@ template <std::size_t Count>
     std::uint16_t crc = of_few(at, odd);
     at += odd;
     do {
-        crc = after<8>(crc, at);
+        crc = after_eight(crc, at);
         at += 8;
     } while (at != end);
     return crc;
-}
-
-/// The CRC by slices of `Count` bytes.
-template <std::size_t Count> [[nodiscard]] constexpr std::uint16_t sliced(byte_view bytes) noexcept
-{
-    std::uint32_t crc = 0xFFFF;
-    for (; bytes.size() >= Count; bytes = bytes.subspan(Count)) {
-        crc = after<Count>(crc, bytes.data());
-    }
-    for (std::byte const byte : bytes) {
-        crc = (crc >> 8U) ^ of_byte(crc ^ to_u8(byte));
-    }
-    return static_cast<std::uint16_t>(crc);
 }
 
 } // namespace rtuwire::crc16_tables

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// CRC-16/MODBUS without a table. Its polynomial is (x + 1) T with T = x^15 + x + 1. Modulo T a high power
-// is the sum of two low ones, x^16 = x^2 + x, and squaring keeps that so: x^(64 k) is two shifts for each
-// k that is a power of 2. Modulo x + 1 the message is its parity. Of the two remainders modulo T that
-// fit 16 bits, r and r + T, the CRC is the one with the parity of the message. All words are reflected:
+// CRC-16/MODBUS of many bytes on 64-bit processors: up to eight words of the message side by side, which do not wait
+// for each other, are moved by shifts alone, and the last word by tables. The polynomial is (x + 1) T with
+// T = x^15 + x + 1. Modulo T a high power is the sum of two low ones, x^16 = x^2 + x, and squaring keeps that so:
+// x^(64 k) is two shifts for each k that is a power of 2. Modulo x + 1 the message is its parity. Of the two remainders
+// modulo T that fit 16 bits, r and r + T, the CRC is the one with the parity of the message. All words are reflected:
 // bit 0 is the highest power.
 // Internal: may change with any version.
 #pragma once
@@ -15,9 +16,10 @@
 #include <utility>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/crc16/tables.hpp>
 #include <rtuwire/core/version.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD::crc16_algebra {
+namespace rtuwire::inline RTUWIRE_BUILD::crc16_words {
 
 /// Whether a word has an odd number of bits set: 1 or 0.
 [[nodiscard]] constexpr std::uint32_t parity_of(std::uint32_t word) noexcept
@@ -28,36 +30,13 @@ namespace rtuwire::inline RTUWIRE_BUILD::crc16_algebra {
     return (0x6996U >> (word & 0xFU)) & 1U;
 }
 
-inline constexpr std::uint32_t t = 0xC001;
-
-/// The remainder modulo T whose parity is that of the message; `bytes` is a word with that parity.
-[[nodiscard]] constexpr std::uint16_t with_parity(std::uint32_t remainder, std::uint32_t bytes) noexcept
-{
-    return static_cast<std::uint16_t>(remainder ^ (t & (0U - parity_of(remainder ^ bytes))));
-}
-
-/// A 16-bit word times x^16, modulo T.
-[[nodiscard]] constexpr std::uint32_t times_x16(std::uint32_t word) noexcept
-{
-    std::uint32_t const above = (word << 14U ^ word << 15U) & 0xFFFFU;
-    return word >> 1U ^ word >> 2U ^ above >> 1U ^ above >> 2U;
-}
-
-/// The remainder modulo T of a message that was folded into one word.
-[[nodiscard]] constexpr std::uint32_t remainder_of(std::uint64_t word) noexcept
-{
-    auto const high = static_cast<std::uint32_t>(word);
-    std::uint32_t const above = high << 28U ^ high << 30U;
-    std::uint32_t const rest =
-        static_cast<std::uint32_t>(word >> 32U) ^ high >> 2U ^ high >> 4U ^ above >> 2U ^ above >> 4U;
-    return times_x16(rest >> 16U ^ times_x16(rest & 0xFFFFU));
-}
-
-/// The CRC of a message that was folded into one word; `Remainder` is its remainder modulo T.
-template <auto Remainder>
+/// The CRC of a message that was folded into one word: its remainder modulo T whose parity is that of the message.
 [[nodiscard]] constexpr std::uint16_t finish(std::uint64_t word, std::uint64_t parity) noexcept
 {
-    return with_parity(Remainder(word), static_cast<std::uint32_t>(parity >> 32U ^ parity));
+    constexpr std::uint32_t t = 0xC001;
+    std::uint32_t const remainder = crc16_tables::of_word(word);
+    return static_cast<std::uint16_t>(
+        remainder ^ (t & (0U - parity_of(remainder ^ static_cast<std::uint32_t>(parity >> 32U ^ parity)))));
 }
 
 /// Several words side by side, the first of the message first.
@@ -159,22 +138,16 @@ private:
 };
 
 /// The CRC of at least 8 bytes, in up to eight lanes.
-template <auto Remainder = remainder_of> [[nodiscard]] constexpr std::uint16_t of_words(byte_view bytes) noexcept
+[[nodiscard]] constexpr std::uint16_t of_words(byte_view bytes) noexcept
 {
     words message{bytes};
     lanes<1> one{message.head()};
     if ((message.count() & 1U) != 0) {
         one = fold(one, message.take<1>());
     }
-    if (message.count() < 2) {
-        return finish<Remainder>(one[0], message.parity());
-    }
     lanes<2> two = doubled(one);
     if ((message.count() & 2U) != 0) {
         two = fold(two, message.take<2>());
-    }
-    if (message.count() < 4) {
-        return finish<Remainder>(halved<1>(two)[0], message.parity());
     }
     lanes<4> four = doubled(two);
     if ((message.count() & 4U) != 0) {
@@ -187,27 +160,7 @@ template <auto Remainder = remainder_of> [[nodiscard]] constexpr std::uint16_t o
         }
         four = halved<4>(eight);
     }
-    return finish<Remainder>(halved<1>(halved<2>(four))[0], message.parity());
+    return finish(halved<1>(halved<2>(four))[0], message.parity());
 }
 
-/// A CRC that is updated byte by byte.
-class running {
-public:
-    constexpr running() noexcept = default;
-    explicit constexpr running(std::uint16_t from) noexcept : remainder_{from}, bytes_{to_byte(parity_of(from))} {}
-
-    constexpr void add(std::byte byte) noexcept
-    {
-        std::uint32_t const before = remainder_;
-        std::uint32_t const low = (before ^ to_u8(byte)) & 0xFFU;
-        remainder_ = static_cast<std::uint16_t>(before >> 8U ^ low << 6U ^ low << 7U);
-        bytes_ ^= byte;
-    }
-    [[nodiscard]] constexpr std::uint16_t value() const noexcept { return with_parity(remainder_, to_u8(bytes_)); }
-
-private:
-    std::uint16_t remainder_{0xFFFF}; ///< modulo T
-    std::byte bytes_{0};              ///< all bytes added up
-};
-
-} // namespace rtuwire::crc16_algebra
+} // namespace rtuwire::crc16_words
