@@ -6,6 +6,7 @@ has faults, and by a listener whose line was sniffed; and what a capture file is
     python3 replaying.py TOOL WRITE_DECISIONS
 """
 import collections
+import concurrent.futures
 import datetime
 import random
 import signal
@@ -72,22 +73,29 @@ def exchange(chance):
     return [(request, 0.006), (response, 0.01)]
 
 
+def sniffed(tool, seed):
+    """What a sniffer shows of a line, and its capture."""
+    chance = random.Random(seed)
+    file = tool.place / f"sniffed{seed}.pcapng"
+    with Simulator(tool.program, "atv320:7") as device, LineBetween(device) as line:
+        process = tool.start("--json", "sniff", "-o", file, port=line.tap_name)
+        line.say_to_tap(with_crc(bytes([7, 3, 0x0C, 0x82, 0, 1]))[4:])  # joins in the middle
+        time.sleep(0.7)
+        for _ in range(25):
+            for data, pause in exchange(chance):
+                line.say_to_tap(data)
+                time.sleep(pause)
+        time.sleep(0.7)
+        process.send_signal(signal.SIGINT)
+        return process.communicate(timeout=LIMIT)[0], file
+
+
 def listener(tool, check):
-    """What a sniffer showed of a line is, byte for byte, what a replay of the capture shows that it kept."""
-    for seed in SEEDS:
-        chance = random.Random(seed)
-        with Simulator(tool.program, "atv320:7") as device, LineBetween(device) as line:
-            file = tool.place / f"sniffed{seed}.pcapng"
-            process = tool.start("--json", "sniff", "-o", file, port=line.tap_name)
-            line.say_to_tap(with_crc(bytes([7, 3, 0x0C, 0x82, 0, 1]))[4:])  # joins in the middle
-            time.sleep(0.7)
-            for _ in range(25):
-                for data, pause in exchange(chance):
-                    line.say_to_tap(data)
-                    time.sleep(pause)
-            time.sleep(0.7)
-            process.send_signal(signal.SIGINT)
-            shown, _ = process.communicate(timeout=LIMIT)
+    """What a sniffer showed of a line is, byte for byte, what a replay of the capture shows that it kept. Each seed has a line
+    of its own: they wait side by side."""
+    with concurrent.futures.ThreadPoolExecutor() as lines:
+        of_lines = list(lines.map(lambda seed: sniffed(tool, seed), SEEDS))
+    for seed, (shown, file) in zip(SEEDS, of_lines):
         played = tool.run("--json", "replay", file)
         verdicts = collections.Counter(each["verdict"] for each in played.objects())
         check(shown == played.output and {"good", "damaged"} <= set(verdicts),
