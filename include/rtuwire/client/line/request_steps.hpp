@@ -29,14 +29,14 @@ public:
 
 protected:
     using phase = client_phase;
-    using client_state::deadline_;
-    using client_state::error_;
-    using client_state::phase_;
-    using client_state::retries_;
+    using end_of_line::deadline_;
     using end_of_line::echo_;
+    using end_of_line::error_;
     using end_of_line::framer;
     using end_of_line::options;
+    using end_of_line::phase_;
     using end_of_line::quarantine_;
+    using end_of_line::retries_;
     using end_of_line::statistics_;
 
     constexpr std::uint8_t unit() const noexcept { return this->asked_unit(); }

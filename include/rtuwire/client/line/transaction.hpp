@@ -11,7 +11,6 @@
 #include <cstdint>
 
 #include <rtuwire/ask/conversation.hpp>
-#include <rtuwire/client/line/client_state.hpp>
 #include <rtuwire/client/line/phase.hpp>
 #include <rtuwire/client/line/reception.hpp>
 #include <rtuwire/client/options.hpp>
@@ -28,11 +27,11 @@ template <typename Statistics, typename Line, typename Options, typename Debts, 
 class transaction : public reception<Statistics, Line, Options, Debts, Front> {
     using receiver = reception<Statistics, Line, Options, Debts, Front>;
     using phase = client_phase;
-    using client_state::is_woken_;
     using receiver::deadline_;
     using receiver::echo_;
     using receiver::error_;
     using receiver::framer;
+    using receiver::is_woken_;
     using receiver::limit_sending;
     using receiver::note_sent;
     using receiver::on_timeout;
