@@ -64,13 +64,13 @@ TRICKS = (
     inlining("inline", "client/desk/turn_desk.hpp", "constexpr void replace_asker("),
     inlining("inline", "client/line/retry_state.hpp", "constexpr bool may_pause("),
     inlining("inline", "client/line/retry_state.hpp", "constexpr void note_sent("),
-    inlining("not inline", "client/line/reception.hpp", "constexpr void wait_for_silence("),
-    inlining("not inline", "client/line/reception.hpp", "constexpr void limit_sending("),
-    inlining("inline", "client/line/reception.hpp", "constexpr void attempt_failed("),
+    inlining("not inline", "client/line/transaction.hpp", "constexpr void wait_for_silence("),
+    inlining("not inline", "client/line/transaction.hpp", "constexpr void limit_sending("),
+    inlining("inline", "client/line/transaction.hpp", "constexpr void attempt_failed("),
     inlining("inline", "client/line/transaction.hpp", "constexpr bool advance("),
     inlining("inline", "client/line/transaction.hpp", "constexpr result<response> take_outcome("),
     inlining("inline", "client/line/transaction.hpp", "constexpr void wake("),
-    inlining("inline", "client/line/line_end.hpp", "constexpr errc keep("),
+    inlining("inline", "client/line/transaction.hpp", "constexpr errc keep("),
     inlining("inline", "client/line/quarantine.hpp", "constexpr bool covers("),
     inlining("not inline", "client/turns.hpp", "constexpr void renew("),
     inlining("not inline", "altivar/procedure/motion/order_procedure.hpp", "constexpr void plan_rest("),
@@ -106,7 +106,7 @@ TRICKS = (
     Trick("characters added without a check", "rtu/line.hpp", (
         ("return duration{length.microseconds + characters(count).microseconds};",
          "return length + characters(count);"),)),
-    Trick("a request copied backwards", "client/line/line_end.hpp", (
+    Trick("a request copied backwards", "client/line/transaction.hpp", (
         ("        std::size_t i = frame.size();\n        do { // backwards: 8 bytes less\n            --i;\n"
          "            place[i] = frame[i];\n        } while (i != 0);\n",
          "        for (std::size_t i = 0; i < frame.size(); ++i) {\n            place[i] = frame[i];\n        }\n"),)),
