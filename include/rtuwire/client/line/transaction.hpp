@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// One request of a client, from its start to its outcome: silence before it, the bytes to send, the response,
-// repetitions, time limits. Knows no conversation. client/line/phase.hpp lists its phases, client/line/quarantine.hpp
-// says how long a unit that did not respond in time gets no new request. One memory holds the bytes of the request and,
-// behind them, of its response.
+// One request of a client, from its start to its outcome (SL 2.4.1): silence before it, the bytes to send, their echo, the
+// response, repetitions, time limits. Knows no conversation. client/line/phase.hpp has the table of its phases,
+// client/line/quarantine.hpp the rule how long a unit that did not respond in time gets no new request.
 // Internal: may change with any version.
 #pragma once
 
@@ -77,7 +76,8 @@ struct refused_frame {
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
-/// Runs a client's request under way; the base of `basic_client`, which decides whose it is.
+/// Runs a client's request under way; the base of `basic_client`, which decides whose it is. What its parameters are
+/// stands there.
 template <typename Statistics, typename Line, typename Options, typename Debts, std::size_t Front>
 class transaction
     : private detail::frame_cutter<transaction<Statistics, Line, Options, Debts, Front>, direction::response, Front> {
@@ -100,36 +100,6 @@ public:
     /// For a constant line and constant options. Zero-initialised, so a `constinit` client lives in .bss.
     constexpr transaction() noexcept requires is_constant<Line> : bytes_{} {}
 
-    /// What was counted.
-    [[nodiscard]] constexpr counted_by<Statistics>& statistics() noexcept { return statistics_; }
-    [[nodiscard]] constexpr counted_by<Statistics> const& statistics() const noexcept { return statistics_; }
-
-    /// Hands the frames that pass from here on to a sink, which must outlive the client. For a client `traced_by` it.
-    template <typename Sink>
-        requires is_traced_by<Statistics, Sink>
-    constexpr void trace_to(Sink& frames) noexcept { statistics_.trace_to(frames); }
-
-    /// Whether the line has fallen silent since the last byte.
-    [[nodiscard]] constexpr bool is_quiet() const noexcept { return framer().is_quiet(); }
-
-    /// Sends no request of any conversation to a unit from here until `end`, at most 35 minutes away. A request that
-    /// is leaving or waits for its response is not ended. The latest of several ends counts.
-    constexpr void hold(unit_id unit, instant end) noexcept { quarantine_.begin(unit.byte(), end); }
-
-    /// Whether no new request goes to a unit now: its response is outstanding, or `hold` says so.
-    [[nodiscard]] constexpr bool is_held(unit_id unit) const noexcept { return is_held(unit.byte()); }
-    [[nodiscard]] constexpr bool is_held(std::uint8_t unit) const noexcept { return quarantine_.covers(unit); }
-
-    /// Whether the line has given back what was sent, and echoes are taken out by themselves: `client_options::has_line_echo`
-    /// says how.
-    [[nodiscard]] constexpr bool has_seen_echo() const noexcept { return echo_.is_known(); }
-
-    /// The unit of the last request; 0 for a broadcast.
-    [[nodiscard]] constexpr std::uint8_t asked_unit() const noexcept { return unit_; }
-
-    /// The timing of its line.
-    [[nodiscard]] constexpr line_timing const& line() const noexcept { return framer().line(); }
-
     /// Takes bytes that had arrived by `now`, in any chunking. While no response is awaited they are noise: dropped,
     /// but the line was not silent. A response that is passed in before `advance` has seen the time-out is in time.
     constexpr void receive(byte_view const& bytes, instant now) noexcept
@@ -137,17 +107,17 @@ public:
         if (bytes.empty()) {
             return;
         }
-        bool const is_start = framer().is_quiet();
+        bool const is_start = is_quiet();
         begin_chunk(bytes.size(), now);
         std::size_t taken = take_echo(bytes, now);
         while (taken < bytes.size()) {
-            if (takes_all()) {
+            if (phase_ == phase::awaiting and not may_skip()) {
                 taken += framer().take_many(bytes.data() + taken, bytes.size() - taken);
                 end_frame(now);
             } else if (take(bytes[taken], now)) {
                 ++taken;
             } else {
-                return drop(bytes.subspan(taken), is_start and taken == 0, now);
+                return drop_stray(bytes.subspan(taken), is_start and taken == 0, now);
             }
         }
     }
@@ -156,10 +126,10 @@ public:
     /// for chunks.
     constexpr void receive(std::same_as<std::byte> auto byte, instant now) noexcept
     {
-        bool const is_start = framer().is_quiet();
+        bool const is_start = is_quiet();
         begin_chunk(1, now);
         if (take_echo({&byte, 1}, now) == 0 and not take(byte, now)) {
-            drop({&byte, 1}, is_start, now);
+            drop_stray({&byte, 1}, is_start, now);
         }
     }
 
@@ -170,21 +140,10 @@ public:
         if (phase_ != phase::awaiting) {
             on_line_activity(now);
         } else if (may_skip()) {
-            drop_leading_noise();
+            skip_noise();
         } else {
             framer().spoil();
         }
-    }
-
-    /// The frame for which the last request failed, with `wrong_length`, `crc_mismatch` and the like; nothing where it was
-    /// no frame, or where more has arrived behind it. Valid until bytes are taken or the next request begins.
-    [[nodiscard]] constexpr std::optional<refused_frame> refused() const noexcept
-    {
-        bool const has_failed = error_ != errc::none and not is_exception(error_) and not is_under_way(phase_);
-        if (not has_failed or not framer().begun().empty() or framer().bytes().empty() or judged() != error_) {
-            return std::nullopt;
-        }
-        return refused_frame{framer().bytes(), due_size(request(), framer().bytes())};
     }
 
     /// Notes that the last stop bit of what `poll_transmit` returned has left at `at`, or will have left by then.
@@ -197,10 +156,10 @@ public:
         framer().restart(at);
         statistics_.note_asked(at);
         if constexpr (is_traced<Statistics>) {
-            pass_request(at);
+            statistics_.pass_own(request(), frame_role::request, at);
         }
         noise_.begin(options().max_leading_noise);
-        if (unit() == 0) {
+        if (unit_ == 0) {
             return turn_around(at);
         }
         phase_ = phase::awaiting;
@@ -228,18 +187,6 @@ public:
         return quarantine_.advance(at);
     }
 
-    /// Gives up the request under way, of whichever conversation; its outcome is `cancelled`. A write may have taken
-    /// effect all the same. A frame that is leaving leaves whole, and a broadcast gets its turnaround; the outcome
-    /// comes then.
-    constexpr void cancel(instant now) noexcept
-    {
-        if (is_leaving(phase_) or phase_ == phase::turnaround) {
-            error_ = errc::cancelled;
-        } else if (phase_ != phase::idle and phase_ != phase::settled) {
-            settle(errc::cancelled, now);
-        }
-    }
-
     /// The bytes to send now, each request and repetition once; empty when there is nothing to send. They are the
     /// client's own, and unchanged until `sent`.
     [[nodiscard]] constexpr byte_view poll_transmit() noexcept
@@ -247,7 +194,7 @@ public:
         if (phase_ != phase::ready) {
             return {};
         }
-        statistics_.note(retries_.is_first() ? line_event::request : line_event::repetition, unit());
+        statistics_.note(retries_.is_first() ? line_event::request : line_event::repetition, unit_);
         phase_ = phase::handed_out;
         echo_.begin();
         return request();
@@ -266,18 +213,157 @@ public:
         }
     }
 
+    /// Gives up the request under way, of whichever conversation; its outcome is `cancelled`. A write may have taken
+    /// effect all the same. A frame that is leaving leaves whole, and a broadcast gets its turnaround; the outcome
+    /// comes then.
+    constexpr void cancel(instant now) noexcept
+    {
+        if (is_leaving(phase_) or phase_ == phase::turnaround) {
+            error_ = errc::cancelled;
+        } else if (phase_ != phase::idle and phase_ != phase::settled) {
+            settle(errc::cancelled, now);
+        }
+    }
+
     /// Whether a request is under way or its outcome not taken yet.
     [[nodiscard]] constexpr bool is_busy() const noexcept { return phase_ != phase::idle; }
 
+    /// Whether the line has fallen silent since the last byte.
+    [[nodiscard]] constexpr bool is_quiet() const noexcept { return framer().is_quiet(); }
+
+    /// The unit of the last request; 0 for a broadcast.
+    [[nodiscard]] constexpr std::uint8_t asked_unit() const noexcept { return unit_; }
+
+    /// The frame for which the last request failed, with `wrong_length`, `crc_mismatch` and the like; nothing where it was
+    /// no frame, or where more has arrived behind it. Valid until bytes are taken or the next request begins.
+    [[nodiscard]] constexpr std::optional<refused_frame> refused() const noexcept
+    {
+        bool const has_failed = error_ != errc::none and not is_exception(error_) and not is_under_way(phase_);
+        if (not has_failed or not framer().begun().empty() or framer().bytes().empty() or judged() != error_) {
+            return std::nullopt;
+        }
+        return refused_frame{framer().bytes(), due_size(request(), framer().bytes())};
+    }
+
+    /// Sends no request of any conversation to a unit from here until `end`, at most 35 minutes away. A request that
+    /// is leaving or waits for its response is not ended. The latest of several ends counts.
+    constexpr void hold(unit_id unit, instant end) noexcept { quarantine_.begin(unit.byte(), end); }
+
+    /// Whether no new request goes to a unit now: its response is outstanding, or `hold` says so.
+    [[nodiscard]] constexpr bool is_held(unit_id unit) const noexcept { return is_held(unit.byte()); }
+    [[nodiscard]] constexpr bool is_held(std::uint8_t unit) const noexcept { return quarantine_.covers(unit); }
+
+    /// Whether the line has given back what was sent, and echoes are taken out by themselves: `client_options::has_line_echo`
+    /// says how.
+    [[nodiscard]] constexpr bool has_seen_echo() const noexcept { return echo_.is_known(); }
+
+    /// The timing of its line.
+    [[nodiscard]] constexpr line_timing const& line() const noexcept { return framer().line(); }
+
+    /// What was counted.
+    [[nodiscard]] constexpr counted_by<Statistics>& statistics() noexcept { return statistics_; }
+    [[nodiscard]] constexpr counted_by<Statistics> const& statistics() const noexcept { return statistics_; }
+
+    /// Hands the frames that pass from here on to a sink, which must outlive the client. For a client `traced_by` it.
+    template <typename Sink>
+        requires is_traced_by<Statistics, Sink>
+    constexpr void trace_to(Sink& frames) noexcept { statistics_.trace_to(frames); }
+
 protected:
+    constexpr client_options const& options() const noexcept { return options_.get(); }
+
+    constexpr client_phase phase_now() const noexcept { return phase_; }
+
+    /// Takes a request: copies its frame to the front of the memory. Errors: `frame_too_short`,
+    /// `frame_too_long`; `buffer_too_small` where the request and its response do not fit together.
+    constexpr errc start(request_frame const& asked, instant now, retry_policy const& with) noexcept
+    {
+        if (errc const wrong = keep(asked.frame()); wrong != errc::none) {
+            return wrong;
+        }
+        must_send_now_ = not asked.may_be_repeated();
+        is_woken_ = false;
+        retries_.begin(with, asked.may_be_repeated() and unit_ != 0);
+        wait_for_silence(now);
+        if (is_quiet()) {
+            get_ready(now);
+        }
+        return errc::none;
+    }
+
+    /// Lets the request leave.
+    constexpr void get_ready(instant now) noexcept
+    {
+        phase_ = phase::ready;
+        limit_sending(now);
+    }
+
+    /// Whether only the asker is missing: the line would let the request leave, or its outcome is there.
+    constexpr bool awaits_asker() const noexcept
+    {
+        return phase_ == phase::settled or (phase_ == phase::waiting and is_quiet() and not quarantine_.covers(unit_));
+    }
+
+    /// Gives up a request that waits for its asker.
+    constexpr void drop(instant now) noexcept
+    {
+        if (phase_ == phase::waiting) {
+            settle(errc::cancelled, now);
+        }
+    }
+
+    /// A stop request needs the line. The request under way is not repeated; where it may be cut, it is given up,
+    /// unless its response has begun to arrive.
+    constexpr void make_way(bool may_cut, instant now) noexcept
+    {
+        retries_.end_retries();
+        bool const has_not_left = phase_ == phase::waiting or phase_ == phase::ready or phase_ == phase::pausing;
+        bool const is_arriving = phase_ == phase::awaiting and not is_quiet();
+        if (has_not_left or (may_cut and not is_arriving)) {
+            cancel(now);
+        }
+    }
+
+    /// Whether the request was given up and its asker was not told yet.
+    constexpr bool was_cut() const noexcept { return phase_ == phase::settled and error_ == errc::cancelled; }
+
+    /// Whether the request that ended left more than once, and was not given up.
+    constexpr bool was_repeated() const noexcept { return not retries_.is_first() and error_ != errc::cancelled; }
+
+    /// How the request ended for its unit: one that left and was given up without a response counts as timed out.
+    constexpr errc heard_of_unit() const noexcept
+    {
+        return error_ == errc::cancelled and retries_.unanswered() != 0 ? errc::timed_out : error_;
+    }
+
+    /// Takes the outcome of a settled request.
+    [[gnu::always_inline]] constexpr result<response> take_outcome() noexcept
+    {
+        phase_ = phase::idle;
+        return error_ != errc::none ? result<response>{error_}
+                                    : response{unit_ == 0 ? byte_view{} : framer().frame().pdu()};
+    }
+
+    /// The next pass has something to do at once.
+    [[gnu::always_inline]] constexpr void wake(instant now) noexcept
+    {
+        is_woken_ = true;
+        if (not is_under_way(phase_)) {
+            deadline_ = now;
+        }
+    }
+
+private:
     /// Cuts the response out of the bytes that arrive.
     constexpr cutter& framer() noexcept { return *this; }
     constexpr cutter const& framer() const noexcept { return *this; }
 
-    constexpr client_options const& options() const noexcept { return options_.get(); }
+    /// Whether a response tells that more of it is to come. The time limit of the request ends this.
+    constexpr bool awaits_rest() const noexcept { return phase_ == phase::awaiting and framer().lacks_bytes(); }
 
-    /// Copies a request to the front of the memory. Errors: `frame_too_short`, `frame_too_long`;
-    /// `buffer_too_small` where the request and its longest response do not fit together.
+    // The request.
+
+    /// Copies a request to the front of the memory. Errors: see `start`.
     [[gnu::always_inline]] constexpr errc keep(byte_view frame) noexcept
     {
         if (frame.size() < min_adu_size) {
@@ -302,9 +388,6 @@ protected:
         return errc::none;
     }
 
-    /// Whether what is sent has to come back before a response.
-    constexpr bool expects_echo() const noexcept { return options().has_line_echo or echo_.is_proven(); }
-
     constexpr byte_view request() const noexcept { return {framer().storage().data(), size_}; }
 
     /// How long the request takes to leave.
@@ -317,28 +400,10 @@ protected:
         return framer().line().with_characters(silence, longest_.size());
     }
 
-    /// Whether a byte before the response may be skipped. Constant options that allow none leave no code of this.
-    constexpr bool may_skip() const noexcept { return noise_.is_left() and framer().is_at_start(); }
+    /// Constructed anew: GCC would read a constant's copy from memory.
+    constexpr duration late_response() const noexcept { return options().late_response; }
 
-    constexpr void drop_leading_noise() noexcept
-    {
-        noise_.take();
-        statistics_.note(line_event::noise, asked_unit());
-    }
-
-    /// Counts bytes that belong to no response; `bytes` is not empty.
-    constexpr void count_stray(byte_view bytes, bool is_start) noexcept
-    {
-        constexpr std::uint8_t highest_unit = 247;
-        std::uint8_t const first = to_u8(bytes[0]);
-        bool const is_late = is_start and first <= highest_unit and quarantine_.covers(first);
-        statistics_.note_stray(bytes.size(), is_start, is_late ? first : std::uint8_t{0});
-        if constexpr (is_traced<Statistics>) {
-            statistics_.pass_stray(bytes, is_start, is_late);
-        }
-    }
-
-    constexpr std::uint8_t unit() const noexcept { return asked_unit(); }
+    // The steps: each enters a phase and sets the time that limits it.
 
     /// The request waits for the line: for others to end no longer than for a response, and for the silence besides; where
     /// it has left already, first for its unit's pause. Not inlined: it is called in several places.
@@ -363,6 +428,14 @@ protected:
         deadline_ = now + retries_.response_timeout() + time_to_send();
     }
 
+    /// The request left once more. Returns how long its response may take, up to its last byte.
+    constexpr duration note_sent(instant at) noexcept
+    {
+        duration const limit = retries_.response_timeout() + time_to_respond();
+        retries_.note_sent(at, time_to_send(), limit + late_response());
+        return limit;
+    }
+
     /// A broadcast has left: units need time to act.
     constexpr void turn_around(instant at) noexcept
     {
@@ -370,12 +443,43 @@ protected:
         deadline_ = at + options().turnaround;
     }
 
-    /// The request left once more. Returns how long its response may take, up to its last byte.
-    constexpr duration note_sent(instant at) noexcept
+    /// The time of a phase is over.
+    constexpr void on_timeout(instant now) noexcept
     {
-        duration const limit = retries_.response_timeout() + time_to_respond();
-        retries_.note_sent(at, time_to_send(), limit + late_response());
-        return limit;
+        if (phase_ == phase::awaiting) {
+            if (error_ == errc::none) {
+                bool const is_silent = framer().is_at_rest(now);
+                error_ = is_silent ? errc::timed_out : errc::bus_jam;
+                statistics_.note(is_silent ? line_event::timeout : line_event::jam, unit_);
+            }
+            attempt_failed(now);
+        } else if (phase_ == phase::pausing) {
+            wait_for_silence(now);
+        } else {
+            if (phase_ != phase::turnaround) {
+                error_ = phase_ == phase::waiting ? errc::bus_jam : errc::transmit_stalled;
+            }
+            if (is_leaving(phase_)) { // it may have left just now
+                if (unit_ == 0) {
+                    return turn_around(now);
+                }
+                static_cast<void>(note_sent(now));
+            }
+            settle(error_, now);
+        }
+    }
+
+    /// The line was not silent when a request was to leave.
+    constexpr void on_line_activity(instant now) noexcept
+    {
+        if (phase_ != phase::ready) {
+            return;
+        }
+        if (must_send_now_) {
+            settle(errc::bus_jam, now);
+        } else {
+            wait_for_silence(now);
+        }
     }
 
     /// One sending has failed: another one follows, or the transaction ends. Inlined at both its places: 8 bytes less,
@@ -396,41 +500,15 @@ protected:
         leave_begun();
         error_ = error;
         bool const owes = retries_.unanswered() != 0;
-        if (owes or (retries_.pause() != duration{} and unit() != 0)) {
+        if (owes or (retries_.pause() != duration{} and unit_ != 0)) {
             bool const has_response = not owes or error_ == errc::none or is_exception(error_);
             duration const late = late_response();
-            quarantine_.begin(unit(),
+            quarantine_.begin(unit_,
                               has_response ? now + retries_.all_that_follow(now, late) : retries_.owed_until(now));
         }
         phase_ = phase::settled;
         deadline_ = now;
         echo_.end();
-    }
-
-    /// The time of a phase is over.
-    constexpr void on_timeout(instant now) noexcept
-    {
-        if (phase_ == phase::awaiting) {
-            if (error_ == errc::none) {
-                bool const is_silent = framer().is_at_rest(now);
-                error_ = is_silent ? errc::timed_out : errc::bus_jam;
-                statistics_.note(is_silent ? line_event::timeout : line_event::jam, unit());
-            }
-            attempt_failed(now);
-        } else if (phase_ == phase::pausing) {
-            wait_for_silence(now);
-        } else {
-            if (phase_ != phase::turnaround) {
-                error_ = phase_ == phase::waiting ? errc::bus_jam : errc::transmit_stalled;
-            }
-            if (is_leaving(phase_)) { // it may have left just now
-                if (unit() == 0) {
-                    return turn_around(now);
-                }
-                static_cast<void>(note_sent(now));
-            }
-            settle(error_, now);
-        }
     }
 
     /// What has come of an echo and of a response is traced; neither is awaited any longer. What silence would not have
@@ -441,7 +519,7 @@ protected:
             pass_begun_echo();
             byte_view const begun = phase_ == phase::awaiting ? framer().begun() : byte_view{};
             if (not begun.empty()) {
-                statistics_.pass_stray(begun, true, to_u8(begun[0]) == unit());
+                statistics_.pass_stray(begun, true, to_u8(begun[0]) == unit_);
             }
         }
         if constexpr (has_system) {
@@ -449,46 +527,68 @@ protected:
         }
     }
 
-    /// Traces bytes that were taken for the beginning of an echo: on another line than one that echoes, they are none.
-    constexpr void pass_begun_echo() noexcept requires is_traced<Statistics>
+    // What arrives.
+
+    /// Bytes arrived by `now`: first takes the frame that the silence before them ended.
+    constexpr void begin_chunk(std::size_t bytes, instant now) noexcept
     {
-        pass_echo(outside_frame(echo_.taken()));
+        if (framer().begin_chunk(bytes, now) and phase_ == phase::awaiting) {
+            take_frame(now);
+        }
+        if constexpr (is_traced<Statistics>) {
+            statistics_.note_heard(now);
+        }
     }
 
-    /// Of so many bytes that came back, those that belong to no frame that may be a response.
-    constexpr std::size_t outside_frame(std::size_t taken) const noexcept
+    /// Takes a byte of a response or before it; returns false where none is expected. Inlined, it would save 2 % of the
+    /// instructions of a read, and cost 24 bytes of stack.
+    constexpr bool take(std::byte byte, instant now) noexcept
     {
-        std::size_t const inside = phase_ == phase::awaiting and not expects_echo() ? framer().begun().size() : 0;
-        return inside < taken ? taken - inside : 0;
+        if (phase_ != phase::awaiting) {
+            return false;
+        }
+        // Bytes before the unit's address are skipped, as far as `max_leading_noise` allows.
+        if (may_skip() and to_u8(byte) != unit_) {
+            skip_noise();
+            pass_noise(byte);
+            echo_.suspect();
+        } else if (framer().push(byte)) {
+            end_frame(now);
+        }
+        return true;
     }
 
-    /// Traces the request that has left.
-    constexpr void pass_request(instant at) noexcept requires is_traced<Statistics>
+    /// Whether a byte before the response may be skipped. Constant options that allow none leave no code of this.
+    constexpr bool may_skip() const noexcept { return noise_.is_left() and framer().is_at_start(); }
+
+    constexpr void skip_noise() noexcept
     {
-        statistics_.pass_own(request(), frame_role::request, at);
+        noise_.take();
+        statistics_.note(line_event::noise, unit_);
     }
 
-    constexpr void pass_echo(std::size_t taken) noexcept requires is_traced<Statistics>
+    /// Counts bytes that nobody expected, one at least.
+    constexpr void drop_stray(byte_view bytes, bool is_start, instant now) noexcept
     {
-        byte_view const bytes = request().first(taken);
-        if (expects_echo() or taken == size_) {
-            statistics_.pass_echo(bytes, frame_role::request);
+        constexpr std::uint8_t highest_unit = 247;
+        std::uint8_t const first = to_u8(bytes[0]);
+        bool const is_late = is_start and first <= highest_unit and quarantine_.covers(first);
+        statistics_.note_stray(bytes.size(), is_start, is_late ? first : std::uint8_t{0});
+        if constexpr (is_traced<Statistics>) {
+            statistics_.pass_stray(bytes, is_start, is_late);
+        }
+        on_line_activity(now);
+    }
+
+    /// A frame may have ended by its length. One that is the beginning of the request goes on: what looks like a response of
+    /// 7 bytes may be 7 of the 8 bytes of an echo.
+    constexpr void end_frame(instant now) noexcept
+    {
+        if (echo_.is_open()) {
+            framer().go_on();
         } else {
-            statistics_.pass(bytes, frame_role::unknown, frame_verdict::stray);
+            take_frame(now);
         }
-    }
-
-    /// What the frame that has ended is as a response to the request.
-    [[gnu::always_inline]] constexpr errc judged() const noexcept
-    {
-        errc wrong = framer().verdict();
-        if (wrong == errc::none) {
-            wrong = check_response(request(), framer().frame());
-        }
-        if (wrong == errc::none and not framer().matches_size_hint()) {
-            wrong = errc::wrong_length;
-        }
-        return wrong;
     }
 
     /// Takes a response that has ended, by its length or by silence, and judges it.
@@ -503,7 +603,7 @@ protected:
         }
         errc const wrong = judged();
         line_event const event = event_of(wrong);
-        note_frame(statistics_, event, wrong, unit(), now);
+        note_frame(statistics_, event, wrong, unit_, now);
         if constexpr (is_traced<Statistics>) {
             pass_frame(framer().bytes(), wrong);
         }
@@ -538,160 +638,23 @@ protected:
         }
     }
 
-    /// Whether only the asker is missing: the line would let the request leave, or its outcome is there.
-    constexpr bool awaits_asker() const noexcept
+    /// What the frame that has ended is as a response to the request.
+    [[gnu::always_inline]] constexpr errc judged() const noexcept
     {
-        return phase_ == phase::settled or
-               (phase_ == phase::waiting and framer().is_quiet() and not quarantine_.covers(unit()));
-    }
-
-    /// Gives up a request that waits for its asker.
-    constexpr void drop(instant now) noexcept
-    {
-        if (phase_ == phase::waiting) {
-            settle(errc::cancelled, now);
+        errc wrong = framer().verdict();
+        if (wrong == errc::none) {
+            wrong = check_response(request(), framer().frame());
         }
-    }
-
-    constexpr client_phase phase_now() const noexcept { return phase_; }
-
-    /// Takes a request: copies its frame to the front of the memory. Errors: `frame_too_short`,
-    /// `frame_too_long`; `buffer_too_small` where the request and its response do not fit together.
-    constexpr errc start(request_frame const& asked, instant now, retry_policy const& with) noexcept
-    {
-        if (errc const wrong = keep(asked.frame()); wrong != errc::none) {
-            return wrong;
+        if (wrong == errc::none and not framer().matches_size_hint()) {
+            wrong = errc::wrong_length;
         }
-        must_send_now_ = not asked.may_be_repeated();
-        is_woken_ = false;
-        retries_.begin(with, asked.may_be_repeated() and unit() != 0);
-        wait_for_silence(now);
-        if (framer().is_quiet()) {
-            get_ready(now);
-        }
-        return errc::none;
+        return wrong;
     }
 
-    /// Lets the request leave.
-    constexpr void get_ready(instant now) noexcept
-    {
-        phase_ = phase::ready;
-        limit_sending(now);
-    }
+    // The echo of the request.
 
-    /// A stop request needs the line. The request under way is not repeated; where it may be cut, it is given up,
-    /// unless its response has begun to arrive.
-    constexpr void make_way(bool may_cut, instant now) noexcept
-    {
-        retries_.end_retries();
-        bool const has_not_left = phase_ == phase::waiting or phase_ == phase::ready or phase_ == phase::pausing;
-        bool const is_arriving = phase_ == phase::awaiting and not framer().is_quiet();
-        if (has_not_left or (may_cut and not is_arriving)) {
-            cancel(now);
-        }
-    }
-
-    /// Whether the request was given up and its asker was not told yet.
-    constexpr bool was_cut() const noexcept { return phase_ == phase::settled and error_ == errc::cancelled; }
-
-    /// Whether the request that ended left more than once, and was not given up.
-    constexpr bool was_repeated() const noexcept { return not retries_.is_first() and error_ != errc::cancelled; }
-
-    /// How the request ended for its unit: one that left and was given up without a response counts as timed out.
-    constexpr errc heard_of_unit() const noexcept
-    {
-        return error_ == errc::cancelled and retries_.unanswered() != 0 ? errc::timed_out : error_;
-    }
-
-    /// Takes the outcome of a settled request.
-    [[gnu::always_inline]] constexpr result<response> take_outcome() noexcept
-    {
-        phase_ = phase::idle;
-        return error_ != errc::none ? result<response>{error_}
-                                    : response{unit() == 0 ? byte_view{} : framer().frame().pdu()};
-    }
-
-    /// The next pass has something to do at once.
-    [[gnu::always_inline]] constexpr void wake(instant now) noexcept
-    {
-        is_woken_ = true;
-        if (not is_under_way(phase_)) {
-            deadline_ = now;
-        }
-    }
-
-    // All zero at the start. In front of the frame, members of one byte that are used often first: small processors reach
-    // what is near with short instructions, on a Cortex-M0+ a byte in the first 32 bytes. Members of classes have no `{}`,
-    // for which GCC would first make zeros by a call of memset (docs/size-notes.md). No byte is left between the members.
-    client_phase phase_{client_phase::idle};
-    errc error_{errc::none};
-    bool is_woken_{false}; ///< the next pass has something to do at once
-    std::uint8_t unit_{0}; ///< that was asked last; 0 for everyone
-    [[no_unique_address]] turns turns_;
-    bool must_send_now_{false}; ///< the request must leave at once or not at all
-    [[no_unique_address]] retry_state retries_;
-    std::uint16_t size_{0}; ///< of the request
-    length_hint longest_{}; ///< of its responses; stored, which saves 57 instructions of a read
-    instant deadline_{0};
-    instant seen_{0}; ///< the latest `advance`
-    [[no_unique_address]] Debts quarantine_{};
-    bool is_held_back_{false}; ///< a conversation waits for a unit that gets no request now
-    line_echo echo_;
-    [[no_unique_address]] noise_allowance<Options> noise_{};
-    [[no_unique_address]] Options options_{};
-    [[no_unique_address]] Statistics statistics_{};
-
-private:
-    /// Whether a response tells that more of it is to come. The time limit of the request ends this.
-    constexpr bool awaits_rest() const noexcept { return phase_ == client_phase::awaiting and framer().lacks_bytes(); }
-
-    /// Bytes arrived by `now`: first takes the frame that the silence before them ended.
-    constexpr void begin_chunk(std::size_t bytes, instant now) noexcept
-    {
-        if (framer().begin_chunk(bytes, now) and phase_ == phase::awaiting) {
-            take_frame(now);
-        }
-        pass_heard(now);
-    }
-
-    /// Takes a byte of a response or before it; returns false where none is expected. Inlined, it would save 2 % of the
-    /// instructions of a read, and cost 24 bytes of stack.
-    constexpr bool take(std::byte byte, instant now) noexcept
-    {
-        if (phase_ != phase::awaiting) {
-            return false;
-        }
-        // Bytes before the unit's address are skipped, as far as `max_leading_noise` allows.
-        if (may_skip() and to_u8(byte) != unit()) {
-            drop_leading_noise();
-            pass_noise(byte);
-            echo_.suspect();
-        } else if (framer().push(byte)) {
-            end_frame(now);
-        }
-        return true;
-    }
-
-    /// A frame may have ended by its length. One that is the beginning of the request goes on: what looks like a response of
-    /// 7 bytes may be 7 of the 8 bytes of an echo.
-    constexpr void end_frame(instant now) noexcept
-    {
-        if (echo_.is_open()) {
-            framer().go_on();
-        } else {
-            take_frame(now);
-        }
-    }
-
-    /// Bytes that nobody expected.
-    constexpr void drop(byte_view bytes, bool is_start, instant now) noexcept
-    {
-        count_stray(bytes, is_start);
-        on_line_activity(now);
-    }
-
-    /// Whether the next bytes are those of a response, whatever they are.
-    constexpr bool takes_all() const noexcept { return phase_ == phase::awaiting and not may_skip(); }
+    /// Whether what is sent has to come back before a response.
+    constexpr bool expects_echo() const noexcept { return options().has_line_echo or echo_.is_proven(); }
 
     /// Compares bytes with those that were sent. Returns how many are accounted for: on a line that is known to echo up to
     /// the first that differs, elsewhere those that come back while the request leaves, and a whole request where the
@@ -728,7 +691,7 @@ private:
             echo_.suspect(); // what came while the request left is no response
         }
         if (expects and not echo_.is_open()) {
-            statistics_.note(line_event::collision, unit());
+            statistics_.note(line_event::collision, unit_);
             error_ = error_ == errc::none ? errc::collision : error_;
             echo_.doubt();
             return same + 1;
@@ -745,7 +708,7 @@ private:
             echo_.note_seen();
         }
         if (is_news) {
-            statistics_.note(line_event::mismatch, unit());
+            statistics_.note(line_event::mismatch, unit_);
             error_ = errc::line_echo;
             if (phase_ == phase::awaiting) {
                 settle(errc::line_echo, now);
@@ -762,26 +725,7 @@ private:
         echo_.end();
     }
 
-    /// The line was not silent when a request was to leave.
-    constexpr void on_line_activity(instant now) noexcept
-    {
-        if (phase_ != phase::ready) {
-            return;
-        }
-        if (must_send_now_) {
-            settle(errc::bus_jam, now);
-        } else {
-            wait_for_silence(now);
-        }
-    }
-
-    /// Bytes have arrived.
-    [[gnu::always_inline]] constexpr void pass_heard(instant now) noexcept
-    {
-        if constexpr (is_traced<Statistics>) {
-            statistics_.note_heard(now);
-        }
-    }
+    // What a client that is traced tells of the bytes that arrive; in any other these functions are empty.
 
     /// Traces a byte that is skipped before a response.
     [[gnu::always_inline]] constexpr void pass_noise(std::byte byte) noexcept
@@ -840,9 +784,61 @@ private:
         return wrong == errc::line_echo ? frame_verdict::echo : frame_verdict::stray;
     }
 
-    /// Constructed anew: GCC would read a constant's copy from memory.
-    constexpr duration late_response() const noexcept { return options().late_response; }
+    /// Traces bytes that were taken for the beginning of an echo: on another line than one that echoes, they are none.
+    constexpr void pass_begun_echo() noexcept requires is_traced<Statistics>
+    {
+        pass_echo(outside_frame(echo_.taken()));
+    }
 
+    /// Of so many bytes that came back, those that belong to no frame that may be a response.
+    constexpr std::size_t outside_frame(std::size_t taken) const noexcept
+    {
+        std::size_t const inside = phase_ == phase::awaiting and not expects_echo() ? framer().begun().size() : 0;
+        return inside < taken ? taken - inside : 0;
+    }
+
+    constexpr void pass_echo(std::size_t taken) noexcept requires is_traced<Statistics>
+    {
+        byte_view const bytes = request().first(taken);
+        if (expects_echo() or taken == size_) {
+            statistics_.pass_echo(bytes, frame_role::request);
+        } else {
+            statistics_.pass(bytes, frame_role::unknown, frame_verdict::stray);
+        }
+    }
+
+    // All zero at the start. In front of the frame, members of one byte that are used often first: small processors reach
+    // what is near with short instructions, on a Cortex-M0+ a byte in the first 32 bytes. Members of classes have no `{}`,
+    // for which GCC would first make zeros by a call of memset (docs/size-notes.md). No byte is left between the members.
+    client_phase phase_{client_phase::idle};
+    errc error_{errc::none};
+    bool is_woken_{false}; ///< the next pass has something to do at once
+    std::uint8_t unit_{0}; ///< that was asked last; 0 for everyone
+
+protected:
+    [[no_unique_address]] turns turns_; ///< of the conversations; here for its place
+
+private:
+    bool must_send_now_{false}; ///< the request must leave at once or not at all
+    [[no_unique_address]] retry_state retries_;
+    std::uint16_t size_{0}; ///< of the request
+    length_hint longest_{}; ///< of its responses; stored, which saves 57 instructions of a read
+    instant deadline_{0};
+
+protected:
+    instant seen_{0}; ///< the latest `advance`
+
+private:
+    [[no_unique_address]] Debts quarantine_{};
+
+protected:
+    bool is_held_back_{false}; ///< a conversation waits for a unit that gets no request now
+
+private:
+    line_echo echo_;
+    [[no_unique_address]] noise_allowance<Options> noise_{};
+    [[no_unique_address]] Options options_{};
+    [[no_unique_address]] Statistics statistics_{};
     [[no_unique_address]] Line line_{};
     std::array<std::byte, frame_place<Front>::memory> bytes_; ///< the request, and behind it its response
 };
