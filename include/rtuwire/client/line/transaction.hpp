@@ -411,7 +411,6 @@ private:
     {
         leave_begun();
         error_ = errc::none;
-        echo_.end();
         deadline_ = now + retries_.pause();
         if (phase_ == phase::awaiting and deadline_ != now) {
             phase_ = phase::pausing;
@@ -508,15 +507,14 @@ private:
         }
         phase_ = phase::settled;
         deadline_ = now;
-        echo_.end();
     }
 
-    /// What has come of an echo and of a response is traced; neither is awaited any longer. What silence would not have
-    /// ended is dropped: nothing else would end it in time.
-    [[gnu::always_inline]] constexpr void leave_begun() noexcept
+    /// Neither the rest of an echo nor that of a response is awaited any longer. What silence would not have ended is
+    /// dropped: nothing else would end it in time.
+    constexpr void leave_begun() noexcept
     {
+        end_echo();
         if constexpr (is_traced<Statistics>) {
-            pass_begun_echo();
             byte_view const begun = phase_ == phase::awaiting ? framer().begun() : byte_view{};
             if (not begun.empty()) {
                 statistics_.pass_stray(begun, true, to_u8(begun[0]) == unit_);
@@ -550,7 +548,7 @@ private:
         // Bytes before the unit's address are skipped, as far as `max_leading_noise` allows.
         if (may_skip() and to_u8(byte) != unit_) {
             skip_noise();
-            pass_noise(byte);
+            trace({&byte, 1}, frame_role::unknown, frame_verdict::stray);
             echo_.suspect();
         } else if (framer().push(byte)) {
             end_frame(now);
@@ -594,9 +592,11 @@ private:
     /// Takes a response that has ended, by its length or by silence, and judges it.
     constexpr void take_frame(instant now) noexcept
     {
-        bool const is_end = framer().poll_end();
-        if (not is_end or error_ == errc::collision) {
-            return pass_collision(is_end);
+        if (not framer().poll_end()) {
+            return;
+        }
+        if (error_ == errc::collision) {
+            return trace_frame(errc::collision);
         }
         if (echo_.is_open() and not expects_echo()) {
             end_echo(); // silence has ended a beginning of it
@@ -604,9 +604,7 @@ private:
         errc const wrong = judged();
         line_event const event = event_of(wrong);
         note_frame(statistics_, event, wrong, unit_, now);
-        if constexpr (is_traced<Statistics>) {
-            pass_frame(framer().bytes(), wrong);
-        }
+        trace_frame(wrong);
         bool const is_response = event == line_event::reply or event == line_event::exception;
         bool const is_damaged =
             event == line_event::crc and framer().looks_addressed_to(request()) and framer().matches_size_hint();
@@ -677,7 +675,7 @@ private:
                 echo_.end();
                 return 0;
             }
-            pass_echoed(before, same, {});
+            trace_echo(before + same, true);
             if (may_be_response) {
                 framer().drop_begun();
             }
@@ -686,11 +684,14 @@ private:
             }
             return same;
         }
-        pass_echoed(before, same, bytes.subspan(same));
+        if (not echo_.is_open()) {
+            trace_echo(may_be_response ? before : before + same, false);
+        }
         if (phase_ != phase::awaiting or framer().begun().size() != before) {
             echo_.suspect(); // what came while the request left is no response
         }
         if (expects and not echo_.is_open()) {
+            trace(bytes.subspan(same, 1), frame_role::unknown, frame_verdict::damaged);
             statistics_.note(line_event::collision, unit_);
             error_ = error_ == errc::none ? errc::collision : error_;
             echo_.doubt();
@@ -716,94 +717,55 @@ private:
         }
     }
 
-    /// What had begun like an echo is none.
+    /// No more of an echo is awaited.
     constexpr void end_echo() noexcept
     {
-        if constexpr (is_traced<Statistics>) {
-            pass_echo(outside_frame(echo_.taken()));
-        }
+        trace_echo(echo_.taken(), false);
         echo_.end();
     }
 
     // What a client that is traced tells of the bytes that arrive; in any other these functions are empty.
 
-    /// Traces a byte that is skipped before a response.
-    [[gnu::always_inline]] constexpr void pass_noise(std::byte byte) noexcept
+    constexpr void trace(byte_view bytes, frame_role role, frame_verdict verdict) noexcept
     {
         if constexpr (is_traced<Statistics>) {
-            statistics_.pass({&byte, 1}, frame_role::unknown, frame_verdict::stray);
+            statistics_.pass(bytes, role, verdict);
         }
     }
 
-    /// Traces a frame that arrived while a response was awaited, by the error that was found in it.
-    [[gnu::always_inline]] constexpr void pass_frame(byte_view bytes, errc wrong) noexcept
+    /// A frame that arrived while a response was awaited, by the error that was found in it.
+    constexpr void trace_frame(errc wrong) noexcept
     {
         if constexpr (is_traced<Statistics>) {
-            if (not bytes.empty()) {
-                bool const has_end = framer().verdict() == errc::none and framer().matches_size_hint();
-                statistics_.pass(bytes, has_end ? frame_role::response : frame_role::unknown, verdict_of(bytes, wrong));
+            byte_view const bytes = framer().bytes();
+            if (framer().verdict() != errc::none or not framer().matches_size_hint()) {
+                return trace(bytes, frame_role::unknown, frame_verdict::damaged);
             }
+            frame_verdict verdict = frame_verdict::stray;
+            if (wrong == errc::none or is_exception(wrong)) {
+                verdict = frame_verdict::good;
+            } else if (wrong == errc::wrong_unit) {
+                verdict = quarantine_.covers(to_u8(bytes[0])) ? frame_verdict::late : frame_verdict::foreign;
+            } else if (wrong == errc::line_echo) {
+                verdict = frame_verdict::echo;
+            }
+            trace(bytes, frame_role::response, verdict);
         }
     }
 
-    /// Traces a frame that ended in a collision.
-    [[gnu::always_inline]] constexpr void pass_collision(bool is_end) noexcept
+    /// What has come back of the request, or looked like it. Of a part, what may be a response is left to that; on a line
+    /// that is not known to echo, a part is none.
+    constexpr void trace_echo(std::size_t taken, bool is_whole) noexcept
     {
         if constexpr (is_traced<Statistics>) {
-            pass_frame(is_end ? framer().bytes() : byte_view{}, errc::collision);
-        }
-    }
-
-    /// Traces an echo that has come back whole, or up to a byte that differs, which begins `rest`; `before` bytes had come
-    /// before.
-    [[gnu::always_inline]] constexpr void pass_echoed(std::size_t before, std::size_t same, byte_view rest) noexcept
-    {
-        if constexpr (is_traced<Statistics>) {
-            if (echo_.is_open()) {
-                return;
+            bool const may_be_response = phase_ == phase::awaiting and not expects_echo() and not is_whole;
+            std::size_t const inside = may_be_response ? framer().begun().size() : 0;
+            byte_view const bytes = request().first(inside < taken ? taken - inside : 0);
+            if (expects_echo() or bytes.size() == size_) {
+                statistics_.pass_echo(bytes, frame_role::request);
+            } else {
+                trace(bytes, frame_role::unknown, frame_verdict::stray);
             }
-            bool const is_all = echo_.is_whole() or expects_echo() or phase_ != phase::awaiting;
-            pass_echo(is_all ? before + same : outside_frame(before));
-            if (not echo_.is_whole() and expects_echo()) {
-                statistics_.pass(rest.first(1), frame_role::unknown, frame_verdict::damaged);
-            }
-        }
-    }
-
-    constexpr frame_verdict verdict_of(byte_view bytes, errc wrong) const noexcept
-    {
-        if (framer().verdict() != errc::none or not framer().matches_size_hint()) {
-            return frame_verdict::damaged;
-        }
-        if (wrong == errc::none or is_exception(wrong)) {
-            return frame_verdict::good;
-        }
-        if (wrong == errc::wrong_unit) {
-            return quarantine_.covers(to_u8(bytes[0])) ? frame_verdict::late : frame_verdict::foreign;
-        }
-        return wrong == errc::line_echo ? frame_verdict::echo : frame_verdict::stray;
-    }
-
-    /// Traces bytes that were taken for the beginning of an echo: on another line than one that echoes, they are none.
-    constexpr void pass_begun_echo() noexcept requires is_traced<Statistics>
-    {
-        pass_echo(outside_frame(echo_.taken()));
-    }
-
-    /// Of so many bytes that came back, those that belong to no frame that may be a response.
-    constexpr std::size_t outside_frame(std::size_t taken) const noexcept
-    {
-        std::size_t const inside = phase_ == phase::awaiting and not expects_echo() ? framer().begun().size() : 0;
-        return inside < taken ? taken - inside : 0;
-    }
-
-    constexpr void pass_echo(std::size_t taken) noexcept requires is_traced<Statistics>
-    {
-        byte_view const bytes = request().first(taken);
-        if (expects_echo() or taken == size_) {
-            statistics_.pass_echo(bytes, frame_role::request);
-        } else {
-            statistics_.pass(bytes, frame_role::unknown, frame_verdict::stray);
         }
     }
 
