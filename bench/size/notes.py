@@ -94,10 +94,10 @@ TRICKS = (
     Trick("a PDU's view made of pointer and size", "wire/adu.hpp", (
         ("    return {frame.data() + 1, frame.size() - adu_overhead};",
          "    return frame.subspan(1, frame.size() - adu_overhead);"),)),
-    Trick("a server's deadline in a form of its own", "rtu/line_silence.hpp", (
+    Trick("a server's deadline in a form of its own", "rtu/frame_cutter.hpp", (
         ("        return activity_ == activity::unknown or not waits_for_silence() ? deadline{} : deadline{last_ + "
          "end_silence()};", "        earliest next;\n        add_to(next);\n        return next;"),)),
-    Trick("a state's step by one comparison", "rtu/line_silence.hpp", (
+    Trick("a state's step by one comparison", "rtu/frame_cutter.hpp", (
         ("        if (waits_for_silence()) {\n"
          "            state_ = state_ == state::synchronising ? state::idle : state::done;\n        }\n",
          "        switch (state_) {\n        case state::synchronising: state_ = state::idle; break;\n"

@@ -67,7 +67,7 @@ WEAKENINGS = [
               {"foreign responses"}),
     Weakening("a debt after an answer counted from the last sending", "client/line/retry_state.hpp",
               "if (unanswered_ == 0) {", "first_sent_ = at; if (unanswered_ == 0) {", {"foreign responses"}),
-    Weakening("t3.5 as t1.5 before a frame", "rtu/line_silence.hpp",
+    Weakening("t3.5 as t1.5 before a frame", "rtu/frame_cutter.hpp",
               "if (reached(at, last_ + line().silence())) {",
               "if (reached(at, last_ + line().t1_5())) {",
               {"short silences"}),

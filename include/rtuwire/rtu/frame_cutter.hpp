@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Internal: the framer in parts, for a server and a client, which take a frame at the byte that ends it. Its table of
-// states stands in rtu/framer.hpp; what silence does to them, in rtu/line_silence.hpp.
+// Internal: the framer of a server and a client, which take a frame at the byte that ends it. What silence does: when the
+// line was last active, whether it has been silent long enough to send since, and when silence ends a frame. What bytes
+// do: where in its holder's memory they are kept, and at which of them the length rule is due. The table of states stands in
+// rtu/framer.hpp.
 #pragma once
 
 #include <array>
@@ -14,34 +16,20 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/foreign_exchange.hpp>
-#include <rtuwire/rtu/frame_bytes.hpp>
 #include <rtuwire/rtu/frame_place.hpp>
 #include <rtuwire/rtu/frame_sum.hpp>
 #include <rtuwire/rtu/line.hpp>
-#include <rtuwire/rtu/line_silence.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/frame_length.hpp>
+#include <rtuwire/wire/limits.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::detail {
 
 /// Internal: a framer without its memory. `Holder` derives from it and holds the line's times, `line_`, and the
 /// memory, `bytes_`, behind all other members: small processors reach near members with short instructions.
-template <typename Holder, direction Way, std::size_t Front>
-class frame_cutter : public frame_bytes<Holder, Way, Front> {
-    using store = frame_bytes<Holder, Way, Front>;
-    using store::end_;
-    using store::is_open_end;
-    using store::place_;
-    using store::rule_at_;
-    using store::size;
-    using store::state_;
-    using typename store::state;
-
+template <typename Holder, direction Way, std::size_t Front> class frame_cutter {
 public:
-    using store::begin_chunk;
-    using store::storage;
-
     constexpr frame_cutter() noexcept = default;
 
     /// Takes bytes that had arrived by `now`, in chunks of any size, up to the end of one frame; returns how
@@ -143,14 +131,14 @@ public:
     /// Why the last frame is refused; none where it is good.
     [[nodiscard]] constexpr errc verdict() const noexcept
     {
-        return error_ != errc::none               ? error_
-               : size() < min_adu_size            ? errc::frame_too_short
-               : not sum_.is_right(this->bytes()) ? errc::crc_mismatch
-                                                  : errc::none;
+        return error_ != errc::none         ? error_
+               : size() < min_adu_size      ? errc::frame_too_short
+               : not sum_.is_right(bytes()) ? errc::crc_mismatch
+                                            : errc::none;
     }
 
     /// The last frame, where the verdict is none.
-    [[nodiscard]] constexpr adu frame() const noexcept { return adu{this->bytes()}; }
+    [[nodiscard]] constexpr adu frame() const noexcept { return adu{bytes()}; }
 
     /// Records a request to another unit: the response of this unit and function may follow. Frames with
     /// these first two bytes (the function with or without 80) then end at the size by the request's rule or
@@ -169,7 +157,216 @@ public:
         return others_.is_response();
     }
 
+    /// Takes note of `bytes` bytes, one at least, that had arrived by `now`. Returns whether the silence before them
+    /// ended a frame, whole or damaged, which must be polled before the first byte is taken.
+    constexpr bool begin_chunk(std::size_t bytes, instant now) noexcept
+    {
+        // An unread frame is discarded, so receiving never stalls.
+        if (state_ == state::done) {
+            state_ = state::idle;
+        }
+        // The first byte of a chunk arrived earlier than the chunk was handed over.
+        instant const at = within_reach_of_line(now);
+        if (activity_ != activity::unknown and reached(at, last_ + end_silence() + line().characters(bytes))) {
+            on_silence();
+        }
+        keep_activity(now, at);
+        return state_ == state::done;
+    }
+
+    /// Applies the silence up to `now`. Must be called before the clock has run 35 minutes past a deadline.
+    constexpr void advance(instant now) noexcept
+    {
+        if (activity_ == activity::unknown) {
+            note_activity(now);
+        }
+        instant const at = within_reach_of_line(now);
+        if (reached(at, last_ + line().silence())) {
+            activity_ = activity::quiet;
+        }
+        if (ends_by_silence() and reached(at, last_ + end_silence())) {
+            on_silence();
+        }
+    }
+
+    /// The time by which what was in force at the latest activity is judged `now`: that may be the end of a frame that is
+    /// being sent.
+    [[nodiscard]] constexpr instant within_reach_of_line(instant now) const noexcept
+    {
+        constexpr duration latency = milliseconds(100); // of what sends it
+        return within_reach(last_, now, line().characters(max_adu_size) + latency);
+    }
+
+    /// Adds the time when `advance` has something to do to the earliest of several. `awaits_bytes` leaves the silence
+    /// before sending out: nothing is to be sent before more has arrived, or a time limit is over.
+    constexpr void add_to(earliest& next, bool awaits_bytes = false) const noexcept
+    {
+        if (activity_ == activity::busy and not awaits_bytes) {
+            next.add(last_ + line().silence());
+        }
+        if (activity_ != activity::unknown and ends_by_silence()) {
+            next.add(last_ + end_silence());
+        }
+    }
+
+    /// The same for a receiver that has nothing to send: when silence ends the frame being received, or the bytes
+    /// being ignored; between frames, when the line counts as quiet. A separate plain form, which is smaller
+    /// (docs/size-notes.md).
+    [[nodiscard]] constexpr deadline poll_end_deadline() const noexcept
+    {
+        if (activity_ == activity::unknown or not(waits_for_silence() or activity_ == activity::busy)) {
+            return {};
+        }
+        return last_ + (waits_for_silence() ? end_silence() : line().silence());
+    }
+
+    /// Whether a frame ended, whole or damaged, once.
+    [[nodiscard]] constexpr bool poll_end() noexcept
+    {
+        bool const is_end = state_ == state::done;
+        if (is_end) {
+            state_ = state::idle;
+        }
+        return is_end;
+    }
+
+    /// Drops what is being received where silence does not end it.
+    constexpr void drop_unended() noexcept
+    {
+        state_ = waits_for_silence() and not ends_by_silence() ? state::idle : state_;
+    }
+
+    /// Drops what is being received: the next byte is the first of a frame.
+    constexpr void drop_begun() noexcept { state_ = state::idle; }
+
+    /// A frame that has ended by its length goes on: nothing but silence ends it.
+    constexpr void go_on() noexcept { state_ = state_ == state::done ? state::receiving : state_; }
+
+    /// Drops what is being received and takes the next byte as the first of a frame: for a line that the
+    /// caller knows to be silent, because its own transmission just ended.
+    constexpr void restart(instant now) noexcept
+    {
+        note_activity(now);
+        state_ = state::idle;
+    }
+
+    /// Ignores everything until the line has been silent.
+    constexpr void resynchronise() noexcept { state_ = state::synchronising; }
+
+    /// When the last byte arrived, or the time of a later `note_activity`.
+    [[nodiscard]] constexpr instant last_activity() const noexcept { return last_; }
+
+    /// Records that the line was not silent at `now`, and leaves the frame alone. While the line is busy, a time
+    /// before the latest recorded one changes nothing.
+    constexpr void note_activity(instant now) noexcept { keep_activity(now, now); }
+
+    /// Whether the silence before sending has passed.
+    [[nodiscard]] constexpr bool is_quiet() const noexcept { return activity_ == activity::quiet; }
+
+    /// Whether nothing has come for t3.5, or for the silence before sending where that is shorter.
+    [[nodiscard]] constexpr bool is_at_rest(instant now) const noexcept
+    {
+        return is_quiet() or reached(now, last_ + line().t3_5());
+    }
+
+    /// Whether the next byte would be the first of a frame.
+    [[nodiscard]] constexpr bool is_at_start() const noexcept { return not waits_for_silence(); }
+
+    /// Whether bytes are ignored until the line has been silent.
+    [[nodiscard]] constexpr bool ignores_bytes() const noexcept { return state_ == state::synchronising; }
+
+    [[nodiscard]] constexpr line_timing const& line() const noexcept
+    {
+        return static_cast<Holder const&>(*this).line_.get();
+    }
+
+    /// The memory of the frame, for a response written in its place.
+    [[nodiscard]] constexpr byte_span storage() noexcept { return static_cast<Holder&>(*this).bytes_; }
+    [[nodiscard]] constexpr byte_view storage() const noexcept { return static_cast<Holder const&>(*this).bytes_; }
+
+    /// Keeps the first `size` bytes of the memory, at most 256, free: later frames are received behind them.
+    constexpr void receive_behind(std::size_t size) noexcept requires(Front > 0)
+    {
+        place_.leave_room_for(size);
+        end_ = place_.begin();
+    }
+
+    /// The largest frame that there is room for.
+    [[nodiscard]] constexpr std::size_t room() const noexcept { return place_.memory - place_.begin(); }
+
+    /// Whether the last frame has the size that its own bytes tell, where they tell one. Silence may have ended
+    /// it at another size, where by chance its CRC is right, too.
+    [[nodiscard]] constexpr bool matches_size_hint() const noexcept { return rule_at_ == 0 or rule_at_ == end_; }
+
+    /// Whether the last frame had the smallest size, and began with this request's unit and function.
+    [[nodiscard]] constexpr bool looks_addressed_to(byte_view request) const noexcept
+    {
+        std::byte const* const start = storage().data() + place_.begin();
+        return size() >= min_adu_size and start[0] == request[0] and (start[1] & std::byte{0x7F}) == request[1];
+    }
+
+    /// The bytes of the last frame, or of the one being received.
+    [[nodiscard]] constexpr byte_view bytes() const noexcept { return {storage().data() + place_.begin(), size()}; }
+
+    /// What has been received of a frame that has not ended.
+    [[nodiscard]] constexpr byte_view begun() const noexcept
+    {
+        return state_ == state::receiving ? bytes() : byte_view{};
+    }
+
+    /// Whether the next byte may turn out to belong to the frame before it.
+    [[nodiscard]] constexpr bool has_open_end() const noexcept { return is_open_end(); }
+
+    /// Keeps the byte 00 that was taken behind an open end, where there is room.
+    constexpr void keep_zero() noexcept
+    {
+        if (end_ < place_.memory) {
+            storage()[end_++] = std::byte{0};
+        }
+    }
+
 private:
+    enum class state : std::uint8_t { synchronising, receiving, open_end, idle, done };
+
+    /// What the line did last; unknown before the first time is given.
+    enum class activity : std::uint8_t { unknown, busy, quiet };
+
+    /// Always false in a receiver of responses.
+    constexpr bool is_open_end() const noexcept { return Way == direction::request and state_ == state::open_end; }
+
+    constexpr bool waits_for_silence() const noexcept { return state_ < state::idle; }
+
+    /// The silence that ends what is being received.
+    constexpr duration end_silence() const noexcept { return is_open_end() ? line().t3_5() : line().frame_end(); }
+
+    /// Whether silence ends what is being received. On a host, where no wire may lose bytes, it does not while its holder
+    /// awaits the rest.
+    constexpr bool ends_by_silence() const noexcept
+    {
+        if constexpr (has_system) {
+            if (not line().has_wire() and static_cast<Holder const&>(*this).awaits_rest()) {
+                return false;
+            }
+        }
+        return waits_for_silence();
+    }
+
+    /// `at`: the time by which the latest activity is judged, which is `within_reach_of_line` of bytes that have come now.
+    constexpr void keep_activity(instant now, instant at) noexcept
+    {
+        if (activity_ != activity::busy or reached(at, last_)) {
+            last_ = now;
+        }
+        activity_ = activity::busy;
+    }
+
+    constexpr void on_silence() noexcept
+    {
+        if (ends_by_silence()) {
+            state_ = state_ == state::synchronising ? state::idle : state::done;
+        }
+    }
+
     constexpr bool takes_behind_open_end(std::byte next) noexcept
     {
         state_ = state::done;
@@ -180,7 +377,8 @@ private:
     {
         state_ = state::receiving;
         others_.begin_frame();
-        this->begin_bytes();
+        end_ = place_.begin();
+        rule_at_ = static_cast<std::uint16_t>(place_.begin() + 2); // the first two bytes tell more
         sum_.begin();
         error_ = errc::none;
     }
@@ -194,16 +392,16 @@ private:
         if constexpr (default_crc_form == crc_form::host) {
             // 0 and 1 say that only silence ends it, and are no bytes to look at.
             if (std::size_t const told = size_hint(Way, first); told > 3 and not others_.is_expected(first)) {
-                return this->look_at(told);
+                return look_at(told);
             }
         }
-        this->look_at(3); // no frame is so short, and most responses tell their size here
+        look_at(3); // no frame is so short, and most responses tell their size here
     }
 
     /// Copies bytes up to where the length rule is to be applied next. Returns how many; 0 where there is no room.
     constexpr std::size_t copy_to_look(std::byte const* at, std::size_t count) noexcept
     {
-        std::size_t const room = this->bytes_to_look();
+        std::size_t const room = bytes_to_look();
         count = count < room ? count : room;
         sum_.copy(at, count, storage().data() + end_);
         end_ = static_cast<std::uint16_t>(end_ + count);
@@ -214,9 +412,9 @@ private:
     /// which is smaller (docs/size-notes.md).
     [[gnu::always_inline]] constexpr bool apply_length_rule() noexcept
     {
-        end_hint const told = others_.apply(this->bytes());
+        end_hint const told = others_.apply(bytes());
         // Past an end whose CRC is wrong only silence tells where the next frame starts.
-        this->look_at(told.next);
+        look_at(told.next);
         if (not told.is_here or verdict() != errc::none) {
             return false;
         }
@@ -226,6 +424,27 @@ private:
         return true;
     }
 
+    /// The length rule is due when the frame has `size` bytes; 0 where only silence tells the end.
+    constexpr void look_at(std::size_t size) noexcept
+    {
+        rule_at_ = size == 0 ? std::uint16_t{0} : static_cast<std::uint16_t>(place_.begin() + size);
+    }
+
+    /// How many bytes there is room for, up to where the length rule is due.
+    constexpr std::size_t bytes_to_look() const noexcept
+    {
+        bool const is_ahead = rule_at_ > end_ and rule_at_ < place_.memory;
+        return (is_ahead ? std::size_t{rule_at_} : place_.memory) - end_;
+    }
+
+    constexpr std::size_t size() const noexcept { return std::size_t{end_} - place_.begin(); }
+
+    instant last_{0};
+    activity activity_{activity::unknown};
+    state state_{state::synchronising};
+    std::uint16_t end_{0};     ///< behind the last byte
+    std::uint16_t rule_at_{0}; ///< where the length rule is due; no byte's position, 0, where it has nothing to say
+    [[no_unique_address]] frame_place<Front> place_{};
     [[no_unique_address]] frame_sum<> sum_{};
     errc error_{errc::none};
     [[no_unique_address]] foreign_exchange<Way> others_{};
@@ -235,8 +454,6 @@ private:
 template <direction Way, typename Line = stored<line_timing>, std::size_t Front = 0>
 class frame_receiver : public frame_cutter<frame_receiver<Way, Line, Front>, Way, Front> {
     friend frame_cutter<frame_receiver, Way, Front>;
-    friend line_silence<frame_receiver, Way>;
-    friend frame_bytes<frame_receiver, Way, Front>;
 
 public:
     explicit constexpr frame_receiver(line_timing const& its_timing) noexcept : line_{its_timing} {}

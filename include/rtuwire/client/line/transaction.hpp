@@ -84,8 +84,6 @@ class transaction
     using phase = client_phase;
     using cutter = detail::frame_cutter<transaction, direction::response, Front>;
     friend cutter;
-    friend detail::line_silence<transaction, direction::response>;
-    friend detail::frame_bytes<transaction, direction::response, Front>;
 
 public:
     explicit constexpr transaction(line_timing const& its_timing, client_options const& its_options = {}) noexcept
