@@ -10,7 +10,7 @@ here=$(CDPATH='' cd "$(dirname "$0")" && pwd)
 project=$(cd "$here/../.." && pwd)
 build=$project/build/docs
 
-/usr/bin/python3 -B "$here/test_generate.py"
+(cd "$here" && /usr/bin/python3 -B -m unittest test_generate)
 /usr/bin/python3 -B "$project/docs/generate/snippets.py" "$project"
 sh "$project/docs/build.sh"
 [ "${1:-}" = browser ] || exit 0

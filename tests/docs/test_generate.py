@@ -377,7 +377,3 @@ class Diagrams(unittest.TestCase):
     def test_a_picture_takes_the_colours_of_its_page(self):
         out = diagrams.recoloured('<path stroke="black"/><text x="1">w</text>')
         self.assertEqual(out, '<path stroke="currentColor"/><text fill="currentColor" x="1">w</text>')
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -26,7 +26,3 @@ class Newcomer(unittest.TestCase):
     def test_the_end_of_a_line_left_out(self):
         self.assertTrue(matches(["0 failed out of ..."], ["0 failed out of 12"]))
         self.assertFalse(matches(["0 failed out of ..."], ["1 failed out of 12"]))
-
-
-if __name__ == "__main__":
-    unittest.main()

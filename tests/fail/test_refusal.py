@@ -1,14 +1,14 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""Shows that refusal.py passes the right refusal and no other: python3 test_refusal.py COMPILER."""
+"""Shows that refusal.py passes the right refusal and no other."""
+import os
 import pathlib
-import sys
 import tempfile
 import unittest
 
 import refusal
 
-COMPILER = sys.argv.pop(1) if len(sys.argv) > 1 else "c++"
+COMPILER = os.environ["RTUWIRE_COMPILER"]
 
 
 class Refusal(unittest.TestCase):
@@ -73,7 +73,3 @@ class Refusal(unittest.TestCase):
         names = refusal.likeliest(str(folder))
         self.assertGreaterEqual(len(set(names)), 20)
         self.assertEqual([name for name in names if not (folder / f"{name}.cpp").exists()], [])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -32,7 +32,3 @@ class Differences(unittest.TestCase):
     def test_a_using_outside_of_the_list(self):
         found = exports.differences(PUBLIC, MODULE + "export using rtuwire::server;\n")
         self.assertEqual(len(found), 1)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -22,7 +22,7 @@ sh tests/packages.sh build tests tool clang portability packaging
 mkdir -p "$place"
 
 heading "The version stands in one place"
-/usr/bin/python3 -B "$here/test_versions.py"
+(cd "$here" && /usr/bin/python3 -B -m unittest -v test_versions)
 /usr/bin/python3 -B "$here/versions.py"
 
 heading "A release"
@@ -49,7 +49,7 @@ rm -rf "$again"
 export RTUWIRE_RELEASE="$place/release"
 for test in release older_cmake consumers manifests single_header; do
     heading "$test"
-    /usr/bin/python3 -B "$here/test_$test.py"
+    (cd "$here" && /usr/bin/python3 -B -m unittest -v "test_$test")
 done
 
 heading "The tests of the library with the single header"

@@ -3,7 +3,6 @@
 """Programs of users, each built with the library in one of the ways that it is given out, and run: their frame is the one
 of the drive's manual, or they end with another status than 0."""
 import hashlib
-import unittest
 
 from support import CONSUMER, LIBRARY_ALONE, PROJECT, InAFolder, archive, build, run, unpack, version
 
@@ -74,7 +73,3 @@ class Consumers(InAFolder):
         (self.place / "include" / "rtuwire" / "rtuwire.hpp").write_bytes(one.read_bytes())
         run("g++", "-std=c++20", "-I", self.place / "include", FIND / "main.cpp", "-o", self.place / "consumer")
         run(self.place / "consumer")
-
-
-if __name__ == "__main__":
-    unittest.main(verbosity=2)

@@ -6,7 +6,6 @@ import json
 import pathlib
 import re
 import sys
-import unittest
 
 import yaml
 
@@ -188,7 +187,3 @@ class PlatformIO(Form):
         has = platformio_filter.exported(PROJECT, self.manifest(PROJECT))
         self.assertLessEqual({"library.json", "LICENSE", "include/rtuwire/rtuwire.hpp"}, set(has))
         self.assertLessEqual({name.partition("/")[0] for name in has}, {"include", "docs", "library.json", "LICENSE", "README.md"})
-
-
-if __name__ == "__main__":
-    unittest.main(verbosity=2)

@@ -4,7 +4,6 @@
 used. The list of what came later is that of CMake's release notes as far as a project of this kind may meet it."""
 import json
 import pathlib
-import unittest
 
 from support import LIBRARY_ALONE, PROJECT, InAFolder, run
 
@@ -90,7 +89,3 @@ class OlderCMake(InAFolder):
         for tree in trees:
             self.assertIn(b'INTERFACE_INCLUDE_DIRECTORIES "${_IMPORT_PREFIX}/include"', tree[config])
         self.assertEqual([name for name in new if name != config and new[name] != old[name]], [])
-
-
-if __name__ == "__main__":
-    unittest.main(verbosity=2)

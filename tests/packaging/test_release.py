@@ -5,7 +5,6 @@ byte, and a signal leaves nothing behind."""
 import os
 import signal
 import subprocess
-import unittest
 
 from support import PROJECT, InAFolder, run
 
@@ -102,7 +101,3 @@ class Release(InAFolder):
                 os.killpg(process.pid, number)
                 self.assertEqual(process.wait(60), 128 + number)
                 self.assertEqual(list(self.place.glob("cut_*")), [])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -6,7 +6,6 @@ import re
 import shutil
 import subprocess
 import sys
-import unittest
 
 from support import HERE, PROJECT, InAFolder, run
 
@@ -111,7 +110,3 @@ class SingleHeader(InAFolder):
         self.assertRegex(self.refused("rtuwire/print.hpp", of_another_part), "RTUWIRE_PRINT needs it, and only RTUWIRE_PORT")
         self.assertRegex(self.refused("rtuwire/port.hpp", lambda text: re.sub(r".*posix_serial.*\n", "", text)),
                          r"no door reaches rtuwire/port/posix_serial\.hpp")
-
-
-if __name__ == "__main__":
-    unittest.main(verbosity=2)

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSL-1.0
 """Shows that each place which names another version is reported, by name."""
 import shutil
-import unittest
 
 import versions
 from support import DECIDED, PROJECT, InAFolder, version
@@ -36,7 +35,3 @@ class Versions(InAFolder):
                 found = list(versions.complaints(self.place))
                 self.assertTrue(found and all(each.startswith(place) for each in found), found)
                 (self.place / place).write_text(text, encoding="utf-8")
-
-
-if __name__ == "__main__":
-    unittest.main(verbosity=2)

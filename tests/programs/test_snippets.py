@@ -1,11 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""Shows that a block which does not compile is seen, and a frame that stands for none.
-
-    python3 test_snippets.py COMPILER
-"""
+"""Shows that a block which does not compile is seen, and a frame that stands for none."""
+import os
 import pathlib
-import sys
 import unittest
 
 import snippets
@@ -21,10 +18,8 @@ def page(*lines):
 
 
 class Seen(unittest.TestCase):
-    compiler = "g++"
-
     def wrong(self, text):
-        return [snippets.complaint(self.compiler, PROJECT, *each)
+        return [snippets.complaint(os.environ["RTUWIRE_COMPILER"], PROJECT, *each)
                 for each in snippets.programs({"docs/a.md": text}, [PLAIN])]
 
     def test_block(self):
@@ -50,9 +45,3 @@ class Seen(unittest.TestCase):
             list(snippets.programs({"docs/a.md": page("int a;")}, [PLAIN, OWN]))
         with self.assertRaises(ValueError):  # the page has nothing that would be filled in
             list(snippets.programs({"docs/a.md": page("int b = 1;", "int c = 2;")}, [PLAIN, OWN]))
-
-
-if __name__ == "__main__":
-    if len(sys.argv) > 1:
-        Seen.compiler = sys.argv.pop(1)
-    unittest.main()

@@ -1,17 +1,14 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""Shows that a header which says something else first is reported, and one that names no flag.
-
-    python3 test_language.py COMPILER
-"""
+"""Shows that a header which says something else first is reported, and one that names no flag."""
+import os
 import pathlib
-import sys
 import tempfile
 import unittest
 
 import language
 
-COMPILER = sys.argv.pop()
+COMPILER = os.environ["RTUWIRE_COMPILER"]
 SAYS_IT = f"#if __cplusplus < 202002L\n#error \"{language.SENTENCE}\"\n#endif\n"
 
 
@@ -36,7 +33,3 @@ class Language(unittest.TestCase):
         self.assertEqual(len(of_headers), 3)
         self.assertIn("None", of_headers[0])
         self.assertTrue(of_tools)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -126,7 +126,3 @@ class SecondLists(unittest.TestCase):
         own = generic.replace("rtuwire::altivar {", "rtuwire::inline RTUWIRE_BUILD::altivar::atv28 {")
         said = "// as an atv28 does\n#include <rtuwire/altivar/atv28.hpp>\n"
         self.assertEqual(list(lists.named_drives({"include/rtuwire/sim/a.hpp": own, "include/b.hpp": said})), [])
-
-
-if __name__ == "__main__":
-    unittest.main()

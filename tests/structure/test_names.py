@@ -121,7 +121,3 @@ class Names(unittest.TestCase):
         text = "#pragma once\nnamespace rtuwire::altivar::atv99 {\ninline constexpr int eta{1};\n}\n"
         self.assertEqual(list(names.unlisted(house(altivar__device__atv99=text), set())), [])
         self.assertEqual(names.internal_names(house(altivar__device__atv99=text), set()), set())
-
-
-if __name__ == "__main__":
-    unittest.main()

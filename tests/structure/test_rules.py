@@ -161,7 +161,3 @@ class Builds(unittest.TestCase):
     def test_a_door_has_includes_only(self):
         self.assertEqual(self.count(HEAD + VERSION), 0)
         self.assertEqual(self.count(HEAD + "#define A \\\n    1\n#ifdef B\n#endif\n"), 0)
-
-
-if __name__ == "__main__":
-    unittest.main()

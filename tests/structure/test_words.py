@@ -36,7 +36,3 @@ class Words(unittest.TestCase):
         page = "A heading.\n\n`start{drive, wish::forward}`\n```cpp\nclient link; // a talk\n```\nTalk."
         self.assertEqual([complaint.split(":")[1] for complaint in words.complaints_of_page("README.md", page)],
                          ["3", "5"])
-
-
-if __name__ == "__main__":
-    unittest.main()
