@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// A program of two files that were built differently (linked.py): each has to run its own code. Where a function of
+// A program of two files that were built differently: each has to run its own code. Where a function of
 // rtuwire had one name in both, the linker would keep one of them for both files.
 #include "linked.hpp"
 
