@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
 """What the tool does with units that nobody here wrote, servers of libmodbus and pymodbus: found, named, read, written,
-watched, shown on a full screen, and refused while others talk to them.
+watched, shown on a full screen, and refused while others talk to them; and over TCP.
 
     python3 others_servers.py TOOL LIBMODBUS_SERVER
 """
@@ -10,9 +10,9 @@ import sys
 
 from line_between import LineBetween
 from screen import Screen
-from support import DIFFERS, DONE, HERE, REFUSED, USAGE, Tool, runs
+from support import DIFFERS, DONE, HERE, NO_ANSWER, REFUSED, USAGE, Tool, runs
 
-from pair import Programs  # noqa: I100
+from pair import Programs, free_port, wait_for_listener  # noqa: I100
 
 QUIET = ["--listen", "0.05"]
 
@@ -36,6 +36,11 @@ def reads(tool, check, what):
     check([row[1] for row in table] == ["100", "101", "102", "103", "110"], f"{what}: as a table", table)
     ended = tool.run(*QUIET, "read", "'DP*'")
     check(ended.status in (DIFFERS, USAGE) and "unit 1" in ended.errors, f"{what}: no patterns without a drive", ended)
+    ended = tool.run(*QUIET, "--json", "read", "100", "5000")
+    check(ended.status == DIFFERS and ended.objects()[0]["raw"] == 100 and ended.objects()[1]["error"],
+          f"{what}: one that it does not have is an error of its own", ended)
+    ended = tool.run(*QUIET, "read", "RFR")
+    check(ended.status in (DIFFERS, NO_ANSWER) and "unit 1" in ended.errors, f"{what}: no name without a drive", ended)
     ended = tool.run(*QUIET, "--csv", "watch", "100", "--every", "50ms", "--for", "0.22s")
     check(ended.status == DONE and [row["100"] for row in ended.rows()] == ["100"] * len(ended.rows()) != [],
           f"{what}: watches", ended)
@@ -78,6 +83,21 @@ def refuses(tool, check, what, port):
         other.communicate()
 
 
+def over_tcp(tool, check, others, server):
+    """A server of its own, and drives behind a serial device server."""
+    number = free_port()
+    others.serve(f"tcp:{number}", server, stderr=subprocess.DEVNULL)
+    wait_for_listener(number)
+    tool.port = f"tcp://127.0.0.1:{number}"
+    reads(tool, check, "pymodbus over TCP")
+    number = free_port()
+    others.processes.append(tool.start("simulate", "atv320:7", port=others.device_server(number)))
+    others.processes[-1].stdout.readline()
+    wait_for_listener(number)
+    ended = tool.run(*QUIET, "--json", "-u", 7, "read", "RFR", port=f"tcp://127.0.0.1:{number}")
+    check(ended.status == DONE and ended.objects()[0]["value"] == 0.0, "a drive behind a serial device server", ended)
+
+
 def main(check, program, libmodbus_server):
     servers = {"libmodbus": ([libmodbus_server, "@"], ""),
                "pymodbus": ([sys.executable, "-B", str(HERE.parent / "interop" / "pymodbus_server.py"), "@"], "pymodbus")}
@@ -90,7 +110,8 @@ def main(check, program, libmodbus_server):
             writes(tool, check, what)
             shows(tool, check, what, tool.port)
             refuses(tool, check, what, tool.port)
+    with Tool(program) as tool, Programs() as others:
+        over_tcp(tool, check, others, servers["pymodbus"][0])
 
 
-if __name__ == "__main__":
-    runs(main)
+runs(main)

@@ -2,14 +2,11 @@
 # SPDX-License-Identifier: BSL-1.0
 """What is read, by which words, in which form; who the unit is; and units that are no drives.
 
-    python3 reading.py TOOL LIBMODBUS_SERVER
+    python3 reading.py TOOL
 """
-import subprocess
-import sys
+from support import DIFFERS, DONE, DRIVES, NO_ANSWER, PORT, USAGE, Simulator, Tool, Units, runs
 
-from support import (DIFFERS, DONE, DRIVES, HERE, NO_ANSWER, PORT, USAGE, Simulator, Tool, Units, runs)
-
-from pair import Programs, free_port, wait_for_listener  # noqa: I100
+from pair import free_port  # noqa: I100
 
 CABINET = "sim:atv320:7,atv12:3,atv28:4,atv310:5,atv310_2026:6"
 UNITS = {"atv320": 7, "atv12": 3, "atv28": 4, "atv310": 5, "atv310_2026": 6}
@@ -139,17 +136,6 @@ def check_identity(tool, check):
               f"{drive} is recognised", found)
 
 
-def check_no_drive(tool, check, what, how):
-    """Numbers only: unit 1 with its own address in registers 100 to 199."""
-    rows = tool.run(*how, "--json", "read", "100-109", "150").objects()
-    check([row.get("raw") for row in rows] == [*range(100, 110), 150], f"{what}: registers by their numbers", rows)
-    ended = tool.run(*how, "--json", "read", "100", "5000")
-    check(ended.status == DIFFERS and ended.objects()[0]["raw"] == 100 and ended.objects()[1]["error"],
-          f"{what}: one that it does not have is an error of its own", ended)
-    ended = tool.run(*how, "read", "RFR")
-    check(ended.status in (DIFFERS, NO_ANSWER) and "unit 1" in ended.errors, f"{what}: no name without a drive", ended)
-
-
 def registers_of(tool, drive):
     return {int(row["address"]): 0 for row in tool.run("--csv", "list", "--drive", drive).rows()}
 
@@ -176,26 +162,6 @@ def check_no_identity(tool, check):
               "a silent unit is asked once more, not for each register", (ended, line.requests))
 
 
-def others_servers(tool, check, libmodbus_server, others):
-    servers = {"libmodbus": [libmodbus_server, "@"],
-               "pymodbus": [sys.executable, "-B", str(HERE.parent / "interop" / "pymodbus_server.py"), "@"]}
-    for name, command in servers.items():
-        near, far = others.line()
-        others.serve(near, command, stderr=subprocess.DEVNULL)
-        check_no_drive(tool, check, name, ["--port", far, "--listen", "0.05"])
-    # The same over TCP: a server of its own, and drives behind a serial device server.
-    number = free_port()
-    others.serve(f"tcp:{number}", servers["pymodbus"], stderr=subprocess.DEVNULL)
-    wait_for_listener(number)
-    check_no_drive(tool, check, "pymodbus over TCP", ["--port", f"tcp://127.0.0.1:{number}", "--listen", "0.05"])
-    number = free_port()
-    others.processes.append(tool.start("simulate", "atv320:7", port=others.device_server(number)))
-    others.processes[-1].stdout.readline()
-    wait_for_listener(number)
-    ended = tool.run("--port", f"tcp://127.0.0.1:{number}", "--listen", "0.05", "--json", "-u", 7, "read", "RFR")
-    check(ended.status == DONE and ended.objects()[0]["value"] == 0.0, "a drive behind a serial device server", ended)
-
-
 def check_ports(tool, check, program):
     with Simulator(program, "atv12:3", vendor="Example GmbH") as device:
         found = tool.run("--port", device, "--listen", "0.05", "--json", "-u", 3, "identify").objects()[0]
@@ -207,7 +173,7 @@ def check_ports(tool, check, program):
     check(ended.status == PORT and str(number) in ended.errors, "nor there", ended)
 
 
-def main(check, program, libmodbus_server):
+def main(check, program):
     with Tool(program, CABINET) as tool:
         check_forms(tool, check)
         check_words(tool, check)
@@ -215,11 +181,10 @@ def main(check, program, libmodbus_server):
         check_menu_numbers(tool, check)
         check_faults(program, tool, check)
         check_identity(tool, check)
-    with Tool(program) as tool, Programs() as others:
+    with Tool(program) as tool:
         check_ports(tool, check, program)
         check_no_identity(tool, check)
         check_unknown_units(tool, check)
-        others_servers(tool, check, libmodbus_server, others)
         with Units({1: dict.fromkeys(range(10), 3)}) as line:
             check(tool.run("--port", line.name, "--listen", "0.05", "identify").status != PORT, "a unit that says nothing")
 
