@@ -24,8 +24,9 @@ HERE = pathlib.Path(__file__).resolve().parent
 FIRMWARE = HERE.parents[1] / "examples" / "firmware"
 sys.path.insert(0, str(HERE.parent / "interop"))
 
-from lossy_line import LossyLine  # noqa: E402
-from simulator import Checks, Simulator, asked, repetitions  # noqa: E402
+from frames import LossyLine  # noqa: E402
+from mbpoll import mbpoll, words_in  # noqa: E402
+from simulator import Simulator, asked, repetitions, runs  # noqa: E402
 
 MACHINES = {"mps2_an385": "mps2-an385", "lm3s6965evb": "lm3s6965evb"}
 
@@ -78,9 +79,8 @@ def held_open(device):
         os.close(line)
 
 
-def run_controller(place, board, simulate, drive):
+def run_controller(check, place, board, simulate, drive):
     elf = build(place, board, "controller", f"-DRTUWIRE_DRIVE={drive}")
-    check = Checks()
     with Simulator(simulate, f"{drive}:1") as line, Emulator(board, elf, line) as firmware:
         firmware.wait_for("^ready")
         check(firmware.wait_for("^start: (\\w+)")[1] == "done", "it starts the drive")
@@ -92,19 +92,13 @@ def run_controller(place, board, simulate, drive):
         check(frequency == "30.0 Hz", "the motor turns at 30 Hz", frequency)
         check(line[3] == "done", "it stops the drive", line[3])
         check(firmware.process.wait(60) == 0, "it ends well")
-    return check.status()
 
 
-def mbpoll(device, *words):
+def polled(device, *words):
     """What mbpoll prints; what got no answer is asked again, which counts."""
-    while True:
-        text = subprocess.run(
-            ["mbpoll", "-m", "rtu", "-b", "19200", "-P", "even", "-0", "-1", "-o", "5", "-a", "1",
-             *words[:-1], device, *words[-1:]], text=True, stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT, timeout=60, check=False).stdout
-        if "timed out" not in text:
-            return text
+    while "timed out" in (text := mbpoll(device, *words)[1]):
         repetitions.note(text)
+    return text
 
 
 class Unit:
@@ -128,11 +122,10 @@ class Unit:
 
 def ask_server(device, check):
     from pymodbus.client import ModbusSerialClient
-    text = mbpoll(device, "-r", "10", "475")
+    text = polled(device, "-r", 10, "=475")
     check("Written 1 references" in text, "mbpoll writes the setpoint")
-    text = mbpoll(device, "-r", "10", "-c", "3", "-q")
-    words = re.findall(r"\[(\d+)\]: \t(\d+)", text)
-    check(words[:2] == [("10", "475"), ("11", "475")], "mbpoll reads the pump", words)
+    words = words_in(polled(device, "-r", 10, "-c", 3, "-q"))
+    check((words[10], words[11]) == (475, 475), "mbpoll reads the pump", words)
     with ModbusSerialClient(device, baudrate=19200, timeout=5, retries=0) as client:
         pump = Unit(client)
         check(pump.read(12) == [65531], "-5 degrees")
@@ -157,12 +150,11 @@ def run_drive(device, check):
             drive.write(8501, command)
             check.soon(lambda: status() == state, f"command {command}")
         check.soon(lambda: drive.read(3202) == [300], "30 Hz")
-    words = re.findall(r"\[(\d+)\]: \t(\d+)", mbpoll(device, "-r", "3201", "-c", "2", "-q"))
-    check(words[1:] == [("3202", "300")], "mbpoll reads 30 Hz", words)
+    words = words_in(polled(device, "-r", 3201, "-c", 2, "-q"))
+    check(words[3202] == 300, "mbpoll reads 30 Hz", words)
 
 
-def run_unit(place, board, program, *how):
-    check = Checks()
+def run_unit(check, place, board, program, *how):
     elf = build(place, board, program)
     with Emulator(board, elf, "pty") as firmware, contextlib.ExitStack() as between:
         device = firmware.wait_for("redirected to (\\S+)")[1]
@@ -172,15 +164,14 @@ def run_unit(place, board, program, *how):
             device = between.enter_context(LossyLine(device)).name
         {"server": ask_server, "frame_server": ask_server,
          "simulated_drive": run_drive}[program](device, check)
-    return check.status()
 
 
-def main(board, program, *rest):
+def main(check, board, program, *rest):
     with tempfile.TemporaryDirectory() as place:
         if program == "controller":
-            return run_controller(place, board, *rest)
-        return run_unit(place, board, program, *rest)
+            run_controller(check, place, board, *rest)
+        else:
+            run_unit(check, place, board, program, *rest)
 
 
-if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+runs(main)

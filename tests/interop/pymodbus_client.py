@@ -1,22 +1,18 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
 """A client of pymodbus against our server: python3 pymodbus_client.py DEVICE"""
-import sys
-
 from pymodbus.exceptions import ModbusIOException
 from pymodbus.mei_message import ReadDeviceInformationRequest
 from pymodbus.pdu import ExceptionResponse
 
-from simulator import Checks, pymodbus_on
-
-expect = Checks()
+from simulator import pymodbus_on, runs
 
 
 def refused(answer, code):
     return isinstance(answer, ExceptionResponse) and answer.exception_code == code
 
 
-def main(device):
+def main(expect, device):
     line = pymodbus_on(device)
     read = line.read_holding_registers(100, 63, slave=1)
     expect(not read.isError() and read.registers == list(range(100, 163)), "03 reads 63")
@@ -41,8 +37,6 @@ def main(device):
     expect(refused(line.read_holding_registers(100, 64, slave=1), 3), "exception 03")
     nobody = line.read_holding_registers(100, 1, slave=9)
     expect(isinstance(nobody, ModbusIOException), "silence of another unit", nobody)
-    return expect.status()
 
 
-if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+runs(main)

@@ -7,12 +7,11 @@
 With "lossy" every second request is lost on its way, and the run has to fail.
 """
 import contextlib
-import sys
 
 from pymodbus.mei_message import ReadDeviceInformationRequest
 
-from lossy_line import LossyLine
-from simulator import Checks, Registers, Simulator, asked, pymodbus_on
+from frames import LossyLine
+from simulator import Registers, Simulator, asked, pymodbus_on, runs
 
 UNIT = 7
 SHUTDOWN, SWITCH_ON, ENABLE, DISABLE_VOLTAGE, RESET = 0x0006, 0x0007, 0x000F, 0x0000, 0x0080
@@ -48,7 +47,7 @@ def climbs(drive, check):
         check(drive.write(drive.at.cmd, word) and drive.state() == state, f"CMD {word:04X}: {state}")
 
 
-def runs(drive, check):
+def turns(drive, check):
     check(drive.state() == "disabled", "at power-on: switch on disabled")
     check(drive.write(drive.at.acc, 10) and drive.write(drive.at.dec, 10), "ramps of one second")
     check(drive.write(drive.at.lfr, 400), "LFR 40.0 Hz")
@@ -90,18 +89,15 @@ def trips(drive, simulator, check):
     check.soon(lambda: drive.state() == "disabled", "resets the fault")
 
 
-def main(program, name, *how):
-    check = Checks()
+def main(check, program, name, *how):
     simulator = Simulator(program, f"{name}:{UNIT}")
     with simulator as device, contextlib.ExitStack() as between:
         if how == ("lossy",):
             device = between.enter_context(LossyLine(device)).name
         drive = Drive(pymodbus_on(device), Registers(name))
         says_who_it_is(drive, name, check)
-        runs(drive, check)
+        turns(drive, check)
         trips(drive, simulator, check)
-    return check.status()
 
 
-if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+runs(main)

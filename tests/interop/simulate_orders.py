@@ -5,11 +5,10 @@ words, a line that is lost one way.
 
     python3 simulate_orders.py SIMULATE DRIVE
 """
-import sys
 
 from pymodbus.mei_message import ReadDeviceInformationRequest
 
-from simulator import Checks, Registers, Simulator, pymodbus_on
+from simulator import Registers, Simulator, pymodbus_on, runs
 
 UNIT = 7
 SHUTDOWN, SWITCH_ON, ENABLE = 0x0006, 0x0007, 0x000F
@@ -85,8 +84,7 @@ def names_another_vendor(program, name, check):
         check(not who.isError() and who.information.get(0) == b"rtuwire", "--vendor", who)
 
 
-def main(program, name):
-    check = Checks()
+def main(check, program, name):
     simulator = Simulator(program, f"{name}:{UNIT}")
     with simulator as device:
         drive = Drive(pymodbus_on(device, 1), Registers(name))
@@ -96,8 +94,6 @@ def main(program, name):
         is_lost_one_way(drive, simulator, check)
     if name != "atv28":
         names_another_vendor(program, name, check)
-    return check.status()
 
 
-if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+runs(main)

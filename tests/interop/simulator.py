@@ -129,3 +129,10 @@ class Checks:
         while not (is_so := is_right()) and time.monotonic() < end:
             time.sleep(0.05)
         self(is_so, what)
+
+
+def runs(main):
+    """The program of a test: what it checks, with its arguments, is its status."""
+    check = Checks()
+    main(check, *sys.argv[1:])
+    sys.exit(check.status())

@@ -4,10 +4,9 @@
 import os
 import re
 import subprocess
-import sys
 import tempfile
 
-from simulator import Checks
+from simulator import runs
 
 UDP = ["-o", "mbrtu.udp.port:5020", "-o", "mbrtu.crc_verification:TRUE"]
 SERIAL = ["-d", "rtacser.data,mbrtu", "-o", "mbrtu.crc_verification:TRUE"]
@@ -36,7 +35,6 @@ FRAMES = ["3 3102 4", "3 40,0,0,0", "6 3103 000d", "6 3103 000d", "8 0 a537", "8
           "21 6 262151 3 06af04be100d", "21 6 262151 3 06af04be100d",
           "22 3104 0x00f2 0x0025", "22 3104 0x00f2 0x0025", "24 1246", "24 2 01b81284"]
 CHECKED = len(FRAMES) - FRAMES.count(SHORT)
-expect = Checks()
 
 
 def tshark(capture, *words):
@@ -50,7 +48,7 @@ def fields_of_frames(capture):
     return [" ".join(filter(None, line.split("\t"))) for line in lines]
 
 
-def check_captures(captures):
+def check_captures(captures, expect):
     seen = fields_of_frames(captures[0][0])
     expect(seen == FRAMES, "every function and its registers are told apart", seen)
     for capture, options in captures:
@@ -59,22 +57,20 @@ def check_captures(captures):
         expect(not WRONG.search(text), f"no complaint about {capture}", WRONG.findall(text))
 
 
-def check_damaged(captures):
+def check_damaged(captures, expect):
     for capture, options in captures:
         text = tshark(capture, *options, "-V")
         expect(text.count("incorrect, should be") == 1
                and text.count("[correct]") == CHECKED - 1, f"damage is found in {capture}")
 
 
-def main(write_captures):
+def main(expect, write_captures):
     with tempfile.TemporaryDirectory(prefix="capture-", dir=os.getcwd()) as folder:
         captures = [(f"{folder}/udp.pcap", UDP), (f"{folder}/serial.pcap", SERIAL)]
         subprocess.run([write_captures, folder], check=True)
-        check_captures(captures)
+        check_captures(captures, expect)
         subprocess.run([write_captures, folder, "damaged"], check=True)
-        check_damaged(captures)
-    return expect.status()
+        check_damaged(captures, expect)
 
 
-if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+runs(main)

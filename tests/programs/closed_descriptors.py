@@ -9,9 +9,8 @@ import itertools
 import os
 import signal
 import subprocess
-import sys
 
-from controller import LIMIT, UNIT, Checks, Drive, demo, own_group, soon
+from controller import LIMIT, UNIT, Drive, demo, own_group, runs, soon
 from frames import Line, are_frames, with_crc
 
 STANDARD = (0, 1, 2)
@@ -84,13 +83,10 @@ def simulate_answers(simulate, _, closed, check):
 PROGRAMS = {"demo": demo_asks, "simulate": simulate_answers}
 
 
-def main(simulate, program, which):
-    check = Checks()
+def main(check, simulate, program, which):
     for count in range(len(STANDARD) + 1):
         for closed in itertools.combinations(STANDARD, count):
             PROGRAMS[which](simulate, program, closed, check)
-    return check.status()
 
 
-if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+runs(main)

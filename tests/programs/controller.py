@@ -10,7 +10,7 @@ import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "interop"))
 
-from simulator import Checks, Registers, Simulator  # noqa: E402,F401
+from simulator import DRIVES, Registers, Simulator, runs  # noqa: E402,F401
 
 UNIT = 3
 TTO = 300  # in 0.1 s: the drive's own time-out comes too late to be taken for a stop by the program
@@ -81,3 +81,24 @@ def demo(program, drive, *options, stdout=subprocess.PIPE, stderr=subprocess.PIP
         [program, "--drive", drive.name, "--port", drive.device, "--unit", str(UNIT), "--svg", os.devnull,
          "--allow-run", *options], stdin=subprocess.DEVNULL, stdout=stdout, stderr=stderr, preexec_fn=before))
     return drive.controllers[-1]
+
+
+def turning(program, drive, check, **how):
+    """The demo, once its motor turns."""
+    process = demo(program, drive, **how)
+    check(soon(drive.turns), "the motor turns")
+    return process
+
+
+def gone(process, drive, check, status, is_at_rest=None):
+    """What it said, once it is gone: with this status, or None for any signal. It leaves the motor standing, or as is said."""
+    try:
+        said = process.communicate(timeout=LIMIT)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        said = process.communicate()
+        check(False, "it ends")
+    check((is_at_rest or drive.stands)(), "the motor is at rest when the program is gone", drive.shown())
+    found = process.returncode
+    check(found < 0 if status is None else found == status, f"its status: {status or 'a signal'}", found)
+    return said

@@ -1,18 +1,20 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
-"""What the demo says of its command line, and what it does with an output that takes nothing.
+"""What the demo says.
 
-    python3 messages.py SIMULATE DEMO
+    python3 messages.py SIMULATE DEMO messages     of its command line, and where an output takes nothing
+    python3 messages.py SIMULATE DEMO leaving      of what it leaves, which then happens; the next one looks first, and starts no
+                                                   motor of a drive in fault
+    python3 messages.py SIMULATE DEMO cut_cable    interrupted while the cable of its own simulated drive is cut: it sees the
+                                                   motor stand before it ends
 """
 import os
-import pathlib
+import signal
 import subprocess
-import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "interop"))
+from controller import DRIVES, Simulator, runs
 
-from simulator import DRIVES, Checks, Simulator  # noqa: E402
-
+LINK_FAULT = 5  # LFT: SLF1
 ALL_DRIVES = "|".join(DRIVES)
 
 # Arguments, and what the message has to hold.
@@ -36,6 +38,10 @@ def run(program, words, stdout=subprocess.PIPE):
                           stderr=subprocess.PIPE, text=True, timeout=60, check=False)
 
 
+def run_on(device, demo, words="", svg=os.devnull):
+    return run(demo, f"--drive atv12 --port {device} --svg {svg} {words}")
+
+
 def check_refusals(demo, check):
     for words, parts in REFUSED:
         ended = run(demo, words)
@@ -53,9 +59,8 @@ def check_help(demo, check):
 
 
 def check_drawing(demo, simulate, check):
-    with Simulator(simulate, "atv12:1") as device, open(os.devnull, "rb") as nothing:
-        ended = subprocess.run([demo, "--drive", "atv12", "--port", device, "--svg", "/dev/full"], stdin=nothing,
-                               stdout=subprocess.PIPE, text=True, timeout=60, check=False)
+    with Simulator(simulate, "atv12:1") as device:
+        ended = run_on(device, demo, svg="/dev/full")
     check(ended.returncode == 1 and "NO drawing could be written to /dev/full" in ended.stdout,
           "a drawing that cannot be written is a failure", ended.returncode)
 
@@ -73,14 +78,44 @@ def check_signs(program, check):
         check(max(seen) <= 0, "and nothing above zero before", sorted(seen))
 
 
-def main(simulate, demo):
-    check = Checks()
+def messages(simulate, demo, check):
     check_refusals(demo, check)
     check_help(demo, check)
     check_drawing(demo, simulate, check)
     check_signs(simulate, check)
-    return check.status()
 
 
-if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+def leaving(simulate, demo, check):
+    simulator = Simulator(simulate, "atv12:1")
+    with simulator as device:
+        simulator.suffer("1 write 6005 30")  # TTO: 3.0 s
+        first = run_on(device, demo)
+        check(first.returncode == 0 and "trips (SLF)" in first.stdout and "-u 1 --write reset" in first.stdout,
+              "it says what it leaves, and what resets it", first.stdout[-300:])
+        check.soon(lambda: simulator.shown(1)[::2] == ("fault", LINK_FAULT), "and so it is: SLF1")
+        second = run_on(device, demo)
+        check(second.returncode == 0 and "in fault: SLF1" in second.stdout, "the next one says so, and reads on", second.stdout)
+        third = run_on(device, demo, "--allow-run")
+        check(third.returncode == 1 and "in fault: SLF1" in third.stdout and "Start" not in third.stdout,
+              "and where it should run the motor, it leaves the drive alone", third.stdout)
+        check(simulator.shown(1)[0] == "fault", "nothing was reset")
+
+
+def cut_cable(_, demo, check):
+    process = subprocess.Popen([demo, "--svg", os.devnull], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True)
+    said = ""
+    for line in process.stdout:
+        said += line
+        if "order to run is dropped: no response" in line:
+            process.send_signal(signal.SIGINT)
+            break
+    said += process.communicate()[0]
+    check("The cable is cut" in said and "The motor stands." in said, "it waits for the motor", said)
+    check(process.returncode == 128 + signal.SIGINT, "its status tells the signal", process.returncode)
+
+
+def main(check, simulate, demo, part):
+    {each.__name__: each for each in (messages, leaving, cut_cable)}[part](simulate, demo, check)
+
+
+runs(main)

@@ -10,11 +10,10 @@ import os
 import re
 import signal
 import subprocess
-import sys
 import threading
 import time
 
-from controller import LIMIT, TTO, UNIT, Checks, Drive, demo, own_group, soon
+from controller import TTO, UNIT, Drive, gone, own_group, runs, soon, turning
 from frames import Line, with_crc
 
 PAGE = 4096  # bytes: the smallest pipe
@@ -34,12 +33,9 @@ def full_pipe():
 
 def nobody_reads(program, drive, check):
     reader, writer = full_pipe()
-    process = demo(program, drive, stdout=writer)
-    check(soon(drive.turns), "the motor turns")
+    process = turning(program, drive, check, stdout=writer)
     check(soon(drive.turns_back), "and turns back, so that the cycle goes on")
-    _, errors = process.communicate(timeout=LIMIT)
-    check(process.returncode == 0, "it ends well", process.returncode)
-    check(drive.stands(), "the motor stands when the program is gone", drive.shown())
+    _, errors = gone(process, drive, check, 0)
     said = DROPPED.search(errors)
     check(said and int(said.group(1)) > 20, "it says how much was dropped", errors)
     os.close(reader)
@@ -73,31 +69,26 @@ class Terminal:
 
 def somebody_presses_ctrl_s(program, drive, check):
     terminal = Terminal()
-    process = demo(program, drive, stdout=terminal.far)
-    check(soon(drive.turns), "the motor turns")
+    process = turning(program, drive, check, stdout=terminal.far)
     terminal.press(XOFF)
     check(soon(terminal.stands_still), "Ctrl-S holds the terminal")
     before = terminal.text
     check(soon(drive.turns_back), "it turns back, so that the cycle goes on")
     check(terminal.text == before, "while nothing is shown")
     terminal.press(XON)
-    process.communicate(timeout=LIMIT)
-    check(process.returncode == 0, "it ends well", process.returncode)
-    check(drive.stands(), "the motor stands when the program is gone", drive.shown())
+    gone(process, drive, check, 0)
     check(soon(lambda: b"The motor stands." in terminal.text), "the rest is shown")
 
 
-def it_is_stopped(program, drive, check):
-    process = demo(program, drive)
-    check(soon(drive.turns), "the motor turns")
+def it_is_stopped(program, drive, check, pause=PAUSE, **how):
+    process = turning(program, drive, check, **how)
     process.send_signal(signal.SIGSTOP)
     os.waitpid(process.pid, os.WUNTRACED)
-    time.sleep(PAUSE)
+    time.sleep(pause)
+    check(drive.turns(), "nobody has stopped it", drive.shown())
     process.send_signal(signal.SIGCONT)
-    text, _ = process.communicate(timeout=LIMIT)
+    text, _ = gone(process, drive, check, 1)
     check(b"the order to run is gone" in text, "it says that the order is gone")
-    check(process.returncode == 1, "its status tells it", process.returncode)
-    check(drive.stands(), "the motor stands when the program is gone", drive.shown())
 
 
 def it_is_not_told_that_it_was_stopped(program, drive, check):
@@ -106,17 +97,7 @@ def it_is_not_told_that_it_was_stopped(program, drive, check):
         own_group()
         signal.signal(signal.SIGCONT, signal.SIG_IGN)
 
-    process = demo(program, drive, before=deaf_to_cont)
-    check(soon(drive.turns), "the motor turns")
-    process.send_signal(signal.SIGSTOP)
-    os.waitpid(process.pid, os.WUNTRACED)
-    time.sleep(LONG_PAUSE)
-    check(drive.turns(), "nobody has stopped it", drive.shown())
-    process.send_signal(signal.SIGCONT)
-    text, _ = process.communicate(timeout=LIMIT)
-    check(b"the order to run is gone" in text, "it says that the order is gone")
-    check(process.returncode == 1, "its status tells it", process.returncode)
-    check(drive.stands(), "the motor stands when the program is gone", drive.shown())
+    it_is_stopped(program, drive, check, LONG_PAUSE, before=deaf_to_cont)
 
 
 CASES = {"pipe": nobody_reads, "ctrl-s": somebody_presses_ctrl_s, "stopped": it_is_stopped,
@@ -145,19 +126,12 @@ def simulate_answers(program, name, check):
     os.close(writer)
 
 
-def main(simulate, program, name, case):
-    check = Checks()
+def main(check, simulate, program, name, case):
     if case == "simulate":
         simulate_answers(simulate, name, check)
-        return check.status()
+        return
     with Drive(simulate, name) as drive:
         CASES[case](program, drive, check)
-    return check.status()
 
 
-if __name__ == "__main__":
-    try:
-        sys.exit(main(*sys.argv[1:]))
-    except subprocess.TimeoutExpired as error:
-        error.cmd = os.path.basename(error.cmd[0])
-        sys.exit(f"FAIL it does not end: {error}")
+runs(main)

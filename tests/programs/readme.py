@@ -13,8 +13,11 @@ import tempfile
 import time
 import tty
 
-from frames import with_crc
 from snippets import blocks
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "interop"))
+
+from frames import with_crc  # noqa: E402
 
 FLAGS = ["-std=c++20", "-O1", "-Wall", "-Wextra", "-Werror"]
 DEVICE = "/dev/ttyUSB0"

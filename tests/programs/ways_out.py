@@ -14,52 +14,35 @@ import pty
 import resource
 import signal
 import subprocess
-import sys
 import tempfile
 import termios
 
-from controller import LIMIT, UNIT, Checks, Drive, demo, own_group, soon
+from controller import UNIT, Drive, demo, gone, own_group, runs, soon, turning
 
 DYING = ("ABRT", "SEGV", "BUS", "FPE", "ILL")  # too late for a ramp: the motor is left without power
 HEAD_LINES = 17  # the demo's output up to where the motor has turned for a second
 FILE_LIMIT = 900  # bytes, likewise
 
 
-def end(process, check):
-    """Its status, once it is gone."""
-    try:
-        process.communicate(timeout=LIMIT)
-    except subprocess.TimeoutExpired:
-        process.kill()
-        check(False, "it ends")
-    return process.returncode
-
-
 def by_signal(program, drive, name, check):
     number = getattr(signal, "SIG" + name)
-    process = demo(program, drive)
-    check(soon(drive.turns), "the motor turns")
+    process = turning(program, drive, check)
     process.send_signal(number)
-    status = end(process, check)
     if name in DYING:
-        check(drive.has_no_power(), "no power when the program is gone", drive.shown())
+        gone(process, drive, check, -number, drive.has_no_power)
         check(soon(drive.stands), "the motor stands")
-        check(status == -number, "the signal ends it", status)
     else:
-        check(drive.stands(), "the motor stands when the program is gone", drive.shown())
-        check(status == 128 + number, "its status tells the signal", status)
+        gone(process, drive, check, 128 + number)
 
 
 def by_suspension(program, drive, check):
-    process = demo(program, drive)
-    check(soon(drive.turns), "the motor turns")
+    process = turning(program, drive, check)
     process.send_signal(signal.SIGTSTP)
     _, status = os.waitpid(process.pid, os.WUNTRACED)
     check(os.WIFSTOPPED(status), "it is suspended")
     check(drive.stands(), "the motor stands by then", drive.shown())
     process.send_signal(signal.SIGCONT)
-    check(end(process, check) == 1, "it goes on to its end")
-    check(drive.stands(), "and the motor still stands", drive.shown())
+    gone(process, drive, check, 1)
 
 
 def by_head(program, drive, check):
@@ -67,8 +50,7 @@ def by_head(program, drive, check):
     process = demo(program, drive, stdout=head.stdin)
     head.stdin.close()
     check(soon(drive.turns), "the motor turns")
-    check(end(process, check) == 1, "it ends with an error", process.returncode)
-    check(drive.stands(), "the motor stands when the program is gone", drive.shown())
+    gone(process, drive, check, 1)
     head.wait()
 
 
@@ -78,10 +60,7 @@ def by_a_full_disk(program, drive, check):
         resource.setrlimit(resource.RLIMIT_FSIZE, (FILE_LIMIT, FILE_LIMIT))
 
     with tempfile.TemporaryFile() as file:
-        process = demo(program, drive, stdout=file, before=limited)
-        check(soon(drive.turns), "the motor turns")
-        check(end(process, check) == 1, "it ends with an error", process.returncode)
-    check(drive.stands(), "the motor stands when the program is gone", drive.shown())
+        gone(turning(program, drive, check, stdout=file, before=limited), drive, check, 1)
 
 
 def by_its_terminal(program, drive, check):
@@ -95,8 +74,7 @@ def by_its_terminal(program, drive, check):
     os.close(far)
     check(soon(drive.turns), "the motor turns")
     os.close(near)
-    check(end(process, check) == 128 + signal.SIGHUP, "its status tells the signal", process.returncode)
-    check(drive.stands(), "the motor stands when the program is gone", drive.shown())
+    gone(process, drive, check, 128 + signal.SIGHUP)
 
 
 def with_nobody_listening(program, drive, check):
@@ -109,18 +87,16 @@ def with_nobody_listening(program, drive, check):
         with open(name or os.devnull, "wb") as out:
             process = demo(program, drive, stdout=out, before=closed)
             turned = soon(lambda one=process: drive.turns() or one.poll() is not None) and drive.turns()
-            check(end(process, check) == 1, f"{what}: it ends with an error", process.returncode)
-        check(not turned and drive.stands(), f"{what}: the motor never turns", drive.shown())
+            gone(process, drive, check, 1)
+        check(not turned, f"{what}: the motor never turns", drive.shown())
 
 
 def by_two_interrupts(program, drive, check):
-    process = demo(program, drive)
-    check(soon(drive.turns), "the motor turns")
+    process = turning(program, drive, check)
     process.send_signal(signal.SIGINT)
     check(soon(lambda: drive.shown()[0] != "operation enabled"), "the ramp has begun")
     process.send_signal(signal.SIGINT)
-    check(end(process, check) == 128 + signal.SIGINT, "its status tells the signal", process.returncode)
-    check(drive.has_no_power(), "no power when the program is gone", drive.shown())
+    gone(process, drive, check, 128 + signal.SIGINT, drive.has_no_power)
 
 
 def by_breaking(program, drive, how, check):
@@ -128,10 +104,8 @@ def by_breaking(program, drive, how, check):
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=own_group)
     drive.controllers.append(process)
     check(soon(drive.turns), "the motor turns")
-    status = end(process, check)
-    check(drive.has_no_power(), "no power when the program is gone", drive.shown())
+    gone(process, drive, check, None, drive.has_no_power)
     check(soon(drive.stands), "the motor stands")
-    check(status < 0, "a signal ends it", status)
 
 
 BROKEN = ("throw", "missing", "deep")
@@ -139,8 +113,7 @@ WAYS = {"TSTP": by_suspension, "head": by_head, "full": by_a_full_disk, "termina
         "nobody": with_nobody_listening, "twice": by_two_interrupts}
 
 
-def main(simulate, program, name, way):
-    check = Checks()
+def main(check, simulate, program, name, way):
     with Drive(simulate, name) as drive:
         if way in WAYS:
             WAYS[way](program, drive, check)
@@ -148,8 +121,6 @@ def main(simulate, program, name, way):
             by_breaking(program, drive, way, check)
         else:
             by_signal(program, drive, way, check)
-    return check.status()
 
 
-if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+runs(main)

@@ -30,7 +30,7 @@ add_program_test("motion law: S25 the demo starts no motor where nobody can read
 add_program_test("motion law: S25 the demo leaves the motor without power at the second Ctrl-C"
     ways_out.py "${simulate}" "${demo}" atv320 twice)
 add_program_test("motion law: S25 the demo stops its motor when it is interrupted while the simulated cable is cut"
-    cut_cable.py "${demo}")
+    messages.py "${simulate}" "${demo}" cut_cable)
 
 # A program that uses the same parts, and breaks while its motor turns.
 add_executable(breaks breaks.cpp)
@@ -59,6 +59,6 @@ add_program_test("motion law: S37 the simulate program answers while its output 
     no_time_for_output.py "${simulate}" "${demo}" atv320 simulate)
 
 add_program_test("examples: messages name what is wrong, and no output is lost without a word"
-    messages.py "${simulate}" "${demo}")
+    messages.py "${simulate}" "${demo}" messages)
 add_program_test("defect: D40 the demo tells what it leaves, and looks for a fault before it runs a motor"
-    leaving.py "${simulate}" "${demo}")
+    messages.py "${simulate}" "${demo}" leaving)

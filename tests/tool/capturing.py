@@ -134,5 +134,4 @@ def main(check, program, extcap):
             as_interface(tool, line, extcap, check)
 
 
-if __name__ == "__main__":
-    runs(main)
+runs(main)

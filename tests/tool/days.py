@@ -8,7 +8,6 @@ A day has an exchange a second, a round a second; of `monitor` it is half a minu
 import os
 import pathlib
 import struct
-import sys
 import time
 
 from line_between import LineBetween
@@ -139,5 +138,4 @@ def main(check, program, part):
         PARTS[part](tool, check)
 
 
-if __name__ == "__main__":
-    sys.exit(runs(main))
+runs(main)

@@ -200,5 +200,4 @@ def main(check, program):
         right_ones(tool, check, refusal, 500, False, same_answer)
 
 
-if __name__ == "__main__":
-    runs(main)
+runs(main)

@@ -142,5 +142,4 @@ def main(check, program):
                 part(tool, line, check)
 
 
-if __name__ == "__main__":
-    runs(main)
+runs(main)

@@ -16,7 +16,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "interop"))
 
 from line_between import LineBetween  # noqa: E402
 from screen import Screen  # noqa: E402
-from simulator import Checks, Simulator  # noqa: E402
+from simulator import Simulator, runs  # noqa: E402
 from support import LIMIT, Units  # noqa: E402
 
 KEYS = "q quit   up/down drive   p pause   +/- period   ? help"
@@ -213,11 +213,8 @@ def refusals(tool, check):
 PARTS = {each.__name__: each for each in (screen, alarms, refused_state, keys, reads, ways_out, refusals)}
 
 
-def main(tool, part):
-    check = Checks()
+def main(check, tool, part):
     PARTS[part](os.path.abspath(tool), check)
-    return check.status()
 
 
-if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+runs(main)

@@ -23,7 +23,7 @@ import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "programs"))
 
-from controller import DISABLED, RUNS, TTO, UNIT, Checks, Drive, own_group, soon  # noqa: E402
+from controller import DISABLED, RUNS, TTO, UNIT, Drive, Registers, own_group, runs, soon  # noqa: E402
 from frames import CountedLine, Line, are_frames  # noqa: E402
 
 AT_ONCE = 12  # simulated drives, each with its own process
@@ -46,7 +46,6 @@ class Motor(Drive):
         self.timeout = min(1, (tto or TTO) / 60)
 
     def __enter__(self):
-        from simulator import Registers
         super().__enter__()
         at = Registers(self.name)
         self.write(at.acc, self.ramp)
@@ -150,6 +149,13 @@ def ends_with(process, motor, check, what, status, says, stands=True):
     return out
 
 
+def turning(motor, program, check, what, **how):
+    """A start, once its motor turns."""
+    process = motor.start(program, **how)
+    check(soon(motor.turns), f"{what}: it turns")
+    return process
+
+
 def by_its_time(motor, program, check):
     process = motor.start(program, "--for", "0.5s", "--json")
     out = ends_with(process, motor, check, "--for", 0, "the time is over; the motor stands")
@@ -165,15 +171,13 @@ def by_speed(motor, program, check):
 
 
 def by_fault(motor, program, check):
-    process = motor.start(program)
-    check(soon(motor.turns), "fault: it turns")
+    process = turning(motor, program, check, "fault")
     motor.suffer("fault")
     ends_with(process, motor, check, "fault", 1, "the drive is in fault; fault: OCF", stands=False)
 
 
 def by_lost_line(motor, program, check):
-    process = motor.start(program)
-    check(soon(motor.turns), "lost line: it turns")
+    process = turning(motor, program, check, "lost line")
     motor.suffer("cut")
     found, _, error = end(process)
     check(found == 3 and "the link is lost" in error, "lost line: it says so", (found, error))
@@ -182,8 +186,7 @@ def by_lost_line(motor, program, check):
 
 def by_deaf_line(motor, program, check):
     """Its answers get lost: the drive hears the words that stop it."""
-    process = motor.start(program)
-    check(soon(motor.turns), "answers lost: it turns")
+    process = turning(motor, program, check, "answers lost")
     motor.suffer("mute")
     found, _, error = end(process)
     check(found == 3, "answers lost: its status", (found, error))
@@ -191,15 +194,13 @@ def by_deaf_line(motor, program, check):
 
 
 def by_another_master(motor, program, check):
-    process = motor.start(program)
-    check(soon(motor.turns), "another master: it turns")
+    process = turning(motor, program, check, "another master")
     soon(lambda: motor.write(8502, 100) or process.poll() is not None)
     ends_with(process, motor, check, "another master", 1, "another master commands the drive")
 
 
 def by_local(motor, program, check):
-    process = motor.start(program)
-    check(soon(motor.turns), "local control: it turns")
+    process = turning(motor, program, check, "local control")
     motor.suffer("local")
     found, _, error = end(process)
     check(found == 1 and "local control" in error, "local control: it says so", (found, error))
@@ -217,8 +218,7 @@ def by_two_interrupts(motor, program, check):
 
 
 def by_suspension(motor, program, check):
-    process = motor.start(program)
-    check(soon(motor.turns), "TSTP: it turns")
+    process = turning(motor, program, check, "TSTP")
     process.send_signal(signal.SIGTSTP)
     _, status = os.waitpid(process.pid, os.WUNTRACED)
     check(os.WIFSTOPPED(status) and motor.stands(), "TSTP: the motor stands before it is suspended", motor.shown())
@@ -233,8 +233,7 @@ def by_stop(motor, program, check, is_deaf=False):
             signal.signal(signal.SIGCONT, signal.SIG_IGN)
 
     what = "asleep" if is_deaf else "STOP, CONT"
-    process = motor.start(program, preexec_fn=before)
-    check(soon(motor.turns), what + ": it turns")
+    process = turning(motor, program, check, what, preexec_fn=before)
     process.send_signal(signal.SIGSTOP)
     os.waitpid(process.pid, os.WUNTRACED)
     time.sleep(motor.tto / 30 + 0.3)
@@ -247,8 +246,7 @@ def by_sleep(motor, program, check):
 
 
 def by_abort(motor, program, check):
-    process = motor.start(program)
-    check(soon(motor.turns), "ABRT: it turns")
+    process = turning(motor, program, check, "ABRT")
     process.send_signal(signal.SIGABRT)
     found, _, _ = end(process)
     check(found == -signal.SIGABRT and motor.has_no_power(), "ABRT: no power, and the signal ends it", motor.shown())
@@ -299,8 +297,7 @@ def by_its_terminal(motor, program, check):
 def by_signals(motor, program, check):
     """INT and TERM are how it is meant to end; of any other a shell is told."""
     for name, status in (("INT", 0), ("TERM", 0), ("HUP", 129), ("USR1", 138), ("XCPU", 152)):
-        process = motor.start(program)
-        check(soon(motor.turns), f"{name}: it turns")
+        process = turning(motor, program, check, name)
         process.send_signal(getattr(signal, "SIG" + name))
         ends_with(process, motor, check, name, status, "the motor stands")
 
@@ -440,8 +437,6 @@ def runs_by_another(motor, at):
 
 
 def stops(program, check):
-    from simulator import Registers
-
     def one(case):
         name, words, is_named, state = case
         with Motor(program, name, ramp=30) as motor:  # long enough to be seen on its way
@@ -475,7 +470,6 @@ def stops(program, check):
 
 def by_a_wrong_name(program, check):
     """An ATV320 in its I/O profile, where every word that stops but 0000 is RUN, and drives of another family."""
-    from simulator import Registers
     cmd, lfr, chcf, io_profile = 8501, 8502, 8401, 3
 
     def one(case):
@@ -546,8 +540,6 @@ def orders(program, check):
 def keeps_speed(program, name, check):
     """A motor that runs keeps its speed and its ramps, and one that is enabled at 0 Hz stays there; a drive without power
     takes all of it."""
-    from simulator import Registers
-
     at = Registers(name)
     words = ("LSP=10Hz", "HSP=45Hz", "ACC=1s", "DEC=1s", "LSP=5Hz DEC=2s", *(() if "310" in name else ("SP2=20Hz",)))
     with Motor(program, name) as motor, tempfile.TemporaryDirectory() as folder:
@@ -600,11 +592,8 @@ def settings(program, check):
         list(pool.map(one, DRIVES))
 
 
-def main(program, what, *words):
-    check = Checks()
+def main(check, program, what, *words):
     {"moments": moments, "ways": ways, "orders": orders, "settings": settings}[what](program, check, *map(int, words))
-    return check.status()
 
 
-if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+runs(main)

@@ -149,5 +149,4 @@ def main(check, program, write_decisions):
         listener(tool, check)
 
 
-if __name__ == "__main__":
-    runs(main)
+runs(main)

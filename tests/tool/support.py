@@ -17,7 +17,7 @@ for room in ("interop", "programs"):
     sys.path.insert(0, str(HERE.parent / room))
 
 from frames import CountedLine, Line, crc, with_crc  # noqa: E402,F401
-from simulator import DRIVES, Checks, Simulator  # noqa: E402,F401
+from simulator import DRIVES, Simulator, runs  # noqa: E402,F401
 
 LIMIT = 60  # s, for a command that ends by itself
 DONE, DIFFERS, USAGE, NO_ANSWER, PORT, REFUSED = range(6)
@@ -162,10 +162,3 @@ class Units(Line):
             registers[start] = value
             return request
         return with_crc(bytes([unit, function | 0x80, 1]))
-
-
-def runs(main):
-    """The status of a test with its arguments; closes what it opened."""
-    check = Checks()
-    main(check, *sys.argv[1:])
-    sys.exit(check.status())

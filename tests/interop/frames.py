@@ -93,3 +93,15 @@ class CountedLine(Line):
         self.requests += 1  # a client writes a request at once, and waits then
         if self.requests == self.number:
             self.act()
+
+
+class LossyLine(CountedLine):
+    """Loses every second request: the stand-in that shows that repetitions are counted."""
+
+    def __exit__(self, *how):
+        super().__exit__(*how)
+        print("requests lost on purpose:", self.requests // 2)
+
+    def pass_on(self, data):
+        if self.requests % 2:
+            super().pass_on(data)
