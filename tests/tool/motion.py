@@ -13,6 +13,7 @@ import json
 import os
 import pathlib
 import pty
+import re
 import signal
 import subprocess
 import sys
@@ -178,9 +179,12 @@ def by_fault(motor, program, check):
 
 def by_lost_line(motor, program, check):
     process = turning(motor, program, check, "lost line")
+    _, _, error = end(motor.tool(program, "stop"))
+    check(f"held by rtuwire (process {process.pid}): end that first (Ctrl-C" in error, "who holds the line is told", error)
     motor.suffer("cut")
     found, _, error = end(process)
-    check(found == 3 and "the link is lost" in error, "lost line: it says so", (found, error))
+    check(found == 3 and "the link is lost" in error and re.search(r"own time-out of \d+\.\d s is over; `.* stop`", error),
+          "lost line: it says so, and when the drive stops", (found, error))
     check(soon(motor.has_stopped, LIMIT), "lost line: the drive stops by itself", motor.shown())
 
 

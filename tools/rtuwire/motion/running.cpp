@@ -35,7 +35,8 @@ std::string words_of_kind(outcome_kind kind) { return std::string{std::string_vi
 running::running(std::unique_ptr<motor> which, asked_motion const& asked, any_port& port, rtuwire::unit_id unit,
                  drive_catalog const& drive, choices const& chosen)
     : motor_{std::move(which)}, port_{port}, unit_{unit}, drive_{drive}, display_{chosen.form, drive},
-      must_end_{longest_look}, reset_{shown_command(chosen.line, "--write reset")}, asked_{asked}
+      must_end_{longest_look}, reset_{shown_command(chosen.line, "--write reset")},
+      stop_{shown_command(chosen.line, "stop")}, asked_{asked}
 {
     if (chosen.last) {
         length_ = std::chrono::duration<double>{*chosen.last};
@@ -72,7 +73,7 @@ bool running::pass()
         return false;
     }
     if (not motor_->pass()) {
-        throw ended{exit_status::port, port_.failure() + "; the motor stops when the drive's own time-out is over"};
+        throw ended{exit_status::port, port_.failure() + "; " + own_stop()};
     }
     display_.show(motor_->sight());
     return true;
@@ -209,6 +210,16 @@ motion_end running::order_lost() const
             why.kind == outcome_kind::silent ? "the link is lost: " + words_of(why.error) : words_of_kind(why.kind)};
 }
 
+/// What a drive does that hears nobody.
+std::string running::own_stop() const
+{
+    rtuwire::duration const timeout = motor_->supervision().period.timeout;
+    std::string const seconds =
+        timeout != rtuwire::duration{} ? " of " + amount_text(timeout.microseconds / 100'000, {1, 10}, "s") : "";
+    return "the motor stops when the drive's own time-out" + seconds + " is over; `" + stop_ +
+           "` stops it, and says so, once the line is whole";
+}
+
 std::string running::fault_text() const
 {
     std::uint16_t const fault = motor_->sight().fault;
@@ -244,7 +255,7 @@ std::string running::stop(motion_end& end)
     while (not stands()) {
         heed_interrupts();
         if (not motor_->pass()) {
-            throw ended{exit_status::port, port_.failure() + "; the motor stops when the drive's own time-out is over"};
+            throw ended{exit_status::port, port_.failure() + "; " + own_stop()};
         }
         display_.show(motor_->sight());
         motor_sight const seen = motor_->sight();
@@ -256,7 +267,7 @@ std::string running::stop(motion_end& end)
         if (now - heard > unreached_limit) {
             emergency.disarm(); // from here on only silence makes the drive stop
             end.status = exit_status::no_answer;
-            return "nobody answered the stop: the drive stops when its own time-out is over";
+            return "nobody answered the stop: " + own_stop();
         }
         bool const has_no_power = seen.is_linked and rtuwire::cia402::is_at_rest(seen.state);
         if (now - slowed > patience or (is_coasting_ and has_no_power)) {

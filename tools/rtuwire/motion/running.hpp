@@ -52,6 +52,7 @@ private:
     motion_end refusal_of_check() const;
     motion_end order_lost() const;
     motion_end interrupted() const;
+    std::string own_stop() const;
     std::string fault_text() const;
     void heed_interrupts();
     bool stands() const;
@@ -65,6 +66,7 @@ private:
     std::optional<std::chrono::duration<double>> length_{};
     bool is_coasting_{false};
     std::string reset_; ///< the command that resets a fault
+    std::string stop_;  ///< the one that stops the motor
     asked_motion asked_;
     typed_lines typed_{};
 };

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "port/device_holder.hpp"
 #include "port/nearest_device.hpp"
 
 namespace tool {
@@ -30,6 +31,10 @@ result<void> any_port::open_one(serial_device const& chosen, serial_settings con
     if (std::string const nearest = opened == errc::device_not_found ? nearest_device(chosen.path) : "";
         not nearest.empty()) {
         own_failure_ = port.failure() + "; did you mean " + nearest + "?";
+    }
+    if (std::string const holder = opened == errc::device_in_use ? holder_of(chosen.path) : ""; not holder.empty()) {
+        own_failure_ = port.failure() + "; held by " + holder +
+                       ": end that first (Ctrl-C ends a `start`, whose motor stops with it)";
     }
     return opened;
 }

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+#include "port/device_holder.hpp"
+
+#include <fstream>
+#include <sstream>
+
+#include <sys/stat.h>
+
+namespace tool {
+
+std::string holder_of(std::string const& device)
+{
+    struct stat status {};
+    if (::stat(device.c_str(), &status) != 0) {
+        return {};
+    }
+    std::string const file = ":" + std::to_string(status.st_ino); // behind the numbers of its file system
+    std::ifstream locks{"/proc/locks"};
+    for (std::string line; std::getline(locks, line);) {
+        std::istringstream words{line}; // 1: FLOCK ADVISORY WRITE 4711 00:18:5 0 EOF
+        std::string number, kind, manner, access, process, place;
+        words >> number >> kind >> manner >> access >> process >> place;
+        if (kind == "FLOCK" and place.ends_with(file)) {
+            std::string name;
+            std::getline(std::ifstream{"/proc/" + process + "/comm"}, name);
+            return name.empty() ? name : name + " (process " + process + ")";
+        }
+    }
+    return {};
+}
+
+} // namespace tool
