@@ -264,8 +264,8 @@ std::string running::stop(motion_end& end)
         int const output = seen.has_output ? std::abs(int{seen.output}) : slowest;
         slowed = output < slowest ? now : slowed;
         slowest = std::min(slowest, output);
-        if (now - heard > unreached_limit) {
-            emergency.disarm(); // from here on only silence makes the drive stop
+        if (now - heard > unreached_limit and not is_local) { // which was heard, and follows nobody's words
+            emergency.disarm();                               // from here on only silence makes the drive stop
             end.status = exit_status::no_answer;
             return "nobody answered the stop: " + own_stop();
         }
