@@ -88,9 +88,9 @@ TRICKS = (
         ("    std::byte const* const at = bytes.data() + offset;\n    return to_u16(at[0], at[1]);",
          "    return to_u16(bytes[offset], bytes[offset + 1]);"),)),
     Trick("the CRC's loop tested at its end", "core/crc16.hpp", (
-        ("    if (at != end) {\n        do { // tested at its end: an instruction less for each byte where a compiler "
-         "optimises for size\n            crc.add(*at++);\n        } while (at != end);\n    }\n",
-         "    while (at != end) {\n        crc.add(*at++);\n    }\n"),)),
+        ("        if (at != end) {\n            do { // tested at its end: an instruction less for each byte where a compiler "
+         "optimises for size\n                crc.add(*at++);\n            } while (at != end);\n        }\n",
+         "        while (at != end) {\n            crc.add(*at++);\n        }\n"),)),
     Trick("a PDU's view made of pointer and size", "wire/adu.hpp", (
         ("    return {frame.data() + 1, frame.size() - adu_overhead};",
          "    return frame.subspan(1, frame.size() - adu_overhead);"),)),
