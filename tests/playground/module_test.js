@@ -23,6 +23,9 @@ function opened(engine, name) {
 /// How the newest order ended.
 const newest = (engine) => engine.state().orders.at(-1);
 
+/// Stops in one of the ways that the page offers for this drive, by its name there.
+const stopBy = (engine, name) => engine.stop(engine.describe().stops.find((each) => each.name === name).id);
+
 test("it imports nothing, and is small", () => {
   assert.deepEqual(WebAssembly.Module.imports(new WebAssembly.Module(bytes)), []);
   const size = execFileSync("gzip", ["-9", "-c"], { input: bytes }).length;
@@ -236,12 +239,12 @@ test("another stop than the one ordered is told apart, and said before", async (
   for (const [name, coasts, how] of [["atv12", true, "done otherwise"], ["atv28", false, "done"], ["atv320", true, "done otherwise"]]) {
     const engine = await powered(name); // nobody has checked it
     assert.equal(engine.describe().coasts, coasts, name);
-    engine.stop(0);
+    stopBy(engine, "on the ramp");
     engine.run(12 * toSeconds);
     assert.equal(ended(engine), how, `${name}: ${newest(engine).outcome}`);
     assert.equal(/another stop than the one ordered/.test(newest(engine).outcome), coasts, name);
     const checked = await running(name);
-    checked.stop(0);
+    stopBy(checked, "on the ramp");
     checked.run(12 * toSeconds);
     assert.equal(ended(checked), "done", `${name}: ${newest(checked).outcome}`);
   }
@@ -288,7 +291,7 @@ test("a time-out that is switched off while the motor runs is shown as it is, an
     engine.run(60 * toSeconds);
     assert.ok(engine.state().client.linked, name);
     assert.deepEqual([engine.state().drive.frequency, engine.state().client.order], [30000, "given up"], "no order stands behind it");
-    engine.stop(0);
+    stopBy(engine, "on the ramp");
     engine.run(8 * toSeconds);
     assert.deepEqual([engine.state().drive.frequency, engine.state().client.order], [0, "none"], name);
     engine.mains(false);
@@ -339,7 +342,7 @@ test("local control ends with the mains; the cause of a fault does not", async (
 });
 
 test("a motor without power coasts", async () => {
-  for (const lose of [(engine) => engine.stop(2), (engine) => engine.fault(true), (engine) => engine.mains(false)]) {
+  for (const lose of [(engine) => stopBy(engine, "freewheel"), (engine) => engine.fault(true), (engine) => engine.mains(false)]) {
     const engine = await running();
     assert.deepEqual([engine.state().drive.power, engine.state().drive.shaft], [true, 30000]);
     lose(engine);
@@ -350,10 +353,14 @@ test("a motor without power coasts", async () => {
     engine.run(8 * toSeconds);
     assert.equal(engine.state().drive.shaft, 0);
   }
-  const braked = await running("atv12");
-  braked.stop(0);
-  braked.run(toSeconds);
-  assert.equal(braked.state().drive.shaft, braked.state().drive.frequency);
+  for (const how of ["on the ramp", "quick stop"]) {
+    const braked = await running();
+    stopBy(braked, how);
+    braked.run(0.2 * toSeconds);
+    const { drive } = braked.state();
+    assert.ok(drive.power && drive.frequency > 0 && drive.frequency < 30000, `${how}: ${drive.frequency}`);
+    assert.equal(drive.shaft, drive.frequency, how);
+  }
 });
 
 test("a start at once after power-up is an order like any other", async () => {
@@ -383,7 +390,7 @@ test("what the client has to do with a motor that turns", async () => {
     seen.add(engine.state().client.order);
   }
   assert.deepEqual([...seen], ["starting", "ordered"]);
-  engine.stop(1);
+  stopBy(engine, "freewheel");
   engine.run(8 * toSeconds);
   assert.equal(engine.state().client.order, "none");
   for (const frame of ["01 06 21 36 01 2C", "01 06 21 35 00 06", "01 06 21 35 00 07", "01 06 21 35 00 0F"]) {
@@ -397,7 +404,7 @@ test("what the client has to do with a motor that turns", async () => {
 test("a halt keeps the power, and is no order to run", async () => {
   const engine = await running("atv12");
   assert.equal(engine.state().drive.halted, false);
-  engine.stop(engine.describe().stops.find((each) => each.name === "halt").id);
+  stopBy(engine, "halt");
   engine.run(6 * toSeconds);
   const { drive, client } = engine.state();
   assert.deepEqual([drive.state, drive.power, drive.shaft, drive.halted, client.order], ["operation enabled", true, 0, true, "stopping"]);
@@ -453,7 +460,7 @@ test("whatever is pressed, each state has its transition, and a stop over a whol
     engine.cable(0);
     engine.mains(true);
     engine.run(40 * toSeconds);
-    engine.stop(0);
+    stopBy(engine, "on the ramp");
     engine.run(40 * toSeconds);
     assert.equal(engine.state().drive.frequency, 0, `${name}: ${JSON.stringify(engine.state())}`);
     assert.ok(!["operation enabled", "quick stop active"].includes(engine.state().drive.state), name);

@@ -243,11 +243,13 @@ async function describePicture(page) {
   assert.match(await text(page, "drive-note"), /once the motor stands/);
   await page.check("#cable input[value='0']");
   await wait(page, 1);
+  await page.selectOption("#how", { label: "freewheel" });
   await page.click("#stop");
   await wait(page, 1);
   assert.equal(await text(page, "p-motor"), "no power: it coasts");
   assert.ok(await page.isDisabled("#drive"), "it still turns");
   await wait(page, 12);
+  await page.selectOption("#how", { label: "on the ramp" });
   assert.ok(await page.isEnabled("#drive"));
   assert.equal(await text(page, "drive-note"), "");
 }
