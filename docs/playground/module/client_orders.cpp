@@ -46,12 +46,6 @@ rtuwire::result<given_frequency> frequency_of(std::string_view text)
     return given_frequency{not is_below ? value : value == 0 ? -step_of_reference : -value};
 }
 
-std::string fault_text(tool::drive_catalog const& drive, std::uint16_t code)
-{
-    auto const* const entry = drive.by_code("LFT");
-    return code == 0 or entry == nullptr ? std::string{} : "; " + tool::text_of(*entry, code);
-}
-
 /// The register that kept a drive from being ordered.
 std::string finding_text(tool::drive_catalog const& drive, rtuwire::altivar::supervision_report const& found)
 {
@@ -212,7 +206,6 @@ template <typename Order> void client_orders::end(Order const& settled, std::uin
     bool const is_limited = why.kind == rtuwire::altivar::outcome_kind::reference_limited;
     std::string outcome{is_limited ? "done, at the drive's limit: " : ""};
     outcome += std::string_view{text};
-    outcome += fault_text(drive_->catalog(), why.fault);
     if constexpr (requires { settled.supervision(); }) {
         auto const& found = settled.supervision();
         outcome += found.finding == why.kind ? finding_text(drive_->catalog(), found) : std::string{};

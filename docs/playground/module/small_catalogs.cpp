@@ -18,10 +18,18 @@ namespace tool {
 
 namespace {
 
-/// The registers of a table, sorted by the compiler: the module has no code for that.
+/// The registers of a table, sorted by the compiler: the module has no code for that. What no text about a frame needs of
+/// them would be a twentieth of the module.
 template <auto const&... Registers> constexpr auto sorted(rtuwire::table<Registers...>)
 {
     std::array<register_entry, sizeof...(Registers)> all{entry_of(Registers)...};
+    for (register_entry& each : all) {
+        each.name = {};
+        each.mode = {};
+        each.min = each.max = {};
+        each.factory.reset();
+        each.source = {};
+    }
     std::ranges::sort(all, {}, &register_entry::address);
     return all;
 }
@@ -30,7 +38,7 @@ template <typename Drive> constexpr auto registers_of_drive = sorted(typename Dr
 
 template <typename Drive> drive_catalog const& small_catalog()
 {
-    static drive_catalog const catalog = catalog_of<Drive>(registers_of_drive<Drive>, {});
+    static constexpr drive_catalog catalog = catalog_of<Drive>(registers_of_drive<Drive>, {});
     return catalog;
 }
 

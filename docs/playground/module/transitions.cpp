@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "transitions.hpp"
 
+#include <array>
+#include <cstddef>
+#include <string_view>
+
 #include "json.hpp"
 
 namespace playground {
@@ -10,6 +14,7 @@ namespace {
 
 using rtuwire::cia402::command;
 using rtuwire::cia402::state;
+using rtuwire::cia402::step;
 using rtuwire::cia402::transition;
 
 constexpr std::array states{
@@ -24,42 +29,38 @@ constexpr std::array commands{
 
 std::string_view text(rtuwire::literal from) { return from; }
 
-/// Two commands may cause the same transition: 7 and 10 are "disable voltage or quick stop".
-void add(std::vector<drawn_transition>& to, rtuwire::cia402::transition_rule const& rule)
+/// From `unknown`: from any state.
+void put(json_text& out, transition number, state from, state to, std::string_view cause, bool is_command)
 {
-    for (drawn_transition& each : to) {
-        if (each.number == rule.number and each.from == rule.from) {
-            each.cause += " or " + std::string{text(name_of(rule.cause))};
+    out.open_object();
+    out.put("number", text(name_of(number)));
+    out.put("from", from == state::unknown ? std::string_view{} : text(name_of(from)));
+    out.put("to", text(name_of(to)));
+    out.put("cause", cause);
+    out.put("command", is_command);
+    out.close_object();
+}
+
+/// The transition that a command causes, where no command before it does: 7 and 10 are "disable voltage or quick stop".
+void put_of_command(json_text& out, state from, std::size_t at, rtuwire::cia402::state_machine_options const& options)
+{
+    auto const rule = step(from, commands[at], options);
+    std::string cause;
+    for (std::size_t other = 0; other < commands.size(); ++other) {
+        auto const same = step(from, commands[other], options);
+        if (same.number != rule.number) {
+            continue;
+        }
+        if (other < at or rule.number == transition::none) {
             return;
         }
+        cause += cause.empty() ? "" : " or ";
+        cause += text(name_of(same.cause));
     }
-    to.push_back({rule.number, rule.from, rule.to, std::string{text(name_of(rule.cause))}, true});
+    put(out, rule.number, from, rule.to, cause, true);
 }
 
 } // namespace
-
-std::vector<drawn_transition> transitions_of(rtuwire::cia402::state_machine_options const& options)
-{
-    std::vector<drawn_transition> all{
-        {transition::t0, state::unknown, state::not_ready_to_switch_on, "power on", false},
-        {transition::t1, state::not_ready_to_switch_on, state::switch_on_disabled, "initialised", false},
-        {transition::t13, state::unknown, state::fault_reaction_active, "a fault", false},
-        {transition::t14, state::fault_reaction_active, state::fault, "the motor stands", false},
-    };
-    if (not options.quick_stop_waits) {
-        all.push_back(
-            {transition::t12, state::quick_stop_active, state::switch_on_disabled, "the motor stands", false});
-    }
-    for (state const from : states) {
-        for (command const what : commands) {
-            auto const rule = rtuwire::cia402::step(from, what, options);
-            if (rule.number != transition::none) {
-                add(all, rule);
-            }
-        }
-    }
-    return all;
-}
 
 std::string describe_machine(rtuwire::cia402::state_machine_options const& options)
 {
@@ -71,14 +72,17 @@ std::string describe_machine(rtuwire::cia402::state_machine_options const& optio
     }
     out.close_list();
     out.open_list("transitions");
-    for (drawn_transition const& each : transitions_of(options)) {
-        out.open_object();
-        out.put("number", text(name_of(each.number)));
-        out.put("from", each.from == state::unknown ? std::string_view{} : text(name_of(each.from)));
-        out.put("to", text(name_of(each.to)));
-        out.put("cause", each.cause);
-        out.put("command", each.is_command);
-        out.close_object();
+    put(out, transition::t0, state::unknown, state::not_ready_to_switch_on, "power on", false);
+    put(out, transition::t1, state::not_ready_to_switch_on, state::switch_on_disabled, "initialised", false);
+    put(out, transition::t13, state::unknown, state::fault_reaction_active, "a fault", false);
+    put(out, transition::t14, state::fault_reaction_active, state::fault, "the motor stands", false);
+    if (not options.quick_stop_waits) {
+        put(out, transition::t12, state::quick_stop_active, state::switch_on_disabled, "the motor stands", false);
+    }
+    for (state const from : states) {
+        for (std::size_t at = 0; at < commands.size(); ++at) {
+            put_of_command(out, from, at, options);
+        }
     }
     out.close_list();
     out.close_object();

@@ -4,8 +4,12 @@
 // Makes a drive's catalog of its registers. Included by one file a drive, so that no file compiles for long.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <iterator>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <rtuwire/altivar/own_parameters.hpp>
@@ -25,11 +29,21 @@ template <auto Value> [[nodiscard]] consteval std::string_view enumerator_name()
     return value.starts_with('(') ? std::string_view{} : value.substr(value.rfind(':') + 1);
 }
 
+/// Its letters alone: a program that pointed into what the compiler prints would have all of that in it.
+template <auto Value>
+inline constexpr auto enumerator_letters = [] {
+    constexpr std::string_view name = enumerator_name<Value>();
+    std::array<char, name.size()> letters{};
+    std::ranges::copy(name, letters.begin());
+    return letters;
+}();
+
 /// The identifiers of a word's bits.
 template <typename Bit>
 inline constexpr std::array<std::string_view, 16> bit_names = []<std::size_t... At>(std::index_sequence<At...>)
 {
-    return std::array<std::string_view, 16>{enumerator_name<static_cast<Bit>(At)>()...};
+    return std::array<std::string_view, 16>{std::string_view{enumerator_letters<static_cast<Bit>(At)>.data(),
+                                                             enumerator_letters<static_cast<Bit>(At)>.size()}...};
 }
 (std::make_index_sequence<16>{});
 
@@ -125,8 +139,8 @@ template <typename Drive, typename Registers>
 
 /// A drive's catalog. The registers and groups live as long.
 template <typename Drive>
-[[nodiscard]] drive_catalog catalog_of(std::span<register_entry const> registers,
-                                       std::span<rtuwire::altivar::parameter_group const> groups) noexcept
+[[nodiscard]] constexpr drive_catalog catalog_of(std::span<register_entry const> registers,
+                                                 std::span<rtuwire::altivar::parameter_group const> groups) noexcept
 {
     return {.name = Drive::name,
             .reference = Drive::reference,
