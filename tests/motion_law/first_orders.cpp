@@ -139,8 +139,8 @@ TEST_CASE("motion law: S19 a report that nobody filled orders nothing, and one t
     start go{it.drive, 30_Hz, run_direction::forward, milliseconds(3'000), safe.report()};
     REQUIRE(it.run(go));
     CHECK(go.running());
-    // Four looks, three commands, the reference and the command read back.
-    CHECK(it.requests() - before == 10);
+    // Four looks, three commands, CHCF, the reference, and it with the command read back twice.
+    CHECK(it.requests() - before == 11);
 }
 
 TEST_CASE("motion law: S28 no start and no cycle orders a drive that would restart by itself")

@@ -33,15 +33,18 @@ TEST_CASE("motion law: a cycle without an order writes nothing to a drive that a
             cycle, [] { return false; }, milliseconds(1'000));
         REQUIRE_FALSE(loop.link_lost());
         unsigned writes = 0;
-        it.disturb(
-            [&](test::frame_bytes& frame, bool is_request) { writes += is_request and is_exchange(frame) ? 1U : 0U; });
+        bool has_run = false; // the cycle stops it then, before its start is done or behind that
+        it.disturb([&](test::frame_bytes& frame, bool is_request) {
+            writes += is_request and is_exchange(frame) ? 1U : 0U;
+            has_run = has_run or it.far().state_machine().state() == cia402::state::operation_enabled;
+        });
         REQUIRE(it.run(
             [&](instant now) {
                 cycle(now);
                 it.link().converse(go, now);
             },
             [&] { return go.settled(); }, milliseconds(5'000)));
-        CHECK(go.succeeded());
+        CHECK(has_run);
         CHECK(writes == 0);
     });
 }

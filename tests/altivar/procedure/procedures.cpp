@@ -106,9 +106,11 @@ constexpr bool starts_from_below()
     ok = ok and writes(it.step(word(0x0250)), cmd, 0x0006);
     ok = ok and reads(it.step({kind::written}), eta) and writes(it.step(word(0x0231)), cmd, 0x0007);
     ok = ok and reads(it.step({kind::written}), eta) and writes(it.step(word(0x0233)), lfrd, 0xFA24);
-    ok = ok and reads(it.step({kind::written}), cmd) and writes(it.step(word(0x0007)), cmd, 0x000F);
+    ok = ok and reads(it.step({kind::written}), lfrd) and reads(it.step(word(0xFA24)), cmd);
+    ok = ok and writes(it.step(word(0x0007)), cmd, 0x000F);
     ok = ok and reads(it.step({kind::written}), 8401) and reads(it.step(word(1)), eta);
-    ok = ok and it.step(word(0x8237)).what == action::kind::end;
+    ok = ok and reads(it.step(word(0x8237)), lfrd) and reads(it.step(word(0xFA24)), cmd);
+    ok = ok and it.step(word(0x000F)).what == action::kind::end;
     return ok and it.reason().kind == outcome_kind::succeeded;
 }
 PROOF("a start waits for a drive that is not ready, commands it up, and reads back before it enables",
@@ -120,7 +122,8 @@ constexpr bool enables_no_drive_that_forgot()
     static_cast<void>(it.step({kind::begun}));
     static_cast<void>(it.step(word(0x0231)));
     static_cast<void>(it.step({kind::written}));
-    bool ok = writes(it.step(word(0x0233)), lfrd, 1'500) and reads(it.step({kind::written}), cmd);
+    bool ok = writes(it.step(word(0x0233)), lfrd, 1'500) and reads(it.step({kind::written}), lfrd);
+    ok = ok and reads(it.step(word(1'500)), cmd);
     ok = ok and writes(it.step(word(0x0000)), cmd, 0x0000); // another word than the one written last
     return ok;
 }

@@ -20,6 +20,10 @@ struct answer {
 };
 
 [[nodiscard]] constexpr altivar::event word(std::uint16_t read) { return {altivar::event::kind::word_read, read}; }
+[[nodiscard]] constexpr altivar::event words(std::uint16_t first, std::uint16_t second)
+{
+    return {altivar::event::kind::word_read, first, errc::none, second};
+}
 [[nodiscard]] constexpr altivar::event failed(errc error) { return {altivar::event::kind::failed, 0, error}; }
 inline constexpr altivar::event begun{altivar::event::kind::begun};
 inline constexpr altivar::event confirmed{altivar::event::kind::written};

@@ -29,6 +29,7 @@ struct event {
     kind what;
     std::uint16_t word{0};
     errc error{errc::none};
+    std::uint16_t second{0}; ///< the word behind it, where two were to be read
 };
 
 /// What to do next.
@@ -40,9 +41,17 @@ struct action {
     duration length{}; ///< of a pause; of a request, unless zero: it fails if it cannot be sent for this long
     repetition again{repetition::allowed};
     effect does{effect::none}; ///< to a motor
+    std::uint8_t count{1};     ///< of words that are read
 };
 
 [[nodiscard]] constexpr action to_read(std::uint16_t address) noexcept { return {action::kind::read, address}; }
+/// Two neighbouring words, by one request.
+[[nodiscard]] constexpr action to_read_two(std::uint16_t address) noexcept
+{
+    action what = to_read(address);
+    what.count = 2;
+    return what;
+}
 [[nodiscard]] constexpr action to_write(std::uint16_t address, std::uint16_t word) noexcept
 {
     return {action::kind::write, address, word};

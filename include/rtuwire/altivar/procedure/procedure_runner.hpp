@@ -320,12 +320,14 @@ private:
         if (action_.what == action::kind::write) {
             return {event::kind::written};
         }
-        constexpr std::size_t size_of_one = 4;
         byte_view const pdu = outcome->pdu();
-        if (pdu.size() != size_of_one) {
+        constexpr std::size_t first = 2, second = 4;
+        bool const are_two = action_.count == 2;
+        if (pdu.size() != (are_two ? second : first) + 2) {
             return {event::kind::failed, 0, errc::wrong_length};
         }
-        return {event::kind::word_read, u16_at(pdu, 2)};
+        return {event::kind::word_read, u16_at(pdu, first), errc::none,
+                are_two ? u16_at(pdu, second) : std::uint16_t{0}};
     }
 
     constexpr void take(action next) noexcept
@@ -356,7 +358,7 @@ private:
     [[gnu::noinline]] constexpr void make_frame() noexcept
     {
         if (action_.what == action::kind::read) {
-            static_cast<void>(encode_into(frame_, unit_, read_holding_registers{action_.address, 1}));
+            static_cast<void>(encode_into(frame_, unit_, read_holding_registers{action_.address, action_.count}));
         } else if (action_.what == action::kind::write) {
             static_cast<void>(encode_into(frame_, unit_, write_single_register{action_.address, action_.word}));
         }

@@ -55,7 +55,8 @@ constexpr bool is_told_to_run(start_procedure& it)
 {
     bool ok = reads(it.step(begins), eta) and writes(it.step(word(on)), cmd, 0x0007);
     ok = ok and reads(it.step(written), eta) and writes(it.step(word(on)), lfrd, 1'500);
-    ok = ok and reads(it.step(written), cmd) and writes(it.step(word(0x0007)), cmd, 0x000F);
+    ok = ok and reads(it.step(written), lfrd) and reads(it.step(word(1'500)), cmd);
+    ok = ok and writes(it.step(word(0x0007)), cmd, 0x000F);
     return ok and reads(it.step(written), 8401) and reads(it.step(word(1)), eta);
 }
 

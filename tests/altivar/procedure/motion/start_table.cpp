@@ -20,7 +20,7 @@ constexpr auto const& layout = atv320::device::layout;
 constexpr std::uint16_t disabled = 0x0250, ready = 0x0231, on = 0x0233, enabled = 0x0237;
 
 constexpr cell eta = reads(layout.eta), lft = reads(layout.lft), cmd = reads(layout.cmd), chcf = reads(8401);
-constexpr cell reference = writes(8602, 1'500), shut_down = writes(layout.cmd, 0x0006);
+constexpr cell reference = writes(8602, 1'500), read_reference = reads(8602), shut_down = writes(layout.cmd, 0x0006);
 constexpr cell switch_on = writes(layout.cmd, 0x0007), enable = writes(layout.cmd, 0x000F);
 
 /// The commands are withdrawn: of a motor that cannot turn yet, and of one that may.
@@ -56,7 +56,7 @@ constexpr cell overwritten = ends(kind::overwritten);
 constexpr cell timeout = ends(kind::state_timeout), aborted = ends(kind::aborted), fault = ends(kind::in_fault);
 
 // clang-format off
-constexpr std::array<stage_row<13>, 13> rows{{
+constexpr std::array<stage_row<13>, 17> rows{{
     // stage, and the way there
     //   disabled, ready, switched on, enabled, quick stop, fault, local, STOP key,
     //   no state or another word, confirmed, no response, refused, limit over
@@ -71,26 +71,38 @@ constexpr std::array<stage_row<13>, 13> rows{{
       undo(kind::fell_back), x, eta, undo(kind::refused), undo(kind::state_timeout)}},
     {"writing the reference", {begun, word(on), confirmed, word(on)},
      {x, x, x, x, x, x, x, x,
-      x, cmd, eta, undo(kind::refused), undo(kind::state_timeout)}},
-    {"checking", {begun, word(on), confirmed, word(on), confirmed},
+      x, read_reference, eta, undo(kind::refused), undo(kind::state_timeout)}},
+    {"reading the reference", {begun, word(on), confirmed, word(on), confirmed},
      {x, x, x, x, x, x, x, x,
       undo(kind::overwritten), x, eta, undo(kind::refused), undo(kind::state_timeout)}},
-    {"enabled, to be confirmed", {begun, word(on), confirmed, word(on), confirmed, word(7)},
+    {"checking", {begun, word(on), confirmed, word(on), confirmed, word(1'500)},
+     {x, x, x, x, x, x, x, x,
+      undo(kind::overwritten), x, eta, undo(kind::refused), undo(kind::state_timeout)}},
+    {"enabled, to be confirmed", {begun, word(on), confirmed, word(on), confirmed, word(1'500), word(7)},
      {x, x, x, x, x, x, x, x,
       x, chcf, eta, ramp(kind::refused), ramp(kind::state_timeout)}},
-    {"examining the profile", {begun, word(on), confirmed, word(on), confirmed, word(7), confirmed},
+    {"examining the profile", {begun, word(on), confirmed, word(on), confirmed, word(1'500), word(7), confirmed},
      {x, x, x, x, x, x, x, x,
       ramp(kind::not_drive_profile), x, eta, ramp(kind::refused), ramp(kind::state_timeout)}},
-    {"enabled, at a look", {begun, word(on), confirmed, word(on), confirmed, word(7), confirmed, word(2)},
-     {ramp(kind::fell_back), ramp(kind::fell_back), pauses, ends(kind::succeeded), ramp(kind::fell_back), lft, ramp(kind::local_control), ramp(kind::stop_key),
+    {"enabled, at a look", {begun, word(on), confirmed, word(on), confirmed, word(1'500), word(7), confirmed, word(2)},
+     {ramp(kind::fell_back), ramp(kind::fell_back), pauses, read_reference, ramp(kind::fell_back), lft, ramp(kind::local_control), ramp(kind::stop_key),
       ramp(kind::fell_back), x, eta, ramp(kind::refused), ramp(kind::state_timeout)}},
+    {"reading the reference in operation", {begun, word(on), confirmed, word(on), confirmed, word(1'500), word(7), confirmed, word(2), word(enabled)},
+     {x, x, x, x, x, x, x, x,
+      ramp(kind::overwritten), x, eta, ramp(kind::refused), ramp(kind::state_timeout)}},
+    {"checking in operation", {begun, word(on), confirmed, word(on), confirmed, word(1'500), word(7), confirmed, word(2), word(enabled), word(1'500)},
+     {x, x, x, x, x, x, x, x,
+      ramp(kind::overwritten), x, eta, ramp(kind::refused), ramp(kind::state_timeout)}},
     {"reading the direction", {begun, word(enabled)},
      {x, x, x, x, x, x, x, x,
       overwritten, x, silent, refused, timeout}},
     {"redirecting", {begun, word(enabled), word(0x000F)},
      {x, x, x, x, x, x, x, x,
-      x, cmd, eta, refused, timeout}},
-    {"checking one that ran already", {begun, word(enabled), word(0x000F), confirmed},
+      x, read_reference, eta, refused, timeout}},
+    {"reading the reference of one that ran already", {begun, word(enabled), word(0x000F), confirmed},
+     {x, x, x, x, x, x, x, x,
+      ramp(kind::overwritten), x, eta, ramp(kind::refused), ramp(kind::state_timeout)}},
+    {"checking one that ran already", {begun, word(enabled), word(0x000F), confirmed, word(1'500)},
      {x, x, x, x, x, x, x, x,
       ramp(kind::overwritten), x, eta, ramp(kind::refused), ramp(kind::state_timeout)}},
     {"reading the fault of a drive that was not commanded", {begun, word(0x0238)},
@@ -134,14 +146,43 @@ TEST_CASE("a start that checks its drive first ends with the check")
     CHECK(does(led(unchecked, examining), late, aborted));
 }
 
-TEST_CASE("a start enables a drive whose control word is the one that it wrote")
+TEST_CASE("a start enables a drive whose control word and reference are the ones that it wrote")
 {
-    CHECK(does(led(checked_before, {begun, word(on), confirmed, word(on), confirmed}), word(0x0007), enable));
+    way const wrote{begun, word(on), confirmed, word(on), confirmed};
+    CHECK(does(led(checked_before, wrote), word(1'500), cmd));
+    CHECK(does(led(checked_before, {begun, word(on), confirmed, word(on), confirmed, word(1'500)}), word(0x0007),
+               enable));
     way const runs{begun, word(enabled)};
     CHECK(does(led(checked_before, runs), word(0x000F), writes(8602, 1'500)));
-    CHECK(does(led(checked_before, {begun, word(enabled), word(0x000F), confirmed}), word(0x000F), enable));
+    CHECK(
+        does(led(checked_before, {begun, word(enabled), word(0x000F), confirmed, word(1'500)}), word(0x000F), enable));
     constexpr cell enable_back = writes(layout.cmd, 0x080F);
-    CHECK(does(led(checked_before, {begun, word(enabled), word(0x090F), confirmed}), word(0x090F), enable_back));
-    CHECK(does(led(checked_before, {begun, word(enabled), word(0x090F), confirmed}), word(0x080F),
+    constexpr std::uint16_t back = 0xFA24; // -1500
+    CHECK(does(led(checked_before, {begun, word(enabled), word(0x090F), confirmed, word(back)}), word(0x090F),
+               enable_back));
+    CHECK(does(led(checked_before, {begun, word(enabled), word(0x090F), confirmed, word(back)}), word(0x080F),
                ramp(kind::overwritten)));
+    CHECK(does(led(checked_before, {begun, word(enabled), word(0x090F), confirmed}), word(1'500),
+               ramp(kind::overwritten)));
+}
+
+TEST_CASE("a start reads a reference that is the neighbour of the control word together with that")
+{
+    constexpr std::uint16_t thirty_hertz = 300, other = 0xFE0C;
+    constexpr start_procedure go{
+        layout, {8502, thirty_hertz}, run_direction::forward, supervision_procedure{layout, commissioned()}};
+    way const wrote{begun, word(on), confirmed, word(on)};
+    start_procedure it = led(go, wrote);
+    action const both = it.step(confirmed);
+    CHECK((both.what == action::kind::read and both.address == layout.cmd and both.count == 2));
+    CHECK(does(it, words(0x0007, thirty_hertz), enable));
+    CHECK(does(it, words(0x0007, other), undo(kind::overwritten)));
+    CHECK(does(it, words(0x0006, thirty_hertz), undo(kind::overwritten)));
+    for (event const& each : {words(0x0007, thirty_hertz), confirmed, word(1)}) {
+        static_cast<void>(it.step(each));
+    }
+    CHECK(it.step(word(enabled)).count == 2);
+    CHECK(does(it, words(0x000F, thirty_hertz), ends(kind::succeeded)));
+    CHECK(does(it, words(0x000F, other), ramp(kind::overwritten)));
+    CHECK(does(it, words(0x080F, thirty_hertz), ramp(kind::overwritten)));
 }

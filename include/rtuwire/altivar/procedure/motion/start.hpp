@@ -5,8 +5,9 @@
 // writes CMD, again and again until operation is enabled. The link may be lost for good between any two frames.
 // Whichever frames arrived, the motor turns neither in a direction nor faster than was ordered before or is ordered
 // now: the reference, whose sign is the direction, is sent in one write before the command that enables. That command
-// is sent only to a drive whose control word is still the one written last. A drive that falls back on the way, for
-// example because STOP was pressed, is not enabled again; the commands sent are withdrawn.
+// is sent only to a drive whose reference and control word are still the ones written last, and "done" is said only of
+// one that holds them in operation. A drive that falls back on the way, for example because STOP was pressed, is not
+// enabled again; the commands sent are withdrawn.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +33,8 @@ enum class start_stage : std::uint8_t {
     comparing,         ///< with the reference of a drive that already runs
     redirecting,       ///< the reference of a drive that already runs is written
     writing_reference, ///< the reference is written
-    checking,          ///< the control word is read back
+    reading_reference, ///< and read back, where it is no neighbour of the control word
+    checking,          ///< the control word is read back, and with it a reference that is its neighbour
     examining_profile, ///< CHCF: the command to run was sent, which runs in the I/O profile whatever was forgotten
     enabled,           ///< the command to run was sent
     reading_fault,
@@ -92,10 +94,15 @@ private:
 /// | comparing         | slower: write the         |            | read ETA    | undo: refused | undo: state_timeout |
 /// |                   | reference                 |            |             |               |                     |
 /// |                   | else undo: above_hsp      |            |             |               |                     |
-/// | redirecting       |                           | read CMD   | read ETA    | undo: refused | undo: state_timeout |
-/// | writing_reference |                           | read CMD   | read ETA    | undo: refused | undo: state_timeout |
-/// | checking, as ever | write 000F                |            | read ETA    | undo: refused | undo: state_timeout |
-/// | checking, another | undo: overwritten         |            |             |               |                     |
+/// | redirecting       |                           | read both  | read ETA    | undo: refused | undo: state_timeout |
+/// | writing_reference |                           | read both  | read ETA    | undo: refused | undo: state_timeout |
+/// | reading_reference | as written: read CMD      |            | read ETA    | undo: refused | undo: state_timeout |
+/// |                   | another: undo:            |            |             |               |                     |
+/// |                   | overwritten               |            |             |               |                     |
+/// | checking          | as ever: write 000F, or   |            | read ETA    | undo: refused | undo: state_timeout |
+/// |                   | end: see "enabled"        |            |             |               |                     |
+/// |                   | another: undo:            |            |             |               |                     |
+/// |                   | overwritten               |            |             |               |                     |
 /// | enabled           | a status                  | read CHCF  | read ETA    | undo: refused | undo: state_timeout |
 /// | examining_profile | 1, 2: read ETA            |            | read ETA    | undo: refused | undo: state_timeout |
 /// |                   | else undo:                |            |             |               |                     |
@@ -107,15 +114,17 @@ private:
 /// | 2 switch on disabled | write 0006          | undo: fell_back          | undo: fell_back                      |
 /// | 3 ready to switch on | write 0007          | write 0007, then wait    | undo: fell_back                      |
 /// | 4 switched on        | write 0007          | write 0007, reference    | wait                                 |
-/// | 5 operation enabled  | read CMD            | read CMD                 | end: succeeded, or reference_limited |
+/// | 5 operation enabled  | read CMD            | read CMD                 | read both; then                      |
+/// |                      |                     |                          | end: succeeded, or reference_limited |
 /// | 1, 6, or no state    | wait                | undo: fell_back          | undo: fell_back                      |
 /// | 7, 8 fault           | read LFT            | read LFT                 | read LFT                             |
 /// | in local control     | end: local_control  | undo: local_control      | undo: local_control                  |
 /// | STOP key, newly      |                     | undo: stop_key           | undo: stop_key                       |
 ///
-/// CHCF is read there only where the check found the drive profile in it. 000F that could not be sent for 0.5 s begins again
-/// with ETA, once. A reference without a confirmation may be that of a running motor. "As ever" is the 0007 written here, or
-/// what was read of a drive that already runs. A state below the one read last has
+/// "Both" are the reference, then the control word; by one request where they are neighbours (CMD, LFR), which goes on as
+/// "checking". CHCF is read there only where the check found the drive profile in it. 000F that could not be sent for 0.5 s begins again
+/// with ETA, once. A reference without a confirmation may be that of a running motor. "As ever" is the word written here last
+/// (0007, or 000F), or what was read of a drive that already runs. A state below the one read last has
 /// fallen back, also below the one met before the check. Four requests in a row without a response are `silent`, and two
 /// once the motor may run.
 /// Internal.
@@ -151,7 +160,7 @@ public:
         switch (what.what) {
         case event::kind::begun: return to_read(layout().eta);
         case event::kind::pause_over: return read_status();
-        case event::kind::word_read: return stage_ == stage::meeting ? meet(what) : on_response(what.word);
+        case event::kind::word_read: return stage_ == stage::meeting ? meet(what) : on_response(what.word, what.second);
         case event::kind::written: return after_write();
         case event::kind::failed: return go_on(what.error);
         case event::kind::late: break;
@@ -192,14 +201,15 @@ private:
         return judge(status);
     }
 
-    constexpr action on_response(std::uint16_t word) noexcept
+    constexpr action on_response(std::uint16_t word, std::uint16_t second) noexcept
     {
         sent_.note_response();
         switch (stage_) {
         case stage::reading_fault: note_code(word); return abort(outcome_kind::in_fault);
         case stage::reading_direction: return redirect(word);
         case stage::comparing: return slow_down(word);
-        case stage::checking: return enable(word);
+        case stage::reading_reference: return check_reference(word);
+        case stage::checking: return check(word, has_neighbour() ? second : told_.word);
         case stage::examining_profile: return confirm_profile(word);
         case stage::meeting:
         case stage::examining:
@@ -250,26 +260,51 @@ private:
         if (not is_ready or next != cia402::command::enable_operation) {
             return send_command(next, 0);
         }
-        return write_reference(stage::writing_reference, reference_);
+        told_ = reference_;
+        return write_reference(stage::writing_reference);
     }
 
-    constexpr action write_reference(stage next, reference_write what) noexcept
+    constexpr action write_reference(stage next) noexcept
     {
         stage_ = next;
-        return once(to_enable(what.address, what.word));
+        return once(to_enable(told_.address, told_.word));
+    }
+
+    /// Whether one request reads the control word and the reference.
+    constexpr bool has_neighbour() const noexcept { return told_.address == layout().cmd + 1; }
+
+    /// Reads the reference back, and the control word last: it shows a loss of power as well.
+    constexpr action read_back() noexcept
+    {
+        stage_ = has_neighbour() ? stage::checking : stage::reading_reference;
+        return once(has_neighbour() ? to_read_two(layout().cmd) : to_read(told_.address));
+    }
+
+    constexpr action check_reference(std::uint16_t standing) noexcept
+    {
+        if (standing != told_.word) {
+            return abort(outcome_kind::overwritten);
+        }
+        stage_ = stage::checking;
+        return once(to_read(layout().cmd));
     }
 
     constexpr action send_command(cia402::command next, std::uint16_t direction) noexcept
     {
         sent_.note(next);
-        return once(to_enable(layout().cmd, static_cast<std::uint16_t>(cia402::word_of(next) | direction)));
+        control_ = static_cast<std::uint16_t>(cia402::word_of(next) | direction);
+        return once(to_enable(layout().cmd, control_));
     }
 
-    /// Checks the control word before enabling. Another value: another client wrote it, or the drive was switched off.
-    constexpr action enable(std::uint16_t control) noexcept
+    /// Checks both before enabling, and before it is done. Another value: another master wrote it, or the drive was
+    /// switched off.
+    constexpr action check(std::uint16_t control, std::uint16_t standing) noexcept
     {
-        if (control != control_) {
+        if (control != control_ or standing != told_.word) {
             return abort(outcome_kind::overwritten);
+        }
+        if (shown_ != outcome_kind::pending) {
+            return end(shown_);
         }
         stage_ = stage::enabled;
         action next = send_command(cia402::command::enable_operation, control & reverse_bit);
@@ -289,11 +324,13 @@ private:
     constexpr action run(std::uint16_t status) noexcept
     {
         if (stage_ != stage::enabled) {
-            running_status_ = status;
+            told_ = reference_.keeping(status);
+            shown_ = outcome_kind::pending;
             stage_ = stage::reading_direction;
             return once(to_read(layout().cmd));
         }
-        return end((status & reference_limited_bit) != 0 ? outcome_kind::reference_limited : outcome_kind::succeeded);
+        shown_ = (status & reference_limited_bit) != 0 ? outcome_kind::reference_limited : outcome_kind::succeeded;
+        return read_back();
     }
 
     /// Writes a new reference to a drive that runs, in one write; its direction bit stays. Where its control word is none
@@ -305,28 +342,22 @@ private:
             return abort(outcome_kind::overwritten);
         }
         control_ = control;
-        reference_write const told = told_to_running();
-        if (limits().judge(told, false) == outcome_kind::succeeded) {
-            return write_reference(stage::redirecting, told);
+        told_ = told_.under(control);
+        if (limits().judge(told_, false) == outcome_kind::succeeded) {
+            return write_reference(stage::redirecting);
         }
         stage_ = stage::comparing;
-        return once(to_read(told.address));
+        return once(to_read(told_.address));
     }
 
     /// The drive's reference: slowing down is never refused.
     constexpr action slow_down(std::uint16_t standing) noexcept
     {
-        reference_write const told = told_to_running();
-        if (told.is_within(standing)) {
-            return write_reference(stage::redirecting, told);
+        if (told_.is_within(standing)) {
+            return write_reference(stage::redirecting);
         }
         note_limit(limits().highest);
         return abort(outcome_kind::above_hsp);
-    }
-
-    constexpr reference_write told_to_running() const noexcept
-    {
-        return reference_.keeping(running_status_).under(control_);
     }
 
     constexpr action after_write() noexcept
@@ -335,8 +366,7 @@ private:
         sent_.note_response();
         sent_.note_taken();
         if (stage_ == stage::writing_reference or stage_ == stage::redirecting) {
-            stage_ = stage::checking;
-            return once(to_read(layout().cmd));
+            return read_back();
         }
         if (stage_ == stage::enabled and report().words == word_meaning::cia402 and may_have_io() and chcf() != 0) {
             stage_ = stage::examining_profile;
@@ -388,10 +418,10 @@ private:
     }
 
     reference_write reference_;
-    std::uint16_t running_status_{0}; ///< of a drive that already runs
-    /// The control word that it has to hold before the command to run.
-    std::uint16_t control_{cia402::word_of(cia402::command::switch_on)};
+    reference_write told_{reference_}; ///< as this drive has to be told it
+    std::uint16_t control_{0};         ///< the control word that it has to hold
     int rank_{0};
+    outcome_kind shown_{outcome_kind::pending}; ///< by its status, once it runs as ordered
     stage stage_{stage::meeting};
     sent_commands sent_{};
     bool has_tried_{false}; ///< the command to run was due
@@ -401,8 +431,9 @@ private:
 /// Starts a drive at a reference. `station`, then 1500_rpm or 50_Hz, then the direction; a negative reference is in
 /// reverse, and one together with `run_direction::reverse` is refused. A reference of 0 in reverse, or for a motor that
 /// turns in reverse, is sent as one count in reverse, so that the motor does not turn forward at LSP. It settles once
-/// operation is enabled, without waiting for the ramp; a start that fails settles when its commands are withdrawn, up to
-/// 30 s after its limit. Destroying it stops nothing: once the command to run was sent the motor runs on, until a stop or
+/// operation is enabled and the drive holds command and reference as they were written, else as `overwritten`, without
+/// waiting for the ramp; a start that fails settles when its commands are withdrawn, up to 30 s after its limit.
+/// Destroying it stops nothing: once the command to run was sent the motor runs on, until a stop or
 /// its drive's own time-out, which any request restarts; before, the drive stays in the state that it was brought to.
 ///
 /// A drive that would not stop by itself, or that another source commands, is refused before anything is written, with
