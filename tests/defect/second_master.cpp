@@ -5,6 +5,7 @@
 #include "support/catch.hpp"
 #include "support/drives.hpp"
 
+#include <array>
 #include <cstdint>
 
 #include <rtuwire/altivar/atv28.hpp>
@@ -24,6 +25,7 @@ template <typename Device> struct contested : test::plant<Device> {
     unsigned responses{0};
     unsigned last_look{0};      ///< the response that held the drive's reference last
     unsigned enabled_behind{0}; ///< the same, before the first command to run from here
+    bool has_adopted{false};    ///< a word that runs went to a motor that was seen to run by another master's
 
     /// What that master does.
     template <typename Speak> void listen(Speak speak)
@@ -51,15 +53,20 @@ template <typename Device> struct contested : test::plant<Device> {
 private:
     void note_request(byte_view frame)
     {
+        bool const runs = this->far().state_machine().state() == cia402::state::operation_enabled;
         std::uint16_t const first = u16_at(frame, 2), second = u16_at(frame, 4); // a word, or how many are read
         bool const is_read = frame[1] == std::byte{3};
         for (std::uint16_t each : {Device::frequency_reference.address, Device::speed_reference.address}) {
             last_look = is_read and each >= first and each < first + second ? responses + 1 : last_look;
         }
+        ran_at_look = is_read and first == Device::layout.cmd ? runs : ran_at_look;
         bool const is_word = frame[1] == std::byte{6} and first == Device::layout.cmd;
         bool const is_to_run = is_word and (second & 0x000AU) == 0x000AU and enabled_behind == 0;
         enabled_behind = is_to_run ? last_look : enabled_behind;
+        has_adopted = has_adopted or (is_to_run and ran_at_look);
     }
+
+    bool ran_at_look{false}; ///< when its control word was read last
 };
 
 /// Another master's reference behind each response of an order in turn: -50 Hz.
@@ -132,5 +139,44 @@ TEST_CASE("defect: no start of a running motor is done at another master's refer
             CHECK(go.running() == it.has_power());
         }
         CHECK(known > 12);
+    });
+}
+
+TEST_CASE("defect: no start adopts a motor that another master enables between two of its words")
+{
+    test::all_drives::for_each([]<typename Device>() {
+        unsigned told = 0;
+        for (unsigned behind = 1; behind < 40; ++behind) {
+            INFO("behind response " << behind);
+            contested<Device> it;
+            it.speaks_behind = behind;
+            it.listen([](auto& at) {
+                for (std::uint16_t const each : std::array<std::uint16_t, 3>{0x0006, 0x0007, 0x000F}) {
+                    at.write(Device::layout.cmd, each);
+                }
+            });
+            start go{it.drive, 30_Hz};
+            it.watch(go, milliseconds(4'000));
+            if (behind > 2 and it.responses <= behind) {
+                break;
+            }
+            CHECK(go.settled());
+            CHECK_FALSE(it.has_adopted);
+            told += go.reason().kind == outcome_kind::overwritten ? 1U : 0U;
+        }
+        CHECK(told > 8); // its check, and its words but the first
+    });
+}
+
+TEST_CASE("defect: no start goes on from a state that no word of its own explains")
+{
+    test::all_drives::for_each([]<typename Device>() {
+        contested<Device> it;
+        it.speaks_behind = 1; // the check is still to come
+        it.listen([](auto& at) { at.write(Device::layout.cmd, 0x0006); });
+        start go{it.drive, 30_Hz};
+        CHECK(it.watch(go, milliseconds(4'000)).highest == 0);
+        CHECK(go.reason().kind == outcome_kind::overwritten);
+        CHECK(it.far().word("CMD") == 0x0006); // no word left
     });
 }

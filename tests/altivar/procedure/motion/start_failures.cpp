@@ -110,11 +110,9 @@ constexpr bool ramps_down_what_another_one_enabled()
 {
     start_procedure it = started();
     bool ok = reads(it.step(begins), eta) and writes(it.step(word(ready)), cmd, 0x0007);
-    ok = ok and reads(it.step(written), eta) and reads(it.step(word(enabled)), cmd);
-    return ok and writes(it.step({kind::failed, 0, errc::illegal_data_address}), cmd, 0x0007);
+    return ok and reads(it.step(written), eta) and writes(it.step(word(enabled)), cmd, 0x0007);
 }
-PROOF("a motor that turns before it was told to is brought down its ramp where the start fails",
-      ramps_down_what_another_one_enabled)
+PROOF("a motor that turns before it was told to is brought down its ramp", ramps_down_what_another_one_enabled)
 
 constexpr bool leaves_local_control_alone()
 {

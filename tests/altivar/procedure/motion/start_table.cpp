@@ -67,7 +67,7 @@ constexpr std::array<stage_row<13>, 17> rows{{
      {x, x, x, x, x, x, x, x,
       x, eta, eta, undo(kind::refused), undo(kind::state_timeout)}},
     {"enabling, at a look", {begun, word(ready), confirmed},
-     {undo(kind::fell_back), pauses, reference, cmd, undo(kind::fell_back), lft, undo(kind::local_control), undo(kind::stop_key),
+     {undo(kind::fell_back), pauses, reference, ramp(kind::overwritten), undo(kind::fell_back), lft, undo(kind::local_control), undo(kind::stop_key),
       undo(kind::fell_back), x, eta, undo(kind::refused), undo(kind::state_timeout)}},
     {"writing the reference", {begun, word(on), confirmed, word(on)},
      {x, x, x, x, x, x, x, x,
@@ -130,7 +130,7 @@ TEST_CASE("a start at 0 in reverse, or of a motor that turns in reverse, is sent
     constexpr cell least_back = writes(8602, 0xFFFF), zero = writes(8602, 0), least = writes(8602, 1);
     CHECK(does(led(back, {begun, word(on), confirmed}), word(on), least_back));
     CHECK(does(led(ahead, {begun, word(on), confirmed}), word(on), zero));
-    CHECK(does(led(ahead, {begun, word(disabled_back), confirmed, word(on), confirmed}), word(on), zero));
+    CHECK(does(led(ahead, {begun, word(disabled_back), confirmed, word(ready), confirmed}), word(on), zero));
     CHECK(does(led(ahead, {begun, word(runs_back)}), word(0x000F), least_back));
     CHECK(does(led(ahead, {begun, word(runs_back)}), word(0x080F), least));
     CHECK(does(led(ahead, {begun, word(enabled)}), word(0x000F), zero));
@@ -164,6 +164,22 @@ TEST_CASE("a start enables a drive whose control word and reference are the ones
                ramp(kind::overwritten)));
     CHECK(does(led(checked_before, {begun, word(enabled), word(0x090F), confirmed}), word(1'500),
                ramp(kind::overwritten)));
+}
+
+TEST_CASE("a start that finds its drive above the state that its words explain ends as overwritten")
+{
+    way const shut_down_from_here{begun, word(disabled), confirmed};
+    CHECK(does(led(checked_before, shut_down_from_here), word(ready), switch_on));
+    CHECK(does(led(checked_before, shut_down_from_here), word(on), undo(kind::overwritten)));
+    CHECK(does(led(checked_before, shut_down_from_here), word(enabled), ramp(kind::overwritten)));
+    // Before the first word, where the drive itself can have come to "switch on disabled" only.
+    way const waits{begun, word(0x0200), pause_over};
+    CHECK(does(led(checked_before, waits), word(disabled), shut_down));
+    CHECK(does(led(checked_before, waits), word(ready), overwritten));
+    CHECK(does(led(checked_before, {begun, word(0x0217), pause_over}), word(enabled), overwritten));
+    CHECK(does(led(checked_before, {begun, word(0x0201), pause_over}), word(enabled), cmd)); // it may have run before
+    // One that was not answered may have arrived.
+    CHECK(does(led(checked_before, {begun, word(ready), failed(errc::timed_out)}), word(on), switch_on));
 }
 
 TEST_CASE("a start reads a reference that is the neighbour of the control word together with that")

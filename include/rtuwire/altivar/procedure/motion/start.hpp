@@ -51,6 +51,7 @@ public:
         is_taken_ = false;
         is_any_ = true;
         may_run_ = may_run_ or sent == cia402::command::enable_operation;
+        explained_ = explained_ < rank_by(sent) ? rank_by(sent) : explained_;
     }
     /// The drive answered, and confirmed the command.
     constexpr void note_response() noexcept { misses_ = 0; }
@@ -70,8 +71,18 @@ public:
     [[nodiscard]] constexpr bool is_any() const noexcept { return is_any_; }
     /// The command to run was sent, answered or not.
     [[nodiscard]] constexpr bool may_run() const noexcept { return may_run_; }
+    /// The rank of the highest state to which these commands, or the drive itself, can have led.
+    [[nodiscard]] constexpr int explained() const noexcept { return explained_; }
 
 private:
+    static constexpr int rank_by(cia402::command sent) noexcept
+    {
+        return cia402::enable_rank(sent == cia402::command::enable_operation ? cia402::state::operation_enabled
+                                   : sent == cia402::command::switch_on      ? cia402::state::switched_on
+                                                                             : cia402::state::ready_to_switch_on);
+    }
+
+    int explained_{cia402::enable_rank(cia402::state::switch_on_disabled)};
     cia402::command last_{cia402::command::none};
     bool is_any_{false};
     bool is_taken_{false};
@@ -125,7 +136,8 @@ private:
 /// "checking". CHCF is read there only where the check found the drive profile in it. 000F that could not be sent for 0.5 s begins again
 /// with ETA, once. A reference without a confirmation may be that of a running motor. "As ever" is the word written here last
 /// (0007, or 000F), or what was read of a drive that already runs. A state below the one read last has
-/// fallen back, also below the one met before the check. Four requests in a row without a response are `silent`, and two
+/// fallen back, also below the one met before the check; one above it, and above those to which the commands sent lead, ends as
+/// "another" does. Four requests in a row without a response are `silent`, and two
 /// once the motor may run.
 /// Internal.
 class start_procedure : public order_procedure {
@@ -181,15 +193,12 @@ private:
     {
         stage_ = stage::examining;
         static_cast<void>(is_key_pressed(what.word));
-        rank_ = cia402::enable_rank(cia402::decode(what.word));
+        last_ = cia402::decode(what.word);
         return next_step_after_check(examine({event::kind::begun}, reference_, is_at_rest()), what.word);
     }
 
     /// Whether the motor did not turn when the drive was met; in a quick stop it is about to stand.
-    constexpr bool is_at_rest() const noexcept
-    {
-        return rank_ != cia402::enable_rank(cia402::state::operation_enabled);
-    }
+    constexpr bool is_at_rest() const noexcept { return last_ != cia402::state::operation_enabled; }
 
     /// `status` is a status word once the check has ended.
     constexpr action next_step_after_check(action const& next, std::uint16_t status) noexcept
@@ -232,14 +241,17 @@ private:
         if ((status & remote_bit) == 0) {
             return abort(outcome_kind::local_control);
         }
-        int const rank = cia402::enable_rank(at);
+        int const rank = cia402::enable_rank(at), before = cia402::enable_rank(last_);
         if (is_key_pressed(status)) {
             return abort(outcome_kind::stop_key);
         }
-        if (rank < rank_) {
+        if (rank < before) {
             return abort(outcome_kind::fell_back);
         }
-        rank_ = rank;
+        if (rank > before and rank > sent_.explained() and last_ != cia402::state::unknown) {
+            return abort(outcome_kind::overwritten); // no word from here explains it
+        }
+        last_ = at;
         return at == cia402::state::operation_enabled ? run(status) : next_step(at);
     }
 
@@ -418,10 +430,10 @@ private:
     }
 
     reference_write reference_;
-    reference_write told_{reference_}; ///< as this drive has to be told it
-    std::uint16_t control_{0};         ///< the control word that it has to hold
-    int rank_{0};
+    reference_write told_{reference_};          ///< as this drive has to be told it
+    std::uint16_t control_{0};                  ///< the control word that it has to hold
     outcome_kind shown_{outcome_kind::pending}; ///< by its status, once it runs as ordered
+    cia402::state last_{cia402::state::unknown};
     stage stage_{stage::meeting};
     sent_commands sent_{};
     bool has_tried_{false}; ///< the command to run was due
