@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/procedure/motion/change_reference.hpp>
 #include <rtuwire/altivar/procedure/motion/direct_control.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 
@@ -178,5 +179,31 @@ TEST_CASE("defect: no start goes on from a state that no word of its own explain
         CHECK(it.watch(go, milliseconds(4'000)).highest == 0);
         CHECK(go.reason().kind == outcome_kind::overwritten);
         CHECK(it.far().word("CMD") == 0x0006); // no word left
+    });
+}
+
+TEST_CASE("defect: no change of a reference is done of a motor that another master has stopped")
+{
+    test::all_drives::for_each([]<typename Device>() {
+        for (std::int16_t const to : {std::int16_t{250}, std::int16_t{800}}) { // reached, and limited to HSP
+            unsigned responses = 0;
+            for (unsigned behind = 0; behind == 0 or behind < responses; ++behind) {
+                INFO("to " << to << ", behind response " << behind << " of " << responses);
+                contested<Device> it;
+                start first{it.drive, 20_Hz};
+                REQUIRE(it.run(first));
+                it.idle(milliseconds(3'000));
+                it.speaks_behind = behind; // 0: never
+                it.listen([](auto& at) { at.write(Device::layout.cmd, 0x0000); });
+                change_reference change{it.drive, *setting<Device::frequency_reference>::checked(signed_decihertz{to}),
+                                        milliseconds(30'000), beyond_limits::limit};
+                REQUIRE(it.run(change));
+                responses = behind == 0 ? it.responses : responses;
+                bool const is_done = change.succeeded() or change.reason().kind == outcome_kind::reference_limited;
+                CHECK(is_done == (behind == 0));
+                CHECK(is_done == it.has_power());
+            }
+            CHECK(responses > 6);
+        }
     });
 }

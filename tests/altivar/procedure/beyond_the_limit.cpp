@@ -198,7 +198,7 @@ constexpr bool believes_the_second_look()
         it.wait(50);
         ok = ok and it.reads_and_hears(eta, 0x0637) and it.reads_and_hears(3202, 400);
     }
-    return ok and it.reads_and_hears(8502, 400) and it.conversation.succeeded();
+    return ok and it.reads_and_hears(8502, 400) and it.reads_and_hears(eta, 0x0637) and it.conversation.succeeded();
 }
 PROOF("a drive that was limited by the reference before is not said to be limited", believes_the_second_look)
 

@@ -171,6 +171,8 @@ constexpr bool has_no_loss_but_its_own()
     }
     ok = ok and it.reads(8502);
     it.hear(0);
+    ok = ok and it.reads(eta);
+    it.hear(0x0637);
     ok = ok and it.conversation.succeeded();
     it.conversation.note_loss();
     return ok and it.conversation.succeeded();

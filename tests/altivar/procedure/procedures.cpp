@@ -150,7 +150,8 @@ constexpr bool is_reached_by_the_second_look()
         ok = ok and it.step(word(0x0637)).what == action::kind::read; // RFR tells whether it turns
         ok = ok and it.step(word(1)).what == next;
     }
-    ok = ok and it.step(word(1'500)).what == action::kind::end; // the reference is still the one written
+    ok = ok and reads(it.step(word(1'500)), eta); // the reference is still the one written
+    ok = ok and it.step(word(0x0637)).what == action::kind::end;
     return ok and it.reason().kind == outcome_kind::succeeded;
 }
 constexpr bool is_not_reached_by_one_look()

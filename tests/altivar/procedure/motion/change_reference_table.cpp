@@ -57,11 +57,15 @@ constexpr way reached_once{begun,      word(enabled_word), word(0x000F), confirm
                            pause_over, word(reached),      word(300),    pause_over};
 /// The drive may still show what it does with the reference before.
 constexpr way limited_once{begun, word(enabled_word), word(0x000F), confirmed, pause_over, word(limited), pause_over};
+constexpr way last_of_reached{begun,     word(enabled_word), word(0x000F),  confirmed, pause_over, word(reached),
+                              word(300), pause_over,         word(reached), word(300), word(1'500)};
+constexpr way last_of_limited{begun,         word(enabled_word), word(0x000F),  confirmed,  pause_over,
+                              word(limited), pause_over,         word(limited), word(1'500)};
 constexpr way limited_before{begun,         word(enabled_word), word(0x000F),       confirmed, pause_over,
                              word(limited), pause_over,         word(enabled_word), pause_over};
 
 // clang-format off
-constexpr std::array<stage_row<20>, 5> forward_looks{{
+constexpr std::array<stage_row<20>, 7> forward_looks{{
     // stage, and the way there
     //   1, 2, 3, 4, 5, 6, 7, 8, no state
     //   2 by the key, 5 and key, 5 in local, 8 in local, reached, in reverse, limited, both
@@ -81,6 +85,14 @@ constexpr std::array<stage_row<20>, 5> forward_looks{{
     {"a look after it was limited once", limited_once,
      {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
       key, pauses, local, lft, rfr, pauses, again, again,
+      silent, refused, too_late}},
+    {"the last look, of one that was reached", last_of_reached,
+     {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
+      key, pauses, local, lft, done, pauses, pauses, pauses,
+      silent, refused, too_late}},
+    {"the last look, of one that was limited", last_of_limited,
+     {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
+      key, pauses, local, lft, pauses, pauses, at_limit, at_limit,
       silent, refused, too_late}},
     {"a look after it was limited, and then not", limited_before,
      {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
@@ -231,10 +243,10 @@ TEST_CASE("a change of the reference does in each stage, at each answer, what it
     check_table(forward, others, other_rows);
     way const reached_twice{begun,        word(enabled_word), word(0x000F), confirmed,    pause_over,
                             word(0x0637), word(300),          pause_over,   word(0x0637), word(300)};
-    CHECK(does(led(forward, reached_twice), word(1'500), done));
+    CHECK(does(led(forward, reached_twice), word(1'500), eta));
     way const limited_twice{begun,      word(enabled_word), word(0x000F), confirmed,
                             pause_over, word(0x0A37),       pause_over,   word(0x0A37)};
-    CHECK(does(led(forward, limited_twice), word(1'500), at_limit));
+    CHECK(does(led(forward, limited_twice), word(1'500), eta));
 }
 
 TEST_CASE("a change of the reference that may be refused reads no limit where it slows down")

@@ -141,7 +141,7 @@ constexpr bool is_reached_at(std::uint16_t reference, bool looks_whether_it_turn
         last = looks_whether_it_turns ? it.step(word(1)) : last;
         ok = ok and last.what == next;
     }
-    ok = ok and it.step(word(reference)).what == action::kind::end; // it holds it still
+    ok = ok and reads(it.step(word(reference)), eta) and it.step(word(enabled_and_there)).what == action::kind::end;
     return ok and it.reason().kind == outcome_kind::succeeded;
 }
 constexpr bool tells_standing_from_crawling() { return is_reached_at(0, false) and is_reached_at(1, true); }

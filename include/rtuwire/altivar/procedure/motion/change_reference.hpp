@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 #include <rtuwire/altivar/device/drive_type.hpp>
 #include <rtuwire/altivar/device/reference.hpp>
@@ -48,8 +49,9 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// |               | limit over, of LFT                  | end: in_fault, 0    | end: in_fault, 0                    |
 /// |               | limit over                          | end: aborted        | end: state_timeout                  |
 ///
-/// "Reached" waits the first time; the second time in a row it reads the reference, and ends as `succeeded` where that is the
-/// one written, else as `overwritten`; "limited" does so as `reference_limited`. A reference of 0 has no direction: it keeps that of the motor, where LSP may be above 0 by one
+/// "Reached" waits the first time; the second time in a row it reads the reference, and ends as `overwritten` where that is not
+/// the one written, else reads ETA once more: as `succeeded` where that shows "reached" again (without RFR), while another one
+/// begins anew. "Limited" does so as `reference_limited`. A reference of 0 has no direction: it keeps that of the motor, where LSP may be above 0 by one
 /// count with the sign for it.
 /// Internal.
 class reference_procedure : public procedure {
@@ -108,7 +110,9 @@ private:
         case asked::rated_frequency: rated_ = word; return ask(asked::rated_speed, speed_address());
         case asked::rated_speed:
             return limits_.note_scale(rated_, word) ? hold_against_limits() : end(outcome_kind::unknown_register);
-        case asked::written: return end(word == told_.word ? shown_ : outcome_kind::overwritten);
+        case asked::written:
+            holds_reference_ = word == told_.word;
+            return holds_reference_ ? ask(asked::status, layout().eta) : end(outcome_kind::overwritten);
         case asked::frequency: break;
         }
         return count(word != 0 ? outcome_kind::succeeded : outcome_kind::pending);
@@ -141,16 +145,17 @@ private:
         if (reference_.is_zero() or not is_reached or turns_back != reference_.is_reverse()) {
             return count(reference_.is_zero() and is_reached ? outcome_kind::succeeded : outcome_kind::pending);
         }
-        return ask(asked::frequency, layout().rfr);
+        return holds_reference_ ? count(outcome_kind::succeeded) : ask(asked::frequency, layout().rfr);
     }
 
     /// A drive may still show that it has reached the reference before this one, or that it limits that one: so once is
-    /// not enough. `pending`: neither is shown.
+    /// not enough. `pending`: neither is shown. Last comes a status: somebody may have stopped the motor meanwhile.
     constexpr action count(outcome_kind shown) noexcept
     {
-        bool const is_second = shown == shown_ and shown != outcome_kind::pending;
+        bool const is_again = shown == shown_ and shown != outcome_kind::pending;
+        bool const is_last = std::exchange(holds_reference_, false);
         shown_ = shown;
-        return is_second ? ask(asked::written, told_.address) : to_pause(status_period);
+        return not is_again ? to_pause(status_period) : is_last ? end(shown) : ask(asked::written, told_.address);
     }
 
     /// One write of the reference with its sign: the direction bit stays as it is.
@@ -211,11 +216,12 @@ private:
     beyond_limits beyond_;
     asked asked_{asked::status};
     bool is_written_{false};
+    bool holds_reference_{false}; ///< the one written: the word read last
 };
 
 /// Changes the reference of a drive in operation; a negative one is in reverse, and 0 keeps the direction in which the
 /// motor turns. Done where two status reads after the write show that it is reached, the motor turns in that
-/// direction, and the drive still holds it, else `overwritten`; `reference_limited` where two show that the drive limits it; `above_hsp` where it was not written, because it
+/// direction, the drive still holds it, else `overwritten`, and a third status shows it again; `reference_limited` where they show that the drive limits it; `above_hsp` where it was not written, because it
 /// is above HSP and not slower than the one before (`beyond_limits::limit` writes it all the same); `halted` where the halt bit is set,
 /// `state_timeout` where the drive does not reach it in time. A long ramp needs a long limit. A drive that leaves operation ends it as `stop_key` or `fell_back`; one not in operation at the
 /// first read as `aborted`, or as `stop_key` if that stopped it.
