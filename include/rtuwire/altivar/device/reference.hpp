@@ -49,6 +49,13 @@ struct reference_write {
         return {address, static_cast<std::uint16_t>(has_no_other ? ~unsigned{word} : 0U - word), is_speed};
     }
 
+    /// One that would be 0 in the drive's steps of 0.1 Hz, and would lose its sign with that: at least this many rpm.
+    [[nodiscard]] constexpr reference_write at_least(std::uint16_t rpm) const noexcept
+    {
+        bool const is_lost = is_speed and is_reverse() and size() < rpm;
+        return is_lost ? reference_write{address, static_cast<std::uint16_t>(0U - rpm), is_speed} : *this;
+    }
+
     /// The write for a motor in operation with this status: 0 names no direction, so one that turns in reverse keeps to it.
     [[nodiscard]] constexpr reference_write keeping(std::uint16_t status) const noexcept
     {

@@ -270,6 +270,26 @@ TEST_CASE("a change to 0 reads LSP where it would turn the motor round, and keep
     CHECK(does(led(elsewhere, {begun, word(back)}), word(by_sign), write_back));
 }
 
+TEST_CASE("a change to a small speed in reverse reads what a hertz is, and writes at least a tenth of that")
+{
+    constexpr reference_procedure zero_rpm{layout, {speed, 0, true}, beyond_limits::refuse};
+    constexpr reference_procedure small{layout, {speed, 0xFFED, true}, beyond_limits::limit}; // -19
+    constexpr reference_procedure more{layout, {speed, 0xFFEC, true}, beyond_limits::limit};  // -20
+    constexpr cell as_of_one_pair = writes(speed, 0xFFFA), as_of_two = writes(speed, 0xFFFD);
+    way const lowest{begun, word(back), word(by_sign), word(100)};
+    CHECK(does(led(zero_rpm, {begun, word(back), word(by_sign)}), word(100), frs));
+    CHECK(does(led(zero_rpm, {begun, word(back), word(by_sign)}), word(0), write_0));
+    CHECK(does(led(zero_rpm, {begun, word(back), word(by_sign)}), failed(errc::illegal_data_address), frs));
+    CHECK(does(led(zero_rpm, lowest), word(500), nsp));
+    CHECK(does(led(zero_rpm, lowest), failed(errc::illegal_data_address), as_of_one_pair));
+    CHECK(does(led(zero_rpm, {begun, word(back), word(by_sign), word(100), word(500)}), word(1'440), as_of_two));
+    CHECK(does(led(zero_rpm, {begun, word(back), word(by_sign), word(100), word(500)}), word(0), as_of_one_pair));
+    CHECK(does(led(zero_rpm, {begun, word(back), word(by_bit)}), word(100), writes(speed, 1)));
+    CHECK(does(led(small, {begun, word(back)}), word(by_sign), frs));
+    CHECK(does(led(small, {begun, word(back), word(by_sign), word(500)}), word(1'440), writes(speed, 0xFFED)));
+    CHECK(does(led(more, {begun, word(back)}), word(by_sign), writes(speed, 0xFFEC)));
+}
+
 TEST_CASE("a change of the reference begins with a look, and leaves a halt")
 {
     CHECK(does(forward, begun, eta));

@@ -50,6 +50,13 @@ struct reference_limits {
                                                   : std::uint16_t{0};
     }
 
+    /// The fewest rpm that are 0.1 Hz; where what a hertz is was not read, as of a motor with one pair of poles.
+    [[nodiscard]] constexpr std::uint16_t least_speed() const noexcept
+    {
+        std::uint32_t const tenths = 10U * pairs, of_one_pair = 6;
+        return static_cast<std::uint16_t>(per_hertz == 0 ? of_one_pair : (per_hertz + tenths - 1) / tenths);
+    }
+
     /// Takes what a hertz is in rpm: FRS and NSP give the pairs of poles, as the drive counts them; without FRS (0) it is
     /// SDS. False where the drive does not tell: NSP or SDS is 0, or there are more pairs of poles than any motor has.
     constexpr bool note_scale(std::uint16_t frs, std::uint16_t speed) noexcept

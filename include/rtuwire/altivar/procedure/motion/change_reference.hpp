@@ -31,10 +31,10 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// |               | other                               |                     | reached                             |
 /// | CMD           | with the halt bit                   | end: halted         |                                     |
 /// |               | other                               | write the reference |                                     |
-/// |               | other, 0 would be 1 count           | read LSP            |                                     |
+/// |               | other, 0 would be 0.1 Hz            | read LSP            |                                     |
 /// |               | other, limits refuse, no 0          | read the reference  |                                     |
 /// | LSP           | 0                                   | write 0             |                                     |
-/// |               | other, or refused                   | write 1 count       |                                     |
+/// |               | other, or refused                   | write 0.1 Hz        |                                     |
 /// | LFT           | any                                 | end: in_fault       | end: in_fault                       |
 /// | the reference | confirmed                           | wait                |                                     |
 /// |               | no slower, the same way             | write the reference |                                     |
@@ -43,6 +43,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// | then FRS, NSP | other                               | write the reference |                                     |
 /// |               | refused, or NSP is 0                | end:                |                                     |
 /// |               |                                     | unknown_register    |                                     |
+/// |               | the same, of a small one in rpm     | write the reference |                                     |
 /// | a wait        | over                                |                     | read ETA                            |
 /// | anything      | no response                         | end: silent         | end: silent                         |
 /// |               | refused                             | end: refused        | end: refused                        |
@@ -51,8 +52,8 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 ///
 /// "Reached" waits the first time; the second time in a row it reads the reference, and ends as `overwritten` where that is not
 /// the one written, else reads ETA once more: as `succeeded` where that shows "reached" again (without RFR), while another one
-/// begins anew. "Limited" does so as `reference_limited`. A reference of 0 has no direction: it keeps that of the motor, where LSP may be above 0 by one
-/// count with the sign for it.
+/// begins anew. "Limited" does so as `reference_limited`. A reference of 0 has no direction: it keeps that of the motor, where LSP may be above 0 by 0.1 Hz
+/// with the sign for it. Before a word below zero and above -20 rpm is written, FRS and NSP are read: it is at least 0.1 Hz.
 /// Internal.
 class reference_procedure : public procedure {
 public:
@@ -104,12 +105,12 @@ private:
         case asked::status: return judge(word);
         case asked::fault: return end_in_fault(word);
         case asked::control: return write(word);
-        case asked::lowest: told_ = word == 0 ? reference_ : told_; return tell();
-        case asked::standing: return told_.is_within(word) ? tell() : read_limits();
+        case asked::lowest: told_ = word == 0 ? reference_ : told_; return read_scale();
+        case asked::standing: return told_.is_within(word) ? read_scale() : read_limits();
         case asked::highest: limits_.highest = word; return go_on_to_speed();
         case asked::rated_frequency: rated_ = word; return ask(asked::rated_speed, speed_address());
         case asked::rated_speed:
-            return limits_.note_scale(rated_, word) ? hold_against_limits() : end(outcome_kind::unknown_register);
+            return limits_.note_scale(rated_, word) ? hold_against_limits() : go_without_scale(errc::none);
         case asked::written:
             holds_reference_ = word == told_.word;
             return holds_reference_ ? ask(asked::status, layout().eta) : end(outcome_kind::overwritten);
@@ -166,19 +167,20 @@ private:
         }
         told_ = told_.under(control);
         if (reference_.is_zero()) {
-            return not told_.is_zero() and layout().lsp != 0 ? ask(asked::lowest, layout().lsp) : tell();
+            return not told_.is_zero() and layout().lsp != 0 ? ask(asked::lowest, layout().lsp) : read_scale();
         }
-        return beyond_ == beyond_limits::refuse and layout().hsp != 0 ? ask(asked::standing, told_.address) : tell();
+        return beyond_ == beyond_limits::refuse and layout().hsp != 0 ? ask(asked::standing, told_.address)
+                                                                      : read_scale();
     }
 
     constexpr action go_without(errc error) noexcept
     {
         switch (asked_) {
-        case asked::lowest: return tell();
+        case asked::lowest: return read_scale();
         case asked::standing: return read_limits();
-        case asked::highest:
+        case asked::highest: return end(outcome_kind::unknown_register, error);
         case asked::rated_frequency:
-        case asked::rated_speed: return end(outcome_kind::unknown_register, error);
+        case asked::rated_speed: return go_without_scale(error);
         case asked::status:
         case asked::fault:
         case asked::control:
@@ -190,6 +192,20 @@ private:
 
     constexpr std::uint16_t speed_address() const noexcept { return layout().nsp != 0 ? layout().nsp : layout().sds; }
     constexpr action read_limits() noexcept { return ask(asked::highest, layout().hsp); }
+    /// What a hertz is decides how many rpm have a sign in the drive's steps.
+    constexpr action read_scale() noexcept
+    {
+        constexpr std::uint16_t surely_signed = 20; // SDS is 200 at most
+        bool const may_lose_sign = told_.is_reverse() and told_.size() < surely_signed;
+        return may_lose_sign ? go_on_to_speed() : tell();
+    }
+    /// Of a reference that no limit refuses it is not needed.
+    constexpr action go_without_scale(errc error) noexcept
+    {
+        bool const is_needed = limits_.highest != reference_limits::unread;
+        limits_ = {};
+        return is_needed ? end(outcome_kind::unknown_register, error) : tell();
+    }
     constexpr action go_on_to_speed() noexcept
     {
         bool const has_speed = told_.is_speed and speed_address() != 0;
@@ -205,6 +221,7 @@ private:
     constexpr action tell() noexcept
     {
         asked_ = asked::status;
+        told_ = told_.at_least(limits_.least_speed());
         return to_enable(told_.address, told_.word);
     }
 

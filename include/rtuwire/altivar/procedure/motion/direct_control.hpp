@@ -180,6 +180,7 @@ private:
             return next;
         }
         stage_ = stage::looking;
+        reference_ = signed_for_drive(reference_);
         return judge(status);
     }
 

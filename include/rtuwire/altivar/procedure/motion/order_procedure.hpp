@@ -54,6 +54,11 @@ protected:
         return check_.reason().kind == outcome_kind::succeeded and reason().kind == outcome_kind::pending;
     }
     [[nodiscard]] constexpr reference_limits const& limits() const noexcept { return check_.report().limits; }
+    /// The same reference, with its sign in the drive's steps, too.
+    [[nodiscard]] constexpr reference_write signed_for_drive(reference_write what) const noexcept
+    {
+        return what.at_least(limits().least_speed());
+    }
 
     /// Whether the STOP key was pressed since the status read before. A drive that was stopped by the key earlier shows
     /// it until it runs: the result for the first status read is nothing new, and the caller discards it. A second press

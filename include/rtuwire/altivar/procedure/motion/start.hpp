@@ -272,7 +272,7 @@ private:
         if (not is_ready or next != cia402::command::enable_operation) {
             return send_command(next, 0);
         }
-        told_ = reference_;
+        told_ = signed_for_drive(reference_);
         return write_reference(stage::writing_reference);
     }
 
@@ -354,7 +354,7 @@ private:
             return abort(outcome_kind::overwritten);
         }
         control_ = control;
-        told_ = told_.under(control);
+        told_ = signed_for_drive(told_.under(control));
         if (limits().judge(told_, false) == outcome_kind::succeeded) {
             return write_reference(stage::redirecting);
         }
@@ -442,7 +442,7 @@ private:
 
 /// Starts a drive at a reference. `station`, then 1500_rpm or 50_Hz, then the direction; a negative reference is in
 /// reverse, and one together with `run_direction::reverse` is refused. A reference of 0 in reverse, or for a motor that
-/// turns in reverse, is sent as one count in reverse, so that the motor does not turn forward at LSP. It settles once
+/// turns in reverse, is sent as 0.1 Hz in reverse, so that the motor does not turn forward at LSP. It settles once
 /// operation is enabled and the drive holds command and reference as they were written, else as `overwritten`, without
 /// waiting for the ramp; a start that fails settles when its commands are withdrawn, up to 30 s after its limit.
 /// Destroying it stops nothing: once the command to run was sent the motor runs on, until a stop or
