@@ -72,7 +72,9 @@ private:
         node& own = any();
         std::size_t const unit = nodes_[0].get() == &own ? 0U : 1U;
         said_.now = now_;
-        switch (chance_.below(26)) {
+        switch (chance_.below(28)) {
+        case 26:
+        case 27: return refer_between_frames(own, unit);
         case 24:
         case 25: return cut_between_frames(own, unit);
         case 0:
@@ -190,6 +192,14 @@ private:
     void cut_between_frames(node& own, std::size_t unit)
     {
         own.cut_behind = 1 + chance_.below(24);
+        std::size_t const place = chance_.below(slots);
+        chance_.below(2) == 0 ? base::begin_direct_start(place, unit) : base::begin_start(place, unit);
+    }
+
+    /// Another master writes its reference between two frames, while somebody starts the drive.
+    void refer_between_frames(node& own, std::size_t unit)
+    {
+        own.refer_behind = 1 + chance_.below(24);
         std::size_t const place = chance_.below(slots);
         chance_.below(2) == 0 ? base::begin_direct_start(place, unit) : base::begin_start(place, unit);
     }

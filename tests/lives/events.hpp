@@ -56,6 +56,7 @@ enum class event : unsigned {
     word_of_another_master,
     read_of_another_master,
     word_of_another_during_a_check,
+    reference_of_another_during_a_start,
     power_cycle_between_frames,
     slept_briefly,
     slept_for_minutes,
@@ -118,6 +119,7 @@ inline constexpr std::array<char const*, event_count> event_names{
     "words of another master",
     "reads of another master",
     "words of another master while a cycle checked its drive",
+    "references of another master right behind a response to a start",
     "power cycles right behind a response",
     "sleeps of the controller, for seconds",
     "sleeps of the controller, 1 to 110 minutes",
@@ -134,6 +136,7 @@ inline constexpr std::array<char const*, event_count> event_names{
 enum class breach : unsigned {
     moved_without_order,
     enabled_without_order,
+    enabled_otherwise,
     moved_by_itself,
     too_fast,
     power_after_stop,
@@ -154,6 +157,7 @@ inline constexpr std::size_t breach_count = static_cast<std::size_t>(breach::cou
 inline constexpr std::array<char const*, breach_count> breach_names{
     "a motor got power without an order since the last stop, fault, STOP key, local control or power cycle",
     "a word that enables left without an order in force",
+    "a start sent its word that enables behind another master's reference",
     "a motor got power by no frame",
     "a motor turned faster or in another direction than was asked",
     "power too long after the order was taken away",

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
+#include <utility>
 
 #include "lives/events.hpp"
 #include "lives/setting.hpp"
@@ -173,7 +174,11 @@ public:
         }
     }
 
-    void note_power_cycle(moment now) { cycled_at_ = now; }
+    void note_power_cycle(moment now)
+    {
+        cycled_at_ = now;
+        foreign_reference_at_ = 0; // it is gone
+    }
 
     // What is on the line.
 
@@ -201,7 +206,10 @@ public:
         bool const may = has_order() or is_foreign_;
         bool const is_enabling = word and enables(*word, drive_.profile());
         is_enabling_ = is_enabling;
+        is_reference_asked_ = asks_for_reference(frame);
+        bool const is_told_otherwise = is_enabling and to_u8(frame[1]) == 6 and holds_reference_of_another();
         if (is_heard) {
+            own_reference_at_ = writes_reference(frame) ? now : own_reference_at_;
             if (word and (*word & drive_.profile().direct_control) != 0 and cycled_at_ != 0 and
                 cycled_at_ >= last_heard_) {
                 note_reference(0, false); // the reference is gone since the last look, and its sign with it
@@ -226,12 +234,16 @@ public:
             runs_for_another_ = runs_for_another_ and not is_enabling;
             is_braking_ = word and keeps_power(*word, drive_.profile());
         }
-        return is_enabling and not may ? std::optional{breach::enabled_without_order} : std::nullopt;
+        if (is_enabling and not may) {
+            return breach::enabled_without_order;
+        }
+        return is_told_otherwise ? std::optional{breach::enabled_otherwise} : std::nullopt;
     }
     /// `status` stood in the drive when it made the response.
     void note_response(byte_view frame, moment now, std::uint16_t status)
     {
         unanswered_ = 0;
+        reference_seen_at_ = std::exchange(is_reference_asked_, false) ? now : reference_seen_at_;
         bool const is_in_time = now < asked_at_ + how_.options.response_timeout.microseconds;
         note_begin(is_in_time ? asked_function_ : std::uint8_t{0});
         constexpr std::size_t size_of_one_word = 7; // an older request may have had another one
@@ -252,6 +264,7 @@ public:
         was_foreign_ = true;
         if (to_u8(frame[1]) != 3) {
             was_written_to_ = is_foreign_ = true;
+            foreign_reference_at_ = writes_reference(frame) ? now : foreign_reference_at_;
             auto const word = control_word_in(frame, drive_.profile());
             bool const stops = word and (*word == 0 or *word == 2);
             if (stops) {
@@ -315,6 +328,9 @@ public:
     /// What this drive was told last by who ordered it alone, in 0.1 Hz.
     std::optional<breach> told_reference(std::size_t place, int asked) const
     {
+        if (holds_reference_of_another()) {
+            return breach::ran_otherwise;
+        }
         // What befell it behind its last look nobody can know.
         bool const is_known = number_of_orders() == 1 and orders_[place].is_alone and not is_foreign_ and asked != 0 and
                               (disturbed_at_ == 0 or disturbed_at_ < looked_at_[0]);
@@ -380,6 +396,31 @@ private:
             latest = each.is_there ? std::max(latest, each.at) : latest;
         }
         return latest;
+    }
+
+    bool is_reference(std::uint16_t address) const
+    {
+        return address == drive_.frequency_reference() or address == drive_.speed_reference();
+    }
+    /// A start by function 06, a cycle with its control word.
+    bool writes_reference(byte_view frame) const
+    {
+        std::uint8_t const function = to_u8(frame[1]);
+        return function == 6 ? is_reference(u16_at(frame, 2)) : function == 16 or function == 23;
+    }
+    bool asks_for_reference(byte_view frame) const
+    {
+        unsigned const first = u16_at(frame, 2), end = first + u16_at(frame, 4);
+        auto const is_within = [&](std::uint16_t address) { return address >= first and address < end; };
+        return to_u8(frame[1]) == 3 and
+               (is_within(drive_.frequency_reference()) or is_within(drive_.speed_reference()));
+    }
+    /// Whether the drive's reference is one of another master that this controller must know of: not one that was written
+    /// behind its last look at it.
+    bool holds_reference_of_another() const
+    {
+        bool const did_cross = reference_seen_at_ > own_reference_at_ and foreign_reference_at_ >= reference_seen_at_;
+        return foreign_reference_at_ > own_reference_at_ and not did_cross;
     }
 
     /// Requests in a row, each soon behind the one before.
@@ -535,6 +576,9 @@ private:
     moment last_heard_{0};
     moment last_foreign_{0};
     moment ambushed_at_{0}; ///< until a status shows it
+    moment own_reference_at_{0};
+    moment foreign_reference_at_{0};
+    moment reference_seen_at_{0};
     moment ran_at_{0};
     moment died_at_{0};
     moment last_missed_{0};
@@ -558,6 +602,7 @@ private:
     bool runs_for_another_{false};
     bool is_key_known_{false};
     bool is_enabling_{false}; ///< the last request
+    bool is_reference_asked_{false};
     bool was_in_fault_{false};
     bool has_power_{false};
     bool runs_{false};

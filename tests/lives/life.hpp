@@ -443,6 +443,13 @@ private:
             counts_.note(event::power_cycle_between_frames);
             cycle_power(own);
         }
+        if (own.refer_behind != 0 and --own.refer_behind == 0 and not is_asleep_) {
+            counts_.note(event::reference_of_another_during_a_start);
+            std::array<std::byte, 8> other{};
+            static_cast<void>(encode_into(other, *unit_id::checked(how_.drive[index_of(own)].address),
+                                          write_single_register{own.drive->frequency_reference(), 0xFE0C})); // -50 Hz
+            say_as_another(other);
+        }
         return true;
     }
 

@@ -20,6 +20,7 @@ from changed_headers import PROJECT, changed_copy, try_all  # noqa: E402
 
 RUNNER = "altivar/procedure/procedure_runner.hpp"
 DIRECT = "altivar/procedure/motion/direct_control.hpp"
+START = "altivar/procedure/motion/start.hpp"
 
 MOVED = {"a motor got power without an order", "a word that enables left"}
 POWER = {"power too long"}
@@ -92,6 +93,9 @@ DEFECTS = [
          "        case stage::writing_reference: return read(stage::reading_reference, reference_.address);\n"
          "        case stage::running: return read(stage::confirming, layout().eta);"),
     ], {"a start that was done", "a motor turned faster"}),
+    Defect("a start goes by its reference as it wrote it", [
+        (START, "if (control != control_ or standing != told_.word) {", "static_cast<void>(standing);\n        if (control != control_) {"),
+    ], {"a start sent its word", "a start that was done"}),
 ]
 
 

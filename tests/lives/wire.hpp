@@ -50,7 +50,8 @@ struct node {
     std::size_t unheard_size{0};
     bool is_local{false};
     ambush other{};
-    unsigned cut_behind{0}; ///< so many responses its power goes and comes back; 0: not
+    unsigned cut_behind{0};   ///< so many responses its power goes and comes back; 0: not
+    unsigned refer_behind{0}; ///< so many responses another master writes its reference; 0: not
 
     node(life_setting const& how, drive_setting const& set, instant now, tally& counts)
         : drive{make_drive(set, how.timing(), now)}, law{how, set, *drive, counts}
