@@ -53,8 +53,12 @@ struct reference_limits {
     /// The fewest rpm that are 0.1 Hz; where what a hertz is was not read, as of a motor with one pair of poles.
     [[nodiscard]] constexpr std::uint16_t least_speed() const noexcept
     {
-        std::uint32_t const tenths = 10U * pairs, of_one_pair = 6;
-        return static_cast<std::uint16_t>(per_hertz == 0 ? of_one_pair : (per_hertz + tenths - 1) / tenths);
+        std::uint32_t const scale = per_hertz == 0 ? 60U : per_hertz;
+        std::uint16_t least = 0;
+        for (std::uint32_t counted = 0; counted < scale; counted += 10U * pairs) { // nothing is divided
+            ++least;
+        }
+        return least;
     }
 
     /// Takes what a hertz is in rpm: FRS and NSP give the pairs of poles, as the drive counts them; without FRS (0) it is

@@ -55,7 +55,7 @@ protected:
     }
     [[nodiscard]] constexpr reference_limits const& limits() const noexcept { return check_.report().limits; }
     /// The same reference, with its sign in the drive's steps, too.
-    [[nodiscard]] constexpr reference_write signed_for_drive(reference_write what) const noexcept
+    [[nodiscard, gnu::noinline]] constexpr reference_write signed_for_drive(reference_write what) const noexcept
     {
         return what.at_least(limits().least_speed());
     }

@@ -276,7 +276,7 @@ private:
         return write_reference(stage::writing_reference);
     }
 
-    constexpr action write_reference(stage next) noexcept
+    [[gnu::noinline]] constexpr action write_reference(stage next) noexcept
     {
         stage_ = next;
         return once(to_enable(told_.address, told_.word));
@@ -286,7 +286,7 @@ private:
     constexpr bool has_neighbour() const noexcept { return told_.address == layout().cmd + 1; }
 
     /// Reads the reference back, and the control word last: it shows a loss of power as well.
-    constexpr action read_back() noexcept
+    [[gnu::noinline]] constexpr action read_back() noexcept
     {
         stage_ = has_neighbour() ? stage::checking : stage::reading_reference;
         return once(has_neighbour() ? to_read_two(layout().cmd) : to_read(told_.address));
