@@ -91,10 +91,10 @@ class Release(InAFolder):
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             with self.subTest(number.name):
                 output = self.place / f"cut_{number.name}"
-                # What was started behind a shell's `&` ignores SIGINT, and a shell cannot take that back.
+                # What was started behind a shell's `&` ignores SIGINT, by nohup SIGHUP, and a shell cannot take that back.
                 process = subprocess.Popen(["sh", "packaging/release.sh", str(output)], cwd=self.clone, start_new_session=True,
                                            env={**os.environ, **QUICKLY}, stdout=subprocess.PIPE, text=True,
-                                           preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+                                           preexec_fn=lambda number=number: signal.signal(number, signal.SIG_DFL))
                 self.addCleanup(process.stdout.close)
                 # The first step is told when its folder is there.
                 self.assertIn("archive", process.stdout.readline())
