@@ -412,6 +412,7 @@ def typed(program, check):
             ("mHz: stays", speed_is(30, "30.05\n")), ("steps of 0.1 Hz: stays", speed_is(30, "\n-20\n")),
             ("to turn it the other way: stays at 30.0 Hz; Ctrl-C stops it", speed_is(30, "10Hz\n15Hz\n")),
             ("goes to 15.0 Hz", speed_is(15, ""))]
+    slow = [("operation enabled", speed_is(40, "5Hz\n")), ("5.0 Hz is outside of the drive's limits: it turns at LSP, or at HSP", speed_is(10, ""))]
     reverse = [("operation enabled", speed_is(-40, "25Hz\n")), ("goes to 25.0 Hz, reverse", speed_is(-25, ""))]
     with Tool(program) as tool, Motor(program) as motor:
         check("on a terminal a line such as" in tool.run("start", "--help").output, "the help says so")
@@ -423,6 +424,11 @@ def typed(program, check):
         back = tool.on_terminal("--unit", UNIT, "--no-listen", "--timeout", motor.timeout, "-y", "--allow-run", "start", "--frequency",
                                 f"{SPEED}Hz", "--reverse", "--for", "6s", port=motor.device, keys=reverse)
         check(back.status == 0 and all(text in back.output for text, _ in reverse), "it keeps its direction", back)
+        motor.write(3105, 100)
+        limited = tool.on_terminal("--unit", UNIT, "--no-listen", "--timeout", motor.timeout, "-y", "--allow-run", "start", "--frequency",
+                                   f"{SPEED}Hz", "--for", "6s", port=motor.device, keys=slow)
+        check(limited.status == 0 and all(text in limited.output for text, _ in slow), "that the drive limits it is said", limited)
+        motor.write(3105, 0)
         check(motor.stands(), "it stands at the end", motor.shown())
         script = motor.start(program, "--for", "1s", stdin=subprocess.PIPE)
         script.stdin.write(b"10Hz\n")
@@ -458,11 +464,12 @@ def stops(program, check):
             with checks_lock:
                 check(runs, f"{what}: another runs it")
                 check(refusal[0] == 5 and "somebody else" in refusal[2], f"{what}: a start is refused", refusal)
-                check(found == 0 and "the motor stands" in json.loads(out)["outcome"], what, (found, out, error))
+                says = "has no power, and coasts if it turned" if "--freewheel" in words else "the motor stands"
+                check(found == 0 and says in json.loads(out)["outcome"], what, (found, out, error))
                 check(motor.stands(), f"{what}: it stands", motor.shown())
                 check(state in states, f"{what}: in its way", states)
                 check((slower > 0) == ("--freewheel" not in words), f"{what}: with a ramp or without", slower)
-                check("coasts" not in out, f"{what}: nothing else was sent", out)
+                check("a motor that turns coasts" not in out, f"{what}: nothing else was sent", out)
 
     # The tool has read CHCF before its first word, so that each gets the stop that was asked for.
     cases = [("atv320", (), False, "switched on"), ("atv28", (), False, "switched on"), ("atv12", (), True, "switched on"),

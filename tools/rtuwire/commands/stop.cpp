@@ -178,7 +178,10 @@ private:
                 ? "; a motor that turns coasts: CHCF was not read to be the drive profile, and then only 0000 stops it"
                 : "";
         if (why.kind == outcome_kind::succeeded) {
-            return {exit_status::done, "the motor stands" + other};
+            // What coasts has an output of 0 Hz at once.
+            return {exit_status::done, (way_ == stop_by::freewheel ? "the motor has no power, and coasts if it turned"
+                                                                   : "the motor stands") +
+                                           other};
         }
         if (why.kind == outcome_kind::unconfirmed) {
             return {exit_status::differs, "the motor slows, not confirmed to stand" + other};
@@ -211,7 +214,9 @@ private:
         std::string const fault = lft == nullptr ? std::string{} : text_of(*lft, why.fault);
         bool const stands = is_at_zero(drive);
         return {stands ? exit_status::done : exit_status::differs,
-                (stands ? "the motor stands, in fault: " : "in fault, not confirmed to stand: ") + fault};
+                (stands ? "the motor has no power, and coasts if it turned, in fault: "
+                        : "in fault, not confirmed to stand: ") +
+                    fault};
     }
 
     choices const& chosen_;

@@ -26,6 +26,7 @@ struct motor_sight {
     std::int16_t output{0};   ///< 0.1 Hz; without its sign on an ATV28
     std::uint16_t current{0}; ///< in steps of LCR
     bool is_backwards{false};
+    bool is_limited{false}; ///< it does not take the reference, but its LSP or HSP
     std::uint16_t fault{0}; ///< LFT, once it was read in fault; 0 otherwise
 };
 

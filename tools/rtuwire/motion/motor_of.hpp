@@ -98,6 +98,7 @@ public:
         seen.is_linked = not cycle_.link_lost();
         seen.is_able = control.is_able();
         seen.is_ordered = control.is_ordered();
+        seen.is_limited = (control.status() & rtuwire::altivar::reference_limited_bit) != 0;
         seen.is_backwards = (control.status() & rtuwire::altivar::runs_backwards_bit) != 0;
         return seen;
     }

@@ -23,6 +23,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr seconds longest_look{3};      ///< between two passes, before the drive's time-out was read
+constexpr milliseconds limit_seen{500}; ///< behind a new reference
 constexpr seconds connect_limit{5};     ///< to the first exchange of words
 constexpr seconds able_limit{5};        ///< to a drive that takes an order
 constexpr seconds unreached_limit{3};   ///< the library sends words that stop for 2 s, and is silent then
@@ -159,6 +160,7 @@ motion_end running::keep_running()
         if (auto const line = typed_.next(); line and not line->empty()) {
             change(*line);
         }
+        tell_limit(seen);
         bool const runs = seen.state == state::operation_enabled;
         if (runs and length_ and not until) {
             until = clock::now() + std::chrono::duration_cast<clock::duration>(*length_);
@@ -177,6 +179,7 @@ void running::change(std::string const& typed)
         asked_motion const next = motion_typed(typed, asked_, drive_);
         if (motor_->change(next)) {
             asked_ = next;
+            limit_due_ = clock::now() + limit_seen;
             sentence = "goes to " + next.text;
         } else {
             auto const why = motor_->reason();
@@ -188,6 +191,17 @@ void running::change(std::string const& typed)
         sentence = why.what() + (": stays at " + asked_.text + "; Ctrl-C stops it");
     }
     display_.say(motor_->sight(), sentence);
+}
+
+/// Said once of each speed that is typed; the drive needs a moment to show what it makes of it.
+void running::tell_limit(motor_sight const& seen)
+{
+    if (limit_due_ and clock::now() >= *limit_due_ and seen.is_linked) {
+        limit_due_.reset();
+        if (seen.is_limited) {
+            display_.say(seen, asked_.text + " is outside of the drive's limits: it turns at LSP, or at HSP");
+        }
+    }
 }
 
 motion_end running::interrupted() const
@@ -278,7 +292,10 @@ std::string running::stop(motion_end& end)
         }
     }
     emergency.disarm();
-    return (motor_->sight().state == state::fault ? "fault" + fault_text() + "; " : std::string{}) + "the motor stands";
+    bool const is_fault = motor_->sight().state == state::fault;
+    // What coasts has an output of 0 Hz at once.
+    return (is_fault ? "fault" + fault_text() + "; " : std::string{}) +
+           (is_fault or is_coasting_ ? "the motor has no power, and coasts if it turned" : "the motor stands");
 }
 
 } // namespace tool

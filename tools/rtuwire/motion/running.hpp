@@ -47,6 +47,7 @@ private:
     std::optional<motion_end> order();
     motion_end keep_running();
     void change(std::string const& typed);
+    void tell_limit(motor_sight const& seen);
     std::string stop(motion_end& end);
 
     motion_end refusal_of_check() const;
@@ -64,6 +65,7 @@ private:
     motor_display display_;
     reason_to_end must_end_;
     std::optional<std::chrono::duration<double>> length_{};
+    std::optional<clock::time_point> limit_due_{}; ///< when to look whether the drive limits what was typed
     bool is_coasting_{false};
     std::string reset_; ///< the command that resets a fault
     std::string stop_;  ///< the one that stops the motor
