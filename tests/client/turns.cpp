@@ -16,9 +16,9 @@ constexpr bool forgets_who_held_the_line_before()
     turns line;
     somebody who;
     reservation held;
-    held.begin(line, who);
+    held.begin(line, who, 1);
     reservation anew;
-    anew.begin(line, who);
+    anew.begin(line, who, 1);
     anew = held;
     return held.is_held() and not anew.is_held();
 }

@@ -132,9 +132,6 @@ public:
     /// A stop of its own has begun: its word, or its look, is due.
     void note_word_due(moment now) { word_due_since_ = stop_begun_ = now; }
 
-    /// The line was taken by a request of another drive's stop: these come before all others, and not in turns.
-    void note_other_stop(moment now) { word_due_since_ = word_due_since_ != 0 ? now : 0; }
-
     /// It has responded, whoever heard that; or it was off.
     void note_own_response() { unheeded_ = 0; }
 

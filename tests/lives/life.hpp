@@ -336,19 +336,9 @@ private:
             }
             if (is_meant) {
                 wait_for(each, frame, is_lost);
-            } else if (is_stop_under_way(i)) {
-                each.law.note_other_stop(now_);
             }
         }
         return true;
-    }
-
-    /// Of another drive.
-    bool is_stop_under_way(std::size_t unit) const
-    {
-        return everyone_.index() != 0 or std::any_of(slots_.begin(), slots_.end(), [&](slot const& each) {
-                   return each.unit != unit and not each.has_told and std::holds_alternative<a::stop>(each.what);
-               });
     }
 
     /// Another master waits for a word to run; another write ends its waiting for its time to speak.

@@ -181,7 +181,8 @@ private:
     bool is_missed_{false};
 };
 
-/// The line reserved for a conversation that comes before all others: no other asks before it.
+/// The line reserved for a conversation that comes before all others, a stop: no other asks before it. It is known by the
+/// unit that it stops: of several that stop one unit, any does.
 class reservation {
 public:
     constexpr reservation() noexcept = default;
@@ -194,39 +195,50 @@ public:
         return *this;
     }
 
-    constexpr void begin(turns& line, asker& who) noexcept
+    constexpr void begin(turns& line, asker& who, std::uint8_t unit) noexcept
     {
         state_ = state::held;
+        unit_ = unit;
         line.put_first(who);
     }
+    /// A stop asks now.
+    constexpr void use() noexcept { state_ = state::used; }
+    /// Another conversation may ask now.
     constexpr void end() noexcept { state_ = state::none; }
-    [[nodiscard]] constexpr bool is_held() const noexcept { return state_ != state::none; }
+
+    [[nodiscard]] constexpr bool is_held() const noexcept { return state_ >= state::held; }
+    /// Whether a stop of another unit comes first; 0 stands for all units.
+    [[nodiscard]] constexpr bool is_held_for_another(std::uint8_t unit) const noexcept
+    {
+        return is_held() and unit_ != unit;
+    }
+    /// Whether a request under way that has not left yet is a stop's: where the line is reserved, all others left or were
+    /// given up.
+    [[nodiscard]] constexpr bool is_of_stops() const noexcept { return state_ != state::none; }
 
     /// Another conversation visits while the line is reserved. Returns whether it does for the second time since the
-    /// last visit of the reserving one: that one is gone, and the reservation with it.
+    /// last visit of the reserving one: that one is gone.
     constexpr bool misses_holder(turns& line, asker& who) noexcept
     {
         standing const at = line.visit(who);
-        if (at == standing::is_next or (at == standing::is_last and state_ == state::missed)) {
-            end();
-            return true;
-        }
+        bool const is_gone = at == standing::is_next or (at == standing::is_last and state_ == state::missed);
         if (at == standing::is_last) {
             state_ = state::missed;
         }
-        return false;
+        return is_gone;
     }
 
 private:
-    /// `missed`: another conversation visited since the reserving one did.
-    enum class state : std::uint8_t { none, held, missed };
+    /// `used`: the latest request is a stop's. `missed`: held, and the conversation that asked last visited since the
+    /// reserving one did.
+    enum class state : std::uint8_t { none, used, held, missed };
 
     state state_{state::none};
+    std::uint8_t unit_{0};
 };
 
 /// The line of a client without commanders, for which nobody reserves it.
 struct no_reservation {
-    static constexpr void end() noexcept {}
     [[nodiscard]] static constexpr bool is_held() noexcept { return false; }
 };
 

@@ -254,18 +254,39 @@ TEST_CASE("rule 38: what has not left when a stop comes by is told as overruled 
 TEST_CASE("rule 38: a stop's own word that is given up is told as cancelled")
 {
     command_desk<2> it;
-    hand_commander one{3}, stop{4};
-    for (hand_commander* const each : {&one, &stop}) {
+    hand_commander one{3};
+    hand_for_all all{4};
+    one.note_stop();
+    one.has_request = true;
+    one.wanted = effect::stopping;
+    it.link.converse(one, it.now());
+    all.note_stop();
+    all.has_request = true;
+    it.link.converse(all, it.now());
+    REQUIRE(it.leaves());
+    CHECK(it.left == write_of(0, 8'501, 0));
+    it.link.converse(one, it.now());
+    CHECK(one.told == errc::cancelled);
+}
+
+TEST_CASE("rule 38: of two stops that find the line free in one pass the first leaves, and the other behind it")
+{
+    command_desk<2> it;
+    hand_commander one{3}, other{4};
+    for (hand_commander* const each : {&one, &other}) {
         each->note_stop();
         each->has_request = true;
         each->wanted = effect::stopping;
         it.link.converse(*each, it.now());
     }
     REQUIRE(it.leaves());
-    CHECK(it.left == write_of(4, 8'501, 0));
+    CHECK(it.left == write_of(3, 8'501, 0));
     it.hear(response_to(it.left));
     it.link.converse(one, it.now());
-    CHECK(one.told == errc::cancelled);
+    CHECK(one.told == errc::none);
+    it.link.converse(other, it.now());
+    REQUIRE(it.leaves());
+    CHECK(it.left == write_of(4, 8'501, 0));
 }
 
 TEST_CASE("rule 37: everyone's stop that begins in the pass in which another one ends holds all units")

@@ -86,8 +86,7 @@ public:
             return turn_result::passed;
         }
         effect const what = this->effect_of(conversation);
-        if (what == effect::stopping ? not this->may_stop()
-                                     : not this->may_ask(conversation, prompt_conversation<Conversation>, now)) {
+        if (not this->has_turn(conversation, what, now)) {
             return turn_result::waits;
         }
         if constexpr (prompt_conversation<Conversation>) {

@@ -28,7 +28,8 @@ public:
     using desk::desk;
 
     /// The second part of `converse`: lets time pass for the conversation, and notes what a commander's user wants. A
-    /// stop request gets the line first, unless it `may_ask` nothing in this pass: then it takes the line from nobody.
+    /// stop request gets the line first, unless it `may_ask` nothing in this pass, or a later stop has its unit: then it takes
+    /// the line from nobody.
     template <conversation Conversation>
     constexpr void command(Conversation& conversation, instant now, bool may_ask = true) noexcept
     {
@@ -53,7 +54,9 @@ public:
             } else {
                 visit(conversation, now);
             }
-            if (may_ask and conversation.intent() == effect::stopping and not desk::is_asked_by(conversation)) {
+            bool const is_due = may_ask and conversation.intent() == effect::stopping;
+            if (is_due and not desk::is_asked_by(conversation) and
+                check_order(conversation, effect::stopping) == errc::none) {
                 make_way_for(conversation, now);
             }
         }
@@ -71,6 +74,18 @@ protected:
             return conversation.intent();
         }
         return effect::none;
+    }
+
+    /// Whether a conversation may ask now: a stop request does not wait for its turn.
+    template <typename Conversation>
+    constexpr bool has_turn(Conversation& conversation, effect what, instant now) noexcept
+    {
+        if constexpr (commanding_conversation<Conversation> or stops_by_broadcast<Conversation>) {
+            if (what == effect::stopping) {
+                return desk::may_stop(conversation, unit_stopped_by(conversation), now);
+            }
+        }
+        return desk::may_ask(conversation, prompt_conversation<Conversation>, now);
     }
 
     /// Why a request was given up: a stop of its unit came before it, or it was cancelled.
@@ -142,16 +157,23 @@ private:
         }
     }
 
+    /// The unit that a stop request stops; 0 for one of several.
+    template <typename Conversation>
+    static constexpr std::uint8_t unit_stopped_by(Conversation const& conversation) noexcept
+    {
+        if constexpr (commanding_conversation<Conversation>) {
+            return conversation.unit().byte();
+        }
+        return 0;
+    }
+
     /// A conversation visits with a stop request. Until that has left, no other conversation sends; a request under
-    /// way for its unit is given up, unless its response is arriving, and one for another unit is not repeated.
+    /// way for its unit is given up, unless its response is arriving. One for another unit is not repeated, and given up
+    /// where it has not left and is no stop's.
     template <typename Conversation> constexpr void make_way_for(Conversation& conversation, instant now) noexcept
     {
-        if (duty::phase_now() == client_phase::idle and duty::is_quiet()) {
-            return; // it leaves in this pass
-        }
-        // Of several such requests the first one to visit is next, also to drop one whose asker no longer visits.
-        if (not(reservation_.is_held() and duty::awaits_asker())) {
-            reservation_.begin(turns_, conversation);
+        if (desk::is_free()) {
+            return;
         }
         bool may_cut = false;
         if constexpr (stops_by_broadcast<Conversation>) {
@@ -159,9 +181,21 @@ private:
         } else {
             may_cut = conversation.unit().byte() == duty::asked_unit();
         }
-        duty::make_way(may_cut, now);
+        make_way_for(conversation, unit_stopped_by(conversation), may_cut, now);
+    }
+
+    constexpr void make_way_for(asker& who, std::uint8_t unit, bool may_cut, instant now) noexcept
+    {
+        bool const may_drop = may_cut or not reservation_.is_of_stops();
+        // Of several such requests the first one to visit is next, also to drop one whose asker no longer visits: those for
+        // one unit, which give each other up, keep the line from no other.
+        if (not reservation_.is_held_for_another(unit) and not(reservation_.is_held() and duty::awaits_asker())) {
+            reservation_.begin(turns_, who, unit);
+        }
+        duty::make_way(may_cut, may_drop, now);
         if (duty::was_cut()) {
             static_cast<void>(duty::take_outcome()); // its asker is told that it was cancelled
+            turns_.void_marks();                     // this visit counts once
         }
     }
 };

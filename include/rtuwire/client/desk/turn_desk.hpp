@@ -83,6 +83,7 @@ protected:
                 }
                 return false;
             }
+            reservation_.end();
         }
         if (not turns_.others_wait() and (is_quiet or not is_prompt)) {
             return true;
@@ -95,15 +96,23 @@ protected:
         return may;
     }
 
-    /// Whether a stop request may be sent: it waits for silence, but not for its turn.
-    constexpr bool may_stop() noexcept
+    /// Whether a request that stops a unit may be sent: it waits for silence, and for the stop of another unit for which
+    /// the line is reserved, but not for its turn.
+    constexpr bool may_stop(asker& who, std::uint8_t unit, instant now) noexcept
     {
-        bool const may = duty::phase_now() == client_phase::idle and duty::is_quiet();
-        if (may) {
-            reservation_.end();
+        if (not is_free()) {
+            return false;
         }
-        return may;
+        if (reservation_.is_held_for_another(unit) and not reservation_.misses_holder(turns_, who)) {
+            duty::wake(now);
+            return false;
+        }
+        reservation_.use();
+        return true;
     }
+
+    /// Whether a request would leave in this pass.
+    constexpr bool is_free() const noexcept { return duty::phase_now() == client_phase::idle and duty::is_quiet(); }
 
     /// A conversation's unit gets no request now. The one that asked last has had its turn; others get one later.
     constexpr turn_result hold_back(asker const& who) noexcept

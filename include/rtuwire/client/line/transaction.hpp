@@ -310,14 +310,14 @@ protected:
         }
     }
 
-    /// A stop request needs the line. The request under way is not repeated; where it may be cut, it is given up,
-    /// unless its response has begun to arrive.
-    constexpr void make_way(bool may_cut, instant now) noexcept
+    /// A stop request needs the line. The request under way is not repeated. It is given up where it may be dropped before
+    /// it has left, and where it may be cut, unless its response has begun to arrive.
+    constexpr void make_way(bool may_cut, bool may_drop, instant now) noexcept
     {
         retries_.end_retries();
         bool const has_not_left = phase_ == phase::waiting or phase_ == phase::ready or phase_ == phase::pausing;
         bool const is_arriving = phase_ == phase::awaiting and not is_quiet();
-        if (has_not_left or (may_cut and not is_arriving)) {
+        if (has_not_left ? may_drop or not retries_.is_first() : may_cut and not is_arriving) {
             cancel(now);
         }
     }
