@@ -149,7 +149,7 @@ public:
         // What takes time from one of these on begins now.
         taken_at_ = stopped_at_ = lost_at_ = now;
         unheeded_ = 0;
-        word_due_since_ = 0; // its limit may be over
+        word_due_since_ = word_due_since_ != 0 ? now : 0;
         is_asleep_ = false;
         return was_ordered;
     }

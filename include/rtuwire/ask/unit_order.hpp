@@ -21,6 +21,13 @@ enum class hold : std::uint8_t {
     is_over,         ///< that stop has ended
 };
 
+/// Whether requests that stop a unit may still be sent while it is lost.
+enum class stop_words : std::uint8_t {
+    none,
+    timed, ///< up to `words_end`
+    due,   ///< a stop has begun, and has sent none yet: its time begins with the first one
+};
+
 /// What is known of one unit. All zero where nothing is known, so that a `constinit` client lives in .bss; the times
 /// are written before they are read.
 struct unit_order {
@@ -41,13 +48,13 @@ struct unit_order {
     bool is_ordered;
     bool is_starting; ///< the command to run was sent; neither seen with power nor told to stop since
     bool is_lost;
-    bool was_lost;    ///< the last stop was a loss
-    bool may_be_told; ///< while it is lost: stop requests may still be sent
+    bool was_lost; ///< the last stop was a loss
+    stop_words words;
     hold held;
 };
 inline constexpr unit_order nothing_known{
-    instant{0}, instant{0}, instant{0}, duration{}, 0,     0,     0,     0,     0,     0,
-    false,      0,          0,          0,          false, false, false, false, false, hold::by_its_stop};
+    instant{0}, instant{0}, instant{0},       duration{},       0, 0, 0, 0, 0, 0, false, 0, 0, 0, false, false,
+    false,      false,      stop_words::none, hold::by_its_stop};
 
 /// Whether an event came before another one.
 [[nodiscard]] constexpr bool is_older(std::uint32_t stamp, std::uint32_t than) noexcept

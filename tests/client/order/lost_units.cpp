@@ -141,31 +141,38 @@ TEST_CASE("rule 40: every commander of a lost unit is told, also one that comes 
     }
 }
 
-TEST_CASE("rule 40: a stop that begins behind a loss has 2 s for its words, however often it comes by")
+TEST_CASE("rule 40: a stop that begins behind a loss has 2 s from its first word on, however long it has not said it")
 {
-    for (bool const is_for_all : {false, true}) {
-        loss of;
-        hand_commander other{3};
-        hand_for_all all{9};
-        of.it.pass(3'000'000);
-        CHECK_FALSE(of.it.says(of.one, effect::stopping));
-        std::uint64_t const begin = of.it.time;
-        auto const come_by = [&] {
-            if (is_for_all) {
-                of.it.see(all);
-            }
-            of.it.see(other);
-        };
-        if (is_for_all) {
-            all.note_stop();
-        } else {
-            other.note_stop();
-        }
-        come_by();
-        of.it.pass(1'000'000);
-        come_by();
-        check_words_until(of, other, begin + words);
+    loss of;
+    hand_commander other{3};
+    of.it.pass(2'500'000);
+    CHECK_FALSE(of.it.says(of.one, effect::stopping));
+    other.note_stop();
+    for (unsigned i = 0; i < 3; ++i) {
+        of.it.see(other);
+        CHECK_FALSE(other.is_silenced());
+        of.it.pass(900'000);
     }
+    std::uint64_t const begin = of.it.time;
+    REQUIRE(of.it.misses(other, effect::stopping) != 0);
+    of.it.see(other);
+    check_words_until(of, other, begin + words);
+}
+
+TEST_CASE("rule 40: a stop of all that begins behind a loss has 2 s for its words, however often it comes by")
+{
+    loss of;
+    hand_commander other{3};
+    hand_for_all all{9};
+    of.it.pass(3'000'000);
+    std::uint64_t const begin = of.it.time;
+    all.note_stop();
+    for (unsigned i = 0; i < 2; ++i) {
+        of.it.see(all);
+        of.it.see(other);
+        of.it.pass(500'000);
+    }
+    check_words_until(of, other, begin + words);
 }
 
 TEST_CASE("rule 40: of a unit that was not ordered here its type tells how long it is left alone")

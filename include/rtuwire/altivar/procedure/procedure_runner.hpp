@@ -20,7 +20,8 @@
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
 /// The conversation of a procedure. It ends at its limit, counted from the first `advance`; or later by the procedure's
-/// grace, or at the end of the one request that is then under way or still has to be sent to leave the drive safe.
+/// grace, or at the end of the one request that is then under way or still has to be sent to leave the drive safe. A stop
+/// does not end before its control word has left.
 template <typename Script> class procedure_runner : public commander {
     /// Whether it may send a control word that stops, other than 0000.
     static constexpr bool says_stop = Script::is_stop or Script::is_order or Script::gives_way_to_order;
@@ -70,8 +71,7 @@ public:
             return;
         }
         if (is_looking()) {
-            bool const is_over =
-                (has_length() and reached(at, pause_end_)) or (not is_late_ and reached(now, late_at_));
+            bool const is_over = (has_length() and reached(at, pause_end_)) or (has_limit() and reached(now, late_at_));
             return is_over ? end_look(0) : void();
         }
         if (Script::follows_order and this->is_overruled() and not procedure_.takes_back()) {
@@ -83,9 +83,7 @@ public:
         if (has_to_look()) {
             return begin_look();
         }
-        // No limit ends a stop whose control word was never sent.
-        bool const has_to_say = Script::is_stop and action_.does == effect::stopping and not look_.has_said();
-        if (not is_late_ and reached(now, late_at_) and not has_to_say) {
+        if (has_limit() and reached(now, late_at_)) {
             is_late_ = was_warned_ or Script::grace.microseconds == 0;
             was_warned_ = true;
             late_at_ = now + Script::grace;
@@ -198,7 +196,7 @@ public:
             return {};
         }
         earliest next;
-        if (not is_late_) {
+        if (not is_late_ and not(has_to_say() and reached(now_, late_at_))) { // else it waits for more than that
             next.add(late_at_);
         }
         if (has_length()) {
@@ -304,6 +302,17 @@ private:
         }
     }
 
+    /// Whether a stop's control word was never sent.
+    constexpr bool has_to_say() const noexcept { return Script::is_stop and not look_.has_said(); }
+
+    /// Whether the time limit is ahead, or over and not taken notice of. It ends no stop that has to say its word: only what such
+    /// a one reads before.
+    constexpr bool has_limit() const noexcept
+    {
+        bool const reads = is_looking() or action_.what == action::kind::read;
+        return not is_late_ and (reads or not has_to_say());
+    }
+
     /// Whether the action is a pause, or a request that may wait only for a limited time. Before its first word a stop looks
     /// for a limited time, later as long as its turn and the response take.
     constexpr bool has_length() const noexcept
@@ -334,7 +343,7 @@ private:
     {
         // After the limit one request is allowed, and no pause.
         bool const is_request = next.what == action::kind::read or next.what == action::kind::write;
-        if (is_late_ and (next.what == action::kind::pause or (is_request and was_granted_))) {
+        if (is_late_ and not has_to_say() and (next.what == action::kind::pause or (is_request and was_granted_))) {
             next = procedure_.give_up();
         }
         was_granted_ = was_granted_ or (is_late_ and is_request);

@@ -71,7 +71,7 @@ public:
 
     /// A commander of one unit visits: notes what its user wants, and what it read. Returns whether its unit was lost
     /// since its last visit.
-    constexpr bool visit(commander& who, std::uint8_t unit, instant now) noexcept
+    constexpr bool visit(commander& who, std::uint8_t unit) noexcept
     {
         losses::meet(who);
         bool const is_lost = has_lost(who, unit);
@@ -79,7 +79,7 @@ public:
         bool const is_doubtful = who.has_come_by_ and has_happened(who, unit);
         who.was_stopped_ = who.was_stopped_ or is_doubtful;
         tell_arrangement(who, unit);
-        take_notes(who, unit, is_doubtful, now);
+        take_notes(who, unit, is_doubtful);
         if (who.is_stopping_) {
             keep_hold(who, unit);
         }
@@ -161,7 +161,7 @@ private:
         who.is_doubtful_ = own.is_doubtful;
     }
 
-    constexpr void take_notes(commander& who, std::uint8_t unit, bool is_doubtful, instant now) noexcept
+    constexpr void take_notes(commander& who, std::uint8_t unit, bool is_doubtful) noexcept
     {
         if (unit_order* const own = places_.find(unit)) {
             note_power(*own, who.power_seen_);
@@ -191,7 +191,7 @@ private:
         }
         if (who.has_stopped_) {
             who.has_stopped_ = false;
-            begin_stop(who, unit, now);
+            begin_stop(who, unit);
         }
         if (who.is_over_) {
             who.is_over_ = false;
@@ -299,6 +299,10 @@ private:
     {
         if (unit_order* const own = places_.find(unit)) {
             own->is_starting = false;
+            if (own->words == stop_words::due) {
+                own->words = stop_words::timed;
+                own->words_end = asked_ + stop_words_after_loss;
+            }
             own->silence = own->silence == duration{} ? drive_timeout + milliseconds(1'000) : own->silence;
         }
     }

@@ -20,7 +20,7 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// How long stop requests may be sent after a loss, or after the start of a stop that follows it.
+/// How long stop requests may be sent after a loss, or after the first one of a stop that follows it.
 inline constexpr duration stop_words_after_loss = milliseconds(2'000);
 
 /// The stops under way of one client; the base of its orders.
@@ -39,7 +39,7 @@ public:
             note_none_counts();
             for (unit_order& each : places_) {
                 each.words_end = now + stop_words_after_loss;
-                each.may_be_told = true;
+                each.words = stop_words::timed;
             }
         }
         if (who.is_over_) {
@@ -104,7 +104,7 @@ protected:
         }
     }
 
-    constexpr void begin_stop(commander& who, std::uint8_t unit, instant now) noexcept
+    constexpr void begin_stop(commander& who, std::uint8_t unit) noexcept
     {
         who.stamp_ = ++count_;
         who.is_stopping_ = true;
@@ -113,8 +113,7 @@ protected:
         own.last_stop = count_;
         own.holder = count_;
         own.held = hold::by_its_stop;
-        own.words_end = now + stop_words_after_loss;
-        own.may_be_told = true;
+        own.words = stop_words::due;
     }
 
     /// A stop under way visits: a place that has become free goes to its unit, and where the stop of another unit

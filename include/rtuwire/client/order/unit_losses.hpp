@@ -8,7 +8,7 @@
 // broadcast, an ordered unit that no stop of its own follows: nobody would see whether it heard. Then, for 2 s at most, only
 // stop requests go to that unit. After that it gets no request of any conversation, until the drive's own time-out and
 // 1 s more have passed since the last of them: it has stopped by itself if it can. A stop that begins meanwhile has
-// 2 s for its requests. A response to one of them ends the loss; the order stays cancelled.
+// 2 s for its requests, from the first one on. A response to one of them ends the loss; the order stays cancelled.
 // Internal: may change with any version.
 #pragma once
 
@@ -82,7 +82,7 @@ public:
     {
         for (unit_order const& each : places_) {
             bool const is_meant = each.is_lost and (each.unit == unit or unit == 0);
-            bool const may_be_told = what == effect::stopping and (unit == 0 or each.may_be_told);
+            bool const may_be_told = what == effect::stopping and (unit == 0 or each.words != stop_words::none);
             if (is_meant and not may_be_told) {
                 return true;
             }
@@ -110,7 +110,7 @@ public:
         if (unit_order* const own = places_.make(unit)) {
             own->silence = silence_of_another_family;
             lose(*own, now);
-            own->may_be_told = false;
+            own->words = stop_words::none;
         }
     }
 
@@ -122,7 +122,9 @@ public:
         bool is_over = false;
         for (unit_order& each : places_) {
             heed_gap(each, now);
-            each.may_be_told = each.may_be_told and not reached(now, each.words_end);
+            if (each.words == stop_words::timed and reached(now, each.words_end)) {
+                each.words = stop_words::none;
+            }
             if (each.is_lost and reached(now, each.silence_end)) {
                 each.is_lost = false;
                 is_over = true;
@@ -137,7 +139,7 @@ public:
         next.add(wake_);
         for (unit_order const& each : places_) {
             if (each.is_lost) {
-                next.add(each.may_be_told ? each.words_end : each.silence_end);
+                next.add(each.words == stop_words::timed ? each.words_end : each.silence_end);
             }
         }
     }
@@ -167,9 +169,11 @@ private:
         own.confirmed = 0;
         if (not own.is_lost) {
             own.is_lost = true;
-            own.may_be_told = true;
             own.was_lost = true;
-            own.words_end = now + stop_words_after_loss;
+            if (own.words != stop_words::due) {
+                own.words = stop_words::timed;
+                own.words_end = now + stop_words_after_loss;
+            }
             own.last_stop = ++count_;
         }
         own.silence_end = now + own.silence;

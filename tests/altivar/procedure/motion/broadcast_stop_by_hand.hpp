@@ -53,7 +53,7 @@ template <std::size_t Drives> struct everyone_by_hand {
         all.advance(now);
         motors.visit_for_all(all, now);
         for (altivar::stop& each : all.stops()) {
-            if (motors.visit(each, each.unit().byte(), now)) {
+            if (motors.visit(each, each.unit().byte())) {
                 each.note_loss();
             }
         }
@@ -63,6 +63,12 @@ template <std::size_t Drives> struct everyone_by_hand {
         motors.note_ordered(all);
         std::string told;
         if (auto const request = all.next()) {
+            motors.note_start(now);
+            for (altivar::stop const& each : all.stops()) {
+                if (request->frame()[0] == std::byte{each.unit().byte()}) {
+                    motors.note_asked(each.unit().byte(), all.intent(), each.drive_timeout(), each.tolerated_misses());
+                }
+            }
             constexpr std::string_view digits{"0123456789ABCDEF"};
             for (std::byte const each : request->frame().first(6)) {
                 told += told.empty() ? "" : " ";
