@@ -261,7 +261,10 @@ public:
         was_foreign_ = true;
         if (to_u8(frame[1]) != 3) {
             was_written_to_ = is_foreign_ = true;
-            foreign_reference_at_ = writes_reference(frame) ? now : foreign_reference_at_;
+            // What stands there already is nobody else's.
+            bool const is_same = to_u8(frame[1]) == 6 and u16_at(frame, 2) == drive_.frequency_reference() and
+                                 u16_at(frame, 4) == static_cast<std::uint16_t>(drive_.reference());
+            foreign_reference_at_ = writes_reference(frame) and not is_same ? now : foreign_reference_at_;
             auto const word = control_word_in(frame, drive_.profile());
             bool const stops = word and (*word == 0 or *word == 2);
             if (stops) {

@@ -179,9 +179,10 @@ private:
                 : "";
         if (why.kind == outcome_kind::succeeded) {
             // What coasts has an output of 0 Hz at once.
-            return {exit_status::done, (way_ == stop_by::freewheel ? "the motor has no power, and coasts if it turned"
-                                                                   : "the motor stands") +
-                                           other};
+            return {exit_status::done,
+                    (way_ == stop_by::freewheel or why.is_other_stop ? "the motor has no power, and coasts if it turned"
+                                                                     : "the motor stands") +
+                        other};
         }
         if (why.kind == outcome_kind::unconfirmed) {
             return {exit_status::differs, "the motor slows, not confirmed to stand" + other};

@@ -280,8 +280,10 @@ std::string running::stop(motion_end& end)
         slowest = std::min(slowest, output);
         if (now - heard > unreached_limit and not is_local) { // which was heard, and follows nobody's words
             emergency.disarm();                               // from here on only silence makes the drive stop
-            end.status = exit_status::no_answer;
-            return "nobody answered the stop: " + own_stop();
+            outcome_kind const why = motor_->reason().kind;
+            bool const is_silent = why == outcome_kind::silent or why == outcome_kind::pending;
+            end.status = is_silent ? exit_status::no_answer : exit_status::differs;
+            return (is_silent ? "nobody answered the stop: " : "the motor was not seen to stop: ") + own_stop();
         }
         bool const has_no_power = seen.is_linked and rtuwire::cia402::is_at_rest(seen.state);
         if (now - slowed > patience or (is_coasting_ and has_no_power)) {
@@ -293,6 +295,9 @@ std::string running::stop(motion_end& end)
     }
     emergency.disarm();
     bool const is_fault = motor_->sight().state == state::fault;
+    if (is_fault and end.status == exit_status::done) { // while the program slept, say
+        end.status = exit_status::differs;
+    }
     // What coasts has an output of 0 Hz at once.
     return (is_fault ? "fault" + fault_text() + "; " : std::string{}) +
            (is_fault or is_coasting_ ? "the motor has no power, and coasts if it turned" : "the motor stands");
