@@ -373,6 +373,7 @@ using altivar::reason;
 using altivar::recall_from_eeprom;
 using altivar::reference;
 using altivar::reference_limits;
+using altivar::reference_limited_bit;
 using altivar::reference_reached_bit;
 using altivar::reset_fault;
 using altivar::restore_factory_settings;

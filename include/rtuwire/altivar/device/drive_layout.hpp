@@ -18,7 +18,6 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// Internal.
 inline constexpr std::uint16_t remote_bit = 0x0200; ///< 0 in local control
 inline constexpr std::uint16_t reference_reached_bit = 0x0400;
-/// Internal.
 inline constexpr std::uint16_t reference_limited_bit = 0x0800; ///< below LSP or above HSP
 /// Internal.
 inline constexpr std::uint16_t stop_key_bit = 0x4000;
