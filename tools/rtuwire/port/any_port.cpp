@@ -33,8 +33,8 @@ result<void> any_port::open_one(serial_device const& chosen, serial_settings con
         own_failure_ = port.failure() + "; did you mean " + nearest + "?";
     }
     if (std::string const holder = opened == errc::device_in_use ? holder_of(chosen.path) : ""; not holder.empty()) {
-        own_failure_ = port.failure() + "; held by " + holder +
-                       ": end that first (Ctrl-C ends a `start`, whose motor stops with it)";
+        own_failure_ =
+            port.failure() + "; held by " + holder + ": end that first (Ctrl-C ends start, whose motor stops with it)";
     }
     return opened;
 }
