@@ -33,6 +33,7 @@ QUICK = 15  # TTO of a drive that has to stop by itself, in 0.1 s
 DRIVES = ("atv320", "atv28", "atv12", "atv310", "atv310_2026")
 SIGNALS = ("INT", "TERM", "HUP", "PIPE", "KILL")
 SPEED = 40  # in Hz
+LSP = 3105
 
 checks_lock = threading.Lock()
 
@@ -361,7 +362,7 @@ def refused(program, check):
         asks("above HSP", 2, "50.0 Hz (HSP)", "--allow-run", *start, "50.1Hz")
         asks("a speed above HSP", 2, "50.0 Hz (HSP)", "--allow-run", "start", "--speed", "1600rpm")
         asks("half a step", 2, "steps of 0.1 Hz", "--allow-run", *start, "40.05Hz")
-        motor.write(3105, 100)
+        motor.write(LSP, 100)
         asks("below LSP", 2, "10.0 Hz (LSP)", "--allow-run", *start, "9.9Hz")
         motor.write(7010, 0)
         asks("an unsupervised drive", 5, "does not watch its link (SLL", "--allow-run", *start, "40Hz")
@@ -424,11 +425,11 @@ def typed(program, check):
         back = tool.on_terminal("--unit", UNIT, "--no-listen", "--timeout", motor.timeout, "-y", "--allow-run", "start", "--frequency",
                                 f"{SPEED}Hz", "--reverse", "--for", "6s", port=motor.device, keys=reverse)
         check(back.status == 0 and all(text in back.output for text, _ in reverse), "it keeps its direction", back)
-        motor.write(3105, 100)
+        motor.write(LSP, 100)
         limited = tool.on_terminal("--unit", UNIT, "--no-listen", "--timeout", motor.timeout, "-y", "--allow-run", "start", "--frequency",
                                    f"{SPEED}Hz", "--for", "6s", port=motor.device, keys=slow)
         check(limited.status == 0 and all(text in limited.output for text, _ in slow), "that the drive limits it is said", limited)
-        motor.write(3105, 0)
+        motor.write(LSP, 0)
         check(motor.stands(), "it stands at the end", motor.shown())
         script = motor.start(program, "--for", "1s", stdin=subprocess.PIPE)
         script.stdin.write(b"10Hz\n")

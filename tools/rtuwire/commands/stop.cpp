@@ -20,6 +20,7 @@
 #include "commands/commands.hpp"
 #include "line/line_words.hpp"
 #include "line/who_is_it.hpp"
+#include "motion/motor.hpp"
 #include "port/named_drives.hpp"
 
 namespace tool {
@@ -178,11 +179,8 @@ private:
                 ? "; a motor that turns coasts: CHCF was not read to be the drive profile, and then only 0000 stops it"
                 : "";
         if (why.kind == outcome_kind::succeeded) {
-            // What coasts has an output of 0 Hz at once.
-            return {exit_status::done,
-                    (way_ == stop_by::freewheel or why.is_other_stop ? "the motor has no power, and coasts if it turned"
-                                                                     : "the motor stands") +
-                        other};
+            bool const coasts = way_ == stop_by::freewheel or why.is_other_stop;
+            return {exit_status::done, (coasts ? no_power_text : "the motor stands") + other};
         }
         if (why.kind == outcome_kind::unconfirmed) {
             return {exit_status::differs, "the motor slows, not confirmed to stand" + other};
@@ -213,11 +211,10 @@ private:
     {
         register_entry const* const lft = drive.at(drive.layout.lft);
         std::string const fault = lft == nullptr ? std::string{} : text_of(*lft, why.fault);
-        bool const stands = is_at_zero(drive);
-        return {stands ? exit_status::done : exit_status::differs,
-                (stands ? "the motor has no power, and coasts if it turned, in fault: "
-                        : "in fault, not confirmed to stand: ") +
-                    fault};
+        if (not is_at_zero(drive)) {
+            return {exit_status::differs, "in fault, not confirmed to stand: " + fault};
+        }
+        return {exit_status::done, no_power_text + (", in fault: " + fault)};
     }
 
     choices const& chosen_;

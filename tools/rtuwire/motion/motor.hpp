@@ -16,6 +16,9 @@
 
 namespace tool {
 
+/// What is known of a motor whose power was taken away: its output is 0 Hz at once, while it may turn on.
+inline constexpr char const no_power_text[] = "the motor has no power, and coasts if it turned";
+
 /// What was read last. It may be old where `is_linked` is false.
 struct motor_sight {
     rtuwire::cia402::state state{rtuwire::cia402::state::unknown};

@@ -231,7 +231,7 @@ std::string running::own_stop() const
     std::string const seconds =
         timeout != rtuwire::duration{} ? " of " + amount_text(timeout.microseconds / 100'000, {1, 10}, "s") : "";
     return "the motor stops when the drive's own time-out" + seconds + " is over; `" + stop_ +
-           "` stops it, and says so, once the line is whole";
+           "` stops it, and says so, where the drive hears that";
 }
 
 std::string running::fault_text() const
@@ -278,7 +278,7 @@ std::string running::stop(motion_end& end)
         int const output = seen.has_output ? std::abs(int{seen.output}) : slowest;
         slowed = output < slowest ? now : slowed;
         slowest = std::min(slowest, output);
-        if (now - heard > unreached_limit and not is_local) { // which was heard, and follows nobody's words
+        if (now - heard > unreached_limit and not is_local) { // there it answers, and obeys no word
             emergency.disarm();                               // from here on only silence makes the drive stop
             outcome_kind const why = motor_->reason().kind;
             bool const is_silent = why == outcome_kind::silent or why == outcome_kind::pending;
@@ -298,9 +298,8 @@ std::string running::stop(motion_end& end)
     if (is_fault and end.status == exit_status::done) { // while the program slept, say
         end.status = exit_status::differs;
     }
-    // What coasts has an output of 0 Hz at once.
     return (is_fault ? "fault" + fault_text() + "; " : std::string{}) +
-           (is_fault or is_coasting_ ? "the motor has no power, and coasts if it turned" : "the motor stands");
+           (is_fault or is_coasting_ ? no_power_text : "the motor stands");
 }
 
 } // namespace tool
