@@ -50,10 +50,11 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// |               | limit over, of LFT                  | end: in_fault, 0    | end: in_fault, 0                    |
 /// |               | limit over                          | end: aborted        | end: state_timeout                  |
 ///
-/// "Reached" waits the first time; the second time in a row it reads the reference, and ends as `overwritten` where that is not
-/// the one written, else reads ETA once more: as `succeeded` where that shows "reached" again (without RFR), while another one
-/// begins anew. "Limited" does so as `reference_limited`. A reference of 0 has no direction: it keeps that of the motor, where LSP may be above 0 by 0.1 Hz
-/// with the sign for it. Before a word below zero and above -20 rpm is written, FRS and NSP are read: it is at least 0.1 Hz.
+/// "Reached" waits the first time; the second time in a row it reads the reference, and ends as `overwritten` where
+/// that is not the one written, else reads ETA once more: as `succeeded` where that shows "reached" again (without
+/// RFR), while another one begins anew. "Limited" does so as `reference_limited`. A reference of 0 has no direction:
+/// it keeps that of the motor, where LSP may be above 0 by 0.1 Hz with the sign for it. Before a word below zero and
+/// above -20 rpm is written, FRS and NSP are read: it is at least 0.1 Hz.
 /// Internal.
 class reference_procedure : public procedure {
 public:
@@ -237,11 +238,13 @@ private:
 };
 
 /// Changes the reference of a drive in operation; a negative one is in reverse, and 0 keeps the direction in which the
-/// motor turns. Done where two status reads after the write show that it is reached, the motor turns in that
-/// direction, the drive still holds it, else `overwritten`, and a third status shows it again; `reference_limited` where they show that the drive limits it; `above_hsp` where it was not written, because it
-/// is above HSP and not slower than the one before (`beyond_limits::limit` writes it all the same); `halted` where the halt bit is set,
-/// `state_timeout` where the drive does not reach it in time. A long ramp needs a long limit. A drive that leaves operation ends it as `stop_key` or `fell_back`; one not in operation at the
-/// first read as `aborted`, or as `stop_key` if that stopped it.
+/// motor turns. Done where two status reads after the write show that it is reached and that the motor turns in that
+/// direction, the drive then still holds it (else `overwritten`), and a third status shows it once more;
+/// `reference_limited` where they show that the drive limits it; `above_hsp` where it was not written, because it is
+/// above HSP and not slower than the one before (`beyond_limits::limit` writes it all the same); `halted` where the
+/// halt bit is set, `state_timeout` where the drive does not reach it in time. A long ramp needs a long limit. A drive
+/// that leaves operation ends it as `stop_key` or `fell_back`; one not in operation at the first read as `aborted`, or
+/// as `stop_key` if that stopped it.
 class change_reference : public procedure_runner<reference_procedure> {
 public:
     template <device_type Device>

@@ -132,13 +132,13 @@ private:
 /// | in local control     | end: local_control  | undo: local_control      | undo: local_control                  |
 /// | STOP key, newly      |                     | undo: stop_key           | undo: stop_key                       |
 ///
-/// "Both" are the reference, then the control word; by one request where they are neighbours (CMD, LFR), which goes on as
-/// "checking". CHCF is read there only where the check found the drive profile in it. 000F that could not be sent for 0.5 s begins again
-/// with ETA, once. A reference without a confirmation may be that of a running motor. "As ever" is the word written here last
-/// (0007, or 000F), or what was read of a drive that already runs. A state below the one read last has
-/// fallen back, also below the one met before the check; one above it, and above those to which the commands sent lead, ends as
-/// "another" does. Four requests in a row without a response are `silent`, and two
-/// once the motor may run.
+/// "Both" are the reference, then the control word; by one request where they are neighbours (CMD, LFR), which goes on
+/// as "checking". CHCF is read there only where the check found the drive profile in it. 000F that could not be sent
+/// for 0.5 s begins again with ETA, once. A reference without a confirmation may be that of a running motor. "As ever"
+/// is the word written here last (0007, or 000F), or what was read of a drive that already runs. A state below the one
+/// read last has fallen back, also below the one met before the check; one above it, and above those to which the
+/// commands sent lead, ends as "another" does. Four requests in a row without a response are `silent`, and two once
+/// the motor may run.
 /// Internal.
 class start_procedure : public order_procedure {
     using stage = start_stage;
