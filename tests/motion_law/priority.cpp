@@ -119,6 +119,26 @@ TEST_CASE("motion law: a stop that was destroyed before its end releases nothing
     CHECK(behind.succeeded());
 }
 
+TEST_CASE("motion law: L3 a release of a unit that no stop holds does not end the order that runs it")
+{
+    for (std::uint32_t after_ms = 0; after_ms < 400; after_ms += 7) {
+        INFO("released " << after_ms << " ms after the order");
+        hall it;
+        start go{motor, 50_Hz};
+        auto const work = [&](instant at) {
+            if (not go.settled()) {
+                it.link().converse(0, go, at);
+            }
+        };
+        it.pass(work, milliseconds(after_ms));
+        it.link().release(motor.unit());
+        it.link().release_all();
+        it.pass(work, milliseconds(3'000));
+        CHECK(go.reason().kind == outcome_kind::succeeded);
+        CHECK(go.running());
+    }
+}
+
 TEST_CASE("motion law: S11 a stop leaves at once to a unit that missed its polls, or owes answers")
 {
     constexpr client_options slow{.response_timeout = milliseconds(1'000), .retries = 2};

@@ -111,7 +111,8 @@ public:
         return client_.motor_orders().is_ordered(unit.byte());
     }
 
-    /// Ends the hold of a stop that was given up before its end: its unit can be commanded again.
+    /// Ends the hold of a stop that was given up before its end: its unit can be commanded again. Where none holds it
+    /// nothing changes.
     constexpr void release(unit_id unit) noexcept { client_.release(unit); }
     /// The same for all units, where a stop of all units was given up.
     constexpr void release_all() noexcept { client_.release_all(); }

@@ -108,7 +108,7 @@ public:
     [[nodiscard]] constexpr Orders const& motor_orders() const noexcept { return orders_; }
 
     /// Ends the hold of a stop that was given up before its end: its unit can be commanded again; all units, where a
-    /// stop of all units was given up.
+    /// stop of all units was given up. Where no stop holds a unit nothing changes.
     constexpr void release(unit_id unit) noexcept requires(Orders::is_kept) { orders_.release(unit.byte()); }
     constexpr void release_all() noexcept requires(Orders::is_kept) { orders_.release_all(); }
 

@@ -124,6 +124,28 @@ TEST_CASE("rule 37: a stop of everyone that is gone holds all units until releas
     }
 }
 
+TEST_CASE("rule 37: a release of what no stop holds takes no order away")
+{
+    for (bool const is_for_all : {false, true}) {
+        for (bool const has_ended : {false, true}) {
+            command_desk<1> it;
+            hand_commander one{3};
+            if (has_ended) {
+                hand_commander stop{3};
+                begin(it, stop);
+                end(it, stop);
+            }
+            REQUIRE(it.runs(one) == errc::none);
+            if (is_for_all) {
+                it.link.motor_orders().release_all();
+            } else {
+                it.link.motor_orders().release(3);
+            }
+            CHECK(it.does(one, effect::enabling) == errc::none);
+        }
+    }
+}
+
 TEST_CASE("rule 37: a stop that comes by holds its unit again behind a release")
 {
     for (bool const is_for_all : {false, true}) {

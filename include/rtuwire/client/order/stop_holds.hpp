@@ -66,7 +66,8 @@ public:
         note_none_counts();
     }
 
-    /// Ends the hold of a stop that was given up: its unit can be commanded again.
+    /// Ends the hold of a stop that was given up: its unit can be commanded again. Where none holds it nothing changes: an
+    /// order that is in force goes on.
     constexpr void release(std::uint8_t unit) noexcept
     {
         unit_order* const own = places_.find(unit);
@@ -76,8 +77,10 @@ public:
     /// The same for all units, where a stop of all units was given up. A stop that still visits keeps its hold.
     constexpr void release_all() noexcept
     {
-        holder_of_all_ = 0;
-        stopped_all_ = ++count_;
+        if (holder_of_all_ != 0) {
+            holder_of_all_ = 0;
+            stopped_all_ = ++count_;
+        }
         let_go(places_.others());
         for (unit_order& each : places_) {
             let_go(each);
@@ -188,6 +191,9 @@ private:
 
     constexpr void let_go(unit_order& own) noexcept
     {
+        if (own.holder == 0) {
+            return;
+        }
         own.holder = 0;
         own.held = hold::by_its_stop;
         own.last_stop = ++count_;
