@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "client/hand_clock.hpp"
 
@@ -33,6 +34,7 @@ struct hand_commander : commander {
     using commander::heed_stop;
     using commander::note_arrangement;
     using commander::note_fault;
+    using commander::note_meaning;
     using commander::note_order;
     using commander::note_order_to_run;
     using commander::note_power;
@@ -73,6 +75,7 @@ struct hand_for_all : commander {
     unsigned to{0};             ///< whom its words are for; 0: everyone
     std::optional<errc> told{}; ///< its last outcome
     frame_bytes frame{};
+    std::vector<unsigned> unlisted{}; ///< the control words of ordered units that are not its own
 
     explicit hand_for_all(unsigned unit) : each{hand_commander{unit}} {}
 
@@ -82,6 +85,7 @@ struct hand_for_all : commander {
     auto& stops() { return each; }
     effect intent() const { return has_request ? effect::stopping : effect::none; }
     bool is_urgent() const { return has_request; }
+    void note_unlisted(std::uint16_t control_word) { unlisted.push_back(control_word); }
     bool may_cut(std::uint8_t) const { return true; }
     std::optional<request_frame> next()
     {

@@ -85,6 +85,7 @@ template <typename Base> struct with_stops : Base {
     static std::array<int, 0> stops() { return {}; }
     static effect intent() { return effect::none; }
     static bool is_urgent() { return false; }
+    static void note_unlisted(std::uint16_t) {}
     static bool may_cut(std::uint8_t) { return false; }
 };
 template <typename Base> struct everyone_on : with_stops<Base> {

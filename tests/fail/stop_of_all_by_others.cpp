@@ -32,6 +32,7 @@ struct stop_of_others : commander {
     std::array<hand_stop, 1>& stops() { return one; }
     effect intent() const { return effect::stopping; }
     bool is_urgent() const { return true; }
+    void note_unlisted(std::uint16_t) {}
     bool may_cut(std::uint8_t) const { return false; }
     std::array<hand_stop, 1> one{};
 };

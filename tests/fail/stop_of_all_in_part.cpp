@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A stop of all units that does not tell which responses it may cut short.
-// EXPECT: a conversation that declares urgency::stop_of_all has stops(), intent(), is_urgent() and may_cut()
+// EXPECT: a conversation that declares urgency::stop_of_all has stops(), note_unlisted(), intent(), is_urgent() and may_cut()
 #include <rtuwire/client/client.hpp>
 
 #include <array>
@@ -30,6 +30,7 @@ struct stop_of_some : commander {
     std::array<hand_stop, 1>& stops() { return one; }
     effect intent() const { return effect::stopping; }
     bool is_urgent() const { return true; }
+    void note_unlisted(std::uint16_t) {}
 #ifndef REFUSED
     bool may_cut(std::uint8_t) const { return false; }
 #endif

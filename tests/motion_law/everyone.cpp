@@ -3,7 +3,13 @@
 // Stopping everyone, on a line where frames collide: what counts is that every motor loses its power.
 #include "support/catch.hpp"
 
+#include <algorithm>
+#include <optional>
+#include <vector>
+
 #include "motion_law/colliding_line.hpp"
+#include "support/drives.hpp"
+#include "support/simulated_bus.hpp"
 
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
@@ -238,6 +244,58 @@ TEST_CASE("motion law: S38 a family is left out of the broadcasts, and its drive
     CHECK_FALSE(writes_400);
     CHECK(writes_8501);
     CHECK_FALSE(it.has_any_power());
+}
+
+namespace {
+
+/// The addresses that a stop of everyone writes to in its first round; how long until no motor has power.
+struct told_everyone {
+    std::vector<unsigned> addresses;
+    bool is_off_at_once;
+};
+
+/// Of a bus that ordered one drive of each family, or two of one, to run; the stop names one.
+template <typename Ordered>
+told_everyone tell(auto const& named, station<Ordered> const& unnamed, std::uint16_t left_out = 0)
+{
+    hall it;
+    start go{named, 30_Hz};
+    start other{unnamed, 30_Hz};
+    it.bring_up(1, go);
+    it.bring_up(2, other);
+    broadcast_stop all{broadcast_stop_options{.left_out = left_out}, named};
+    told_everyone told{};
+    instant const asked = it.now();
+    it.run_until([&] { return not it.has_any_power(); }, milliseconds(20'000),
+                 [&](instant at) {
+                     it.link().run_urgent(all, at);
+                     auto const next = all.is_urgent() ? all.next() : std::nullopt;
+                     unsigned const address = next ? u16_at(next->frame(), 2) : 0;
+                     if (address != 0 and
+                         std::find(told.addresses.begin(), told.addresses.end(), address) == told.addresses.end()) {
+                         told.addresses.push_back(address);
+                     }
+                 });
+    told.is_off_at_once = not it.has_any_power() and it.now() - asked < milliseconds(300);
+    return told;
+}
+
+} // namespace
+
+TEST_CASE("motion law: L5 a drive that is ordered and not named hears the broadcasts of its family, too")
+{
+    using addresses = std::vector<unsigned>;
+    told_everyone const of_later = tell(press, fan);
+    CHECK(of_later.addresses == addresses{8'501, 400});
+    CHECK(of_later.is_off_at_once);
+    told_everyone const of_older = tell(fan, press);
+    CHECK(of_older.addresses == addresses{400, 8'501});
+    CHECK(of_older.is_off_at_once);
+    // Where the unnamed one was read to be of the same family, nothing is written to the other's register.
+    CHECK(tell(press, mixer).addresses == addresses{8'501});
+    // What is left out is left out for it, too; without another address the broadcasts go to it alone.
+    CHECK(tell(press, fan, 400).addresses == addresses{8'501});
+    CHECK(tell(press, fan, 8'501).addresses == addresses{400});
 }
 
 namespace {

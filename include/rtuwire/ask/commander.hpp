@@ -236,13 +236,15 @@ concept stops_a_unit = commanding_conversation<T> and requires(T& conversation)
 
 /// A conversation that stops all units of a line: it declares `urgency::stop_of_all`. It stops them by broadcasts
 /// first, while `is_urgent`, then one by one, by the commanders that `stops` gives. `may_cut` tells whether a unit's
-/// outstanding response need not be waited for.
+/// outstanding response need not be waited for. `note_unlisted` tells that a unit which none of them stops is ordered to run,
+/// and the control word's address that was read to be its own; 0 or `other_meaning` where none was.
 template <typename T>
 concept stops_by_broadcast = conversation<T> and std::derived_from<T, commander> and
     requires(T& conversation, std::uint8_t unit)
 {
     requires(properties_of<T>.urgency == urgency::stop_of_all);
     conversation.stops();
+    conversation.note_unlisted(std::uint16_t{});
     {
         conversation.intent()
         } -> std::same_as<effect>;
@@ -281,7 +283,7 @@ template <conversation T> [[nodiscard]] constexpr bool has_what_it_declares() no
                   "a conversation that declares urgency::stop_of_unit has note_loss(), intent(), drive_timeout() and "
                   "tolerated_misses()");
     static_assert(declared.urgency != urgency::stop_of_all or stops_by_broadcast<T>,
-                  "a conversation that declares urgency::stop_of_all has stops(), intent(), is_urgent() and may_cut()");
+                  "a conversation that declares urgency::stop_of_all has stops(), note_unlisted(), intent(), is_urgent() and may_cut()");
     return true;
 }
 

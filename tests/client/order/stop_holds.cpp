@@ -124,6 +124,28 @@ TEST_CASE("rule 37: a stop of everyone that is gone holds all units until releas
     }
 }
 
+TEST_CASE("rule 37: a stop of everyone is told of the ordered unit that it does not stop, and what its words mean")
+{
+    for (unsigned const listed : {3U, 9U}) {
+        for (bool const is_confirmed : {false, true}) {
+            command_desk<1> it;
+            hand_commander one{3};
+            REQUIRE(it.runs(one) == errc::none);
+            if (is_confirmed) {
+                one.note_meaning(8'501);
+                it.see(one);
+            }
+            hand_for_all all{listed};
+            begin(it, all);
+            REQUIRE(it.says(all));
+            CHECK(all.unlisted.size() == (listed == 3 ? 0U : 1U));
+            for (unsigned const word : all.unlisted) {
+                CHECK(word == (is_confirmed ? 8'501U : 0U));
+            }
+        }
+    }
+}
+
 TEST_CASE("rule 37: a release of what no stop holds takes no order away")
 {
     for (bool const is_for_all : {false, true}) {

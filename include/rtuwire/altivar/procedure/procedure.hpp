@@ -216,10 +216,10 @@ public:
     /// Ends a procedure that asks for further actions after its limit.
     constexpr action give_up() noexcept { return end(outcome_kind::aborted); }
 
+    [[nodiscard]] constexpr drive_layout const& layout() const noexcept { return *layout_; }
+
 protected:
     explicit constexpr procedure(drive_layout const& layout) noexcept : layout_{&layout} {}
-
-    [[nodiscard]] constexpr drive_layout const& layout() const noexcept { return *layout_; }
 
     /// Ends; the first outcome counts.
     constexpr action end(outcome_kind kind, errc error = errc::none) noexcept

@@ -150,6 +150,12 @@ public:
     /// stop that continues what broadcasts have begun.
     constexpr void count_old_readings(bool counts) noexcept requires(Script::is_stop) { counts_old_ = counts; }
 
+    /// Where a drive of the declared type has its control word, and where one of the other family has it.
+    [[nodiscard]] constexpr drive_layout const& layout() const noexcept requires(Script::is_stop)
+    {
+        return procedure_.layout();
+    }
+
     /// Whether only 0000 is known to stop the drive, as far as this client has read.
     [[nodiscard]] constexpr bool may_run_on_a_stop() noexcept requires(Script::is_stop)
     {

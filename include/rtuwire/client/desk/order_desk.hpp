@@ -48,7 +48,7 @@ public:
                     visit(each, now);
                 }
                 if (conversation.is_urgent()) {
-                    orders_.lose_all_but(conversation.stops(), now);
+                    orders_.lose_all_but_its_own(conversation, now);
                 }
                 orders_.note_ordered(conversation);
             } else {

@@ -32,15 +32,17 @@ template <std::size_t Units> class unit_losses : public stop_holds<Units> {
     using holds = stop_holds<Units>;
 
 public:
-    /// A stop of all units broadcasts, and has stops of its own for these. Each broadcast may restart a time-out.
-    template <typename Stops> constexpr void lose_all_but(Stops const& stops, instant now) noexcept
+    /// A stop of all units broadcasts, and follows some by stops of its own. Each broadcast may restart a time-out. Of the
+    /// other ordered units it is told which control word was read to be theirs.
+    template <typename All> constexpr void lose_all_but_its_own(All& all, instant now) noexcept
     {
         for (unit_order& each : places_) {
             bool is_followed = not each.is_ordered;
-            for (auto const& own : stops) {
+            for (auto const& own : all.stops()) {
                 is_followed = is_followed or own.unit().byte() == each.unit;
             }
             if (not is_followed) {
+                all.note_unlisted(each.confirmed);
                 lose(each, now);
             }
         }

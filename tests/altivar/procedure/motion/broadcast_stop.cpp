@@ -87,13 +87,13 @@ TEST_CASE("nothing is left out that nobody named, and each family is told once i
           "its drives stand")
 {
     broadcast_rounds any{broadcast_stop_options{}};
-    any.add({.cmd = 1, .eta = 2, .lft = 3, .cmi = 4, .eti = 5, .rfr = 6});
+    any.add(1);
     CHECK_FALSE(any.is_over());
     CHECK(any.request().address == 1);
     for (bool const is_old_first : {false, true}) {
         broadcast_rounds rounds{broadcast_stop_options{.left_out = 1}};
         for (bool const is_old : {is_old_first, not is_old_first, not is_old_first, is_old_first}) {
-            rounds.add(is_old ? atv28::device::layout : atv12::device::layout);
+            rounds.add(is_old ? atv28::device::layout.cmd : atv12::device::layout.cmd);
         }
         for (unsigned i = 0; i < 6; ++i) {
             CHECK_FALSE(rounds.is_over());
@@ -102,6 +102,33 @@ TEST_CASE("nothing is left out that nobody named, and each family is told once i
             rounds.next();
         }
         CHECK(rounds.is_over());
+    }
+}
+
+TEST_CASE("the family of a drive that is ordered and not given is told, too: where it was read, else both")
+{
+    using addresses = std::vector<unsigned>;
+    auto const two_rounds = [](broadcast_stop<1>& all) {
+        addresses told;
+        while (auto const request = all.next()) {
+            told.push_back(u16_at(request->frame(), 2));
+            all.accept(result<response>{response{}});
+        }
+        return told;
+    };
+    addresses const own{8'501, 8'501}, both{8'501, 400, 8'501, 400};
+    for (std::uint16_t const address : {std::uint16_t{0}, other_meaning, std::uint16_t{400}, std::uint16_t{8'501}}) {
+        INFO("address " << address);
+        broadcast_stop all{press};
+        all.note_unlisted(400); // it has not begun
+        all.advance(instant{0});
+        all.note_unlisted(address);
+        all.advance(instant{1});
+        all.note_unlisted(400); // of a unit that is lost meanwhile
+        CHECK(two_rounds(all) == (address == 8'501 ? own : both));
+        all.again();
+        all.advance(instant{2});
+        CHECK(two_rounds(all) == own);
     }
 }
 

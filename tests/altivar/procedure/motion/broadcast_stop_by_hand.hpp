@@ -58,7 +58,7 @@ template <std::size_t Drives> struct everyone_by_hand {
             }
         }
         if (all.is_urgent()) {
-            motors.lose_all_but(all.stops(), now);
+            motors.lose_all_but_its_own(all, now);
         }
         motors.note_ordered(all);
         std::string told;

@@ -167,7 +167,7 @@ TEST_CASE("a stop of all drives sends one word, three times to each address")
         broadcast_rounds rounds{each.options};
         for (drive_layout const* drive : each.drives) {
             if (drive != nullptr) {
-                rounds.add(*drive);
+                rounds.add(drive->cmd);
             }
         }
         unsigned const in_a_round = each.addresses[0] == each.addresses[1] ? 1 : 2;

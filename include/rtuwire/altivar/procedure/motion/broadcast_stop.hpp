@@ -53,15 +53,15 @@ public:
         : left_out_{options.left_out}, coasts_{options.freewheel}
     {}
 
-    /// Adds one more drive to those that have to stop.
-    constexpr void add(drive_layout const& layout) noexcept
+    /// Adds the control word's address of one more drive that has to stop; 0 adds nothing.
+    constexpr void add(std::uint16_t address) noexcept
     {
-        bool is_there = layout.cmd == left_out_ or size_ == families_.size();
+        bool is_there = address == 0 or address == left_out_ or size_ == families_.size();
         for (std::size_t i = 0; i < size_; ++i) {
-            is_there = is_there or families_[i] == layout.cmd;
+            is_there = is_there or families_[i] == address;
         }
         if (not is_there) {
-            families_[size_] = layout.cmd;
+            families_[size_] = address;
             ++size_;
         }
     }
@@ -76,13 +76,6 @@ public:
     {
         auto const command = coasts_ ? cia402::command::disable_voltage : cia402::command::quick_stop;
         return {families_[at_], cia402::word_of(command)};
-    }
-    /// Begins with the first round again.
-    constexpr void again(bool coasts) noexcept
-    {
-        at_ = 0;
-        round_ = 0;
-        coasts_ = coasts;
     }
     constexpr void next() noexcept
     {
@@ -101,11 +94,11 @@ private:
     bool coasts_;
 };
 
-/// Stops the drives that it is given, and every other on the line that has its control word where one of them has it:
-/// `broadcast_stop all{press, pump, fan}`, or with options in front. Give it to `bus::run_urgent`, or to a client's
-/// `converse` before all others. A request under way on the line is given up, unless its response is arriving. No
-/// request enables a drive of this line until its user gives a new order after the end. `reason(i)` tells how the i-th
-/// drive's stop ended, as for `stop`.
+/// Stops the drives that it is given, and every other on the line that has its control word where one of them, or a drive
+/// that this client ordered to run, has it: `broadcast_stop all{press, pump, fan}`, or with options in front. Give it to
+/// `bus::run_urgent`, or to a client's `converse` before all others. A request under way on the line is given up, unless its
+/// response is arriving. No request enables a drive of this line until its user gives a new order after the end. `reason(i)`
+/// tells how the i-th drive's stop ended, as for `stop`.
 ///
 /// A drive that this client ordered to run and that is not given counts as lost while the broadcasts go out: after them it
 /// gets words that stop it, from a `start` or `cyclic` that visits, or no request at all, until its own time-out is over. Until
@@ -124,8 +117,11 @@ public:
 
     template <device_type... Device>
     explicit constexpr broadcast_stop(broadcast_stop_options const& options, station<Device> const&... drives) noexcept
-        : broadcast_stop{options, rounds_of<Device...>(options), drives...}
-    {}
+        : stops_{stop{drives, options.freewheel ? stop_by::freewheel : stop_by::quick_stop, options.limit}...},
+          fails_when_cut_{drive_check<Device>::layout.fails_when_cut_short...}, options_{options}
+    {
+        begin_rounds();
+    }
     template <device_type... Device>
     explicit constexpr broadcast_stop(station<Device> const&... drives) noexcept
         : broadcast_stop{broadcast_stop_options{}, drives...}
@@ -140,9 +136,10 @@ public:
         for (stop& each : stops_) {
             each.again();
         }
-        rounds_.again(options_.freewheel);
+        begin_rounds();
         at_ = 0;
         has_begun_ = false;
+        is_first_visit_ = false;
         is_last_due_ = false;
     }
 
@@ -150,6 +147,7 @@ public:
     {
         instant const at = has_begun_ ? within_reach(now_, now) : now;
         now_ = now;
+        is_first_visit_ = not has_begun_;
         if (not has_begun_) {
             has_begun_ = true;
             last_at_ = now + options_.last_after;
@@ -166,6 +164,7 @@ public:
 
     constexpr std::optional<request_frame> next() noexcept
     {
+        is_first_visit_ = false;
         if (not rounds_.is_over()) {
             return is_waiting() ? std::nullopt : ask_everyone();
         }
@@ -242,7 +241,19 @@ public:
         }
         return stops_[candidate()].intent();
     }
-    [[nodiscard]] constexpr bool is_urgent() const noexcept { return not rounds_.is_over(); }
+    [[nodiscard]] constexpr bool is_urgent() const noexcept { return is_first_visit_ or not rounds_.is_over(); }
+    constexpr void note_unlisted(std::uint16_t control_word) noexcept
+    {
+        if (not is_first_visit_) {
+            return; // what counts was told; meanwhile it may be lost
+        }
+        if (control_word != 0 and control_word != other_meaning) {
+            return rounds_.add(control_word);
+        }
+        for (stop const& each : stops_) { // it is of either family
+            rounds_.add(each.layout().other_cmd);
+        }
+    }
     [[nodiscard]] constexpr bool may_cut(std::uint8_t unit) const noexcept
     {
         if (rounds_.is_over()) {
@@ -258,19 +269,13 @@ public:
     [[nodiscard]] constexpr std::array<stop, Drives>& stops() noexcept { return stops_; }
 
 private:
-    template <device_type... Device>
-    constexpr broadcast_stop(broadcast_stop_options const& options, broadcast_rounds const& rounds,
-                             station<Device> const&... drives) noexcept
-        : stops_{stop{drives, options.freewheel ? stop_by::freewheel : stop_by::quick_stop, options.limit}...},
-          fails_when_cut_{drive_check<Device>::layout.fails_when_cut_short...}, rounds_{rounds}, options_{options}
-    {}
-
-    template <device_type... Device>
-    static constexpr broadcast_rounds rounds_of(broadcast_stop_options const& options) noexcept
+    /// To the families of the drives that were given.
+    constexpr void begin_rounds() noexcept
     {
-        broadcast_rounds rounds{options};
-        (rounds.add(drive_check<Device>::layout), ...);
-        return rounds;
+        rounds_ = broadcast_rounds{options_};
+        for (stop const& each : stops_) {
+            rounds_.add(each.layout().cmd);
+        }
     }
 
     /// The last round waits until no response can still be on the line.
@@ -322,13 +327,14 @@ private:
 
     std::array<stop, Drives> stops_;
     std::array<bool, Drives> fails_when_cut_;
-    broadcast_rounds rounds_;
     broadcast_stop_options options_;
+    broadcast_rounds rounds_{options_};
     std::array<std::byte, 8> frame_{};
     instant now_{0};
     instant last_at_{0};
     std::size_t at_{0};
     bool has_begun_{false};
+    bool is_first_visit_{false};
     bool is_last_due_{false};
     bool has_told_{false}; ///< everyone, once at least
 };
