@@ -91,13 +91,14 @@ private:
     using clock = std::chrono::steady_clock;
 
     /// A program that was killed while it used the far end exclusively (TIOCEXCL) cannot release it, and the
-    /// far end is never closed. Where it is locked (flock), a program still uses it.
+    /// far end is never closed. Where it is locked (flock), a program still uses it. Where the system does not tell
+    /// whether it is in exclusive use (kernels before 3.8, emulated ones), that lock alone counts.
     void unlock_far_end() const noexcept
     {
 #ifdef TIOCGEXCL
         int is_exclusive = 0;
-        if (::ioctl(far_.number(), TIOCGEXCL, &is_exclusive) == 0 and is_exclusive != 0 and
-            ::flock(far_.number(), LOCK_EX | LOCK_NB) == 0) {
+        bool const may_be = ::ioctl(far_.number(), TIOCGEXCL, &is_exclusive) != 0 or is_exclusive != 0;
+        if (may_be and ::flock(far_.number(), LOCK_EX | LOCK_NB) == 0) {
             static_cast<void>(::ioctl(far_.number(), TIOCNXCL));
             static_cast<void>(::flock(far_.number(), LOCK_UN));
         }
