@@ -34,7 +34,7 @@ constexpr event begins{kind::begun}, written{kind::written}, goes_on{kind::pause
 /// The last action of a procedure after all these events.
 template <typename Script, typename... Events> constexpr action after(Script& it, Events... events)
 {
-    action last{action::kind::end};
+    action last = to_end;
     ((last = it.step(events)), ...);
     return last;
 }
@@ -47,13 +47,13 @@ constexpr bool ends(reason const& at, outcome_kind kind, errc error = errc::none
 {
     return at.kind == kind and at.error == error;
 }
-constexpr bool reads(action const& what, std::uint16_t address)
+constexpr bool reads(action what, std::uint16_t address)
 {
-    return what.what == action::kind::read and what.address == address;
+    return what_of(what) == action_kind::read and address_of(what) == address;
 }
-constexpr bool writes(action const& what, std::uint16_t address, std::uint16_t word)
+constexpr bool writes(action what, std::uint16_t address, std::uint16_t word)
 {
-    return what.what == action::kind::write and what.address == address and what.word == word;
+    return what_of(what) == action_kind::write and address_of(what) == address and word_of(what) == word;
 }
 
 /// How long a conversation takes at most, told before its first request.
@@ -114,14 +114,15 @@ constexpr bool accepts_all_that_is_missing()
     supervision_procedure it{later, {.risks = {.accept_unknown_registers = true}, .beyond = beyond_limits::limit}};
     action last = it.step(begins);
     unsigned requests = 0;
-    while (last.what == action::kind::read and last.address != later.eta) {
+    while (what_of(last) == action_kind::read and address_of(last) != later.eta) {
         last = it.step(fails(missing));
         ++requests;
     }
     last = it.step(read(locked));
     // SLL, TTO, CHCF, CD1, FR1, FLO, ATR, DOTD.
     using test::is;
-    return is(requests == 8, "eight registers are asked for") and is(last.what == action::kind::end, "it has ended") and
+    return is(requests == 8, "eight registers are asked for") and
+           is(what_of(last) == action_kind::end, "it has ended") and
            is(it.reason().kind == outcome_kind::succeeded, "it has succeeded") and
            is(it.reason().error == errc::none, "it has no error") and
            is(it.report().period.timeout == duration{}, "the time-out is not known") and
@@ -135,7 +136,7 @@ constexpr bool takes_no_status_for_granted()
     supervision_procedure it{atv12::device::layout,
                              {.risks = {.accept_unknown_registers = true}, .beyond = beyond_limits::limit}};
     action const last = after(it, begins, read(1), read(100), read(1), read(164), read(0));
-    return reads(last, 3201) and it.step(fails(missing)).what == action::kind::end and
+    return reads(last, 3201) and what_of(it.step(fails(missing))) == action_kind::end and
            it.reason().kind == outcome_kind::refused and it.reason().error == missing;
 }
 PROOF("a status that is not there is no risk that could be accepted", takes_no_status_for_granted)
@@ -192,9 +193,9 @@ constexpr bool sets_one_setting()
     ok = ok and writes(it.step(written), 8413, 164) and it.written() == 0;
     ok = ok and reads(it.step(written), 8413) and it.written() == 1 and it.address() == 8413;
     ok = ok and reads(it.step(read(164)), 8413); // all of them, once more
-    ok = ok and it.step(read(164)).what == action::kind::pause;
+    ok = ok and what_of(it.step(read(164))) == action_kind::pause;
     ok = ok and reads(it.step(goes_on), later.eta);
-    ok = ok and it.step(read(locked)).what == action::kind::end;
+    ok = ok and what_of(it.step(read(locked))) == action_kind::end;
     return ok and it.reason().kind == outcome_kind::succeeded and it.address() == 0;
 }
 PROOF("a setting is read, cleared for, written, read back twice and looked at", sets_one_setting)
@@ -203,7 +204,7 @@ constexpr bool is_set_without_a_write()
 {
     channel_procedure it = one;
     bool ok = reads(it.step(begins), 8413);
-    ok = ok and it.step(read(164)).what == action::kind::end;
+    ok = ok and what_of(it.step(read(164))) == action_kind::end;
     return ok and it.reason().kind == outcome_kind::succeeded and it.written() == 0 and it.address() == 0;
 }
 PROOF("a setting that is right already is neither written nor looked at again", is_set_without_a_write)
@@ -218,7 +219,7 @@ constexpr bool finds_a_setting_that_was_lost()
     ok = ok and reads(it.step(written), 8423) and reads(it.step(read(10)), 8413);
     // Its power was gone for a moment behind the first.
     ok = ok and reads(it.step(read(1)), later.eta); // before it ends: the terminals may have started the motor
-    ok = ok and it.step(read(locked)).what == action::kind::end;
+    ok = ok and what_of(it.step(read(locked))) == action_kind::end;
     return ok and it.reason().kind == outcome_kind::not_taken and it.address() == 8413 and it.word() == 1;
 }
 PROOF("a setting that was taken and is gone at the end is told", finds_a_setting_that_was_lost)
@@ -285,7 +286,7 @@ constexpr bool gives_up_at_its_limit()
         after(it, begins, read(free_28), written, written, read(200), read(free_28), read(0), written, read(200));
     bool ok = reads(last, old.eta);
     last = it.step(read(free_28)); // it does not run
-    ok = ok and last.what == action::kind::pause and reads(it.step(goes_on), old.eta);
+    ok = ok and what_of(last) == action_kind::pause and reads(it.step(goes_on), old.eta);
     // The limit: what was told is taken back, by the ramp because the motor may run by now.
     return ok and writes(it.step(late), old.cmd, 0x0007);
 }
@@ -315,7 +316,7 @@ constexpr bool tells_of_a_fault_behind_its_word()
     ok = ok and writes(it.step(read(16)), old.cmd, 0x0007); // its reset must not run it
     ok = ok and reads(it.step(written), old.eta);
     ok = ok and reads(it.step(read(fault_28)), old.lft);
-    ok = ok and it.step(read(16)).what == action::kind::end;
+    ok = ok and what_of(it.step(read(16))) == action_kind::end;
     return ok and it.reason().kind == outcome_kind::in_fault and it.reason().fault == 16;
 }
 PROOF("a direct start into a fault is taken back and tells of it", tells_of_a_fault_behind_its_word)

@@ -128,10 +128,13 @@ template <typename Conversation> reason silent(Conversation conversation)
 
 /// Gives the same action again and again.
 struct tireless : procedure {
-    action::kind what;
+    action_kind what;
 
-    constexpr explicit tireless(action::kind wanted) noexcept : procedure{device::layout}, what{wanted} {}
-    constexpr action step(event const&) const noexcept { return {what, 0, 0, status_period}; }
+    constexpr explicit tireless(action_kind wanted) noexcept : procedure{device::layout}, what{wanted} {}
+    constexpr action step(event) const noexcept
+    {
+        return what == action_kind::pause ? to_pause(status_period) : within(to_read(0), status_period);
+    }
 };
 
 template <typename Conversation> reason refused(Conversation conversation)
@@ -232,14 +235,14 @@ TEST_CASE("at their limits all end, and none leaves a command behind")
 
 TEST_CASE("a script that wishes on after its limit gets one request, and no pause")
 {
-    by_hand<procedure_runner<tireless>> register_read{{unit_id{7}, tireless{action::kind::read}, milliseconds(100)}};
+    by_hand<procedure_runner<tireless>> register_read{{unit_id{7}, tireless{action_kind::read}, milliseconds(100)}};
     register_read.hear_word(0); // in time
     register_read.now = register_read.now + milliseconds(200);
     register_read.hear_word(0); // the one that is granted
     CHECK(register_read.conversation.settled());
     CHECK(register_read.conversation.reason().kind == outcome_kind::aborted);
 
-    by_hand<procedure_runner<tireless>> pausing{{unit_id{7}, tireless{action::kind::pause}, milliseconds(100)}};
+    by_hand<procedure_runner<tireless>> pausing{{unit_id{7}, tireless{action_kind::pause}, milliseconds(100)}};
     CHECK_FALSE(pausing.asks());
     CHECK(pausing.conversation.settled());
     CHECK(pausing.conversation.reason().kind == outcome_kind::aborted);

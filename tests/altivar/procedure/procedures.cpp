@@ -67,13 +67,13 @@ constexpr bool waits_for_the_response()
 PROOF("a limit that passes while a request is under way waits for its response", waits_for_the_response)
 
 constexpr event word(std::uint16_t read) { return {kind::word_read, read}; }
-constexpr bool reads(action const& what, std::uint16_t address)
+constexpr bool reads(action what, std::uint16_t address)
 {
-    return what.what == action::kind::read and what.address == address;
+    return what_of(what) == action_kind::read and address_of(what) == address;
 }
-constexpr bool writes(action const& what, std::uint16_t address, std::uint16_t value)
+constexpr bool writes(action what, std::uint16_t address, std::uint16_t value)
 {
-    return what.what == action::kind::write and what.address == address and what.word == value;
+    return what_of(what) == action_kind::write and address_of(what) == address and word_of(what) == value;
 }
 
 /// A start of a drive that was checked before.
@@ -92,7 +92,7 @@ constexpr bool gives_up_where_the_drive_falls_back()
     ok = ok and reads(it.step({kind::written}), eta);
     ok = ok and writes(it.step(word(0x0250)), cmd, 0x0000); // switch on disabled: what was given is taken back
     ok = ok and reads(it.step({kind::written}), eta);
-    ok = ok and it.step(word(0x0250)).what == action::kind::end;
+    ok = ok and what_of(it.step(word(0x0250))) == action_kind::end;
     return ok and it.reason().kind == outcome_kind::fell_back;
 }
 PROOF("a start ends where the drive goes down after a command", gives_up_where_the_drive_falls_back)
@@ -101,7 +101,7 @@ constexpr bool starts_from_below()
 {
     start_procedure it = started(1'500, run_direction::reverse);
     bool ok = reads(it.step({kind::begun}), eta);
-    ok = ok and it.step(word(0x0200)).what == action::kind::pause; // not ready to switch on
+    ok = ok and what_of(it.step(word(0x0200))) == action_kind::pause; // not ready to switch on
     ok = ok and reads(it.step({kind::pause_over}), eta);
     ok = ok and writes(it.step(word(0x0250)), cmd, 0x0006);
     ok = ok and reads(it.step({kind::written}), eta) and writes(it.step(word(0x0231)), cmd, 0x0007);
@@ -110,7 +110,7 @@ constexpr bool starts_from_below()
     ok = ok and writes(it.step(word(0x0007)), cmd, 0x000F);
     ok = ok and reads(it.step({kind::written}), 8401) and reads(it.step(word(1)), eta);
     ok = ok and reads(it.step(word(0x8237)), lfrd) and reads(it.step(word(0xFA24)), cmd);
-    ok = ok and it.step(word(0x000F)).what == action::kind::end;
+    ok = ok and what_of(it.step(word(0x000F))) == action_kind::end;
     return ok and it.reason().kind == outcome_kind::succeeded;
 }
 PROOF("a start waits for a drive that is not ready, commands it up, and reads back before it enables",
@@ -145,25 +145,25 @@ constexpr bool is_reached_by_the_second_look()
 {
     reference_procedure it = changed();
     bool ok = true;
-    for (action::kind const next : {action::kind::pause, action::kind::read}) {
+    for (action_kind const next : {action_kind::pause, action_kind::read}) {
         ok = ok and reads(it.step(goes_on), eta);
-        ok = ok and it.step(word(0x0637)).what == action::kind::read; // RFR tells whether it turns
-        ok = ok and it.step(word(1)).what == next;
+        ok = ok and what_of(it.step(word(0x0637))) == action_kind::read; // RFR tells whether it turns
+        ok = ok and what_of(it.step(word(1))) == next;
     }
     ok = ok and reads(it.step(word(1'500)), eta); // the reference is still the one written
-    ok = ok and it.step(word(0x0637)).what == action::kind::end;
+    ok = ok and what_of(it.step(word(0x0637))) == action_kind::end;
     return ok and it.reason().kind == outcome_kind::succeeded;
 }
 constexpr bool is_not_reached_by_one_look()
 {
     reference_procedure it = changed();
     // Turns, is not there yet, turns, stands, turns: never twice in a row.
-    bool ok = reads(it.step(goes_on), eta) and it.step(word(0x0637)).what == action::kind::read;
-    ok = ok and it.step(word(1)).what == action::kind::pause;
-    ok = ok and reads(it.step(goes_on), eta) and it.step(word(0x0237)).what == action::kind::pause;
+    bool ok = reads(it.step(goes_on), eta) and what_of(it.step(word(0x0637))) == action_kind::read;
+    ok = ok and what_of(it.step(word(1))) == action_kind::pause;
+    ok = ok and reads(it.step(goes_on), eta) and what_of(it.step(word(0x0237))) == action_kind::pause;
     for (bool const turns : {true, false, true}) {
-        ok = ok and reads(it.step(goes_on), eta) and it.step(word(0x0637)).what == action::kind::read;
-        ok = ok and it.step(word(turns ? 1 : 0)).what == action::kind::pause;
+        ok = ok and reads(it.step(goes_on), eta) and what_of(it.step(word(0x0637))) == action_kind::read;
+        ok = ok and what_of(it.step(word(turns ? 1 : 0))) == action_kind::pause;
     }
     return ok;
 }
@@ -178,9 +178,9 @@ constexpr bool resets_by_an_edge()
     ok = ok and writes(it.step({kind::written}), cmd, 0x0080);
     ok = ok and writes(it.step({kind::written}), cmd, 0x0000);
     ok = ok and reads(it.step({kind::written}), eta);
-    ok = ok and it.step(word(0x0208)).what == action::kind::pause;
+    ok = ok and what_of(it.step(word(0x0208))) == action_kind::pause;
     ok = ok and reads(it.step({kind::late}), lft);
-    return ok and it.step(word(9)).what == action::kind::end and it.reason().fault == 9 and
+    return ok and what_of(it.step(word(9))) == action_kind::end and it.reason().fault == 9 and
            it.reason().kind == outcome_kind::in_fault;
 }
 PROOF("a reset writes a word without the bit, one with it and one without", resets_by_an_edge)
@@ -201,7 +201,7 @@ constexpr bool names_every_slot()
         ok = ok and writes(next, static_cast<std::uint16_t>(12'721 + slot), expected);
         next = it.step({kind::written});
     }
-    return ok and next.what == action::kind::end and it.reason().kind == outcome_kind::succeeded;
+    return ok and what_of(next) == action_kind::end and it.reason().kind == outcome_kind::succeeded;
 }
 PROOF("every slot of the scanner is written, those that are not named with 0", names_every_slot)
 

@@ -32,7 +32,7 @@ inline constexpr altivar::event late{altivar::event::kind::late};
 
 /// What a procedure does next, and how it has ended or will end.
 struct cell {
-    altivar::action::kind what{altivar::action::kind::end};
+    altivar::action_kind what{altivar::action_kind::end};
     std::uint16_t address{0};
     std::uint16_t word{0};
     altivar::outcome_kind ending{altivar::outcome_kind::pending};
@@ -41,14 +41,14 @@ struct cell {
 
 /// This answer cannot come in this stage.
 inline constexpr cell never{.is_possible = false};
-inline constexpr cell pauses{.what = altivar::action::kind::pause};
+inline constexpr cell pauses{.what = altivar::action_kind::pause};
 [[nodiscard]] constexpr cell reads(std::uint16_t address)
 {
-    return {.what = altivar::action::kind::read, .address = address};
+    return {.what = altivar::action_kind::read, .address = address};
 }
 [[nodiscard]] constexpr cell writes(std::uint16_t address, std::uint16_t word)
 {
-    return {.what = altivar::action::kind::write, .address = address, .word = word};
+    return {.what = altivar::action_kind::write, .address = address, .word = word};
 }
 [[nodiscard]] constexpr cell ends(altivar::outcome_kind how) { return {.ending = how}; }
 
@@ -85,21 +85,20 @@ template <typename Script> [[nodiscard]] constexpr Script led(Script it, way con
 
 /// Whether the procedure does what the cell holds. Where it ends later, it is first brought to rest: its writes are
 /// confirmed, and its reads find the drive in "switch on disabled".
-template <typename Script>
-[[nodiscard]] constexpr bool does(Script it, altivar::event const& what, cell const& expected)
+template <typename Script> [[nodiscard]] constexpr bool does(Script it, altivar::event what, cell const& expected)
 {
     altivar::action next = it.step(what);
-    bool const is_right = next.what == expected.what and
-                          (next.what == altivar::action::kind::end or next.what == altivar::action::kind::pause or
-                           (next.address == expected.address and
-                            (next.what == altivar::action::kind::read or next.word == expected.word)));
+    bool const is_right = what_of(next) == expected.what and
+                          (what_of(next) == altivar::action_kind::end or what_of(next) == altivar::action_kind::pause or
+                           (address_of(next) == expected.address and
+                            (what_of(next) == altivar::action_kind::read or word_of(next) == expected.word)));
     constexpr std::uint16_t disabled = 0x0250;
-    bool const goes_on = expected.what != altivar::action::kind::end;
+    bool const goes_on = expected.what != altivar::action_kind::end;
     for (unsigned i = 0; i < 10 and goes_on and expected.ending != altivar::outcome_kind::pending; ++i) {
-        next = it.step(next.what == altivar::action::kind::read    ? word(disabled)
-                       : next.what == altivar::action::kind::write ? confirmed
-                                                                   : pause_over);
-        if (next.what == altivar::action::kind::end) {
+        next = it.step(what_of(next) == altivar::action_kind::read    ? word(disabled)
+                       : what_of(next) == altivar::action_kind::write ? confirmed
+                                                                      : pause_over);
+        if (what_of(next) == altivar::action_kind::end) {
             break;
         }
     }

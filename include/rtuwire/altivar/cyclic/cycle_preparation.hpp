@@ -57,7 +57,7 @@ public:
         case stage::outputs: return {words::scanner.output_addresses, words::outputs};
         case stage::safeguards: break;
         }
-        return {action_.address, 1};
+        return {address_of(action_), 1};
     }
 
     /// Takes the response. `in_use` has a bit for each output slot that may be active.
@@ -83,10 +83,10 @@ public:
 private:
     enum class stage : std::uint8_t { inputs, outputs, safeguards };
 
-    constexpr void examine(event const& what) noexcept
+    constexpr void examine(event what) noexcept
     {
         action_ = check_.step(what);
-        if (action_.what != action::kind::end) {
+        if (what_of(action_) != action_kind::end) {
             return;
         }
         report_ = check_.report();
@@ -120,7 +120,7 @@ private:
     supervision_options options_;
     supervision_procedure check_;
     supervision_report report_{};
-    action action_{action::kind::pause};
+    action action_{to_pause({})};
     outcome_kind finding_{outcome_kind::pending};
     stage stage_{stage::safeguards};
     bool holds_words_{true}; ///< the scanner

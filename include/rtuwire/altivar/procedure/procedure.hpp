@@ -10,87 +10,12 @@
 #include <utility>
 
 #include <rtuwire/altivar/device/drive_layout.hpp>
+#include <rtuwire/altivar/procedure/action.hpp>
 #include <rtuwire/altivar/procedure/outcome.hpp>
 #include <rtuwire/ask/commander.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
-
-/// What happened.
-struct event {
-    enum class kind : std::uint8_t {
-        begun,
-        word_read,  ///< `word` is what was read
-        written,    ///< the drive confirmed the write
-        failed,     ///< a read or write failed; `error` tells why
-        pause_over, ///< the pause that was requested has passed
-        late,       ///< the time limit has passed; the last request was not sent, and one more is allowed
-    };
-    kind what;
-    std::uint16_t word{0};
-    errc error{errc::none};
-    std::uint16_t second{0}; ///< the word behind it, where two were to be read
-};
-
-/// What to do next.
-struct action {
-    enum class kind : std::uint8_t { read, write, pause, end };
-    kind what;
-    std::uint16_t address{0};
-    std::uint16_t word{0};
-    duration length{}; ///< of a pause; of a request, unless zero: it fails if it cannot be sent for this long
-    repetition again{repetition::allowed};
-    effect does{effect::none}; ///< to a motor
-    std::uint8_t count{1};     ///< of words that are read
-};
-
-[[nodiscard]] constexpr action to_read(std::uint16_t address) noexcept { return {action::kind::read, address}; }
-/// Two neighbouring words, by one request.
-[[nodiscard]] constexpr action to_read_two(std::uint16_t address) noexcept
-{
-    action what = to_read(address);
-    what.count = 2;
-    return what;
-}
-[[nodiscard]] constexpr action to_write(std::uint16_t address, std::uint16_t word) noexcept
-{
-    return {action::kind::write, address, word};
-}
-[[nodiscard]] constexpr action to_pause(duration length) noexcept { return {action::kind::pause, 0, 0, length}; }
-/// A write after which a motor at rest may turn, or a turning one may turn differently.
-[[nodiscard]] constexpr action to_enable(std::uint16_t address, std::uint16_t word) noexcept
-{
-    action what = to_write(address, word);
-    what.does = effect::enabling;
-    return what;
-}
-/// The same for a drive in fault.
-[[nodiscard]] constexpr action to_reset(std::uint16_t address, std::uint16_t word) noexcept
-{
-    action what = to_write(address, word);
-    what.does = effect::resetting;
-    return what;
-}
-/// A write after which another source may command the motor, or words have another meaning.
-[[nodiscard]] constexpr action to_rearrange(std::uint16_t address, std::uint16_t word) noexcept
-{
-    action what = to_write(address, word);
-    what.does = effect::rearranging;
-    return what;
-}
-/// A control word that takes the motor's power or its speed away.
-[[nodiscard]] constexpr action to_stop(std::uint16_t address, std::uint16_t word) noexcept
-{
-    action what = to_write(address, word);
-    what.does = effect::stopping;
-    return what;
-}
-/// The same action, sent once: where no response comes, the procedure gets the failure.
-[[nodiscard]] constexpr action once(action what) noexcept
-{
-    what.again = repetition::never;
-    return what;
-}
 
 /// The pause between two reads of a word that has to change.
 inline constexpr duration status_period = milliseconds(50);
@@ -222,13 +147,13 @@ protected:
     explicit constexpr procedure(drive_layout const& layout) noexcept : layout_{&layout} {}
 
     /// Ends; the first outcome counts.
-    constexpr action end(outcome_kind kind, errc error = errc::none) noexcept
+    [[gnu::noinline]] constexpr action end(outcome_kind kind, errc error = errc::none) noexcept
     {
         if (reason_.kind == outcome_kind::pending) {
             reason_.kind = kind;
             reason_.error = error;
         }
-        return {action::kind::end};
+        return to_end;
     }
 
     /// Ends because a limit of the drive forbids a reference.
@@ -287,21 +212,21 @@ protected:
     constexpr void note_meaning(std::uint16_t control_word) noexcept { read_meaning_ = control_word; }
 
     /// Runs the next step of a procedure inside this one, and takes over what it reads.
-    template <typename Inner> constexpr action follow(Inner& inner, event const& what) noexcept
+    template <typename Inner> constexpr action follow(Inner& inner, event what) noexcept
     {
         action const next = inner.step(what);
         note_readings_of(inner);
-        if (next.what == action::kind::end) {
+        if (what_of(next) == action_kind::end) {
             note_state(inner.reason().state);
         }
         return next;
     }
 
     /// The same. If the inner one fails, this one ends with the same outcome: the caller continues only after a success.
-    template <typename Inner> constexpr action run_inside(Inner& inner, event const& what) noexcept
+    template <typename Inner> constexpr action run_inside(Inner& inner, event what) noexcept
     {
         action const next = follow(inner, what);
-        bool const goes_on = next.what != action::kind::end or inner.reason().kind == outcome_kind::succeeded;
+        bool const goes_on = what_of(next) != action_kind::end or inner.reason().kind == outcome_kind::succeeded;
         return goes_on ? next : end_as(inner.reason());
     }
 

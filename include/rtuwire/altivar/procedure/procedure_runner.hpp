@@ -77,7 +77,7 @@ public:
         if (Script::follows_order and this->is_overruled() and not procedure_.takes_back()) {
             return take(procedure_.yield());
         }
-        if (Script::gives_way_to_order and action_.does == effect::stopping and this->is_unit_ordered()) {
+        if (Script::gives_way_to_order and effect_of(action_) == effect::stopping and this->is_unit_ordered()) {
             return take(procedure_.yield());
         }
         if (has_to_look()) {
@@ -91,7 +91,7 @@ public:
                 take(procedure_.step({event::kind::late}));
             }
         } else if (has_length() and reached(at, pause_end_)) {
-            bool const is_pause = action_.what == action::kind::pause;
+            bool const is_pause = what_of(action_) == action_kind::pause;
             take(procedure_.step(is_pause ? event{event::kind::pause_over}
                                           : event{event::kind::failed, 0, errc::bus_jam}));
         }
@@ -102,7 +102,7 @@ public:
     /// For the client: what the next request does to the motor, and when a unit counts as lost.
     [[nodiscard]] constexpr effect intent() const noexcept
     {
-        return is_looking() ? effect::none : this->effect_now(action_.does);
+        return is_looking() ? effect::none : this->effect_now(effect_of(action_));
     }
     [[nodiscard]] constexpr duration drive_timeout() const noexcept { return procedure_.drive_timeout(); }
     [[nodiscard]] static constexpr std::uint8_t tolerated_misses() noexcept { return 1; }
@@ -127,16 +127,16 @@ public:
         if (is_looking()) {
             return request_frame{frame_, repetition::never};
         }
-        if (action_.does == effect::stopping) {
-            if (procedure_.is_harmful(action_.word, look_.allows_word(counts(known_word())))) {
-                action_.word = 0;
+        if (effect_of(action_) == effect::stopping) {
+            if (procedure_.is_harmful(word_of(action_), look_.allows_word(counts(known_word())))) {
+                action_ = to_stop(address_of(action_), 0);
                 make_frame();
             }
-            if (action_.word != 0) {
-                action_.again = repetition::never; // behind a missing response it may have another meaning
+            if (word_of(action_) != 0) {
+                action_ = once(action_); // behind a missing response it may have another meaning
             }
         }
-        return request_frame{frame_, action_.again};
+        return request_frame{frame_, repetition_of(action_)};
     }
 
     /// For the client: how long the response may take. A look of a stop ends when its time is over.
@@ -175,7 +175,7 @@ public:
     [[nodiscard]] constexpr bool has_request() const noexcept
     {
         return has_begun_ and
-               (is_looking() or action_.what == action::kind::read or action_.what == action::kind::write);
+               (is_looking() or what_of(action_) == action_kind::read or what_of(action_) == action_kind::write);
     }
 
     constexpr void accept(result<response> const& outcome) noexcept
@@ -188,7 +188,7 @@ public:
             end_look(meaning_in(outcome, procedure_.control_word()));
             return heed_loss();
         }
-        if (action_.does == effect::stopping and outcome.error() != errc::cancelled) {
+        if (effect_of(action_) == effect::stopping and outcome.error() != errc::cancelled) {
             look_.note_word(); // else it never left
         }
         take(outcome.error() == errc::overruled ? procedure_.yield() : procedure_.step(event_of(outcome)));
@@ -212,7 +212,10 @@ public:
     }
 
     /// Whether the procedure has ended.
-    [[nodiscard]] constexpr bool settled() const noexcept { return has_begun_ and action_.what == action::kind::end; }
+    [[nodiscard]] constexpr bool settled() const noexcept
+    {
+        return has_begun_ and what_of(action_) == action_kind::end;
+    }
 
     /// How it ended; `pending` until it is settled. To be read in the pass in which it settles: from the next visit on it
     /// is `used_already`.
@@ -241,15 +244,15 @@ private:
     constexpr bool is_command_to_run() const noexcept
     {
         constexpr std::uint16_t run = cia402::word_of(cia402::command::enable_operation);
-        return action_.does == effect::enabling and action_.address == procedure_.control_word() and
-               (action_.word & run) == run;
+        return effect_of(action_) == effect::enabling and address_of(action_) == procedure_.control_word() and
+               (word_of(action_) & run) == run;
     }
     constexpr bool is_looking() const noexcept { return says_stop and look_.is_under_way(); }
 
     /// Whether the control word to send stops only a drive in its drive profile, and that has to be read.
     [[gnu::noinline]] constexpr bool has_to_look() const noexcept
     {
-        return says_stop and action_.does == effect::stopping and action_.word != 0 and
+        return says_stop and effect_of(action_) == effect::stopping and word_of(action_) != 0 and
                look_.is_due(counts(known_word()), was_confirmed_at()) and procedure_.may_have_io() and
                procedure_.chcf() != 0;
     }
@@ -275,7 +278,7 @@ private:
     {
         look_.begin();
         pause_end_ = now_ + longest_look_of_a_stop;
-        static_cast<void>(encode_into(frame_, unit_, read_holding_registers{procedure_.chcf(), 1}));
+        make_frame(false, procedure_.chcf(), 1);
     }
 
     /// Begins, or sends the control word: the one meant where it is known to be that, else 0000.
@@ -283,7 +286,7 @@ private:
     {
         look_.end(counts(meaning));
         this->note_meaning(meaning);
-        if (action_.does == effect::stopping) {
+        if (effect_of(action_) == effect::stopping) {
             return make_frame();
         }
         if constexpr (Script::is_stop) {
@@ -303,7 +306,7 @@ private:
         if (is_looking()) {
             return end_look(0);
         }
-        if (not settled() and action_.does != effect::stopping) {
+        if (not settled() and effect_of(action_) != effect::stopping) {
             take(procedure_.step({event::kind::failed, 0, errc::unit_lost}));
         }
     }
@@ -315,7 +318,7 @@ private:
     /// a one reads before.
     constexpr bool has_limit() const noexcept
     {
-        bool const reads = is_looking() or action_.what == action::kind::read;
+        bool const reads = is_looking() or what_of(action_) == action_kind::read;
         return not is_late_ and (reads or not has_to_say());
     }
 
@@ -324,7 +327,7 @@ private:
     constexpr bool has_length() const noexcept
     {
         return is_looking() ? not look_.has_said()
-                            : action_.what == action::kind::pause or action_.length.microseconds != 0;
+                            : what_of(action_) == action_kind::pause or length_of(action_).microseconds != 0;
     }
 
     constexpr event event_of(result<response> const& outcome) const noexcept
@@ -332,12 +335,12 @@ private:
         if (not outcome) {
             return {event::kind::failed, 0, outcome.error()};
         }
-        if (action_.what == action::kind::write) {
+        if (what_of(action_) == action_kind::write) {
             return {event::kind::written};
         }
         byte_view const pdu = outcome->pdu();
         constexpr std::size_t first = 2, second = 4;
-        bool const are_two = action_.count == 2;
+        bool const are_two = count_of(action_) == 2;
         if (pdu.size() != (are_two ? second : first) + 2) {
             return {event::kind::failed, 0, errc::wrong_length};
         }
@@ -348,8 +351,8 @@ private:
     constexpr void take(action next) noexcept
     {
         // After the limit one request is allowed, and no pause.
-        bool const is_request = next.what == action::kind::read or next.what == action::kind::write;
-        if (is_late_ and not has_to_say() and (next.what == action::kind::pause or (is_request and was_granted_))) {
+        bool const is_request = what_of(next) == action_kind::read or what_of(next) == action_kind::write;
+        if (is_late_ and not has_to_say() and (what_of(next) == action_kind::pause or (is_request and was_granted_))) {
             next = procedure_.give_up();
         }
         was_granted_ = was_granted_ or (is_late_ and is_request);
@@ -358,29 +361,38 @@ private:
             this->note_fault();
         }
         this->note_meaning(procedure_.take_meaning());
-        if (Script::is_stop and next.what == action::kind::end) {
+        if (Script::is_stop and what_of(next) == action_kind::end) {
             this->note_stop_over();
             is_other_family_ = procedure_.reason().kind == outcome_kind::other_family;
         }
         action_ = next;
-        pause_end_ = now_ + next.length;
+        pause_end_ = now_ + length_of(next);
         make_frame();
         if (has_to_look()) {
             begin_look();
         }
     }
 
-    [[gnu::noinline]] constexpr void make_frame() noexcept
+    constexpr void make_frame() noexcept
     {
-        if (action_.what == action::kind::read) {
-            static_cast<void>(encode_into(frame_, unit_, read_holding_registers{action_.address, action_.count}));
-        } else if (action_.what == action::kind::write) {
-            static_cast<void>(encode_into(frame_, unit_, write_single_register{action_.address, action_.word}));
-        }
+        bool const is_write = what_of(action_) == action_kind::write;
+        make_frame(is_write, address_of(action_), is_write ? word_of(action_) : count_of(action_));
+    }
+
+    /// A read of holding registers, or the write of one: both are a function, an address, and a count or a word.
+    [[gnu::noinline]] constexpr void make_frame(bool is_write, std::uint16_t address, std::uint16_t value) noexcept
+    {
+        constexpr std::byte read = to_byte(static_cast<std::uint8_t>(function_code::read_holding_registers));
+        constexpr std::byte write = to_byte(static_cast<std::uint8_t>(function_code::write_single_register));
+        frame_[0] = to_byte(unit_.byte());
+        frame_[1] = is_write ? write : read;
+        put_u16(&frame_[2], address);
+        put_u16(&frame_[4], value);
+        append_crc(frame_, frame_.size() - adu_overhead);
     }
 
     Script procedure_;
-    action action_{action::kind::pause};
+    action action_{to_pause({})};
     duration limit_;
     instant now_{0};
     instant late_at_{0};

@@ -21,9 +21,9 @@ constexpr std::uint16_t eta = 3201, rfr = 3202, cmd = 8501, tcc = 11101, inputs 
 
 write_guard guard() { return write_guard{atv320::device::layout, {}}; }
 
-bool is_read_of(action const& what, std::uint16_t address)
+bool is_read_of(action what, std::uint16_t address)
 {
-    return what.what == action::kind::read and what.address == address;
+    return what_of(what) == action_kind::read and address_of(what) == address;
 }
 
 /// How the check ends after these answers; `pending` where it asks for more.
@@ -31,7 +31,7 @@ kind after(write_care care, std::vector<event> const& answers)
 {
     write_guard one = guard();
     CHECK(is_read_of(one.begin(care), eta));
-    for (event const& each : answers) {
+    for (event each : answers) {
         CHECK(one.reason().kind == kind::pending);
         static_cast<void>(one.step(each));
     }
@@ -128,7 +128,7 @@ TEST_CASE("a check may be begun again")
     REQUIRE(one.reason().kind == kind::refused_while_running);
     CHECK(is_read_of(one.begin(write_care::rest), eta));
     CHECK(one.reason().kind == kind::pending);
-    for (event const& each : {word(disabled_word), word(0), word(0)}) {
+    for (event each : {word(disabled_word), word(0), word(0)}) {
         static_cast<void>(one.step(each));
     }
     CHECK(one.reason().kind == kind::succeeded);

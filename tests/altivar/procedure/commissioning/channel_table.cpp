@@ -239,7 +239,7 @@ TEST_CASE("a set-up of the channels without a look at the inputs has to be accep
 
 TEST_CASE("a set-up of the channels names the register of its outcome, and counts its writes")
 {
-    auto const after = [](way const& there, event const& what) {
+    auto const after = [](way const& there, event what) {
         channel_procedure it = led(by_modbus, there);
         static_cast<void>(it.step(what));
         return it;

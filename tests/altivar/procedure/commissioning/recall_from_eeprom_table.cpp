@@ -106,7 +106,7 @@ TEST_CASE("a recall of the settings does in each stage, at each answer, what its
 TEST_CASE("a recall is sent once, and silent only before that")
 {
     recall_procedure it = led(recall, {begun, disabled, word(0)});
-    CHECK(it.step(control_read).again == repetition::never);
+    CHECK(repetition_of(it.step(control_read)) == repetition::never);
     // A unit that is lost before the order is sent, and after it.
     CHECK(does(it, failed(errc::unit_lost), silent));
     CHECK(does(led(it, {confirmed}), failed(errc::unit_lost), maybe));

@@ -118,7 +118,7 @@ TEST_CASE("a restore is sent once, and silent only before that")
 {
     way const ordering{begun, disabled, word(0)};
     factory_procedure it = led(restore, ordering);
-    CHECK(it.step(control_read).again == repetition::never);
+    CHECK(repetition_of(it.step(control_read)) == repetition::never);
     // A unit that is lost before the order is sent, and after it.
     CHECK(does(it, failed(errc::unit_lost), silent));
     CHECK(does(led(it, {confirmed}), failed(errc::unit_lost), maybe));

@@ -265,7 +265,7 @@ TEST_CASE("a check knows what the control words mean from CHCF and DOTD")
     auto const meaning = [](supervision_procedure const& it, way const& there) {
         return led(it, there).report().words;
     };
-    auto const of = [&](event const& mode, event const& disable) {
+    auto const of = [&](event mode, event disable) {
         way const together{begun, word(1), word(120), mode, word(164), word(0), word(0), disable, remote};
         way const apart{begun, word(1), word(120), mode, word(10), word(164), word(0), word(0), disable, remote};
         bool const is_together = mode.what == event::kind::word_read and mode.word == 1;

@@ -24,13 +24,13 @@ constexpr event begins{kind::begun}, written{kind::written}, goes_on{kind::pause
 constexpr event missed{kind::failed, 0, errc::timed_out};
 constexpr event word(std::uint16_t read) { return {kind::word_read, read}; }
 
-constexpr bool reads(action const& what, std::uint16_t address)
+constexpr bool reads(action what, std::uint16_t address)
 {
-    return what.what == action::kind::read and what.address == address;
+    return what_of(what) == action_kind::read and address_of(what) == address;
 }
-constexpr bool writes(action const& what, std::uint16_t address, std::uint16_t value)
+constexpr bool writes(action what, std::uint16_t address, std::uint16_t value)
 {
-    return what.what == action::kind::write and what.address == address and what.word == value;
+    return what_of(what) == action_kind::write and address_of(what) == address and word_of(what) == value;
 }
 
 /// A start of a drive that was checked before, at 1500 rpm.
@@ -90,7 +90,7 @@ constexpr bool bears_one_behind_the_command_to_run()
     ok = ok and writes(it.step(missed), cmd, 0x0007); // the motor may turn by now: on its ramp
     it = started();
     ok = ok and is_told_to_run(it) and reads(it.step(missed), eta);
-    return ok and it.step(word(enabled)).what != action::kind::end; // what it runs at is looked at anew
+    return ok and what_of(it.step(word(enabled))) != action_kind::end; // what it runs at is looked at anew
 }
 PROOF("behind the command to run a start bears one miss, and the second brings the motor down its "
       "ramp",
@@ -117,13 +117,13 @@ PROOF("a motor that turns before it was told to is brought down its ramp", ramps
 constexpr bool leaves_local_control_alone()
 {
     start_procedure it = started();
-    bool ok = reads(it.step(begins), eta) and it.step(word(ready_in_local)).what == action::kind::end;
+    bool ok = reads(it.step(begins), eta) and what_of(it.step(word(ready_in_local))) == action_kind::end;
     ok = ok and it.reason().kind == outcome_kind::local_control;
 
     supervision_procedure const check{atv28::device::layout, test::commissioned()};
     atv28::direct_start_procedure direct{{401, 200}, check};
     ok = ok and reads(direct.step(begins), atv28::device::layout.eta);
-    ok = ok and direct.step(word(0x0040)).what == action::kind::end;
+    ok = ok and what_of(direct.step(word(0x0040))) == action_kind::end;
     return ok and direct.reason().kind == outcome_kind::local_control;
 }
 PROOF("a drive in local control is told nothing by a start, whatever was found before", leaves_local_control_alone)
@@ -133,15 +133,15 @@ constexpr bool is_reached_at(std::uint16_t reference, bool looks_whether_it_turn
     reference_procedure it{atv320::device::layout, {lfrd, reference}, beyond_limits::limit};
     bool ok = reads(it.step(begins), eta) and reads(it.step(word(enabled)), cmd);
     ok = ok and writes(it.step(word(0x000F)), lfrd, reference);
-    ok = ok and it.step(written).what == action::kind::pause;
-    for (action::kind const next : {action::kind::pause, action::kind::read}) {
+    ok = ok and what_of(it.step(written)) == action_kind::pause;
+    for (action_kind const next : {action_kind::pause, action_kind::read}) {
         ok = ok and reads(it.step(goes_on), eta);
         action last = it.step(word(enabled_and_there));
         ok = ok and reads(last, rfr) == looks_whether_it_turns;
         last = looks_whether_it_turns ? it.step(word(1)) : last;
-        ok = ok and last.what == next;
+        ok = ok and what_of(last) == next;
     }
-    ok = ok and reads(it.step(word(reference)), eta) and it.step(word(enabled_and_there)).what == action::kind::end;
+    ok = ok and reads(it.step(word(reference)), eta) and what_of(it.step(word(enabled_and_there))) == action_kind::end;
     return ok and it.reason().kind == outcome_kind::succeeded;
 }
 constexpr bool tells_standing_from_crawling() { return is_reached_at(0, false) and is_reached_at(1, true); }
@@ -152,7 +152,7 @@ PROOF("a change to 0 is done where the drive says twice that it is there, one to
 constexpr bool says_nothing_was_done()
 {
     factory_procedure it{atv320::device::layout, {.run_inputs = 0}};
-    bool ok = reads(it.step(begins), eta) and it.step({kind::late}).what == action::kind::end;
+    bool ok = reads(it.step(begins), eta) and what_of(it.step({kind::late})) == action_kind::end;
     ok = ok and it.reason().kind == outcome_kind::aborted;
     factory_procedure refused{atv320::device::layout, {.run_inputs = 0}};
     static_cast<void>(refused.step(begins));

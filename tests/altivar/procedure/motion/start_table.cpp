@@ -190,14 +190,14 @@ TEST_CASE("a start reads a reference that is the neighbour of the control word t
     way const wrote{begun, word(on), confirmed, word(on)};
     start_procedure it = led(go, wrote);
     action const both = it.step(confirmed);
-    CHECK((both.what == action::kind::read and both.address == layout.cmd and both.count == 2));
+    CHECK((what_of(both) == action_kind::read and address_of(both) == layout.cmd and count_of(both) == 2));
     CHECK(does(it, words(0x0007, thirty_hertz), enable));
     CHECK(does(it, words(0x0007, other), undo(kind::overwritten)));
     CHECK(does(it, words(0x0006, thirty_hertz), undo(kind::overwritten)));
-    for (event const& each : {words(0x0007, thirty_hertz), confirmed, word(1)}) {
+    for (event each : {words(0x0007, thirty_hertz), confirmed, word(1)}) {
         static_cast<void>(it.step(each));
     }
-    CHECK(it.step(word(enabled)).count == 2);
+    CHECK(count_of(it.step(word(enabled))) == 2);
     CHECK(does(it, words(0x000F, thirty_hertz), ends(kind::succeeded)));
     CHECK(does(it, words(0x000F, other), ramp(kind::overwritten)));
     CHECK(does(it, words(0x080F, thirty_hertz), ramp(kind::overwritten)));

@@ -26,15 +26,15 @@ constexpr drive_layout some_drive{.cmd = cmd, .eta = eta, .lft = lft, .cmi = 850
 // Status words under remote control.
 constexpr std::uint16_t switched_on = 0x0233, enabled = 0x0237, quick_stop_active = 0x0217;
 
-constexpr bool reads(action const& what, std::uint16_t address)
+constexpr bool reads(action what, std::uint16_t address)
 {
-    return what.what == action::kind::read and what.address == address;
+    return what_of(what) == action_kind::read and address_of(what) == address;
 }
-constexpr bool writes(action const& what, std::uint16_t address, std::uint16_t word)
+constexpr bool writes(action what, std::uint16_t address, std::uint16_t word)
 {
-    return what.what == action::kind::write and what.address == address and what.word == word;
+    return what_of(what) == action_kind::write and address_of(what) == address and word_of(what) == word;
 }
-constexpr bool ends(action const& what) { return what.what == action::kind::end; }
+constexpr bool ends(action what) { return what_of(what) == action_kind::end; }
 constexpr event word(std::uint16_t read) { return {kind::word_read, read}; }
 
 constexpr bool says_its_word_first()
@@ -45,13 +45,13 @@ constexpr bool says_its_word_first()
         stop_procedure it{some_drive, mode};
         auto const expected = static_cast<std::uint16_t>(first);
         ok = ok and writes(it.step({kind::begun}), cmd, expected);
-        ok = ok and it.step({kind::failed, 0, errc::timed_out}).what == action::kind::pause;
+        ok = ok and what_of(it.step({kind::failed, 0, errc::timed_out})) == action_kind::pause;
         ok = ok and writes(it.step({kind::pause_over}), cmd, expected);
-        ok = ok and it.step({kind::failed, 0, errc::server_device_busy}).what == action::kind::pause;
+        ok = ok and what_of(it.step({kind::failed, 0, errc::server_device_busy})) == action_kind::pause;
         ok = ok and writes(it.step({kind::pause_over}), cmd, expected);
         ok = ok and reads(it.step({kind::written}), eta);
         ok = ok and reads(it.step(word(enabled)), rfr);
-        ok = ok and it.step(word(300)).what == action::kind::pause;
+        ok = ok and what_of(it.step(word(300))) == action_kind::pause;
         ok = ok and writes(it.step({kind::pause_over}), cmd, expected); // again at each look
     }
     return ok;
@@ -65,11 +65,11 @@ constexpr bool takes_power_from_a_quick_stop()
         static_cast<void>(it.step({kind::begun}));
         bool ok = reads(it.step({kind::written}), eta);
         ok = ok and reads(it.step(word(quick_stop_active)), rfr);
-        ok = ok and it.step(word(120)).what == action::kind::pause;
+        ok = ok and what_of(it.step(word(120))) == action_kind::pause;
         ok = ok and writes(it.step({kind::pause_over}), cmd, 0x0002); // the quick stop is not made a ramp
         ok = ok and reads(it.step({kind::written}), eta);
         ok = ok and reads(it.step(word(quick_stop_active)), rfr);
-        ok = ok and it.step(word(0)).what == action::kind::pause; // once is not enough
+        ok = ok and what_of(it.step(word(0))) == action_kind::pause; // once is not enough
         ok = ok and writes(it.step({kind::pause_over}), cmd, 0x0002);
         ok = ok and reads(it.step({kind::written}), eta);
         ok = ok and reads(it.step(word(quick_stop_active)), rfr);
@@ -91,7 +91,7 @@ constexpr bool halts_under_power()
     ok = ok and reads(it.step({kind::written}), eta) and reads(it.step(word(enabled)), rfr);
     ok = ok and writes(it.step(word(300)), cmd, 0x090F); // not slower yet: once more, behind this look
     ok = ok and reads(it.step({kind::written}), eta) and reads(it.step(word(enabled)), rfr);
-    ok = ok and it.step(word(0)).what == action::kind::pause;
+    ok = ok and what_of(it.step(word(0))) == action_kind::pause;
     ok = ok and reads(it.step({kind::pause_over}), eta) and reads(it.step(word(enabled)), rfr);
     return ok and ends(it.step(word(0))) and it.reason().kind == outcome_kind::succeeded and
            it.reason().state == cia402::state::operation_enabled and not it.reason().is_other_stop;
@@ -105,7 +105,7 @@ constexpr bool halts_no_drive_that_is_ready()
     static_cast<void>(it.step(word(enabled)));
     static_cast<void>(it.step(word(300)));
     bool ok = writes(it.step(word(0x000F)), cmd, 0x010F);
-    ok = ok and it.step({kind::failed, 0, errc::server_device_busy}).what == action::kind::pause;
+    ok = ok and what_of(it.step({kind::failed, 0, errc::server_device_busy})) == action_kind::pause;
     // Meanwhile somebody shut the drive down: the word with bit 3 would enable it.
     ok = ok and reads(it.step({kind::pause_over}), eta);
     return ok and writes(it.step(word(0x0231)), cmd, 0x0000);

@@ -48,7 +48,7 @@ public:
         return save_.step({event::kind::begun});
     }
 
-    constexpr action step(event const& what) noexcept
+    constexpr action step(event what) noexcept
     {
         switch (running_) {
         case kind::guard: return guard_.step(what);

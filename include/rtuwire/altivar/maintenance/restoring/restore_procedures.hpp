@@ -69,7 +69,7 @@ protected:
     }
 
     /// The next step of the procedure that runs.
-    constexpr void run(event const& what) noexcept
+    constexpr void run(event what) noexcept
     {
         if (is_look_due_) {
             is_look_due_ = false;
@@ -80,7 +80,7 @@ protected:
         if (inner_.take_fault()) {
             this->note_fault();
         }
-        if (next.what == action::kind::end) {
+        if (what_of(next) == action_kind::end) {
             on_end_of_procedure();
         } else {
             perform(next);

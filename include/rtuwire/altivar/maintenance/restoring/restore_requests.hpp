@@ -90,17 +90,18 @@ protected:
     }
 
     /// What a procedure decided, unless that is its end.
-    constexpr void perform(action const& what) noexcept
+    constexpr void perform(action what) noexcept
     {
-        if (what.what == action::kind::pause) {
+        if (what_of(what) == action_kind::pause) {
             now_is_ = kind::pause;
             does_ = effect::none;
-            pause_end_ = now_ + what.length;
-        } else if (what.what == action::kind::read) {
-            read_block({what.address, 1});
-        } else if (what.what == action::kind::write) {
+            pause_end_ = now_ + length_of(what);
+        } else if (what_of(what) == action_kind::read) {
+            read_block({address_of(what), 1});
+        } else if (what_of(what) == action_kind::write) {
             count_ = 0;
-            put(encode_into(frame_, unit_, write_single_register{what.address, what.word}), what.again, what.does);
+            put(encode_into(frame_, unit_, write_single_register{address_of(what), word_of(what)}), repetition_of(what),
+                effect_of(what));
         }
     }
 

@@ -45,11 +45,11 @@ public:
         return to_read(layout().eta);
     }
 
-    constexpr action step(event const& what) noexcept
+    constexpr action step(event what) noexcept
     {
         if (asked_ == asked::rest) {
             action const next = run_inside(rest_, what);
-            return next.what == action::kind::end and reason().kind == outcome_kind::pending
+            return what_of(next) == action_kind::end and reason().kind == outcome_kind::pending
                        ? end(outcome_kind::succeeded)
                        : next;
         }

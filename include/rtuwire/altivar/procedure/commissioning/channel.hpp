@@ -108,7 +108,7 @@ public:
 
     [[nodiscard]] constexpr channel_procedure anew() const noexcept { return {layout(), wanted_, options_}; }
 
-    constexpr action step(event const& what) noexcept
+    constexpr action step(event what) noexcept
     {
         if (stage_ == stage::closing) {
             return see(what);
@@ -189,7 +189,7 @@ private:
         return to_pause(status_period);
     }
 
-    constexpr action check_rest(event const& what) noexcept
+    constexpr action check_rest(event what) noexcept
     {
         action const next = follow(look_, what);
         if (look_.reason().kind == outcome_kind::succeeded) {
@@ -197,7 +197,7 @@ private:
             stage_ = is_cleared_ ? stage::setting : stage::clearing;
             return is_cleared_ ? write_setting() : to_rearrange(layout().cmd, 0);
         }
-        if (next.what != action::kind::end) {
+        if (what_of(next) != action_kind::end) {
             return next;
         }
         address_ = look_.address();
@@ -262,10 +262,10 @@ private:
                                                               : last_.begin(so, reason().state);
     }
 
-    constexpr action see(event const& what) noexcept
+    constexpr action see(event what) noexcept
     {
         action const next = follow(last_, what);
-        if (next.what != action::kind::end) {
+        if (what_of(next) != action_kind::end) {
             return next;
         }
         if (last_.reason().kind == outcome_kind::started_by_terminals) {

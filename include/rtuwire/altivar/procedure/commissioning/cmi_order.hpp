@@ -46,7 +46,7 @@ public:
 
     [[nodiscard]] constexpr cmi_order_procedure anew() const noexcept { return {layout(), look_.anew(), order_}; }
 
-    constexpr action step(event const& what) noexcept
+    constexpr action step(event what) noexcept
     {
         if (stage_ == stage::looking) {
             return check_rest(what);
@@ -75,7 +75,7 @@ private:
         return to_read(layout().cmi);
     }
 
-    constexpr action check_rest(event const& what) noexcept
+    constexpr action check_rest(event what) noexcept
     {
         action const next = run_inside(look_, what);
         return look_.reason().kind == outcome_kind::succeeded ? ask(stage::reading_control) : next;

@@ -57,7 +57,7 @@ public:
 
     [[nodiscard]] constexpr scanner_procedure anew() const noexcept { return {layout(), *scanner_, inputs_, outputs_}; }
 
-    constexpr action step(event const& what) noexcept
+    constexpr action step(event what) noexcept
     {
         switch (what.what) {
         case event::kind::begun: return to_read(layout().eta);

@@ -51,7 +51,7 @@ public:
         return cut();
     }
 
-    constexpr action step(event const& what) noexcept
+    constexpr action step(event what) noexcept
     {
         switch (stage_) {
         case stage::looking: return what.what == event::kind::word_read ? judge(what.word) : go_without(what);
@@ -92,7 +92,7 @@ private:
     }
 
     /// The look failed, or has no time any more.
-    constexpr action go_without(event const& what) noexcept
+    constexpr action go_without(event what) noexcept
     {
         if (so_.kind == outcome_kind::succeeded) {
             bool const is_late = what.what == event::kind::late;

@@ -50,7 +50,7 @@ public:
 
     [[nodiscard]] constexpr bool takes_back() const noexcept { return stage_ == stage::closing; }
 
-    constexpr action step(event const& what) noexcept
+    constexpr action step(event what) noexcept
     {
         if (stage_ == stage::looking) {
             return check_rest(what);
@@ -77,7 +77,7 @@ private:
         : procedure{device::layout}, look_{look}, last_{device::layout, link_activated}, is_release_{is_release}
     {}
 
-    constexpr action check_rest(event const& what) noexcept
+    constexpr action check_rest(event what) noexcept
     {
         action const next = run_inside(look_, what);
         if (look_.reason().kind != outcome_kind::succeeded) {
@@ -95,7 +95,7 @@ private:
         return last_.begin(so, reason().state);
     }
 
-    constexpr action see(event const& what) noexcept
+    constexpr action see(event what) noexcept
     {
         action const next = run_inside(last_, what);
         if (last_.reason().kind != outcome_kind::succeeded) {

@@ -38,7 +38,7 @@ public:
 
     [[nodiscard]] constexpr save_procedure anew() const noexcept { return save_procedure{layout()}; }
 
-    constexpr action step(event const& what) noexcept
+    constexpr action step(event what) noexcept
     {
         switch (what.what) {
         case event::kind::begun: return to_read(layout().eta);

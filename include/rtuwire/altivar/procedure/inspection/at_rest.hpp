@@ -59,7 +59,7 @@ public:
 
     [[nodiscard]] constexpr at_rest_procedure anew() const noexcept { return {layout(), options_, rules_}; }
 
-    constexpr action step(event const& what) noexcept
+    constexpr action step(event what) noexcept
     {
         switch (what.what) {
         case event::kind::begun: return ask(asked::status, layout().eta);

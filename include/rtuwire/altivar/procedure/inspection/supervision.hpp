@@ -67,7 +67,7 @@ public:
         forget_end();
     }
 
-    constexpr action step(event const& what) noexcept
+    constexpr action step(event what) noexcept
     {
         switch (what.what) {
         case event::kind::begun: return is_known_ ? end(report_.finding) : ask();

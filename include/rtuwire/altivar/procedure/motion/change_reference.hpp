@@ -66,7 +66,7 @@ public:
 
     [[nodiscard]] constexpr reference_procedure anew() const noexcept { return {layout(), reference_, beyond_}; }
 
-    constexpr action step(event const& what) noexcept
+    constexpr action step(event what) noexcept
     {
         switch (what.what) {
         case event::kind::begun: return ask(asked::status, layout().eta);

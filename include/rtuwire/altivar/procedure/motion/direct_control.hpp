@@ -111,7 +111,7 @@ public:
 
     [[nodiscard]] constexpr direct_start_procedure anew() const noexcept { return {reference_, check_anew()}; }
 
-    constexpr action step(event const& what) noexcept
+    constexpr action step(event what) noexcept
     {
         if (stage_ == stage::aborting) {
             return come_to_rest(what);
@@ -162,7 +162,7 @@ private:
         return once(to_enable(address, word));
     }
 
-    constexpr action meet(event const& what) noexcept
+    constexpr action meet(event what) noexcept
     {
         stage_ = stage::examining;
         static_cast<void>(is_key_pressed(what.word));
@@ -174,7 +174,7 @@ private:
     }
 
     /// `status` is a status word once the check has ended.
-    constexpr action clear_behind(action const& next, std::uint16_t status) noexcept
+    constexpr action clear_behind(action next, std::uint16_t status) noexcept
     {
         if (not is_ready()) {
             return next;
@@ -252,9 +252,8 @@ private:
     constexpr action run() noexcept
     {
         rank_ = cia402::enable_rank(cia402::state::switch_on_disabled);
-        action next = write(stage::running, layout().cmd, direct_run);
-        next.length = std::exchange(may_run_, true) ? duration{} : longest_gap_in_presence;
-        return next;
+        action const next = write(stage::running, layout().cmd, direct_run);
+        return std::exchange(may_run_, true) ? next : in_presence(next);
     }
 
     /// The word to run that could not be sent for so long that CMD may be another one: it is read once more.

@@ -36,7 +36,7 @@ protected:
 
     /// Continues the check. Where the drive is ready after it, the last word read was a status word. A motor at rest gets no
     /// reference that its limits forbid: that ends the order as soon as they are read.
-    constexpr action examine(event const& what, reference_write asked, bool is_at_rest) noexcept
+    constexpr action examine(event what, reference_write asked, bool is_at_rest) noexcept
     {
         action const next = run_inside(check_, what);
         outcome_kind const found = is_at_rest ? limits().judge(asked, true) : outcome_kind::succeeded;
@@ -87,11 +87,11 @@ protected:
         plan_rest(mode);
         return rest_.step({event::kind::begun}); // never ends the procedure
     }
-    constexpr action come_to_rest(event const& what) noexcept
+    constexpr action come_to_rest(event what) noexcept
     {
         action const next = rest_.step(what);
         note_readings_of(rest_);
-        if (next.what != action::kind::end) {
+        if (what_of(next) != action_kind::end) {
             return next;
         }
         note_state(rest_.reason().state);

@@ -41,7 +41,7 @@ public:
 
     [[nodiscard]] constexpr reset_procedure anew() const noexcept { return reset_procedure{layout()}; }
 
-    constexpr action step(event const& what) noexcept
+    constexpr action step(event what) noexcept
     {
         switch (what.what) {
         case event::kind::begun:

@@ -158,7 +158,7 @@ public:
         return same;
     }
 
-    constexpr action step(event const& what) noexcept
+    constexpr action step(event what) noexcept
     {
         if (stage_ == stage::aborting) {
             return come_to_rest(what);
@@ -189,7 +189,7 @@ private:
 
     /// An earlier stop by the STOP key is shown until the drive runs, so it does not count. Another press meanwhile shows
     /// nothing new: then the drive falls back, or does not follow in time.
-    constexpr action meet(event const& what) noexcept
+    constexpr action meet(event what) noexcept
     {
         stage_ = stage::examining;
         static_cast<void>(is_key_pressed(what.word));
@@ -201,10 +201,10 @@ private:
     constexpr bool is_at_rest() const noexcept { return last_ != cia402::state::operation_enabled; }
 
     /// `status` is a status word once the check has ended.
-    constexpr action next_step_after_check(action const& next, std::uint16_t status) noexcept
+    constexpr action next_step_after_check(action next, std::uint16_t status) noexcept
     {
         if (not is_ready()) {
-            return next.what == action::kind::end ? abort(reason().kind, reason().error) : next;
+            return what_of(next) == action_kind::end ? abort(reason().kind, reason().error) : next;
         }
         stage_ = stage::enabling;
         return judge(status);
@@ -319,10 +319,9 @@ private:
             return end(shown_);
         }
         stage_ = stage::enabled;
-        action next = send_command(cia402::command::enable_operation, control & reverse_bit);
+        action const next = send_command(cia402::command::enable_operation, control & reverse_bit);
         // The control word that was read longer ago is read once more.
-        next.length = std::exchange(has_tried_, true) ? duration{} : longest_gap_in_presence;
-        return next;
+        return std::exchange(has_tried_, true) ? next : in_presence(next);
     }
 
     constexpr action confirm_profile(std::uint16_t profile) noexcept

@@ -136,7 +136,7 @@ public:
         : procedure{layout}, ordered_{mode}, mode_{mode}
     {}
 
-    constexpr action step(event const& what) noexcept
+    constexpr action step(event what) noexcept
     {
         switch (what.what) {
         case event::kind::begun: return begin();
@@ -190,9 +190,8 @@ private:
     constexpr action ask(asked what, std::uint16_t address) noexcept
     {
         asked_ = what;
-        action next = to_read(address);
-        next.length = looks_first() ? detail::longest_wait_of_a_stop : duration{};
-        return next;
+        action const next = to_read(address);
+        return looks_first() ? within(next, detail::longest_wait_of_a_stop) : next;
     }
 
     constexpr action stop_again() noexcept
@@ -368,7 +367,7 @@ public:
 
     [[nodiscard]] constexpr ordered_stop_procedure anew() const noexcept { return {layout(), ordered(), begin_}; }
 
-    constexpr action step(event const& what) noexcept
+    constexpr action step(event what) noexcept
     {
         switch (stage_) {
         case stage::elsewhere:
