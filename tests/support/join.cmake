@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
 # Most of a test's time to compile goes for what it includes: joined, the tests of a room take a tenth. Where they are not
-# (.ci/nightly alone-tests), each shows that it includes what it uses.
+# (.ci/nightly alone-libcxx), each shows that it includes what it uses.
 
 # Puts what is compiled for `sources` in VARIABLE: files that include them, and those that can't be joined.
 function(join_sources variable room)
