@@ -9,6 +9,7 @@
 
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
+#include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 #include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
@@ -431,6 +432,44 @@ TEST_CASE("motion law: L2 of two orders to run a drive the later one counts")
     CHECK(second.running());
     it.pass([](instant) {}, milliseconds(3'000));
     CHECK(it.drive(0).motor().frequency() == 10'000);
+}
+
+namespace {
+
+/// A drive that was started, and that nobody asked for longer than its time-out; it has lost its power meanwhile and stands.
+template <typename Device> struct hall_after_silence : hall<Device> {
+    hall_after_silence()
+    {
+        start before{this->motor, 30_Hz};
+        REQUIRE(this->run(before));
+        REQUIRE(before.running());
+        this->idle(milliseconds(60'000));
+        CHECK_FALSE(before.running());
+        this->drive(0).power_cycle(this->now());
+        this->idle(milliseconds(2'000));
+        REQUIRE(this->drive_state() == state::switch_on_disabled);
+    }
+};
+
+template <typename Device, typename Order> void order_behind_a_silence(Order order)
+{
+    hall_after_silence<Device> it;
+    REQUIRE(it.run(order));
+    CHECK(order.reason().kind == outcome_kind::succeeded);
+    CHECK(order.running());
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("motion law: L2 a silence longer than the drive's time-out ends no order that is given behind it",
+                   "", atv12::device, atv28::device, atv310::device, atv310::device_2026, atv320::device)
+{
+    order_behind_a_silence<TestType>(start{*station<TestType>::checked(3), 20_Hz});
+}
+
+TEST_CASE("motion law: L2 a silence longer than the drive's time-out ends no direct start that is given behind it")
+{
+    order_behind_a_silence<atv28::device>(atv28::direct_start{*station<atv28::device>::checked(3), 20_Hz});
 }
 
 TEST_CASE("motion law: L4 a stop that nobody answers is followed by silence, though another controller gave the order")

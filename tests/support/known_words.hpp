@@ -21,7 +21,7 @@ template <std::size_t Units> constexpr void confirm_words(orders<Units>& known, 
 {
     reader_of_meaning who;
     known.note_start(now);
-    static_cast<void>(known.visit(who, unit.byte()));
+    static_cast<void>(known.visit(who, unit.byte(), now));
 }
 
 /// The unit of a conversation that has no client.

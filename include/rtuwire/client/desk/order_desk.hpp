@@ -147,7 +147,7 @@ private:
     template <typename Conversation> constexpr void visit(Conversation& conversation, instant now) noexcept
     {
         std::uint8_t const unit = conversation.unit().byte();
-        if (orders_.visit(conversation, unit)) {
+        if (orders_.visit(conversation, unit, now)) {
             conversation.note_loss();
         }
         if constexpr (stops_a_unit<Conversation>) {

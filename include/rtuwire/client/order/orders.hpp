@@ -71,7 +71,7 @@ public:
 
     /// A commander of one unit visits: notes what its user wants, and what it read. Returns whether its unit was lost
     /// since its last visit.
-    constexpr bool visit(commander& who, std::uint8_t unit) noexcept
+    constexpr bool visit(commander& who, std::uint8_t unit, instant now) noexcept
     {
         losses::meet(who);
         bool const is_lost = has_lost(who, unit);
@@ -79,7 +79,7 @@ public:
         bool const is_doubtful = who.has_come_by_ and has_happened(who, unit);
         who.was_stopped_ = who.was_stopped_ or is_doubtful;
         tell_arrangement(who, unit);
-        take_notes(who, unit, is_doubtful);
+        take_notes(who, unit, is_doubtful, now);
         if (who.is_stopping_) {
             keep_hold(who, unit);
         }
@@ -161,7 +161,7 @@ private:
         who.is_doubtful_ = own.is_doubtful;
     }
 
-    constexpr void take_notes(commander& who, std::uint8_t unit, bool is_doubtful) noexcept
+    constexpr void take_notes(commander& who, std::uint8_t unit, bool is_doubtful, instant now) noexcept
     {
         if (unit_order* const own = places_.find(unit)) {
             note_power(*own, who.power_seen_);
@@ -186,7 +186,7 @@ private:
                 who.takes_over_ = false;
             } else {
                 who.stamp_ = ++count_;
-                take_over(who, unit);
+                take_over(who, unit, now);
             }
         }
         if (who.has_stopped_) {
@@ -250,12 +250,14 @@ private:
         who.was_rearranged_ = who.was_rearranged_ or is_new;
     }
 
-    constexpr void take_over(commander& who, std::uint8_t unit) noexcept
+    /// The silence of its unit before it, which ended older orders, does not end this one. It has left the unit doubtful.
+    constexpr void take_over(commander& who, std::uint8_t unit, instant now) noexcept
     {
         unit_order* const own = who.takes_over_ ? places_.make(unit) : nullptr;
         who.takes_over_ = false;
         if (own != nullptr) {
             own->last_order = who.stamp_;
+            own->heard = own->is_doubtful ? now : own->heard;
         }
     }
 

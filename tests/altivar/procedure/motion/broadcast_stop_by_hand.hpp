@@ -53,7 +53,7 @@ template <std::size_t Drives> struct everyone_by_hand {
         all.advance(now);
         motors.visit_for_all(all, now);
         for (altivar::stop& each : all.stops()) {
-            if (motors.visit(each, each.unit().byte())) {
+            if (motors.visit(each, each.unit().byte(), now)) {
                 each.note_loss();
             }
         }

@@ -35,7 +35,7 @@ template <typename Conversation> constexpr std::optional<errc> told_behind(Conve
     orders<2> motors;
     auto const comes_by = [&](auto& conversation) {
         conversation.advance(now);
-        motors.visit(conversation, conversation.unit().byte());
+        motors.visit(conversation, conversation.unit().byte(), now);
         return motors.check(conversation, conversation.unit().byte(), effect::enabling);
     };
     start first{drive, 50_Hz};
