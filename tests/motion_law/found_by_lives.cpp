@@ -282,6 +282,36 @@ TEST_CASE("motion law: a DC injection gives no power to a drive whose motor stan
     CHECK(given_back <= 1); // where it came to rest between the read of its frequency and the word
 }
 
+namespace {
+
+/// Whether a motor that ran at 30 Hz has power once a stop was over at its limit, and time for a ramp.
+template <typename Stop> bool keeps_power_behind(Stop stop)
+{
+    hall<atv28::device> it;
+    start go{it.motor, 30_Hz};
+    REQUIRE(it.run(go));
+    it.pass([](instant) {}, milliseconds(300));
+    REQUIRE(it.run(stop));
+    it.pass([](instant) {}, milliseconds(4'000));
+    return it.has_power();
+}
+
+} // namespace
+
+TEST_CASE("motion law: L9 a stop whose word keeps the power leaves none behind its limit")
+{
+    constexpr station<atv28::device> motor{unit_id{3}};
+    for (std::uint32_t limit_ms = 0; limit_ms < 400; limit_ms += 3) {
+        INFO("a limit of " << limit_ms << " ms");
+        duration const limit = milliseconds(limit_ms);
+        CHECK_FALSE(keeps_power_behind(altivar::stop{motor, stop_by::dc_injection, limit}));
+        for (auto const how :
+             {atv28::direct_stop_by::ramp, atv28::direct_stop_by::dc_injection, atv28::direct_stop_by::fast_stop}) {
+            CHECK_FALSE(keeps_power_behind(atv28::direct_stop{motor, how, limit}));
+        }
+    }
+}
+
 TEST_CASE("motion law: a cycle without an order writes no reference of an old one")
 {
     using device = atv28::device;

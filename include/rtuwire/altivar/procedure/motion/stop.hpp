@@ -121,7 +121,8 @@ private:
 /// | a written word  | confirmed                        | read ETA                                                   |
 /// | anything        | no response, or refused          | wait; in place, without a word yet: write 0007             |
 /// | a wait          | over                             | write the word; in place: read ETA                         |
-/// | anything        | limit over, no word confirmed    | end: silent or refused; in place, no word yet: write 0007  |
+/// | anything        | limit over, DC injection         | write 0007, where it stands 0000; then as below            |
+/// |                 | limit over, no word confirmed    | end: silent or refused; in place, no word yet: write 0007  |
 /// |                 | limit over, as fast as before    | end: state_timeout                                         |
 /// |                 | limit over                       | end: unconfirmed                                           |
 ///
@@ -146,8 +147,13 @@ public:
         case event::kind::failed: return go_on(what.error);
         case event::kind::late: break;
         }
-        // A stop that has only read until now sends the word that needs no status read.
-        return has_said_ ? end_unconfirmed() : stop_blind();
+        // A stop that has only read until now sends the word that needs no status read; so does one whose word keeps the
+        // power of a motor that stands, for nothing else would end that.
+        if (has_said_ and mode_ != stop_by::dc_injection) {
+            return end_unconfirmed();
+        }
+        has_word_ = false;
+        return stop_blind();
     }
 
     /// Ends a stop that asks for further actions after its limit.
@@ -407,7 +413,8 @@ private:
 
 /// Stops a drive; settles when it is in "switch on disabled", or for `halt` when the motor stands. A long ramp needs
 /// a long limit. At the limit it ends as `unconfirmed` (the word was confirmed or the motor slows down),
-/// `state_timeout` (confirmed, and the motor is as fast as before), `refused` or `silent` (never confirmed).
+/// `state_timeout` (confirmed, and the motor is as fast as before), `refused` or `silent` (never confirmed). A DC
+/// injection, which would go on, becomes the ramp there.
 ///
 /// A drive at 8501 (all but the ATV28) is sent 0000, "disable voltage", whatever stop was ordered, until a conversation of
 /// this client has read there that its words are those of the drive profile: its motor coasts, and `reason().is_other_stop`
