@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "lives/conversations.hpp"
 #include "lives/wire.hpp"
@@ -110,8 +111,8 @@ protected:
     /// A frame of another master.
     void say_as_another(byte_view frame)
     {
-        now_ += time_of(frame.size());
-        said_.now = now_;
+        begin_as_another();
+        occupy(frame);
         said_.frame("=>", frame, "  another master", nullptr);
         link_.receive(frame, at());
         for (auto const& each : nodes_) {
@@ -119,6 +120,7 @@ protected:
                 bool const is_meant = frame[0] == std::byte{how_.drive[index_of(*each)].address};
                 if (is_meant) {
                     each->law.note_foreign(frame, now_, each->drive->state());
+                    each->owes_another = true;
                 }
                 each->drive->receive(frame, at());
             }
@@ -156,15 +158,32 @@ private:
     std::size_t index_of(node const& which) const { return nodes_[0].get() == &which ? 0U : 1U; }
     moment time_of(std::size_t bytes) const { return bytes * 11'000'000ULL / how_.bits_per_second; }
 
+    /// A frame passes, up to its last byte.
+    void occupy(byte_view frame)
+    {
+        now_ += time_of(frame.size());
+        said_.now = now_;
+        quiet_since_ = now_;
+    }
+
+    /// Everybody keeps the silence before a frame: to who hears none two frames are one that is damaged.
+    moment silent_at() const { return quiet_since_ + how_.timing().t3_5().microseconds; }
+
+    /// Another master is the first to speak behind a frame, and it awaits a response.
+    void begin_as_another()
+    {
+        now_ = std::max(now_, silent_at());
+        for (auto const& each : nodes_) {
+            each->drive->advance(at());
+        }
+        is_answered_ = false;
+        last_asked_ = now_;
+    }
+
     void step(moment end)
     {
         instant const now = at();
         said_.now = now_;
-        if (is_awake()) {
-            hear_what_came();
-            link_.advance(now);
-            converse(now);
-        }
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
             // A unit that stands sleeps by its deadline while nobody asks.
             bool const is_idle = is_asleep_ and how_.is_event_driven and not nodes_[i]->law.has_power() and
@@ -175,14 +194,29 @@ private:
             }
             accuse(nodes_[i]->law.look(now_), i);
         }
-        bool is_moved = is_awake() and ask();
+        // Of who could begin at the same moment a drive is the first. The controller's request would collide with what it owes
+        // another master, or make that look like the response to it: for that docs/what-stops-my-motor.md wants one master.
+        bool is_moved = false;
         for (auto const& each : nodes_) {
             is_moved = response(*each) or is_moved;
         }
+        is_moved = is_moved or visit(now);
         stalls_ = is_moved ? 0 : stalls_;
         if (not is_moved) {
             jump(end);
         }
+    }
+
+    /// A pass of the controller's program; whether it spoke.
+    bool visit(instant now)
+    {
+        if (not is_awake()) {
+            return false;
+        }
+        hear_what_came();
+        link_.advance(now);
+        converse(now);
+        return ask();
     }
 
     void converse(instant now)
@@ -318,8 +352,7 @@ private:
         byte_writer{copy}.bytes(made);
         byte_view const frame = byte_view{copy}.first(made.size());
         ++counts_.frames;
-        now_ += time_of(frame.size());
-        said_.now = now_;
+        occupy(frame);
         link_.sent(at());
         last_asked_ = now_;
         is_answered_ = frame[0] == std::byte{0};
@@ -335,6 +368,7 @@ private:
                 each.drive->receive(frame, at());
             }
             if (is_meant) {
+                each.owes_another = each.owes_another and is_lost;
                 wait_for(each, frame, is_lost);
             }
         }
@@ -373,11 +407,12 @@ private:
         std::array<std::byte, 8> buffer{};
         static_cast<void>(encode_into(buffer, *unit_id::checked(how_.drive[index_of(own)].address),
                                       write_single_register{own.drive->profile().cmd, 6}));
-        now_ += time_of(buffer.size());
-        said_.now = now_;
+        begin_as_another();
+        occupy(buffer);
         said_.frame("=>", buffer, cuts_power ? "  another master, behind a power cycle" : "  another master", nullptr);
         link_.receive(buffer, at());
         own.law.note_ambush(now_);
+        own.owes_another = true;
         for (auto const& each : nodes_) {
             each->drive->receive(buffer, at());
         }
@@ -394,7 +429,7 @@ private:
             byte_writer{own.response}.bytes(made);
             own.response_size = made.size();
             own.status = own.drive->status();
-            bool const is_late = chance_.happens(how_.late_in_a_million);
+            bool const is_late = not std::exchange(own.owes_another, false) and chance_.happens(how_.late_in_a_million);
             std::uint32_t const most =
                 how_.options.response_timeout.microseconds + how_.options.late_response.microseconds - 20'000;
             own.leaves_at = now_ + (is_late ? chance_.below(most) : 0);
@@ -402,12 +437,11 @@ private:
                 counts_.note(event::late_answers);
             }
         }
-        if (now_ < own.leaves_at) {
+        if (now_ < std::max(own.leaves_at, silent_at())) {
             return false;
         }
         byte_view const frame = byte_view{own.response}.first(own.response_size);
-        now_ += time_of(frame.size());
-        said_.now = now_;
+        occupy(frame);
         own.drive->sent(at());
         bool const is_cut = own.other.at == ambush::stage::cutting;
         bool const is_lost = own.loses(false, chance_) or is_cut;
@@ -479,7 +513,7 @@ private:
             next.add(each->drive->poll_deadline());
             has_power = has_power or each->law.has_power();
             if (each->response_size != 0) {
-                soon = std::min(soon, each->leaves_at);
+                soon = std::min(soon, std::max(each->leaves_at, silent_at()));
             }
         }
         unsigned const at_rest = is_asleep_ ? 10'000'000U : 500'000U;
@@ -512,6 +546,7 @@ private:
     template <typename All> static void add_all_to(earliest& next, All& all) { next.add(all.poll_deadline()); }
 
     moment last_asked_{0};
+    moment quiet_since_{0}; ///< the end of the last frame
     unsigned stalls_{0};
     bool is_answered_{true};
     bool is_everyone_told_{false};

@@ -48,6 +48,7 @@ struct node {
     moment leaves_at{0};
     std::array<std::byte, max_adu_size> unheard{}; ///< a response that came while the controller slept
     std::size_t unheard_size{0};
+    bool owes_another{false}; ///< a response, to another master
     bool is_local{false};
     ambush other{};
     unsigned cut_behind{0};   ///< so many responses its power goes and comes back; 0: not
