@@ -93,6 +93,9 @@ public:
         }
     }
     bool has_order_of(std::size_t place) const { return orders_[place].is_there; }
+    /// Whether what an order did stands though it does not count any more: another one came behind it, whatever became of
+    /// that; or a silence ended it, which stops no drive that does not supervise its link.
+    bool outlives(std::size_t place) const { return ordered_at_ > orders_[place].at or not set_.is_supervised(); }
 
     /// The user gave a conversation up before its end: what it ordered stays ordered, what it was to stop nobody stops.
     void note_given_up(std::size_t place, bool was_stopping)
@@ -207,11 +210,14 @@ public:
         bool const is_told_otherwise = is_enabling and to_u8(frame[1]) == 6 and holds_reference_of_another();
         if (is_heard) {
             own_reference_at_ = writes_reference(frame) ? now : own_reference_at_;
-            if (word and (*word & drive_.profile().direct_control) != 0 and cycled_at_ != 0 and
-                cycled_at_ >= last_heard_) {
+            // A direct start's last look is at the command, and what others ask may come behind it.
+            bool const is_direct = word and (*word & drive_.profile().direct_control) != 0;
+            if (is_direct and cycled_at_ != 0 and cycled_at_ >= (is_alone() ? unpolled_at_ : command_read_at_)) {
                 note_reference(0, false); // the reference is gone since the last look, and its sign with it
                 note_reference(0, true);
             }
+            unpolled_at_ = is_poll(frame) ? unpolled_at_ : now;
+            command_read_at_ = asks_for(frame, drive_.profile().cmd) ? now : command_read_at_;
             last_heard_ = now;
             was_foreign_ = false;
             if (word and (*word & 0x80U) != 0) {
@@ -223,8 +229,7 @@ public:
             note_look_behind_ambush(frame, is_enabling);
             // Direct control has no step between its last look and a motor that turns; the last looks may be another's.
             moment const last_look = is_alone() ? looked_at_[0] : looked_at_[2];
-            bool const is_too_late =
-                word and (*word & drive_.profile().direct_control) != 0 and disturbed_at_ >= last_look;
+            bool const is_too_late = is_direct and disturbed_at_ >= last_look;
             moment const asked = std::max(latest_order(), ordered_at_);
             was_asked_ = has_order() and (asked >= disturbed_at_ or is_too_late);
             is_halting_ = is_halting_ and not is_enabling;
@@ -240,7 +245,9 @@ public:
     void note_response(byte_view frame, moment now, std::uint16_t status)
     {
         unanswered_ = 0;
-        reference_seen_at_ = std::exchange(is_reference_asked_, false) ? now : reference_seen_at_;
+        if (std::exchange(is_reference_asked_, false)) {
+            reference_seen_at_ = {now, reference_seen_at_[0]};
+        }
         bool const is_in_time = now < asked_at_ + how_.options.response_timeout.microseconds;
         note_begin(is_in_time ? asked_function_ : std::uint8_t{0});
         constexpr std::size_t size_of_one_word = 7; // an older request may have had another one
@@ -250,7 +257,7 @@ public:
         is_key_known_ = shows_state ? (status & altivar::stop_key_bit) != 0 : is_key_known_;
         for (order& each : orders_) {
             // A response to who asked in that place before tells the order nothing.
-            each.has_looked = each.has_looked or (is_look_ and each.is_alone and asked_at_ >= each.at);
+            each.has_looked = each.has_looked or (is_look_ and each.is_alone and asked_since_ >= each.at);
         }
         is_heard_since_good_ = is_heard_since_good_ or is_good_;
     }
@@ -264,7 +271,10 @@ public:
             // What stands there already is nobody else's.
             bool const is_same = to_u8(frame[1]) == 6 and u16_at(frame, 2) == drive_.frequency_reference() and
                                  u16_at(frame, 4) == static_cast<std::uint16_t>(drive_.reference());
-            foreign_reference_at_ = writes_reference(frame) and not is_same ? now : foreign_reference_at_;
+            if (writes_reference(frame) and not is_same) {
+                foreign_reference_at_ = now;
+                foreign_reference_ = u16_at(frame, 4);
+            }
             auto const word = control_word_in(frame, drive_.profile());
             bool const stops = word and (*word == 0 or *word == 2);
             if (stops) {
@@ -408,19 +418,32 @@ private:
         std::uint8_t const function = to_u8(frame[1]);
         return function == 6 ? is_reference(u16_at(frame, 2)) : function == 16 or function == 23;
     }
-    bool asks_for_reference(byte_view frame) const
+    static bool asks_for(byte_view frame, std::uint16_t address)
     {
         unsigned const first = u16_at(frame, 2), end = first + u16_at(frame, 4);
-        auto const is_within = [&](std::uint16_t address) { return address >= first and address < end; };
-        return to_u8(frame[1]) == 3 and
-               (is_within(drive_.frequency_reference()) or is_within(drive_.speed_reference()));
+        return to_u8(frame[1]) == 3 and address >= first and address < end;
     }
-    /// Whether the drive's reference is one of another master that this controller must know of: not one that was written
-    /// behind its last look at it.
+    bool asks_for_reference(byte_view frame) const
+    {
+        return asks_for(frame, drive_.frequency_reference()) or asks_for(frame, drive_.speed_reference());
+    }
+    /// Whether a request is of one of the polls of a life, which belong to no order.
+    bool is_poll(byte_view frame) const
+    {
+        return asks_for(frame, drive_.profile().rfr) or asks_for(frame, drive_.profile().lft);
+    }
+    /// Whether the drive's reference is one of another master that this controller must know of: not one that the drive
+    /// refused, and not one that was written behind a start's last look at it. In company the last look may be another
+    /// conversation's, and the one before that the start's.
     bool holds_reference_of_another() const
     {
-        bool const did_cross = reference_seen_at_ > own_reference_at_ and foreign_reference_at_ >= reference_seen_at_;
-        return foreign_reference_at_ > own_reference_at_ and not did_cross;
+        auto const has_crossed = [this](moment look) {
+            return look > own_reference_at_ and foreign_reference_at_ >= look;
+        };
+        bool const did_cross =
+            has_crossed(reference_seen_at_[0]) or (not is_alone() and has_crossed(reference_seen_at_[1]));
+        bool const is_taken = foreign_reference_ == static_cast<std::uint16_t>(drive_.reference());
+        return foreign_reference_at_ > own_reference_at_ and is_taken and not did_cross;
     }
 
     /// Requests in a row, each soon behind the one before.
@@ -574,11 +597,13 @@ private:
     moment asked_since_{0};
     std::array<moment, 3> looked_at_{}; ///< the latest first
     moment last_heard_{0};
+    moment unpolled_at_{0};     ///< it heard another request of this controller than a poll
+    moment command_read_at_{0}; ///< ... that reads the control word
     moment last_foreign_{0};
     moment ambushed_at_{0}; ///< until a status shows it
     moment own_reference_at_{0};
     moment foreign_reference_at_{0};
-    moment reference_seen_at_{0};
+    std::array<moment, 2> reference_seen_at_{}; ///< the latest first
     moment ran_at_{0};
     moment died_at_{0};
     moment last_missed_{0};
@@ -589,6 +614,7 @@ private:
     moment stop_begun_{0}; ///< of the latest stop of its own
     unsigned unheeded_{0}; ///< requests that it heard since its last response
     unsigned unanswered_{0};
+    std::uint16_t foreign_reference_{0};
     std::uint8_t asked_function_{0};
     std::int32_t most_forward_{0};
     std::int32_t most_reverse_{0};

@@ -301,7 +301,9 @@ private:
         bool const is_done = what.reason().kind == a::outcome_kind::succeeded;
         if constexpr (is_start<Conversation>) {
             if (not what.running()) {
-                law.note_end_of_order(place, now_);
+                // The motor may run by it until another order, or a stop, changes that.
+                bool const was_done = is_done or what.reason().kind == a::outcome_kind::reference_limited;
+                was_done and law.outlives(place) ? law.note_given_up(place, false) : law.note_end_of_order(place, now_);
                 return;
             }
             accuse(law.told_to_run(own.began), own.unit);
