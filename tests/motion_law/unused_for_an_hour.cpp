@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/procedure/motion/change_reference.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
 #include <rtuwire/client/blocking.hpp>
@@ -33,7 +35,8 @@ struct drive_port {
     std::vector<std::uint64_t> departures{};
     bool is_cut{false};
     unsigned lost{0};         ///< how many of the next responses are
-    std::uint64_t stopped{0}; ///< how long the program is, before it is given the next response
+    std::uint64_t stopped{0}; ///< how long the program is, before it is given a response
+    unsigned in_time{0};      ///< how many come before that one
 
     drive_port() { pass(100'000); }
     instant now() const { return instant{static_cast<std::uint32_t>(time)}; }
@@ -65,7 +68,9 @@ struct drive_port {
                 std::size_t const size = is_cut or lost > 0 ? 0 : frame.size();
                 unit.sent(now());
                 lost -= lost > 0 ? 1 : 0;
-                pass(size > 0 ? std::exchange(stopped, 0) : 0);
+                bool const is_in_time = size == 0 or in_time > 0;
+                in_time -= in_time > 0 ? 1 : 0;
+                pass(is_in_time ? 0 : std::exchange(stopped, 0));
                 return place.first(size);
             }
         }
@@ -152,4 +157,55 @@ TEST_CASE("motion law: S45 a start and a stop after a pause in the middle of a r
         CHECK(usual.first == outcome_kind::in_fault);
         CHECK(orders_after(pause, true) == usual);
     }
+}
+
+namespace {
+
+/// Whether the motor has its power where an order ends whose program was stopped before the n-th response; nothing where there
+/// are fewer. What it says must be true.
+template <typename Conversation>
+std::optional<bool> says_so(drive_port& port, auto& line, Conversation& order, unsigned in_time)
+{
+    port.in_time = in_time;
+    port.stopped = minute / 3;
+    static_cast<void>(line.run(order));
+    if (port.stopped != 0) {
+        return std::nullopt;
+    }
+    bool const has_power = cia402::has_power(port.unit.drive().state_machine().state());
+    bool const is_done = order.succeeded() or order.reason().kind == outcome_kind::reference_limited;
+    CHECK((not is_done or has_power));
+    CHECK(order.reason().kind != outcome_kind::pending);
+    return has_power;
+}
+
+} // namespace
+
+TEST_CASE("motion law: L15 no order is done of a drive that stopped itself while the program was stopped")
+{
+    unsigned starts = 0, changes = 0;
+    bool is_over = false;
+    for (; not is_over; ++starts) {
+        INFO("start, stopped before response " << starts);
+        drive_port port;
+        blocking_client line{port, timing, {.response_timeout = milliseconds(100), .retries = 1}};
+        start go{motor, 30_Hz};
+        auto const has_power = says_so(port, line, go, starts);
+        is_over = not has_power;
+        CHECK((is_over or go.running() == *has_power));
+    }
+    CHECK(starts > 15);
+    for (is_over = false; not is_over; ++changes) {
+        INFO("change, stopped before response " << changes);
+        drive_port port;
+        blocking_client line{port, timing, {.response_timeout = milliseconds(100), .retries = 1}};
+        start go{motor, 30_Hz};
+        static_cast<void>(line.run(go));
+        REQUIRE(go.running());
+        change_reference to{motor, 20_Hz};
+        auto const has_power = says_so(port, line, to, changes);
+        is_over = not has_power;
+        CHECK((is_over or go.running() == *has_power));
+    }
+    CHECK(changes > 3);
 }

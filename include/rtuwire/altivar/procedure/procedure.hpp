@@ -117,6 +117,14 @@ public:
     /// Ends a procedure because a stop was ordered later, or an order to run: the drive now belongs to that.
     constexpr action yield() noexcept { return end(outcome_kind::overruled); }
 
+    /// What it was done by was read before its order came to an end: its unit was not reached for as long as it runs without that,
+    /// or was lost or stopped meanwhile.
+    constexpr void lose() noexcept
+    {
+        reason_.kind = outcome_kind::silent;
+        reason_.error = errc::unit_lost;
+    }
+
     /// What the status read showed of the motor's power; what was read of CHCF, as for `commander::note_meaning`; whether the
     /// status showed a fault. Each call clears what it returns.
     constexpr power_seen take_power() noexcept { return std::exchange(power_seen_, power_seen::nothing); }

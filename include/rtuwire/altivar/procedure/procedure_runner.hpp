@@ -192,6 +192,9 @@ public:
             look_.note_word(); // else it never left
         }
         take(outcome.error() == errc::overruled ? procedure_.yield() : procedure_.step(event_of(outcome)));
+        if (Script::follows_order and settled() and is_done() and not this->is_order_in_force(unit_)) {
+            procedure_.lose();
+        }
         heed_loss();
     }
 
@@ -233,14 +236,17 @@ protected:
     /// Of an order to run: whether it was carried out, and still counts.
     [[nodiscard]] constexpr bool has_done_its_order() const noexcept
     {
-        outcome_kind const how = procedure_.reason().kind;
-        bool const is_done = how == outcome_kind::succeeded or how == outcome_kind::reference_limited;
-        return is_done and this->is_order_in_force(unit_);
+        return is_done() and this->is_order_in_force(unit_);
     }
 
     [[nodiscard]] constexpr Script const& told() const noexcept { return procedure_; }
 
 private:
+    constexpr bool is_done() const noexcept
+    {
+        outcome_kind const how = procedure_.reason().kind;
+        return how == outcome_kind::succeeded or how == outcome_kind::reference_limited;
+    }
     constexpr bool is_command_to_run() const noexcept
     {
         constexpr std::uint16_t run = cia402::word_of(cia402::command::enable_operation);

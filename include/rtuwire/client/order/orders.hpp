@@ -280,9 +280,12 @@ private:
     {
         if (unit_order* const own = places_.make(unit)) {
             own->is_starting = own->is_starting or runs;
+            if (runs or
+                not own->is_ordered) { // else it was read for the order that is in force, and here it may not be
+                own->silence = drive_timeout + milliseconds(1'000);
+            }
             own->heard = own->is_ordered ? own->heard : asked_;
             own->is_ordered = true;
-            own->silence = drive_timeout + milliseconds(1'000);
             own->tolerated = tolerated;
         }
     }

@@ -443,7 +443,8 @@ private:
 /// reverse, and one together with `run_direction::reverse` is refused. A reference of 0 in reverse, or for a motor that
 /// turns in reverse, is sent as 0.1 Hz in reverse, so that the motor does not turn forward at LSP. It settles once
 /// operation is enabled and the drive holds command and reference as they were written, else as `overwritten`, without
-/// waiting for the ramp; a start that fails settles when its commands are withdrawn, up to 30 s after its limit.
+/// waiting for the ramp; a start that fails settles when its commands are withdrawn, up to 30 s after its limit. Where the
+/// program paused so long before its last response that the drive has stopped by itself, it ends as `silent`, `unit_lost`.
 /// Destroying it stops nothing: once the command to run was sent the motor runs on, until a stop or
 /// its drive's own time-out, which any request restarts; before, the drive stays in the state that it was brought to.
 ///
