@@ -60,6 +60,7 @@ struct hand_commander : commander {
     bool settled() const { return not has_request; }
     void note_loss() { ++losses; }
     duration drive_timeout() const { return timeout; }
+    bool is_in_force() const { return is_order_in_force(unit()); }
     std::uint8_t tolerated_misses() const { return tolerates; }
 
 private:

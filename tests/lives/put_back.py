@@ -34,9 +34,9 @@ class Defect(NamedTuple):
 
 DEFECTS = [
     Defect("D18 a stop that is used again says done and sends nothing", [
-        (RUNNER, """        asker const former{*this};
+        (RUNNER, """        commander const former{*this};
         *this = procedure_runner{unit_, procedure_.anew(), limit_};
-        this->replace(former);
+        this->begin_anew(former);
 """, ""),
     ], {"a stop that was done", "a stop whose word"}),
     Defect("D19 a start runs behind a stop of the same client", [

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // What random lives found, each reduced to the few frames that it takes.
 #include "support/catch.hpp"
+#include "support/drives.hpp"
 #include "support/remembered.hpp"
 #include "support/simulated_bus.hpp"
 
@@ -9,7 +10,6 @@
 
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/altivar/atv28.hpp>
-#include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/cyclic/cyclic.hpp>
 #include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
@@ -491,10 +491,11 @@ template <typename Device, typename Order> void order_behind_a_silence(Order ord
 
 } // namespace
 
-TEMPLATE_TEST_CASE("motion law: L2 a silence longer than the drive's time-out ends no order that is given behind it",
-                   "", atv12::device, atv28::device, atv310::device, atv310::device_2026, atv320::device)
+TEST_CASE("motion law: L2 a silence longer than the drive's time-out ends no order that is given behind it")
 {
-    order_behind_a_silence<TestType>(start{*station<TestType>::checked(3), 20_Hz});
+    test::all_drives::for_each([]<typename Device>() {
+        order_behind_a_silence<Device>(start{*station<Device>::checked(3), 20_Hz});
+    });
 }
 
 TEST_CASE("motion law: L2 a silence longer than the drive's time-out ends no direct start that is given behind it")

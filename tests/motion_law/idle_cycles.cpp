@@ -78,6 +78,41 @@ TEST_CASE("motion law: a cycle without an order turns no direct start's motor th
     }
 }
 
+TEST_CASE(
+    "motion law: L2 a cycle beside one without an order runs its motor once for one order, whatever their periods")
+{
+    test::all_drives::for_each([]<typename Device>() {
+        for (unsigned const period_ms : {50U, 100U, 130U, 200U}) {
+            for (unsigned const other_ms : {50U, 100U, 200U}) {
+                INFO("periods of " << period_ms << " and " << other_ms << " ms");
+                test::plant<Device> it;
+                cyclic<Device> loop{it.drive, {.period = milliseconds(period_ms)}};
+                cyclic<Device> idle{it.drive, {.period = milliseconds(other_ms)}};
+                auto const both = [&](instant now) {
+                    it.link().converse(loop, now);
+                    it.link().converse(idle, now);
+                };
+                it.run(
+                    both, [] { return false; }, milliseconds(3'000));
+                using at = setting<cycle_layout<Device>::reference>;
+                REQUIRE(loop.run(*at::checked(typename at::value_type{300})));
+                unsigned times = 0;
+                bool had_power = false;
+                for (unsigned i = 0; i < 1'000; ++i) {
+                    it.run(
+                        both, [] { return false; }, milliseconds(10));
+                    bool const has_power = cia402::has_power(it.far().state_machine().state());
+                    times += has_power and not had_power ? 1U : 0U;
+                    had_power = has_power;
+                }
+                CHECK(times <= 1);
+                CHECK_FALSE(had_power);
+                CHECK_FALSE(loop.control().is_ordered());
+            }
+        }
+    });
+}
+
 TEST_CASE("motion law: L7 a cycle without an order stops another master's motor, and does not cut that one's quick "
           "stop short")
 {

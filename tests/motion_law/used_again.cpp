@@ -5,6 +5,7 @@
 #include "support/drives.hpp"
 #include "support/simulated_bus.hpp"
 
+#include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
 #include <rtuwire/client/bus.hpp>
@@ -137,5 +138,58 @@ TEST_CASE("motion law: S40 a start of 0 that was begun anew keeps no direction f
         REQUIRE(rest.succeeded());
         it.run_anew(slow);
         CHECK(told == 0);
+    });
+}
+
+TEST_CASE("motion law: L2 a start that was begun anew before a stop, and comes by behind it, moves nothing")
+{
+    everywhere([]<typename Link, typename Device>() {
+        for (bool const is_for_all : {false, true}) {
+            for (bool const is_behind : {false, true}) {
+                INFO("a stop of " << (is_for_all ? "all" : "one") << ", begun anew "
+                                  << (is_behind ? "behind" : "before") << " it");
+                plant<Link, Device> it;
+                start go{it.drive, 30_Hz};
+                it.run_anew(go);
+                REQUIRE(go.succeeded());
+                if (not is_behind) {
+                    go.again(); // its user stays away
+                }
+                if (is_for_all) {
+                    broadcast_stop all{it.drive};
+                    it.run(
+                        [&](instant now) {
+                            if constexpr (requires { it.link().run_urgent(all, now); }) {
+                                it.link().run_urgent(all, now);
+                            } else {
+                                it.link().converse(all, now);
+                            }
+                        },
+                        [&] { return all.settled(); }, milliseconds(60'000));
+                } else {
+                    stop rest{it.drive};
+                    it.run_anew(rest);
+                }
+                REQUIRE_FALSE(it.has_power());
+                if (is_behind) {
+                    go.again();
+                }
+                for (unsigned i = 0; i < 200; ++i) {
+                    it.step(
+                        [&](instant now) {
+                            if (not go.settled()) {
+                                it.visit(go, now);
+                            }
+                        },
+                        milliseconds(10));
+                }
+                CHECK(it.has_power() == is_behind);
+                CHECK(go.reason().kind == (is_behind ? outcome_kind::succeeded : outcome_kind::overruled));
+                if (not is_behind) { // and it takes the next order
+                    it.run_anew(go);
+                    CHECK(go.running());
+                }
+            }
+        }
     });
 }

@@ -52,10 +52,24 @@ public:
     /// Whether its unit is lost and gets no request now, stop requests included.
     [[nodiscard]] constexpr bool is_silenced() const noexcept { return is_silenced_; }
 
+    /// Whether its user has ordered a stop since its last visit.
+    [[nodiscard]] constexpr bool begins_to_stop() const noexcept { return has_stopped_; }
+
     /// Whether the request that it has just made is the command to run: the motor may follow it later.
     [[nodiscard]] constexpr bool says_run() const noexcept { return says_run_; }
 
 protected:
+    /// It begins anew in the place of `former`, which it was: its order is given now, and not where it visits next.
+    constexpr void begin_anew(commander const& former) noexcept
+    {
+        replace(former);
+        counted_by_ = former.counted_by_;
+        ordered_behind_ = former.seen_;
+        if (former.known_ != nullptr) {
+            ordered_behind_ = newer_of(newer_of(ordered_behind_, former.known_->last_stop), former.known_->last_fault);
+        }
+    }
+
     constexpr void note_command(bool runs) noexcept { says_run_ = runs; }
 
     /// The user orders something that may move the motor. A stop that begins later cancels the order.
@@ -176,6 +190,7 @@ private:
     std::uint32_t counted_by_{0};      ///< the number of the client whose count the next two are
     std::uint32_t stamp_{0};           ///< when the last order or stop was given, in the client's count; 0: never
     std::uint32_t seen_{0};            ///< the client's count at the last visit
+    std::uint32_t ordered_behind_{0};  ///< what the client had counted where it was begun anew; 0: it was not
     unit_order const* known_{nullptr}; ///< what the client knows of its unit, since the last visit
     std::uint16_t read_meaning_of_{0};
     std::uint16_t confirmed_{0};
@@ -283,7 +298,8 @@ template <conversation T> [[nodiscard]] constexpr bool has_what_it_declares() no
                   "a conversation that declares urgency::stop_of_unit has note_loss(), intent(), drive_timeout() and "
                   "tolerated_misses()");
     static_assert(declared.urgency != urgency::stop_of_all or stops_by_broadcast<T>,
-                  "a conversation that declares urgency::stop_of_all has stops(), note_unlisted(), intent(), is_urgent() and may_cut()");
+                  "a conversation that declares urgency::stop_of_all has stops(), note_unlisted(), intent(), "
+                  "is_urgent() and may_cut()");
     return true;
 }
 

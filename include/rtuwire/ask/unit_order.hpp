@@ -62,4 +62,9 @@ inline constexpr unit_order nothing_known{
     return static_cast<std::int32_t>(stamp - than) < 0;
 }
 
+[[nodiscard]] constexpr std::uint32_t newer_of(std::uint32_t one, std::uint32_t other) noexcept
+{
+    return is_older(one, other) ? other : one;
+}
+
 } // namespace rtuwire

@@ -146,6 +146,61 @@ TEST_CASE("rule 37: a stop of everyone is told of the ordered unit that it does 
     }
 }
 
+TEST_CASE("rule 37: a stop of everyone under way holds again behind release_all, as often as that is called")
+{
+    command_desk<1> it;
+    hand_commander one{3};
+    hand_for_all all{9};
+    begin(it, all);
+    for (unsigned pass = 0; pass < 3; ++pass) {
+        it.link.motor_orders().release_all();
+        it.see(all);
+        CHECK(it.runs(one) == errc::overruled);
+        it.pass(1);
+    }
+    end(it, all);
+    it.see(all); // over and still here
+    it.see(one);
+    CHECK(it.runs(one) == errc::none);
+}
+
+TEST_CASE("rule 38: what was taken for a unit and has not left does not leave once a stop of it has begun by a read")
+{
+    for (unsigned const stopped : {3U, 4U}) {
+        command_desk<1> it;
+        hand_commander one{3}, stop{stopped};
+        one.note_order_to_run();
+        one.wanted = effect::enabling;
+        one.has_request = true;
+        it.link.converse(one, it.now());
+        begin(it, stop);
+        CHECK(it.leaves() == (stopped == 4));
+        it.see(one);
+        CHECK((one.told == errc::overruled) == (stopped == 3));
+    }
+}
+
+TEST_CASE("rule 36: an order whose place was another unit's meanwhile ends by its unit's own time-out, too")
+{
+    command_desk<1> it;
+    hand_commander one{3};
+    std::array<hand_commander, 3> others{hand_commander{4}, hand_commander{5}, hand_commander{6}};
+    one.note_order_to_run();
+    it.see(one);
+    for (hand_commander& other : others) { // there are two places
+        other.note_meaning(8'501);
+        it.see(other);
+    }
+    REQUIRE(it.does(one, effect::enabling) == errc::none);
+    CHECK(one.is_in_force());
+    it.pass(4'900'000);
+    it.see(one);
+    CHECK(one.is_in_force());
+    it.pass(2'000'000);
+    it.see(one);
+    CHECK_FALSE(one.is_in_force());
+}
+
 TEST_CASE("rule 37: a release of what no stop holds takes no order away")
 {
     for (bool const is_for_all : {false, true}) {

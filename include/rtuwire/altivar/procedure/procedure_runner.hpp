@@ -41,9 +41,9 @@ public:
     /// had been destroyed.
     constexpr void again() noexcept
     {
-        asker const former{*this};
+        commander const former{*this};
         *this = procedure_runner{unit_, procedure_.anew(), limit_};
-        this->replace(former);
+        this->begin_anew(former);
     }
 
     /// Processes the time: starts the clock, ends pauses, and ends the conversation at its limit.

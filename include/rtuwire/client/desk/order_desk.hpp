@@ -52,7 +52,11 @@ public:
                 }
                 orders_.note_ordered(conversation);
             } else {
+                bool const stops = conversation.begins_to_stop();
                 visit(conversation, now);
+                if (stops and not desk::is_asked_by(conversation)) {
+                    withdraw(conversation.unit().byte(), now); // its first request may be a read
+                }
             }
             bool const is_due = may_ask and conversation.intent() == effect::stopping;
             if (is_due and not desk::is_asked_by(conversation) and
@@ -116,8 +120,8 @@ protected:
     template <typename Conversation> constexpr void note_asked(Conversation& conversation, effect what) noexcept
     {
         if constexpr (commanding_conversation<Conversation>) {
-            orders_.note_asked(conversation.unit().byte(), what, conversation.drive_timeout(),
-                               conversation.tolerated_misses(), conversation.says_run());
+            orders_.note_asked(conversation, conversation.unit().byte(), what, conversation.drive_timeout(),
+                               conversation.tolerated_misses());
         } else if constexpr (stops_by_broadcast<Conversation>) {
             for (auto& each : conversation.stops()) {
                 if (each.unit().byte() == duty::asked_unit()) {
@@ -192,6 +196,19 @@ private:
         if (not reservation_.is_held_for_another(unit) and not(reservation_.is_held() and duty::awaits_asker())) {
             reservation_.begin(turns_, who, unit);
         }
+        give_up(may_cut, may_drop, now);
+    }
+
+    /// A stop has begun: what has not left for its unit, and is no stop's, does not leave.
+    constexpr void withdraw(std::uint8_t unit, instant now) noexcept
+    {
+        if (duty::asked_unit() == unit and not reservation_.is_of_stops()) {
+            give_up(false, true, now);
+        }
+    }
+
+    constexpr void give_up(bool may_cut, bool may_drop, instant now) noexcept
+    {
         duty::make_way(may_cut, may_drop, now);
         if (duty::was_cut()) {
             static_cast<void>(duty::take_outcome()); // its asker is told that it was cancelled

@@ -76,7 +76,9 @@ public:
         losses::meet(who);
         bool const is_lost = has_lost(who, unit);
         // An order given since the last visit may be older than what happened meanwhile.
-        bool const is_doubtful = who.has_come_by_ and has_happened(who, unit);
+        bool const is_doubtful = (who.has_come_by_ and has_happened(who.seen_, unit)) or
+                                 (who.ordered_behind_ != 0 and has_happened(who.ordered_behind_, unit));
+        who.ordered_behind_ = 0;
         who.was_stopped_ = who.was_stopped_ or is_doubtful;
         tell_arrangement(who, unit);
         take_notes(who, unit, is_doubtful, now);
@@ -125,15 +127,15 @@ public:
         return check(who, unit, who.is_stopping_ ? effect::stopping : effect::enabling) == errc::overruled;
     }
 
-    /// A request of this effect was taken; `runs`: it is the command to run, of a motor that was not read to run.
-    constexpr void note_asked(std::uint8_t unit, effect what, duration drive_timeout, std::uint8_t tolerated,
-                              bool runs = false) noexcept
+    /// A request of this effect was taken from a commander.
+    constexpr void note_asked(commander& who, std::uint8_t unit, effect what, duration drive_timeout,
+                              std::uint8_t tolerated) noexcept
     {
         switch (what) {
         case effect::enabling:
-        case effect::resetting: return note_enabling(unit, drive_timeout, tolerated, runs);
+        case effect::resetting: return note_enabling(who, unit, drive_timeout, tolerated);
         case effect::rearranging: return note_rearranging(unit);
-        case effect::stopping: return note_stopping(unit, drive_timeout);
+        case effect::stopping: return note_stopping(who, unit, drive_timeout);
         case effect::none: break;
         }
     }
@@ -229,12 +231,11 @@ private:
         return static_cast<std::uint16_t>(meaning_register - u16_at(frame, at)) < u16_at(frame, at + 2);
     }
 
-    /// Whether there was a stop, a loss or a fault since this commander's last visit.
-    constexpr bool has_happened(commander const& who, std::uint8_t unit) const noexcept
+    /// Whether there was a stop, a loss or a fault since.
+    constexpr bool has_happened(std::uint32_t since, std::uint8_t unit) const noexcept
     {
         unit_order const& own = places_.of(unit);
-        return is_older(who.seen_, own.last_stop) or is_older(who.seen_, own.last_fault) or
-               is_older(who.seen_, stopped_all_);
+        return is_older(since, own.last_stop) or is_older(since, own.last_fault) or is_older(since, stopped_all_);
     }
 
     constexpr bool has_lost(commander const& who, std::uint8_t unit) const noexcept
@@ -276,12 +277,14 @@ private:
         return is_replaced or is_older(who.stamp_, own.last_fault);
     }
 
-    constexpr void note_enabling(std::uint8_t unit, duration drive_timeout, std::uint8_t tolerated, bool runs) noexcept
+    constexpr void note_enabling(commander const& who, std::uint8_t unit, duration drive_timeout,
+                                 std::uint8_t tolerated) noexcept
     {
         if (unit_order* const own = places_.make(unit)) {
-            own->is_starting = own->is_starting or runs;
-            if (runs or
-                not own->is_ordered) { // else it was read for the order that is in force, and here it may not be
+            own->last_order = own->last_order == 0 ? who.stamp_ : own->last_order; // its place was lost meanwhile
+            own->is_starting = own->is_starting or who.says_run_;
+            // Else it was read for the order that is in force, and here it may not be.
+            if (who.says_run_ or not own->is_ordered) {
                 own->silence = drive_timeout + milliseconds(1'000);
             }
             own->heard = own->is_ordered ? own->heard : asked_;
@@ -299,11 +302,17 @@ private:
         own.confirmed = 0;
     }
 
-    /// A unit that was not ordered here is left alone for the time that its drive's type gives.
-    constexpr void note_stopping(std::uint8_t unit, duration drive_timeout) noexcept
+    /// A unit that was not ordered here is left alone for the time that its drive's type gives. Where another conversation's
+    /// order ran the motor, as beside a cycle without one, that order is over: each of the two would undo the other's words.
+    constexpr void note_stopping(commander& who, std::uint8_t unit, duration drive_timeout) noexcept
     {
         if (unit_order* const own = places_.find(unit)) {
             own->is_starting = false;
+            if (not who.is_stopping_ and own->last_order != 0 and is_older(who.stamp_, own->last_order)) {
+                own->last_stop = ++count_;
+                own->was_lost = false;
+                who.seen_ = count_; // it knows its own word
+            }
             if (own->words == stop_words::due) {
                 own->words = stop_words::timed;
                 own->words_end = asked_ + stop_words_after_loss;

@@ -32,8 +32,8 @@ public:
         meet(who);
         if (who.has_stopped_) {
             who.has_stopped_ = false;
+            who.is_stopping_ = true;
             who.stamp_ = ++count_;
-            stopped_all_ = count_;
             holder_of_all_ = count_;
             is_all_over_ = false; // if another one has just ended
             note_none_counts();
@@ -44,10 +44,15 @@ public:
         }
         if (who.is_over_) {
             who.is_over_ = false;
+            who.is_stopping_ = false;
             if (who.stamp_ == holder_of_all_) { // not one that ended before, and visits again
                 is_all_over_ = true;
-                stopped_all_ = ++count_;
+                ++count_;
+                note_none_counts();
             }
+        }
+        if (who.is_stopping_ and holder_of_all_ == 0) { // it was released, and still visits
+            holder_of_all_ = who.stamp_;
         }
         bool is_known = true;
         who.is_doubtful_ = false;
@@ -62,7 +67,7 @@ public:
     /// All units were sent a word that takes the power away, without a conversation that stops them.
     constexpr void note_all_freed() noexcept
     {
-        stopped_all_ = ++count_;
+        ++count_;
         note_none_counts();
     }
 
@@ -79,7 +84,8 @@ public:
     {
         if (holder_of_all_ != 0) {
             holder_of_all_ = 0;
-            stopped_all_ = ++count_;
+            ++count_;
+            note_none_counts();
         }
         let_go(places_.others());
         for (unit_order& each : places_) {
@@ -100,7 +106,9 @@ protected:
             stopped_all_ = count_;
         }
         if (who.counted_by_ != number_) {
-            who.stamp_ = who.counted_by_ == 0 ? origin() : 0;
+            bool const is_new = who.counted_by_ == 0 or who.ordered_behind_ != 0; // or begun anew, for this client
+            who.stamp_ = is_new ? origin() : 0;
+            who.ordered_behind_ = 0;
             who.seen_ = who.stamp_;
             who.has_stopped_ = who.has_stopped_ or who.is_stopping_;
             who.counted_by_ = number_;
@@ -175,9 +183,11 @@ private:
     /// What its count began with.
     constexpr std::uint32_t origin() const noexcept { return (number_ << 12U) % 0x4000'0000U + 1; }
 
-    /// No order that was given before counts.
+    /// No order that was given before what was counted last counts, of any unit.
     constexpr void note_none_counts() noexcept
     {
+        stopped_all_ = count_;
+        places_.others().last_fault = count_;
         for (unit_order& each : places_) {
             each.last_fault = count_;
         }

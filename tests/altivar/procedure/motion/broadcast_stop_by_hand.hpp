@@ -64,9 +64,10 @@ template <std::size_t Drives> struct everyone_by_hand {
         std::string told;
         if (auto const request = all.next()) {
             motors.note_start(now);
-            for (altivar::stop const& each : all.stops()) {
+            for (altivar::stop& each : all.stops()) {
                 if (request->frame()[0] == std::byte{each.unit().byte()}) {
-                    motors.note_asked(each.unit().byte(), all.intent(), each.drive_timeout(), each.tolerated_misses());
+                    motors.note_asked(each, each.unit().byte(), all.intent(), each.drive_timeout(),
+                                      each.tolerated_misses());
                 }
             }
             constexpr std::string_view digits{"0123456789ABCDEF"};
