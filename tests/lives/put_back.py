@@ -30,6 +30,7 @@ class Defect(NamedTuple):
     name: str
     changes: list  # header below include/rtuwire, text, what it becomes
     breaks: set    # one of these has to be reported: its first words
+    times: int = 1 # as many lives as others take
 
 
 DEFECTS = [
@@ -81,7 +82,9 @@ DEFECTS = [
     Defect("D28 a cycle goes on behind a sleep longer than the drive's time-out", [
         ("altivar/cyclic/cyclic.hpp", "if (is_heard_ and not is_asking_ and since_heard_ > drive_timeout()) {",
          "if (is_heard_ and is_asking_ and since_heard_ > drive_timeout()) {"),
-    ], {*MOVED, *POWER}),
+        ("client/order/unit_losses.hpp", "own.last_fault = counts ? ++count_ : own.last_fault;",
+         "static_cast<void>(counts);"),
+    ], {*MOVED, *POWER}, 2),
     Defect("D29 a direct start reads the command before the status", [
         (DIRECT, "read(may_run_ ? stage::confirming : stage::looking_again, layout().eta)",
          "(may_run_ ? read(stage::confirming, layout().eta) : read(stage::reading_command, layout().cmd))"),
@@ -110,7 +113,8 @@ def attempt(defect, options):
                               capture_output=True, text=True, check=False)
         if made.returncode != 0:
             return False, made.stderr
-        done = subprocess.run([program, str(options.lives), str(options.first)], capture_output=True, text=True, check=False)
+        done = subprocess.run([program, str(options.lives * defect.times), str(options.first)],
+                              capture_output=True, text=True, check=False)
     seeds = re.findall(r"^seed (\d+): (.+)$", done.stdout, re.MULTILINE)
     of_it = [(int(seed), law) for seed, law in seeds if any(law.startswith(each) for each in defect.breaks)]
     if not of_it:
