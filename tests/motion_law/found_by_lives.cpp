@@ -530,3 +530,38 @@ TEST_CASE("motion law: L4 a stop that nobody answers is followed by silence, tho
         milliseconds(20'000));
     CHECK_FALSE(it.has_power());
 }
+
+TEST_CASE("motion law: L7 no halt and no DC injection gives a motor the power back that another stop has taken away")
+{
+    test::all_drives::for_each([]<typename Device>() {
+        for (stop_by const how : {stop_by::halt, stop_by::dc_injection}) {
+            if ((how == stop_by::halt ? Device::layout.halt : Device::layout.dc_injection) == 0) {
+                continue;
+            }
+            for (std::uint32_t after_ms = 0; after_ms < 80; ++after_ms) {
+                INFO("another stop " << after_ms << " ms behind the one by " << static_cast<int>(how));
+                hall<Device> it;
+                start go{it.motor, 10_Hz};
+                REQUIRE(it.run(go));
+                REQUIRE(go.running());
+                stop in_place{it.motor, how};
+                it.run([&](instant at) { it.link().converse(in_place, at); }, [] { return false; },
+                       milliseconds(after_ms));
+                stop rest{it.motor, stop_by::freewheel};
+                REQUIRE(it.run(rest)); // the first one stays away
+                bool const was_over = it.drive_state() == state::switch_on_disabled;
+                bool has_power = false;
+                it.run(
+                    [&](instant at) {
+                        if (not in_place.settled()) {
+                            it.link().converse(in_place, at);
+                        }
+                        has_power = has_power or cia402::has_power(it.drive_state());
+                    },
+                    [] { return false; }, milliseconds(1'000));
+                CHECK(was_over);
+                CHECK_FALSE(has_power);
+            }
+        }
+    });
+}

@@ -119,6 +119,14 @@ public:
             begin_look(); // it was heard of only now that what was read counts no more
             return std::nullopt;
         }
+        if constexpr (Script::is_stop) {
+            if (this->was_stopped()) {
+                this->heed_stop();
+                if (procedure_.keeps_power()) {
+                    take(procedure_.step({event::kind::failed, 0, errc::overruled}));
+                }
+            }
+        }
         if (not has_request()) {
             return std::nullopt;
         }

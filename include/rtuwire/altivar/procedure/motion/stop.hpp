@@ -156,6 +156,9 @@ public:
         return stop_blind();
     }
 
+    /// Whether its word would give a motor its power back that another stop has taken away since the drive was read.
+    [[nodiscard]] constexpr bool keeps_power() const noexcept { return has_word_ and detail::is_in_place(mode_); }
+
     /// Ends a stop that asks for further actions after its limit.
     constexpr action give_up() noexcept { return end_unconfirmed(); }
 
