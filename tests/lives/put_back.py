@@ -35,13 +35,16 @@ class Defect(NamedTuple):
 
 DEFECTS = [
     Defect("D18 a stop that is used again says done and sends nothing", [
-        (RUNNER, """        commander const former{*this};
-        *this = procedure_runner{unit_, procedure_.anew(), limit_};
-        this->begin_anew(former);
+        (RUNNER, """        *this = procedure_runner{unit_, procedure_.anew(), limit_};
+        if constexpr (Script::follows_order) {
+            this->begin_anew(former);
+        } else {
+            this->replace(former);
+        }
 """, ""),
     ], {"a stop that was done", "a stop whose word"}),
     Defect("D19 a start runs behind a stop of the same client", [
-        (RUNNER, "return is_done and this->is_order_in_force(unit_);", "return is_done;"),
+        (RUNNER, "return is_done() and this->is_order_in_force(unit_);", "return is_done();"),
     ], {"a start that says that the motor runs"}),
     Defect("D20 a reference of 0 in reverse is one forward", [
         ("altivar/device/reference.hpp", "has_no_other ? ~unsigned{word} : 0U - word", "0U - word"),

@@ -5,9 +5,12 @@
 #include "support/drives.hpp"
 #include "support/simulated_bus.hpp"
 
+#include <memory>
+
 #include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
+#include <rtuwire/ask/outcome_of.hpp>
 #include <rtuwire/client/bus.hpp>
 
 using namespace rtuwire;
@@ -190,6 +193,20 @@ TEST_CASE("motion law: L2 a start that was begun anew before a stop, and comes b
                     CHECK(go.running());
                 }
             }
+        }
+    });
+}
+
+TEST_CASE("motion law: L2 a start that a blocking client runs again asks nothing of the client that it outlived")
+{
+    test::all_drives::for_each([]<typename Device>() {
+        using hall = plant<drive_client<2>, Device>;
+        start go{hall::drive, 30_Hz};
+        for (unsigned use = 0; use < 3; ++use) {
+            auto const it = std::make_unique<hall>(); // another place each time
+            REQUIRE(can_run(go));
+            it->run([&](instant now) { it->visit(go, now); }, [&] { return go.settled(); }, milliseconds(60'000));
+            CHECK(go.running());
         }
     });
 }

@@ -52,6 +52,13 @@ public:
     /// Whether its unit is lost and gets no request now, stop requests included.
     [[nodiscard]] constexpr bool is_silenced() const noexcept { return is_silenced_; }
 
+    /// For who runs it to its end: what it begins next is ordered now, and for whatever client it visits then.
+    constexpr void leave_client() noexcept
+    {
+        known_ = nullptr;
+        counted_by_ = seen_ = 0;
+    }
+
     /// Whether its user has ordered a stop since its last visit.
     [[nodiscard]] constexpr bool begins_to_stop() const noexcept { return has_stopped_; }
 
@@ -59,7 +66,8 @@ public:
     [[nodiscard]] constexpr bool says_run() const noexcept { return says_run_; }
 
 protected:
-    /// It begins anew in the place of `former`, which it was: its order is given now, and not where it visits next.
+    /// It begins anew in the place of `former`, which it was: its order is given now, and not where it visits next. The client
+    /// that it visited last has not been destroyed, or another one was made in its place.
     constexpr void begin_anew(commander const& former) noexcept
     {
         replace(former);

@@ -64,6 +64,9 @@ template <typename Conversation> [[nodiscard]] constexpr bool can_run(Conversati
         return true;
     }
     if constexpr (requires { conversation.again(); }) {
+        if constexpr (requires { conversation.leave_client(); }) {
+            conversation.leave_client();
+        }
         conversation.again();
         return true;
     } else {

@@ -38,12 +38,17 @@ public:
     {}
 
     /// Begins anew, as it was made: its limit counts from the next `advance`. One under way is given up first, as if it
-    /// had been destroyed.
+    /// had been destroyed. An order to move the motor is given by this call, and a stop that begins before the next visit ends
+    /// it; the client that it visited last must not have been destroyed, unless another one is in its place.
     constexpr void again() noexcept
     {
         commander const former{*this};
         *this = procedure_runner{unit_, procedure_.anew(), limit_};
-        this->begin_anew(former);
+        if constexpr (Script::follows_order) {
+            this->begin_anew(former);
+        } else {
+            this->replace(former);
+        }
     }
 
     /// Processes the time: starts the clock, ends pauses, and ends the conversation at its limit.
