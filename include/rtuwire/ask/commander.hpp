@@ -55,8 +55,9 @@ public:
     /// For who runs it to its end: what it begins next is ordered now, and for whatever client it visits then.
     constexpr void leave_client() noexcept
     {
-        known_ = nullptr;
-        counted_by_ = seen_ = 0;
+        known_ = {};
+        counted_by_ = {};
+        seen_ = {};
     }
 
     /// Whether its user has ordered a stop since its last visit.
