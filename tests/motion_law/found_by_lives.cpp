@@ -565,3 +565,35 @@ TEST_CASE("motion law: L7 no halt and no DC injection gives a motor the power ba
         }
     });
 }
+
+TEST_CASE(
+    "motion law: L15 a start whose motor runs says so, though another order came in its last moments and was refused")
+{
+    test::all_drives::for_each([]<typename Device>() {
+        unsigned both = 0;
+        for (std::uint32_t after_ms = 0; after_ms < 400; after_ms += 3) {
+            INFO("another start " << after_ms << " ms behind the first one");
+            hall<Device> it;
+            start go{it.motor, 20_Hz};
+            it.run([&](instant at) { it.link().converse(go, at); }, [&] { return go.settled(); },
+                   milliseconds(after_ms));
+            bool const was_done = go.settled();
+            start beyond{it.motor, 400_Hz}; // above HSP
+            it.run(
+                [&](instant at) {
+                    if (not go.settled()) {
+                        it.link().converse(go, at);
+                    }
+                    if (not beyond.settled()) {
+                        it.link().converse(beyond, at);
+                    }
+                },
+                [&] { return go.settled() and beyond.settled(); }, milliseconds(20'000));
+            CHECK_FALSE(beyond.succeeded());
+            bool const has_power = cia402::has_power(it.drive_state());
+            CHECK((go.reason().kind == outcome_kind::succeeded) == has_power);
+            both += has_power and not was_done ? 1U : 0U;
+        }
+        CHECK(both > 0);
+    });
+}

@@ -209,3 +209,25 @@ TEST_CASE("motion law: L15 no order is done of a drive that stopped itself while
     }
     CHECK(changes > 3);
 }
+
+TEST_CASE("motion law: L15 a start that failed behind such a stop leaves no motor running that nothing else would stop")
+{
+    constexpr std::uint16_t sll = 7'010, tto = 6'005;
+    constexpr register_block<1> ignored{0}, three_seconds{30};
+    supervision_options const risky{.risks = {.accept_unsupervised = true}};
+    unsigned failed = 0;
+    bool is_over = false;
+    for (unsigned in_time = 0; not is_over; ++in_time) {
+        INFO("stopped before response " << in_time);
+        drive_port port;
+        REQUIRE(port.unit.drive().write(sll, ignored) == errc::none);
+        REQUIRE(port.unit.drive().write(tto, three_seconds) == errc::none);
+        blocking_client line{port, timing, {.response_timeout = milliseconds(100), .retries = 1}};
+        start go{motor, 30_Hz, run_direction::forward, milliseconds(3'000), risky};
+        auto const has_power = says_so(port, line, go, in_time);
+        is_over = not has_power;
+        failed += is_over or go.succeeded() ? 0U : 1U;
+        CHECK((is_over or go.succeeded() == *has_power));
+    }
+    CHECK(failed > 0);
+}

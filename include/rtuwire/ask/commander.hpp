@@ -13,6 +13,7 @@
 #include <rtuwire/ask/unit_order.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -159,11 +160,23 @@ protected:
     /// have been made anew in its place, and does not count it then. True before the first visit.
     [[nodiscard]] constexpr bool is_order_in_force(unit_id unit) const noexcept
     {
+        return known_ == nullptr or (end_of_order(unit) == errc::none and not is_replaced());
+    }
+
+    /// What has ended its order to move the motor, apart from another order: `overruled`, a stop; `unit_lost`, a loss, a silence
+    /// longer than the drive's time-out, a fault, or a status without power. Of the client as above.
+    [[nodiscard]] constexpr errc end_of_order(unit_id unit) const noexcept
+    {
         if (known_ == nullptr) {
-            return true;
+            return errc::none;
         }
-        bool const is_ended = is_older(stamp_, known_->last_stop) or is_older(stamp_, known_->last_fault);
-        return known_->unit == unit.byte() and known_->is_ordered and not is_replaced() and not is_ended;
+        bool const is_stopped = is_older(stamp_, known_->last_stop);
+        if (is_stopped and not known_->was_lost) {
+            return errc::overruled;
+        }
+        bool const stands =
+            known_->unit == unit.byte() and known_->is_ordered and not is_older(stamp_, known_->last_fault);
+        return is_stopped or not stands ? errc::unit_lost : errc::none;
     }
 
     /// Whether the order to run that counts is another conversation's: later than any of its own and than its stops, and

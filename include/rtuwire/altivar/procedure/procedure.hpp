@@ -117,13 +117,8 @@ public:
     /// Ends a procedure because a stop was ordered later, or an order to run: the drive now belongs to that.
     constexpr action yield() noexcept { return end(outcome_kind::overruled); }
 
-    /// What it was done by was read before its order came to an end: its unit was not reached for as long as it runs without that,
-    /// or was lost or stopped meanwhile.
-    constexpr void lose() noexcept
-    {
-        reason_.kind = outcome_kind::silent;
-        reason_.error = errc::unit_lost;
-    }
+    /// It goes on although it had ended.
+    constexpr void forget_end() noexcept { reason_.kind = outcome_kind::pending; }
 
     /// What the status read showed of the motor's power; what was read of CHCF, as for `commander::note_meaning`; whether the
     /// status showed a fault. Each call clears what it returns.
@@ -203,9 +198,6 @@ protected:
         has_read_fault_ = cia402::is_in_fault(reason_.state);
         return reason_.state;
     }
-
-    /// It goes on although it had ended.
-    constexpr void forget_end() noexcept { reason_.kind = outcome_kind::pending; }
 
     constexpr void note_state(cia402::state at) noexcept { reason_.state = at; }
 

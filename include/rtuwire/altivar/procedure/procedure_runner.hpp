@@ -205,8 +205,8 @@ public:
             look_.note_word(); // else it never left
         }
         take(outcome.error() == errc::overruled ? procedure_.yield() : procedure_.step(event_of(outcome)));
-        if (Script::follows_order and settled() and is_done() and not this->is_order_in_force(unit_)) {
-            procedure_.lose();
+        if (Script::follows_order and settled() and is_done()) {
+            heed_end_of_order();
         }
         heed_loss();
     }
@@ -312,6 +312,16 @@ private:
             procedure_.note_confirmed(known_word());
         }
         take(procedure_.step({event::kind::begun}));
+    }
+
+    /// It was done, by what was read before its order came to an end: that has failed. A start withdraws its commands, for a
+    /// drive that does not supervise its link runs on.
+    constexpr void heed_end_of_order() noexcept
+    {
+        if (errc const why = this->end_of_order(unit_); why != errc::none) {
+            procedure_.forget_end();
+            take(why == errc::overruled ? procedure_.yield() : procedure_.step({event::kind::failed, 0, why}));
+        }
     }
 
     /// The unit was lost: the next action, unless it is a word that stops, would wait until the drive has stopped by
