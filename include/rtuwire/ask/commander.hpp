@@ -53,7 +53,8 @@ public:
     /// Whether its unit is lost and gets no request now, stop requests included.
     [[nodiscard]] constexpr bool is_silenced() const noexcept { return is_silenced_; }
 
-    /// For who runs it to its end: what it begins next is ordered now, and for whatever client it visits then.
+    /// Forgets the client that it visited: for a `run`, whose client may be another one. Begun anew behind that, its order
+    /// counts from its next visit.
     constexpr void leave_client() noexcept
     {
         known_ = {};

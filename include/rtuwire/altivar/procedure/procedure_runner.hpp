@@ -396,7 +396,9 @@ private:
         }
         action_ = next;
         pause_end_ = now_ + length_of(next);
-        make_frame();
+        if (is_request) {
+            make_frame();
+        }
         if (has_to_look()) {
             begin_look();
         }

@@ -33,10 +33,9 @@ public:
         if (who.has_stopped_) {
             who.has_stopped_ = false;
             who.is_stopping_ = true;
-            who.stamp_ = ++count_;
-            holder_of_all_ = count_;
-            is_all_over_ = false; // if another one has just ended
             note_none_counts();
+            who.stamp_ = holder_of_all_ = count_;
+            is_all_over_ = false; // if another one has just ended
             for (unit_order& each : places_) {
                 each.words_end = now + stop_words_after_loss;
                 each.words = stop_words::timed;
@@ -47,7 +46,6 @@ public:
             who.is_stopping_ = false;
             if (who.stamp_ == holder_of_all_) { // not one that ended before, and visits again
                 is_all_over_ = true;
-                ++count_;
                 note_none_counts();
             }
         }
@@ -65,11 +63,7 @@ public:
     }
 
     /// All units were sent a word that takes the power away, without a conversation that stops them.
-    constexpr void note_all_freed() noexcept
-    {
-        ++count_;
-        note_none_counts();
-    }
+    constexpr void note_all_freed() noexcept { note_none_counts(); }
 
     /// Ends the hold of a stop that was given up: its unit can be commanded again. Where none holds it nothing changes: an
     /// order that is in force goes on.
@@ -84,7 +78,6 @@ public:
     {
         if (holder_of_all_ != 0) {
             holder_of_all_ = 0;
-            ++count_;
             note_none_counts();
         }
         let_go(places_.others());
@@ -183,10 +176,10 @@ private:
     /// What its count began with.
     constexpr std::uint32_t origin() const noexcept { return (number_ << 12U) % 0x4000'0000U + 1; }
 
-    /// No order that was given before what was counted last counts, of any unit.
+    /// From here on no order that was given before counts, of any unit.
     constexpr void note_none_counts() noexcept
     {
-        stopped_all_ = count_;
+        stopped_all_ = ++count_;
         places_.others().last_fault = count_;
         for (unit_order& each : places_) {
             each.last_fault = count_;

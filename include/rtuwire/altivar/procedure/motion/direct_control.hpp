@@ -58,8 +58,8 @@ inline constexpr drive_layout stopping_by = [] {
 
 /// Stops a running drive by the ramp, the DC injection or the fast stop of its direct control. It reads the status
 /// before it writes; where the read fails it becomes the ramp of the drive profile and sets `reason().is_other_stop`.
-/// At standstill the drive is brought to "switch on disabled"; at its limit all three become that ramp, too. An ordinary `stop` sends its word first: prefer it where
-/// time matters.
+/// At standstill the drive is brought to "switch on disabled"; at its limit all three become that ramp, too. An ordinary
+/// `stop` sends its word first: prefer it where time matters.
 class direct_stop : public procedure_runner<ordered_stop_procedure> {
 public:
     constexpr direct_stop(station<device> const& drive, direct_stop_by how,

@@ -156,7 +156,7 @@ public:
         return stop_blind();
     }
 
-    /// Whether its word would give a motor its power back that another stop has taken away since the drive was read.
+    /// Whether its word keeps the power of a motor, and would give it back where another stop has taken it away.
     [[nodiscard]] constexpr bool keeps_power() const noexcept { return has_word_ and detail::is_in_place(mode_); }
 
     /// Ends a stop that asks for further actions after its limit.
