@@ -6,9 +6,11 @@
 
 #include <rtuwire/trace.hpp>
 
+#include "capture/capture_reader.hpp"
 #include "input.hpp"
 
 using namespace rtuwire;
+using namespace tool;
 using fuzz::require;
 
 namespace {

@@ -4,7 +4,6 @@
 // Door: frames as they passed. docs/names.md lists what is public.
 #pragma once
 
-#include <rtuwire/trace/capture/capture_reader.hpp>
 #include <rtuwire/trace/capture/pcapng_writer.hpp>
 #include <rtuwire/trace/line_listener.hpp>
 #include <rtuwire/trace/trace_ring.hpp>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-// Prints the frames of a capture file: read_trace FILE. A line each: microseconds, direction, role, verdict, bytes.
+// Prints the frames of a capture file, as the tool's reader has them: read_trace FILE. A line each: microseconds, direction, role, verdict, bytes.
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -11,7 +11,10 @@
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/trace.hpp>
 
+#include "capture/capture_reader.hpp"
+
 using namespace rtuwire;
+using namespace tool;
 
 namespace {
 

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 
+#include "capture/capture_reader.hpp"
 #include "exit_status.hpp"
 #include "line/judged_frames.hpp"
 #include "port/port_word.hpp"
@@ -35,7 +36,7 @@ public:
           tap_{std::make_unique<rtuwire::line_listener>(rtuwire::line_timing::host(rate, format))}, last_{began}
     {}
 
-    void play(rtuwire::captured_frame const& captured)
+    void play(captured_frame const& captured)
     {
         if (captured.full_size != captured.frame.bytes.size() or captured.frame.bytes.empty()) {
             return; // cut by who captured it
@@ -103,7 +104,7 @@ void play_capture(std::string const& file, line_setting how, take_frame const& t
         throw ended{exit_status::port, file + ": " + std::strerror(errno)};
     }
     std::optional<player> frames;
-    rtuwire::capture_reader reader;
+    capture_reader reader;
     std::array<char, 65'536> piece;
     while (in.read(piece.data(), piece.size()), in.gcount() > 0) {
         reader.receive(std::as_bytes(std::span{piece.data(), static_cast<std::size_t>(in.gcount())}));
@@ -119,7 +120,7 @@ void play_capture(std::string const& file, line_setting how, take_frame const& t
     if (frames) {
         frames->finish();
     }
-    if (auto const wrong = reader.error(); wrong.why != rtuwire::capture_errc::none) {
+    if (auto const wrong = reader.error(); wrong.why != capture_errc::none) {
         throw ended{exit_status::port, file + ": " + std::string{name(wrong.why)} + " at byte " +
                                            std::to_string(wrong.offset) + "; the frames before it were right"};
     }

@@ -15,13 +15,11 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// Types of blocks and codes of options that are written or read here.
+/// Types of blocks and codes of options that are written here.
 struct pcapng_code {
     static constexpr std::uint32_t section = 0x0A0D'0D0AU;
     static constexpr std::uint32_t byte_order = 0x1A2B'3C4DU;
     static constexpr std::uint32_t interface_description = 1;
-    static constexpr std::uint32_t old_packet = 2;
-    static constexpr std::uint32_t simple_packet = 3;
     static constexpr std::uint32_t enhanced_packet = 6;
 
     static constexpr std::uint16_t comment = 1;
@@ -30,7 +28,6 @@ struct pcapng_code {
     static constexpr std::uint16_t application = 4;
     static constexpr std::uint16_t bits_per_second = 8;
     static constexpr std::uint16_t time_resolution = 9;
-    static constexpr std::uint16_t time_offset = 14;
 };
 
 /// Blocks one behind the other, in place. What does not fit is not written: who uses it knows that all of it does.

@@ -1,13 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Roles and verdicts in words: for people, and for the comments of packets in a capture, from which they are read back.
+// Roles and verdicts in words: for people, and for the comments of packets in a capture.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
-#include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/trace/traced_frame.hpp>
@@ -37,43 +33,6 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     case frame_verdict::stray: return "stray";
     }
     return "good";
-}
-
-/// Whether bytes are these characters.
-/// Internal.
-[[nodiscard]] constexpr bool spells(byte_view bytes, literal word) noexcept
-{
-    bool is_same = bytes.size() == word.size();
-    for (std::size_t i = 0; is_same and i < bytes.size(); ++i) {
-        is_same = static_cast<char>(to_u8(bytes[i])) == word[i];
-    }
-    return is_same;
-}
-
-/// Takes what one word of a comment says; any other word says nothing.
-/// Internal.
-constexpr void apply_word(byte_view word, traced_frame& frame) noexcept
-{
-    for (frame_role const role : {frame_role::request, frame_role::response}) {
-        frame.role = spells(word, name(role)) ? role : frame.role;
-    }
-    for (auto const verdict : {frame_verdict::damaged, frame_verdict::late, frame_verdict::foreign, frame_verdict::echo,
-                               frame_verdict::stray}) {
-        frame.verdict = spells(word, name(verdict)) ? verdict : frame.verdict;
-    }
-}
-
-/// Takes what a comment says: words, with a comma and a space between.
-/// Internal.
-constexpr void apply_comment(byte_view comment, traced_frame& frame) noexcept
-{
-    std::size_t start = 0;
-    for (std::size_t i = 0; i <= comment.size(); ++i) {
-        if (i == comment.size() or comment[i] == std::byte{','}) {
-            apply_word(comment.subspan(start, i - start), frame);
-            start = i + 2 <= comment.size() ? i + 2 : comment.size();
-        }
-    }
 }
 
 } // namespace rtuwire

@@ -16,6 +16,26 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
+/// The addresses of the UDP form: 10.0.0.N is unit N, 10.0.0.0 all units. Of a frame whose role is unknown the ports
+/// are others, so that it is not taken for a part of an exchange.
+struct made_up_network {
+    static constexpr std::uint32_t units = 0x0A00'0000U;
+    static constexpr std::uint32_t client = units + 254U;
+    static constexpr std::uint16_t unit_port = 1502;
+    static constexpr std::uint16_t client_port = 50'000;
+    static constexpr std::uint16_t unknown_port = 1503;
+};
+
+/// Sizes and constants of the headers.
+struct wrapping {
+    static constexpr std::uint32_t ip_size = 20;
+    static constexpr std::uint32_t udp_size = 28; ///< with that of IPv4
+    static constexpr std::uint32_t rtac_size = 12;
+    static constexpr std::uint8_t rtac_sent = 1;
+    static constexpr std::uint8_t rtac_received = 2;
+    static constexpr std::uint16_t dissector_tag = 12;
+};
+
 /// The dissector's name with its zeros, as an exported PDU has it.
 inline constexpr literal dissector_name{"mbrtu\0\0\0"};
 

@@ -1,23 +1,78 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-//
 // Frames out of a capture file, pcapng or pcap, of either byte order, given in pieces of any size. Knows no file.
+// In headers alone, as all of this folder: the fuzz target and the test with Wireshark need no more of the tool.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 
-#include <rtuwire/core/bytes.hpp>
-#include <rtuwire/core/version.hpp>
-#include <rtuwire/trace/capture/block_builder.hpp>
-#include <rtuwire/trace/capture/block_reader.hpp>
-#include <rtuwire/trace/capture/capture_error.hpp>
-#include <rtuwire/trace/capture/captured_frame.hpp>
-#include <rtuwire/trace/capture/file_order.hpp>
-#include <rtuwire/trace/capture/part_gatherer.hpp>
+#include <rtuwire/trace.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+#include "capture/block_reader.hpp"
+#include "capture/captured_frame.hpp"
+#include "capture/file_order.hpp"
+
+namespace tool {
+
+/// Puts the parts of a file together that come in pieces of any size: one part at a time, of up to `Capacity` bytes.
+template <std::size_t Capacity> class part_gatherer {
+public:
+    /// The first part has `needed` bytes.
+    explicit constexpr part_gatherer(std::size_t needed) noexcept : needed_{needed} {}
+
+    /// The next piece; it has to stay until `gather` says no.
+    constexpr void receive(rtuwire::byte_view piece) noexcept { piece_ = piece; }
+
+    /// Whether all bytes of the part are there.
+    [[nodiscard]] constexpr bool gather() noexcept
+    {
+        skip_ -= static_cast<std::uint32_t>(take(skip_ < piece_.size() ? skip_ : piece_.size()).size());
+        std::size_t const missing = needed_ - held_;
+        for (std::byte const each : take(missing < piece_.size() ? missing : piece_.size())) {
+            place_[held_++] = each;
+        }
+        return held_ == needed_;
+    }
+
+    /// The bytes of the part; they stay where they are until the next one is gathered.
+    [[nodiscard]] constexpr rtuwire::byte_view held() const noexcept { return rtuwire::byte_view{place_}.first(held_); }
+
+    /// The part goes on: it has `needed` bytes in all, up to the capacity.
+    constexpr void extend(std::size_t needed) noexcept { needed_ = needed; }
+
+    /// A new part, behind `skip` bytes that nobody looks at.
+    constexpr void begin(std::size_t needed, std::uint32_t skip = 0) noexcept
+    {
+        needed_ = needed;
+        skip_ = skip;
+        held_ = 0;
+    }
+
+    /// Whether a part has begun, or bytes are being skipped.
+    [[nodiscard]] constexpr bool is_inside() const noexcept { return held_ != 0 or skip_ != 0; }
+
+    /// How many bytes of the file were taken.
+    [[nodiscard]] constexpr std::uint64_t offset() const noexcept { return offset_; }
+
+private:
+    constexpr rtuwire::byte_view take(std::size_t size) noexcept
+    {
+        rtuwire::byte_view const taken = piece_.first(size);
+        piece_ = piece_.subspan(size);
+        offset_ += size;
+        return taken;
+    }
+
+    rtuwire::byte_view piece_{};
+    std::uint64_t offset_{0};
+    std::uint32_t skip_{0};
+    std::size_t held_{0};
+    std::size_t needed_;
+    std::array<std::byte, Capacity> place_{};
+};
 
 /// Reads a capture, in about 5 KB of its own:
 ///
@@ -37,7 +92,7 @@ public:
 
     /// The next piece of the file. It has to stay until `next` returns nothing; what is left of a piece before that
     /// is lost.
-    constexpr void receive(byte_view piece) noexcept { file_.receive(piece); }
+    constexpr void receive(rtuwire::byte_view piece) noexcept { file_.receive(piece); }
 
     /// The next frame; nothing when the piece is used up. Its bytes are valid until the next call.
     [[nodiscard]] constexpr std::optional<captured_frame> next() noexcept
@@ -79,7 +134,7 @@ private:
         return error_.why == capture_errc::none;
     }
 
-    [[nodiscard]] constexpr byte_view held() const noexcept { return file_.held(); }
+    [[nodiscard]] constexpr rtuwire::byte_view held() const noexcept { return file_.held(); }
     [[nodiscard]] constexpr std::uint32_t u32(std::size_t at) const noexcept { return order().u32(held(), at); }
     [[nodiscard]] constexpr file_order& order() noexcept { return blocks_.order; }
     [[nodiscard]] constexpr file_order const& order() const noexcept { return blocks_.order; }
@@ -230,4 +285,4 @@ private:
     block_reader blocks_{};
 };
 
-} // namespace rtuwire
+} // namespace tool

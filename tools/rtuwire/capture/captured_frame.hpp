@@ -1,15 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-//
-// Why a capture file cannot be read any further.
+// A frame out of a capture, and why a capture cannot be read any further.
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
-#include <rtuwire/core/literal.hpp>
-#include <rtuwire/core/version.hpp>
+#include <rtuwire/trace.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+namespace tool {
+
+/// A frame from a capture.
+struct captured_frame {
+    rtuwire::traced_frame frame;        ///< its `at` are the low 32 bits of the time
+    std::uint64_t unix_microseconds{0}; ///< its time
+    std::uint32_t full_size{0};         ///< on the line; the file may hold fewer of its bytes
+    std::uint32_t bits_per_second{0};   ///< of its line; 0 where the file does not say it
+    std::uint16_t line{0};              ///< the number of its line in the file, from 0 on
+};
 
 /// What is wrong with a capture.
 enum class capture_errc : std::uint8_t {
@@ -35,7 +43,7 @@ struct capture_error {
 };
 
 /// What is wrong, in words.
-[[nodiscard]] constexpr literal name(capture_errc why) noexcept
+[[nodiscard]] constexpr std::string_view name(capture_errc why) noexcept
 {
     switch (why) {
     case capture_errc::none: break;
@@ -53,4 +61,4 @@ struct capture_error {
     return "no error";
 }
 
-} // namespace rtuwire
+} // namespace tool

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
-//
-// What the blocks of a pcapng file and the records of a pcap file hold: interfaces, and frames.
-// Internal: may change with any version.
+// What the blocks of a pcapng file and the records of a pcap file hold: interfaces, whose times count in steps of their
+// own, and frames. Knows a block at a time; capture_reader.hpp, which uses it, finds where they begin and end.
 #pragma once
 
 #include <array>
@@ -10,19 +9,72 @@
 #include <cstdint>
 #include <optional>
 
-#include <rtuwire/core/bytes.hpp>
-#include <rtuwire/core/time.hpp>
-#include <rtuwire/core/version.hpp>
-#include <rtuwire/trace/capture/block_builder.hpp>
-#include <rtuwire/trace/capture/capture_error.hpp>
-#include <rtuwire/trace/capture/capture_time.hpp>
-#include <rtuwire/trace/capture/captured_frame.hpp>
-#include <rtuwire/trace/capture/file_order.hpp>
-#include <rtuwire/trace/capture/frame_unwrapper.hpp>
-#include <rtuwire/trace/capture/frame_words.hpp>
-#include <rtuwire/trace/traced_frame.hpp>
+#include <rtuwire/trace.hpp>
 
-namespace rtuwire::inline RTUWIRE_BUILD {
+#include "capture/captured_frame.hpp"
+#include "capture/file_order.hpp"
+#include "capture/frame_unwrapper.hpp"
+
+namespace tool {
+
+/// Types of blocks and codes of options that are read here.
+struct pcapng_code {
+    static constexpr std::uint32_t section = 0x0A0D'0D0AU;
+    static constexpr std::uint32_t byte_order = 0x1A2B'3C4DU;
+    static constexpr std::uint32_t interface_description = 1;
+    static constexpr std::uint32_t old_packet = 2;
+    static constexpr std::uint32_t simple_packet = 3;
+    static constexpr std::uint32_t enhanced_packet = 6;
+
+    static constexpr std::uint16_t comment = 1;
+    static constexpr std::uint16_t packet_flags = 2;
+    static constexpr std::uint16_t bits_per_second = 8;
+    static constexpr std::uint16_t time_resolution = 9;
+    static constexpr std::uint16_t time_offset = 14;
+};
+
+/// One interface: what packets of it are, and how its times count.
+struct capture_interface {
+    std::uint32_t link_type{0};
+    std::uint32_t bits_per_second{0};
+    std::uint8_t resolution{6}; ///< n: steps of 10^-n s, or of 2^-n s where the highest bit is 1
+    std::uint64_t offset{0};    ///< seconds, in two's complement
+
+    /// Whether a second is counted in steps that 64 bits can hold.
+    [[nodiscard]] constexpr bool has_good_resolution() const noexcept
+    {
+        return (resolution & 0x80U) != 0 ? (resolution & 0x7FU) < 64 : resolution < 20;
+    }
+
+    /// A time in microseconds; rounded towards zero, and modulo 2^64.
+    [[nodiscard]] constexpr std::uint64_t microseconds_of(std::uint64_t steps) const noexcept
+    {
+        return offset * 1'000'000U + ((resolution & 0x80U) != 0 ? of_binary(steps) : of_decimal(steps));
+    }
+
+private:
+    [[nodiscard]] constexpr std::uint64_t of_decimal(std::uint64_t steps) const noexcept
+    {
+        for (unsigned i = resolution; i < 6; ++i) {
+            steps *= 10;
+        }
+        for (unsigned i = 6; i < resolution; ++i) {
+            steps /= 10;
+        }
+        return steps;
+    }
+
+    /// Seconds, and of the rest as many bits as leave room for 10^6.
+    [[nodiscard]] constexpr std::uint64_t of_binary(std::uint64_t steps) const noexcept
+    {
+        constexpr unsigned most = 44;
+        unsigned const bits = resolution & 0x7FU;
+        std::uint64_t const whole = steps >> bits;
+        std::uint64_t const rest = steps - (whole << bits);
+        unsigned const cut = bits > most ? bits - most : 0U;
+        return whole * 1'000'000U + ((rest >> cut) * 1'000'000U >> (bits - cut));
+    }
+};
 
 /// Whether blocks of a type are looked into.
 [[nodiscard]] constexpr bool is_read_block(std::uint32_t type) noexcept
@@ -47,7 +99,7 @@ public:
     }
 
     /// Reads what stands between the two lengths of a block. `found` is where a frame comes.
-    [[nodiscard]] constexpr capture_errc read(std::uint32_t type, byte_view body) noexcept
+    [[nodiscard]] constexpr capture_errc read(std::uint32_t type, rtuwire::byte_view body) noexcept
     {
         found_.reset();
         if (body.size() < fixed_size(type)) {
@@ -66,7 +118,7 @@ public:
     [[nodiscard]] constexpr capture_errc read_record(packet_view packet, std::uint64_t unix_microseconds) noexcept
     {
         found_.reset();
-        return find(packet, 0, {.bytes = {}, .at = instant{0}}, unix_microseconds);
+        return find(packet, 0, {.bytes = {}, .at = rtuwire::instant{0}}, unix_microseconds);
     }
 
     /// The frame of what was read last.
@@ -87,19 +139,19 @@ private:
         }
     }
 
-    [[nodiscard]] constexpr capture_errc read_section(byte_view body) noexcept
+    [[nodiscard]] constexpr capture_errc read_section(rtuwire::byte_view body) noexcept
     {
         interface_count_ = 0;
         return order.u16(body, 4) == 1 ? capture_errc::none : capture_errc::unsupported_version;
     }
 
-    [[nodiscard]] constexpr capture_errc read_interface(byte_view body) noexcept
+    [[nodiscard]] constexpr capture_errc read_interface(rtuwire::byte_view body) noexcept
     {
         if (interface_count_ == most_interfaces) {
             return capture_errc::too_many_interfaces;
         }
         capture_interface added{.link_type = order.u16(body, 0)};
-        auto const take = [&](std::uint16_t code, byte_view value) { return take_option(added, code, value); };
+        auto const take = [&](std::uint16_t code, rtuwire::byte_view value) { return take_option(added, code, value); };
         if (not for_each_option(order, body.subspan(8), take)) {
             return capture_errc::wrong_option;
         }
@@ -113,10 +165,10 @@ private:
 
     /// Takes an option of an interface; false where it has a wrong size.
     [[nodiscard]] constexpr bool take_option(capture_interface& added, std::uint16_t code,
-                                             byte_view value) const noexcept
+                                             rtuwire::byte_view value) const noexcept
     {
         if (code == pcapng_code::time_resolution and value.size() == 1) {
-            added.resolution = to_u8(value[0]);
+            added.resolution = std::to_integer<std::uint8_t>(value[0]);
             return true;
         }
         if (code != pcapng_code::bits_per_second and code != pcapng_code::time_offset) {
@@ -135,7 +187,7 @@ private:
     }
 
     /// A packet without a time, of the first interface.
-    [[nodiscard]] constexpr capture_errc read_simple_packet(byte_view body) noexcept
+    [[nodiscard]] constexpr capture_errc read_simple_packet(rtuwire::byte_view body) noexcept
     {
         if (interface_count_ == 0) {
             return capture_errc::no_such_interface;
@@ -145,20 +197,20 @@ private:
         if (kept > body.size() - 4) {
             return capture_errc::wrong_block_length;
         }
-        return find({body.subspan(4, kept), full}, 0, {.bytes = {}, .at = instant{0}}, 0);
+        return find({body.subspan(4, kept), full}, 0, {.bytes = {}, .at = rtuwire::instant{0}}, 0);
     }
 
-    [[nodiscard]] constexpr capture_errc read_packet(byte_view body, std::uint32_t number) noexcept
+    [[nodiscard]] constexpr capture_errc read_packet(rtuwire::byte_view body, std::uint32_t number) noexcept
     {
         if (number >= interface_count_) {
             return capture_errc::no_such_interface;
         }
-        byte_view const behind = body.subspan(packet_head_size);
+        rtuwire::byte_view const behind = body.subspan(packet_head_size);
         std::uint32_t const kept = order.u32(body, 12);
         if (kept > behind.size()) {
             return capture_errc::wrong_block_length;
         }
-        traced_frame frame{.bytes = {}, .at = instant{0}};
+        rtuwire::traced_frame frame{.bytes = {}, .at = rtuwire::instant{0}};
         if (not take_options(behind.subspan(padded(kept)), frame)) {
             return capture_errc::wrong_option;
         }
@@ -167,9 +219,9 @@ private:
         return find({behind.first(kept), order.u32(body, 16)}, number, frame, time);
     }
 
-    [[nodiscard]] constexpr bool take_options(byte_view options, traced_frame& frame) const noexcept
+    [[nodiscard]] constexpr bool take_options(rtuwire::byte_view options, rtuwire::traced_frame& frame) const noexcept
     {
-        return for_each_option(order, options, [&](std::uint16_t code, byte_view value) {
+        return for_each_option(order, options, [&](std::uint16_t code, rtuwire::byte_view value) {
             if (code == pcapng_code::comment) {
                 apply_comment(value, frame);
             }
@@ -181,7 +233,7 @@ private:
     }
 
     /// Finds the frame in a packet.
-    [[nodiscard]] constexpr capture_errc find(packet_view packet, std::uint32_t number, traced_frame frame,
+    [[nodiscard]] constexpr capture_errc find(packet_view packet, std::uint32_t number, rtuwire::traced_frame frame,
                                               std::uint64_t time) noexcept
     {
         capture_interface const& line = interfaces_[number];
@@ -194,7 +246,7 @@ private:
             return content == packet_content::other ? capture_errc::none : capture_errc::wrong_packet;
         }
         frame.bytes = packet.bytes;
-        frame.at = instant{static_cast<std::uint32_t>(time)};
+        frame.at = rtuwire::instant{static_cast<std::uint32_t>(time)};
         found_.emplace(captured_frame{.frame = frame,
                                       .unix_microseconds = time,
                                       .full_size = packet.full_size,
@@ -212,4 +264,4 @@ private:
     std::optional<captured_frame> found_{};
 };
 
-} // namespace rtuwire
+} // namespace tool

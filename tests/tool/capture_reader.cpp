@@ -1,18 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Captures read back: what the writer writes, files as other programs write them, and wrong ones.
-#include <rtuwire/trace/capture/capture_reader.hpp>
+#include "../../tools/rtuwire/capture/capture_reader.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
-#include <rtuwire/core/hex.hpp>
-#include <rtuwire/trace/capture/pcapng_writer.hpp>
+#include <rtuwire/frames.hpp>
+#include <rtuwire/trace.hpp>
 
 #include "support/proof.hpp"
 
 using namespace rtuwire;
+using namespace tool;
 
 namespace {
 
