@@ -16,12 +16,22 @@ if(CMAKE_VERSION VERSION_LESS 3.23)
     install(TARGETS rtuwire EXPORT rtuwire INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
     install(DIRECTORY "${RTUWIRE_INCLUDE_DIR}/rtuwire" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
         COMPONENT rtuwire_development
-        FILES_MATCHING PATTERN "*.hpp" PATTERN "*.cppm")
+        FILES_MATCHING PATTERN "*.hpp")
 else()
     install(TARGETS rtuwire EXPORT rtuwire
         FILE_SET HEADERS COMPONENT rtuwire_development
         INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 endif()
+
+# The interface of the module is made where somebody asks for the target `rtuwire_module`, and installed where it was made.
+find_package(Python3 COMPONENTS Interpreter QUIET)
+if(Python3_FOUND)
+    add_custom_target(rtuwire_module COMMAND "${Python3_EXECUTABLE}" -B
+        "${PROJECT_SOURCE_DIR}/packaging/module_interface.py" "${PROJECT_BINARY_DIR}/rtuwire.cppm" VERBATIM)
+    install(FILES "${PROJECT_BINARY_DIR}/rtuwire.cppm" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/rtuwire"
+        COMPONENT rtuwire_development OPTIONAL)
+endif()
+
 install(EXPORT rtuwire
     NAMESPACE rtuwire::
     FILE rtuwire-config.cmake

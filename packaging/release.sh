@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
 # Makes a release of the commit that is checked out: sh packaging/release.sh [OUTPUT]. OUTPUT is build/release unless given:
-# the archive, the single header, the manifests laid out for each registry, Debian's packages, the documentation,
-# checksums. The version stands in include/rtuwire/core/version.hpp. The same commit gives the same bytes.
+# the archive, the single header, the module's interface, the manifests laid out for each registry, Debian's packages, the
+# documentation, checksums. The version stands in include/rtuwire/core/version.hpp. The same commit gives the same bytes.
 #
 # RTUWIRE_URL is the address of the folder that the archive will be downloaded from; vcpkg, Conan and Meson get to know it.
 # RTUWIRE_RELEASE_WITHOUT leaves out parts (debian docs), for a look at the others.
@@ -76,8 +76,9 @@ step "archive"
 git -c core.autocrlf=false -c core.eol=lf -c tar.umask=0022 archive --format=tar --prefix="$name/" HEAD | gzip -9n >"$made/$name.tar.gz"
 tar -xzf "$made/$name.tar.gz" -C "$work"
 
-step "single header"
+step "single header, and the interface of the module"
 /usr/bin/python3 -B "$work/$name/packaging/single_header.py" "$made/rtuwire.hpp"
+/usr/bin/python3 -B "$work/$name/packaging/module_interface.py" "$made/rtuwire.cppm"
 
 step "manifests"
 /usr/bin/python3 -B "$work/$name/packaging/lay_out.py" "$work/$name" "$made/$name.tar.gz" "$made" \

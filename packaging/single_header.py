@@ -16,7 +16,6 @@ import sys
 
 PROJECT = pathlib.Path(__file__).resolve().parent.parent
 HEADERS = PROJECT / "include"
-MODULE = "rtuwire/rtuwire.cppm"
 # The macro that asks for a part, and its doors; the first part has no condition.
 PARTS = ((None, ("rtuwire/rtuwire.hpp",)),
          ("RTUWIRE_PORT", ("rtuwire/port.hpp",)),
@@ -119,7 +118,6 @@ def write_shim(headers, directory, text, parts):
         place = directory / name
         asked = f"#ifndef {wanted}\n#define {wanted}\n#endif\n" if wanted else ""
         write(place, f"{asked}#include <rtuwire/single.hpp>\n")
-    write(directory / MODULE, (headers / MODULE).read_text(encoding="utf-8"))
     write(one, text)
 
 

@@ -30,13 +30,15 @@ class Build:
         self.begin = [compiler, "-std=c++20", "-pthread", f"-stdlib={library}", "-I", str(project / "include"), *WARNINGS]
         self.made = pathlib.Path(folder, "rtuwire.pcm")
         self.program = pathlib.Path(folder, "program")
-        self.interface = project / "include" / "rtuwire" / "rtuwire.cppm"
+        self.maker = project / "packaging" / "module_interface.py"
+        self.interface = pathlib.Path(folder, "rtuwire.cppm")
 
     def run(self, *words, text=None):
         return subprocess.run([*self.begin, *map(str, words)], input=text, text=True, check=False, cwd=HERE,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 
     def precompile(self):
+        subprocess.run([sys.executable, "-B", self.maker, self.interface], check=True)
         return self.run("--precompile", self.interface, "-o", self.made)
 
     def compile(self, *words, text=None):
