@@ -61,7 +61,7 @@ TRICKS = (
     inlining("inline", "rtu/frame_cutter.hpp", "constexpr bool apply_length_rule("),
     inlining("inline", "server/server_engine.hpp", "constexpr void serve_by("),
     inlining("not inline", "server/respond.hpp", "constexpr errc respond_apart("),
-    inlining("inline", "client/desk/turn_desk.hpp", "constexpr void replace_asker("),
+    inlining("inline", "client/client.hpp", "constexpr void replace_asker("),
     inlining("inline", "client/line/retry_state.hpp", "constexpr bool may_pause("),
     inlining("inline", "client/line/retry_state.hpp", "constexpr void note_sent("),
     inlining("not inline", "client/line/transaction.hpp", "constexpr void wait_for_silence("),
@@ -112,7 +112,7 @@ TRICKS = (
          "        for (std::size_t i = 0; i < frame.size(); ++i) {\n            place[i] = frame[i];\n        }\n"),)),
     Trick("a response's view constructed anew", "ask/conversation.hpp", (
         ("return {pdu_.data(), pdu_.size()};", "return pdu_;"),)),
-    Trick("the response time-out constructed anew", "client/desk/conversation_desk.hpp", (
+    Trick("the response time-out constructed anew", "client/client.hpp", (
         ("duration{all.response_timeout.microseconds}", "all.response_timeout"),)),
 )
 

@@ -77,7 +77,7 @@ DEFECTS = [
          "static_cast<void>(status); position_.go_to(position_.first());"),
     ], MOVED),
     Defect("D27 a stop of everyone forgets a drive that it does not name", [
-        ("client/desk/order_desk.hpp", "orders_.lose_all_but_its_own(conversation, now);", ""),
+        ("client/client.hpp", "orders_.lose_all_but_its_own(conversation, now);", ""),
         ("altivar/procedure/motion/broadcast_stop.hpp",
          "bool is_done = settled() and not this->is_used_already() and not leaves_ordered();",
          "bool is_done = settled() and not this->is_used_already();"),

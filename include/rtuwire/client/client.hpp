@@ -1,22 +1,37 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The client's end of a line (SL 2.4.1): one request at a time. Owns neither the wire nor a clock; knows of functions
-// only what wire/response.hpp says. It is two things: the duty on the line, which runs one request
-// (client/line/transaction.hpp), and the conversations' desk, which knows whose it is, who is next and which motors run
-// by order (client/desk/conversation_desk.hpp).
+// The client's end of a line (SL 2.4.1): one request at a time, for any number of conversations. Owns neither the wire nor a
+// clock; knows of functions only what wire/response.hpp says. A client has a transaction, which runs the request under way
+// and knows no conversation (client/line/transaction.hpp); the turns of the conversations (client/turns.hpp); and the orders
+// of those that command motors (client/order/orders.hpp). Here the three meet: a conversation that visits gets its outcome,
+// and leaves its next request where it is its turn and no order forbids it.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
 
 #include <rtuwire/ask/commander.hpp>
-#include <rtuwire/client/desk/conversation_desk.hpp>
+#include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/client/line/phase.hpp>
 #include <rtuwire/client/line/quarantine.hpp>
 #include <rtuwire/client/line/transaction.hpp>
+#include <rtuwire/client/options.hpp>
 #include <rtuwire/client/order/orders.hpp>
+#include <rtuwire/client/turns.hpp>
+#include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/constant.hpp>
+#include <rtuwire/core/result.hpp>
+#include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/rtu/line.hpp>
 #include <rtuwire/trace/tracing.hpp>
+#include <rtuwire/wire/errc.hpp>
+#include <rtuwire/wire/response.hpp>
+#include <rtuwire/wire/unit_id.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
@@ -35,23 +50,36 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// `no_orders`, or `orders<Units>` for conversations that command motors: see client/order/orders.hpp.
 template <typename Statistics, typename Line = stored<line_timing>, typename Options = stored<client_options>,
           typename Debts = quarantine<1>, std::size_t Front = shared_memory, typename Orders = no_orders>
-class basic_client : public conversation_desk<transaction<Statistics, Line, Options, Debts, Front>, Orders> {
-    using duty = transaction<Statistics, Line, Options, Debts, Front>;
-    using desk = conversation_desk<duty, Orders>;
-    using desk::is_held_back_;
-    using desk::orders_;
-    using desk::reservation_;
-    using desk::seen_;
-    using desk::turns_;
-
+class basic_client {
 public:
     /// The same, of which a sink takes the frames as they pass, from `trace_to(sink)` on:
     /// `client::traced_by<trace_ring<4096>>`.
     template <frame_sink Sink>
     using traced_by = basic_client<tracing<Sink, Statistics>, Line, Options, Debts, Front, Orders>;
 
-    using desk::cancel;
-    using desk::desk;
+    explicit constexpr basic_client(line_timing const& its_timing, client_options const& its_options = {}) noexcept
+        : transaction_{its_timing, its_options}
+    {}
+
+    /// For a constant line and constant options. Zero-initialised, so a `constinit` client lives in .bss.
+    constexpr basic_client() noexcept requires is_constant<Line>
+    = default;
+
+    // The line.
+
+    /// Takes bytes that had arrived by `now`, in any chunking. While no response is awaited they are noise: dropped,
+    /// but the line was not silent. A response that is passed in before `advance` has seen the time-out is in time.
+    constexpr void receive(byte_view const& bytes, instant now) noexcept { transaction_.receive(bytes, now); }
+
+    /// The same of one byte, for a receiver that hands over each as it arrives: a program that calls only this has no code
+    /// for chunks.
+    constexpr void receive(std::same_as<std::byte> auto byte, instant now) noexcept { transaction_.receive(byte, now); }
+
+    /// Reports a receive error (parity, framing, overrun).
+    constexpr void receive_error(instant now) noexcept { transaction_.receive_error(now); }
+
+    /// Notes that the last stop bit of what `poll_transmit` returned has left at `at`, or will have left by then.
+    constexpr void sent(instant at) noexcept { transaction_.sent(at); }
 
     /// Lets time pass.
     constexpr void advance(instant now) noexcept { static_cast<void>(advance_within_reach(now)); }
@@ -63,13 +91,17 @@ public:
         instant const at = seen_ == instant{0} ? now : within_reach(seen_, now); // 0: the first time
         seen_ = instant{now.microseconds | 1U};                                  // never 0
         bool const is_silence_over = orders_.advance(at);
-        if ((duty::advance(now, at) or is_silence_over) and is_held_back_) {
+        if ((transaction_.advance(now, at) or is_silence_over) and is_held_back_) {
             is_held_back_ = false;
             turns_.void_marks();
             turns_.note_waiting();
         }
         return at;
     }
+
+    /// The bytes to send now, each request and repetition once; empty when there is nothing to send. They are the
+    /// client's own, and unchanged until `sent`.
+    [[nodiscard]] constexpr byte_view poll_transmit() noexcept { return transaction_.poll_transmit(); }
 
     /// When the next pass has something to do.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
@@ -82,26 +114,70 @@ public:
     /// The same, for a caller that collects several.
     constexpr void add_to(earliest& next) const noexcept
     {
-        duty::add_to(next, reservation_.is_held());
+        transaction_.add_to(next, reservation_.is_held());
         orders_.add_to(next);
     }
 
+    /// The timing of its line.
+    [[nodiscard]] constexpr line_timing const& line() const noexcept { return transaction_.line(); }
+
+    /// Whether the line has fallen silent since the last byte.
+    [[nodiscard]] constexpr bool is_quiet() const noexcept { return transaction_.is_quiet(); }
+
+    /// Whether the line has given back what was sent, and echoes are taken out by themselves: `client_options::has_line_echo`
+    /// says how.
+    [[nodiscard]] constexpr bool has_seen_echo() const noexcept { return transaction_.has_seen_echo(); }
+
+    /// What was counted.
+    [[nodiscard]] constexpr counted_by<Statistics>& statistics() noexcept { return transaction_.statistics(); }
+    [[nodiscard]] constexpr counted_by<Statistics> const& statistics() const noexcept
+    {
+        return transaction_.statistics();
+    }
+
+    /// Hands the frames that pass from here on to a sink, which must outlive the client. For a client `traced_by` it.
+    template <typename Sink>
+        requires is_traced_by<Statistics, Sink>
+    constexpr void trace_to(Sink& frames) noexcept { transaction_.statistics_to_trace().trace_to(frames); }
+
+    // The request under way.
+
+    /// Whether a request is under way or its outcome not taken yet.
+    [[nodiscard]] constexpr bool is_busy() const noexcept { return transaction_.is_busy(); }
+
+    /// The unit of the last request; 0 for a broadcast.
+    [[nodiscard]] constexpr std::uint8_t asked_unit() const noexcept { return transaction_.asked_unit(); }
+
+    /// Whether it was this conversation that asked last.
+    [[nodiscard]] constexpr bool is_asked_by(asker const& who) const noexcept { return turns_.is_own(who); }
+
+    /// Gives up the request under way, of whichever conversation; its outcome is `cancelled`. A write may have taken
+    /// effect all the same. A frame that is leaving leaves whole, and a broadcast gets its turnaround; the outcome
+    /// comes then.
+    constexpr void cancel(instant now) noexcept { transaction_.cancel(now); }
+
+    /// The same, only where it is this conversation's.
+    constexpr void cancel(asker const& whose, instant now) noexcept
+    {
+        if (is_asked_by(whose)) {
+            cancel(now);
+        }
+    }
+
+    /// The frame for which the last request failed, with `wrong_length`, `crc_mismatch` and the like; nothing where it was
+    /// no frame, or where more has arrived behind it. Valid until bytes are taken or the next request begins.
+    [[nodiscard]] constexpr std::optional<refused_frame> refused() const noexcept { return transaction_.refused(); }
+
+    /// Sends no request of any conversation to a unit from here until `end`, at most 35 minutes away. A request that
+    /// is leaving or waits for its response is not ended. The latest of several ends counts.
+    constexpr void hold(unit_id unit, instant end) noexcept { transaction_.hold(unit, end); }
+
     /// Whether no new request goes to a unit now: its response is outstanding, `hold` says so, or it was lost while it
     /// was ordered to run, and its own time-out has to stop it.
-    [[nodiscard]] constexpr bool is_held(std::uint8_t unit) const noexcept
-    {
-        return duty::is_held(unit) or orders_.is_silent(unit, effect::none);
-    }
+    [[nodiscard]] constexpr bool is_held(std::uint8_t unit) const noexcept { return is_barred(unit, effect::none); }
     [[nodiscard]] constexpr bool is_held(unit_id unit) const noexcept { return is_held(unit.byte()); }
 
-    /// Whether the request has left and others wait already: visits change nothing but the marks of those.
-    /// Internal.
-    [[nodiscard]] constexpr bool needs_no_visit() const noexcept
-    {
-        client_phase const at = duty::phase_now();
-        bool const has_left = is_under_way(at) and at > client_phase::handed_out;
-        return has_left and turns_.others_wait() and not reservation_.is_held() and not is_held_back_;
-    }
+    // The motors.
 
     /// Which motors this client ordered to run.
     [[nodiscard]] constexpr Orders& motor_orders() noexcept { return orders_; }
@@ -112,13 +188,431 @@ public:
     constexpr void release(unit_id unit) noexcept requires(Orders::is_kept) { orders_.release(unit.byte()); }
     constexpr void release_all() noexcept requires(Orders::is_kept) { orders_.release_all(); }
 
-    /// Gives up the request under way, only where it is this conversation's.
-    constexpr void cancel(asker const& whose, instant now) noexcept
+    // The visit of a conversation: it gets its outcome, says what it orders, and asks.
+
+    /// One visit of a conversation: gives it its outcome, and takes its next request when it is its turn. After an
+    /// outcome the next turn is that of the others that visited meanwhile. A request to a unit with an outstanding
+    /// response stays with its conversation; a request that cannot be sent at all is refused at once. Of a conversation
+    /// that had settled before this visit nothing is sent, and its outcome says `used_already` from here on: read it in
+    /// the pass in which it settles.
+    template <conversation Conversation> constexpr void converse(Conversation& conversation, instant now) noexcept
     {
-        if (desk::is_asked_by(whose)) {
-            cancel(now);
+        client_options const& all = transaction_.options();
+        // The time is constructed anew: GCC would read a constant's copy from memory.
+        converse(conversation, now,
+                 {.response_timeout = duration{all.response_timeout.microseconds}, .retries = all.retries});
+    }
+
+    /// The same, with a `retry_policy` for this conversation's unit.
+    template <conversation Conversation>
+    constexpr void converse(Conversation& conversation, instant now, retry_policy const& with) noexcept
+    {
+        static_cast<void>(deliver(conversation, not conversation.settled(), now));
+        command(conversation, now);
+        static_cast<void>(ask(conversation, now, with));
+        if constexpr (Orders::is_kept and timed_conversation<Conversation>) {
+            orders_.wake_for(conversation.poll_deadline(), now);
         }
     }
+
+    /// The first part of `converse`: the error of the outcome that the conversation was given (`none` for a response),
+    /// if it was given one. `wants_turn` tells whether it has a request to send.
+    template <conversation Conversation>
+    constexpr std::optional<errc> deliver(Conversation& conversation, bool wants_turn, instant now) noexcept
+    {
+        std::optional<errc> told;
+        if (turns_.was_dropped(conversation, transaction_.phase_now() == client_phase::idle)) {
+            told = reason_of_drop(conversation);
+            conversation.accept(*told);
+            wants_turn = wants_turn and not conversation.settled();
+        } else {
+            turns_.meet(conversation, conversation.settled());
+        }
+        if (not comes_by(conversation, wants_turn, now)) { // the outcome may be another's
+            return told;
+        }
+        turns_.renew(conversation);
+        conversation.forget();
+        result<response> const outcome = take_outcome(now);
+        conversation.accept(outcome);
+        return outcome.error();
+    }
+
+    /// The second part of `converse`: lets time pass for the conversation, and notes what a commander's user wants. A
+    /// stop request gets the line first, unless it `may_ask` nothing in this pass, or a later stop has its unit: then it takes
+    /// the line from nobody.
+    template <conversation Conversation>
+    constexpr void command(Conversation& conversation, instant now, bool may_ask = true) noexcept
+    {
+        if constexpr (Orders::is_kept and stops_a_unit<Conversation>) {
+            orders_.tell(conversation, conversation.unit().byte()); // its first word depends on it
+        }
+        advance_conversation(conversation, now);
+        if constexpr (commanding_conversation<Conversation> or stops_by_broadcast<Conversation>) {
+            static_assert(Orders::is_kept, "this client does not keep whose motor it ordered to run: take "
+                                           "drive_client<Units>, or a bus");
+            if constexpr (stops_by_broadcast<Conversation>) {
+                visit_for_all(conversation, now);
+            } else {
+                bool const stops = conversation.begins_to_stop();
+                visit(conversation, now);
+                if (stops and not is_asked_by(conversation)) {
+                    withdraw(conversation.unit().byte(), now); // its first request may be a read
+                }
+            }
+            bool const is_due = may_ask and conversation.intent() == effect::stopping;
+            if (is_due and not is_asked_by(conversation) and
+                check_order(conversation, effect::stopping) == errc::none) {
+                make_way_for(conversation, now);
+            }
+        }
+    }
+
+    /// The last part of `converse`. Where the request is refused, the conversation is given the error as its outcome.
+    template <conversation Conversation>
+    constexpr turn_result ask(Conversation& conversation, instant now, retry_policy const& with) noexcept
+    {
+        static_assert(has_what_it_declares<Conversation>());
+        if (conversation.settled() and not turns_.is_last(conversation)) {
+            return turn_result::passed;
+        }
+        effect const what = effect_of(conversation);
+        if (not has_turn(conversation, what, now)) {
+            return turn_result::waits;
+        }
+        if constexpr (prompt_conversation<Conversation>) {
+            if (errc const wrong = check_order(conversation, what); wrong != errc::none) {
+                return refuse(conversation, wrong, now);
+            }
+            if (is_barred(conversation.unit().byte(), what)) {
+                return hold_back(conversation);
+            }
+        }
+        auto const request = conversation.next();
+        if (not request) {
+            return turn_result::passed;
+        }
+        std::uint8_t const unit = request->frame().empty() ? std::uint8_t{0} : to_u8(request->frame()[0]);
+        if (is_barred(unit, what)) {
+            return hold_back(conversation);
+        }
+        errc const wrong = start(as_declared<Conversation>(*request), now, unit, policy_of(conversation, with));
+        if (wrong != errc::none) {
+            return refuse(conversation, wrong, now);
+        }
+        if constexpr (Orders::is_kept and may_write_meaning<Conversation>) {
+            orders_.note_request(request->frame());
+        }
+        turns_.renew(conversation);
+        note_asked(conversation, what);
+        return turn_result::asked;
+    }
+
+    /// Whether the request has left and others wait already: visits change nothing but the marks of those.
+    /// Internal.
+    [[nodiscard]] constexpr bool needs_no_visit() const noexcept
+    {
+        client_phase const at = transaction_.phase_now();
+        bool const has_left = is_under_way(at) and at > client_phase::handed_out;
+        return has_left and turns_.others_wait() and not reservation_.is_held() and not is_held_back_;
+    }
+
+private:
+    // Whose turn it is.
+
+    /// A conversation visits. Returns whether the outcome is there and its own. A request is dropped where the next in
+    /// turn finds its asker missing twice, or where the asker itself has given it up.
+    constexpr bool comes_by(asker& who, bool wants_turn, instant now) noexcept
+    {
+        client_phase const at = transaction_.phase_now();
+        bool const is_own = is_asked_by(who);
+        if (at == client_phase::idle or not(is_own or wants_turn)) {
+            return false;
+        }
+        standing place = standing::is_last;
+        if (not is_own) {
+            place = turns_.visit(who);
+        } else if (at == client_phase::settled) {
+            return true;
+        } else if (at == client_phase::waiting) {
+            turns_.renew(who);
+        }
+        if (transaction_.awaits_asker()) {
+            if (is_own) {
+                transaction_.get_ready(now);
+            } else {
+                replace_asker(place, now);
+            }
+        }
+        return false;
+    }
+
+    /// Only the asker is missing, and another conversation visits: whether that one takes its place. Inlined: smaller.
+    [[gnu::always_inline]] constexpr void replace_asker(standing place, instant now) noexcept
+    {
+        transaction_.wake(now);
+        bool const takes_over = place == standing::is_next and turns_.misses_asker();
+        if (takes_over or place == standing::is_last) {
+            transaction_.drop(now);
+            static_cast<void>(take_outcome(now));
+        }
+    }
+
+    /// The outcome of the request. A missing response is noted, whatever becomes of the asker: a request that is not
+    /// waited for has also fed its unit's watchdog.
+    constexpr result<response> take_outcome(instant now) noexcept
+    {
+        orders_.note_outcome(asked_unit(), transaction_.heard_of_unit(), transaction_.was_repeated(), now);
+        return transaction_.take_outcome();
+    }
+
+    /// Whether a conversation may ask now: a stop request does not wait for its turn.
+    template <typename Conversation>
+    constexpr bool has_turn(Conversation& conversation, effect what, instant now) noexcept
+    {
+        if constexpr (commanding_conversation<Conversation> or stops_by_broadcast<Conversation>) {
+            if (what == effect::stopping) {
+                return may_stop(conversation, unit_stopped_by(conversation), now);
+            }
+        }
+        return may_ask(conversation, prompt_conversation<Conversation>, now);
+    }
+
+    /// Whether it is this conversation's turn to ask. While others wait, or for a request that is made at the
+    /// last moment, the line has to be silent first.
+    constexpr bool may_ask(asker& who, bool is_prompt, instant now) noexcept
+    {
+        if (transaction_.phase_now() != client_phase::idle) {
+            return false;
+        }
+        bool const is_silent = is_quiet();
+        if constexpr (Orders::is_kept) {
+            if (reservation_.is_held() and not reservation_.misses_holder(turns_, who)) {
+                if (is_silent) {
+                    transaction_.wake(now);
+                }
+                return false;
+            }
+            reservation_.end();
+        }
+        if (not turns_.others_wait() and (is_silent or not is_prompt)) {
+            return true;
+        }
+        standing const at = turns_.visit(who);
+        bool const may = is_silent and turns_.take(at);
+        if (is_silent and not may) {
+            transaction_.wake(now);
+        }
+        return may;
+    }
+
+    /// Whether a request that stops a unit may be sent: it waits for silence, and for the stop of another unit for which
+    /// the line is reserved, but not for its turn.
+    constexpr bool may_stop(asker& who, std::uint8_t unit, instant now) noexcept
+    {
+        if (not is_free()) {
+            return false;
+        }
+        if (reservation_.is_held_for_another(unit) and not reservation_.misses_holder(turns_, who)) {
+            transaction_.wake(now);
+            return false;
+        }
+        reservation_.use();
+        return true;
+    }
+
+    /// Whether a request would leave in this pass.
+    constexpr bool is_free() const noexcept { return transaction_.phase_now() == client_phase::idle and is_quiet(); }
+
+    /// A conversation's unit gets no request now. The one that asked last has had its turn; others get one later.
+    constexpr turn_result hold_back(asker const& who) noexcept
+    {
+        if (not turns_.is_last(who)) {
+            is_held_back_ = true;
+        }
+        return turn_result::passed;
+    }
+
+    /// A request cannot be sent.
+    template <typename Conversation>
+    constexpr turn_result refuse(Conversation& conversation, errc wrong, instant now) noexcept
+    {
+        conversation.accept(wrong);
+        transaction_.wake(now); // it may have another request, and no deadline shows that
+        return turn_result::passed;
+    }
+
+    /// A conversation may allow the response less time than the unit's policy.
+    template <typename Conversation>
+    static constexpr decltype(auto) policy_of(Conversation const& conversation, retry_policy const& with) noexcept
+    {
+        if constexpr (requires { conversation.limited(with.response_timeout); }) {
+            retry_policy own = with;
+            own.response_timeout = conversation.limited(with.response_timeout);
+            return own;
+        } else {
+            return (with);
+        }
+    }
+
+    /// Starts a request to a unit. To a lost unit each stop request is sent once.
+    constexpr errc start(request_frame const& asked, instant now, std::uint8_t unit, retry_policy const& with) noexcept
+    {
+        if constexpr (Orders::is_kept) {
+            orders_.note_start(now);
+            retry_policy own = with;
+            own.retries = orders_.is_lost(unit) ? std::uint8_t{0} : with.retries;
+            return transaction_.start(asked, now, own);
+        } else {
+            return transaction_.start(asked, now, with);
+        }
+    }
+
+    // What commanders may do. For other conversations these functions do nothing.
+
+    /// A commander of one unit visits.
+    template <typename Conversation> constexpr void visit(Conversation& conversation, instant now) noexcept
+    {
+        std::uint8_t const unit = conversation.unit().byte();
+        if (orders_.visit(conversation, unit, now)) {
+            conversation.note_loss();
+        }
+        if constexpr (stops_a_unit<Conversation>) {
+            if (conversation.take_other_family()) {
+                orders_.leave_alone(unit, now);
+            }
+        }
+    }
+
+    /// A commander of all units visits, and with it its stops of one unit each.
+    template <typename Conversation> constexpr void visit_for_all(Conversation& conversation, instant now) noexcept
+    {
+        orders_.visit_for_all(conversation, now);
+        for (auto& each : conversation.stops()) {
+            static_assert(commanding_conversation<std::remove_reference_t<decltype(each)>>,
+                          "each stop of a conversation that stops all units commands one of them");
+            visit(each, now);
+        }
+        if (conversation.is_urgent()) {
+            orders_.lose_all_but_its_own(conversation, now);
+        }
+        orders_.note_ordered(conversation);
+    }
+
+    /// What the next request of a conversation does to a motor.
+    template <typename Conversation> static constexpr effect effect_of(Conversation const& conversation) noexcept
+    {
+        if constexpr (commanding_conversation<Conversation> or stops_by_broadcast<Conversation>) {
+            return conversation.intent();
+        }
+        return effect::none;
+    }
+
+    template <typename Conversation>
+    constexpr errc check_order(Conversation const& conversation, effect what) const noexcept
+    {
+        if constexpr (commanding_conversation<Conversation>) {
+            return orders_.check(conversation, conversation.unit().byte(), what);
+        }
+        return errc::none;
+    }
+
+    template <typename Conversation> constexpr void note_asked(Conversation& conversation, effect what) noexcept
+    {
+        if constexpr (commanding_conversation<Conversation>) {
+            orders_.note_asked(conversation, conversation.unit().byte(), what, conversation.drive_timeout(),
+                               conversation.tolerated_misses());
+        } else if constexpr (stops_by_broadcast<Conversation>) {
+            for (auto& each : conversation.stops()) {
+                if (each.unit().byte() == asked_unit()) {
+                    note_asked(each, what);
+                }
+            }
+        } else if constexpr (Orders::is_kept and frees_all_units<Conversation>) {
+            orders_.note_all_freed();
+        }
+    }
+
+    /// Why a request was given up: a stop of its unit came before it, or it was cancelled.
+    template <typename Conversation> constexpr errc reason_of_drop(Conversation const& conversation) const noexcept
+    {
+        if constexpr (commanding_conversation<Conversation>) {
+            return orders_.is_overruled(conversation, conversation.unit().byte()) ? errc::overruled : errc::cancelled;
+        }
+        return errc::cancelled;
+    }
+
+    /// Whether a unit gets no request of this effect now. Stop requests do not wait for outstanding responses of their
+    /// unit: none of these is the echo of a stop request.
+    constexpr bool is_barred(std::uint8_t unit, effect what) const noexcept
+    {
+        return orders_.is_silent(unit, what) or (what != effect::stopping and transaction_.is_held(unit));
+    }
+
+    /// The unit that a stop request stops; 0 for one of several.
+    template <typename Conversation>
+    static constexpr std::uint8_t unit_stopped_by(Conversation const& conversation) noexcept
+    {
+        if constexpr (commanding_conversation<Conversation>) {
+            return conversation.unit().byte();
+        }
+        return 0;
+    }
+
+    /// A conversation visits with a stop request. Until that has left, no other conversation sends; a request under
+    /// way for its unit is given up, unless its response is arriving. One for another unit is not repeated, and given up
+    /// where it has not left and is no stop's.
+    template <typename Conversation> constexpr void make_way_for(Conversation& conversation, instant now) noexcept
+    {
+        if (is_free()) {
+            return;
+        }
+        bool may_cut = false;
+        if constexpr (stops_by_broadcast<Conversation>) {
+            may_cut = conversation.may_cut(asked_unit());
+        } else {
+            may_cut = conversation.unit().byte() == asked_unit();
+        }
+        make_way_for(conversation, unit_stopped_by(conversation), may_cut, now);
+    }
+
+    constexpr void make_way_for(asker& who, std::uint8_t unit, bool may_cut, instant now) noexcept
+    {
+        bool const may_drop = may_cut or not reservation_.is_of_stops();
+        // Of several such requests the first one to visit is next, also to drop one whose asker no longer visits: those for
+        // one unit, which give each other up, keep the line from no other.
+        if (not reservation_.is_held_for_another(unit) and
+            not(reservation_.is_held() and transaction_.awaits_asker())) {
+            reservation_.begin(turns_, who, unit);
+        }
+        give_up(may_cut, may_drop, now);
+    }
+
+    /// A stop has begun: what has not left for its unit, and is no stop's, does not leave.
+    constexpr void withdraw(std::uint8_t unit, instant now) noexcept
+    {
+        if (asked_unit() == unit and not reservation_.is_of_stops()) {
+            give_up(false, true, now);
+        }
+    }
+
+    constexpr void give_up(bool may_cut, bool may_drop, instant now) noexcept
+    {
+        transaction_.make_way(may_cut, may_drop, now);
+        if (transaction_.was_cut()) {
+            static_cast<void>(transaction_.take_outcome()); // its asker is told that it was cancelled
+            turns_.void_marks();                            // this visit counts once
+        }
+    }
+
+    // Small processors reach what is near with short instructions: what each pass uses stands in front of the transaction,
+    // which ends with the memory of a frame.
+    [[no_unique_address]] turns turns_;
+    bool is_held_back_{false}; ///< a conversation waits for a unit that gets no request now
+    transaction<Statistics, Line, Options, Debts, Front> transaction_;
+    instant seen_{0}; ///< the latest `advance`
+    [[no_unique_address]] Orders orders_{};
+    [[no_unique_address]] std::conditional_t<Orders::is_kept, reservation, no_reservation> reservation_{};
 };
 
 /// A client that counts nothing.

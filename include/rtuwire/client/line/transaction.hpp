@@ -20,7 +20,6 @@
 #include <rtuwire/client/line/retry_state.hpp>
 #include <rtuwire/client/options.hpp>
 #include <rtuwire/client/statistics.hpp>
-#include <rtuwire/client/turns.hpp>
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/constant.hpp>
 #include <rtuwire/core/result.hpp>
@@ -76,8 +75,7 @@ struct refused_frame {
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
-/// Runs a client's request under way; the base of `basic_client`, which decides whose it is. What its parameters are
-/// stands there.
+/// Runs a client's request under way; `basic_client` decides whose it is, and says what the parameters are.
 template <typename Statistics, typename Line, typename Options, typename Debts, std::size_t Front>
 class transaction
     : private detail::frame_cutter<transaction<Statistics, Line, Options, Debts, Front>, direction::response, Front> {
@@ -262,15 +260,12 @@ public:
     [[nodiscard]] constexpr counted_by<Statistics>& statistics() noexcept { return statistics_; }
     [[nodiscard]] constexpr counted_by<Statistics> const& statistics() const noexcept { return statistics_; }
 
-    /// Hands the frames that pass from here on to a sink, which must outlive the client. For a client `traced_by` it.
-    template <typename Sink>
-        requires is_traced_by<Statistics, Sink>
-    constexpr void trace_to(Sink& frames) noexcept { statistics_.trace_to(frames); }
+    /// Where the frames go that pass.
+    constexpr Statistics& statistics_to_trace() noexcept { return statistics_; }
 
-protected:
-    constexpr client_options const& options() const noexcept { return options_.get(); }
+    [[nodiscard]] constexpr client_options const& options() const noexcept { return options_.get(); }
 
-    constexpr client_phase phase_now() const noexcept { return phase_; }
+    [[nodiscard]] constexpr client_phase phase_now() const noexcept { return phase_; }
 
     /// Takes a request: copies its frame to the front of the memory. Errors: `frame_too_short`,
     /// `frame_too_long`; `buffer_too_small` where the request and its response do not fit together.
@@ -772,29 +767,14 @@ private:
     // for which GCC would first make zeros by a call of memset (docs/size-notes.md). No byte is left between the members.
     client_phase phase_{client_phase::idle};
     errc error_{errc::none};
-    bool is_woken_{false}; ///< the next pass has something to do at once
-    std::uint8_t unit_{0}; ///< that was asked last; 0 for everyone
-
-protected:
-    [[no_unique_address]] turns turns_; ///< of the conversations; here for its place
-
-private:
+    bool is_woken_{false};      ///< the next pass has something to do at once
+    std::uint8_t unit_{0};      ///< that was asked last; 0 for everyone
     bool must_send_now_{false}; ///< the request must leave at once or not at all
     [[no_unique_address]] retry_state retries_;
     std::uint16_t size_{0}; ///< of the request
     length_hint longest_{}; ///< of its responses; stored, which saves 57 instructions of a read
     instant deadline_{0};
-
-protected:
-    instant seen_{0}; ///< the latest `advance`
-
-private:
     [[no_unique_address]] Debts quarantine_{};
-
-protected:
-    bool is_held_back_{false}; ///< a conversation waits for a unit that gets no request now
-
-private:
     line_echo echo_;
     [[no_unique_address]] noise_allowance<Options> noise_{};
     [[no_unique_address]] Options options_{};
