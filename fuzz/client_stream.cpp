@@ -117,8 +117,8 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     options.max_leading_noise = (flags & 2U) != 0 ? 3 : 0;
     // The third function, 03, is asked without further flags.
     auto const& frame = requests[(2U + (flags >> 2U)) % requests.size()];
-    using engine =
-        basic_client<unit_statistics<2>, stored<line_timing>, stored<client_options>, quarantine<1>, separate_memory>;
+    static constexpr client_needs<public_functions, unit_statistics<2>> needs{.request_room = max_adu_size};
+    using engine = basic_client<needs>;
     test::asking<engine> link{line, options};
     engine const& under_way = link;
     instant now{0xFFFF'0000U};

@@ -35,7 +35,7 @@ RISCV = "rv32imc"
 RISCV_GCC = "riscv64-unknown-elf-g++"
 NAMES = ("server_frames", "server", "server_all", "client_frames", "client_encoding", "client",
          "client_counting", "client_counting_fixed", "client_traced", "typed_read",
-         "monitor", "two_conversations", "bus", "text",
+         "monitor", "two_conversations", "two_conversations_four", "bus", "text",
          "crc_bitwise", "crc_nibble_table", "crc_byte_table")
 # What this library wants to need at most: flash on a Cortex-M0+, RAM of an engine with its frame.
 BARS = {"server_frames": 1000, "server_all": 3600, "client_frames": 1250, "text": 500}

@@ -335,7 +335,7 @@ private:
 
     rtuwire::posix_serial& port_;
     rtuwire::station<Device> drive_;
-    rtuwire::bus<2, rtuwire::line_statistics> link_;
+    rtuwire::bus<2, rtuwire::observed_by<rtuwire::line_statistics>> link_;
     rtuwire::altivar::cyclic<Device> loop_;
     rtuwire::poller<plan> panel_;
     rtuwire::instant begin_;

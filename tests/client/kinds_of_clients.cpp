@@ -164,7 +164,7 @@ TEST_CASE("rule 21: who waits for its turn keeps it where it begins anew")
 TEST_CASE("rule 26: what begins with no unit's address is noise, also where all units are held")
 {
     for (unsigned const byte : {247U, 248U, 255U}) {
-        hand<basic_client<line_statistics>> it;
+        hand<basic_client<observed_by<line_statistics>>> it;
         it.link.hold(unit_id{3}, it.now + milliseconds(100));
         it.link.hold(unit_id{4}, it.now + milliseconds(100));
         it.link.receive(frame_bytes{static_cast<std::byte>(byte)}, it.now);

@@ -15,7 +15,7 @@ using test::response_1234;
 
 namespace {
 
-using counting_end = test::basic_manual_unit<basic_client<unit_statistics<2>>>;
+using counting_end = test::basic_manual_unit<basic_client<observed_by<unit_statistics<2>>>>;
 
 constexpr client_options impatient{
     .response_timeout = milliseconds(50), .late_response = milliseconds(100), .retries = 0, .max_leading_noise = 1};
@@ -252,7 +252,9 @@ constexpr bool counts_repetitions()
 PROOF("a request that leaves again after a pause and after silence is one request", counts_repetitions)
 
 // Nothing is counted: nothing is held. Padding may differ.
-static_assert(sizeof(client) + sizeof(line_statistics) <= sizeof(basic_client<line_statistics>) + alignof(client));
-static_assert(sizeof(client) + sizeof(line_statistics) + alignof(client) >= sizeof(basic_client<line_statistics>));
+static_assert(sizeof(client) + sizeof(line_statistics) <=
+              sizeof(basic_client<observed_by<line_statistics>>) + alignof(client));
+static_assert(sizeof(client) + sizeof(line_statistics) + alignof(client) >=
+              sizeof(basic_client<observed_by<line_statistics>>));
 
 } // namespace

@@ -282,7 +282,7 @@ PROOF("a traced client without a sink works as any", without_a_sink)
 constexpr bool counts_beside()
 {
     kept_frames frames;
-    test::basic_manual_unit<basic_client<line_statistics>::traced_by<kept_frames>> unit{impatient};
+    test::basic_manual_unit<basic_client<observed_by<line_statistics>>::traced_by<kept_frames>> unit{impatient};
     unit.link.trace_to(frames);
     unit.ask(read_eta);
     unit.say(response_1234);

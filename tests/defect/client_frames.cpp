@@ -134,7 +134,7 @@ TEST_CASE("defect: D15 a response that only silence ends has its whole time on a
 
 namespace {
 
-using counting = basic_client<unit_statistics<2>>;
+using counting = basic_client<observed_by<unit_statistics<2>>>;
 
 unsigned count_of(counters const* row, line_event what) { return row == nullptr ? 0 : (*row)[what]; }
 

@@ -141,7 +141,7 @@ rtuwire::bus_options library(model::share const& of)
 }
 
 struct world : compare::schedule {
-    rtuwire::bus<slots, rtuwire::unit_statistics<rows>> engine;
+    rtuwire::bus<slots, rtuwire::observed_by<rtuwire::unit_statistics<rows>>> engine;
     model::bus second;
     std::vector<both> conversations{slots + 1};
 

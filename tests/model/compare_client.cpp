@@ -20,9 +20,9 @@ namespace {
 constexpr std::size_t rows = 3;
 constexpr std::size_t slots = 4;
 
-template <std::size_t Places, std::size_t Front>
-using engine_of = rtuwire::basic_client<rtuwire::unit_statistics<rows>, rtuwire::stored<rtuwire::line_timing>,
-                                        rtuwire::stored<rtuwire::client_options>, rtuwire::quarantine<Places>, Front>;
+template <std::size_t Places, std::size_t Front, std::size_t Longest>
+inline constexpr rtuwire::client_needs<rtuwire::public_functions, rtuwire::unit_statistics<rows>> needs{
+    .longest_frame = Longest, .request_room = Front, .quarantine_places = Places};
 
 template <typename Engine> struct world : compare::schedule {
     Engine engine;
@@ -254,7 +254,7 @@ template <typename Engine> struct world : compare::schedule {
     void run()
     {
         tell_times();
-        told.step("front %zu, places %zu", how.front, how.places);
+        told.step("front %zu, longest %zu, places %zu", how.front, how.longest, how.places);
         unsigned const passes = roll.chance(4) ? 250 : 20 + roll.below(41);
         for (unsigned i = 0; i < passes and not told.failed(); ++i) {
             pass();
@@ -262,13 +262,14 @@ template <typename Engine> struct world : compare::schedule {
     }
 };
 
-template <std::size_t Places, std::size_t Front>
+template <std::size_t Places, std::size_t Front, std::size_t Longest = 256>
 void schedule(random_source& roll, report& told, compare::setting const& as, model::options how)
 {
     how.front = Front;
+    how.longest = Longest;
     how.places = Places;
     how.rows = rows;
-    world<engine_of<Places, Front>>{roll, told, as, how}.run();
+    world<rtuwire::basic_client<needs<Places, Front, Longest>>>{roll, told, as, how}.run();
 }
 
 } // namespace
@@ -278,10 +279,11 @@ int main(int argc, char** argv)
     return compare::main(argc, argv, [](random_source& roll, report& told) {
         compare::setting const as = compare::any_setting(roll);
         model::options const how = compare::any_options(roll);
-        switch (roll.below(3)) {
-        case 0: schedule<1, rtuwire::shared_memory>(roll, told, as, how); break;
-        case 1: schedule<3, rtuwire::shared_memory>(roll, told, as, how); break;
-        default: schedule<2, rtuwire::separate_memory>(roll, told, as, how);
+        switch (roll.below(4)) {
+        case 0: schedule<1, 8>(roll, told, as, how); break;
+        case 1: schedule<3, 8>(roll, told, as, how); break;
+        case 2: schedule<1, 12, 40>(roll, told, as, how); break;
+        default: schedule<2, 256>(roll, told, as, how);
         }
     });
 }

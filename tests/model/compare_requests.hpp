@@ -50,6 +50,7 @@ inline model::options any_options(random_source& roll)
                        .has_line_echo = roll.chance(20),
                        .max_leading_noise = roll.any<unsigned>({0, 0, 0, 1, 3}),
                        .front = 0,
+                       .longest = 256,
                        .places = 0,
                        .rows = 0};
     how.retries = repetitions(how.response_timeout, how.retries);

@@ -20,9 +20,10 @@ struct options {
     unsigned retries;
     bool has_line_echo;
     unsigned max_leading_noise;
-    std::size_t front;  ///< what a request takes of the memory
-    std::size_t places; ///< for units that owe something
-    std::size_t rows;   ///< for units that are counted
+    std::size_t front;   ///< what a request takes of the memory
+    std::size_t longest; ///< frame, less what a request takes beyond `front`
+    std::size_t places;  ///< for units that owe something
+    std::size_t rows;    ///< for units that are counted
 };
 
 struct retry_policy {
@@ -307,6 +308,12 @@ private:
     }
     bool expects_echo() const { return how_.has_line_echo or echoes_seen_ == 2; }
 
+    /// The longest response behind a request.
+    std::size_t room_beside(bytes const& frame) const
+    {
+        return how_.longest - (std::max(how_.front, frame.size()) - how_.front);
+    }
+
     /// 4.
     fault refusal(bytes const& frame) const
     {
@@ -316,8 +323,10 @@ private:
         if (frame.size() > 256) {
             return frame_too_long;
         }
-        std::size_t const room = 256 - (std::max(how_.front, frame.size()) - how_.front);
-        return longest_response(frame).bytes > room ? buffer_too_small : none;
+        if (frame.size() > how_.longest + how_.front) {
+            return buffer_too_small;
+        }
+        return longest_response(frame).bytes > room_beside(frame) ? buffer_too_small : none;
     }
 
     void start(request_frame const& of, time now, retry_policy const& with)
@@ -334,7 +343,7 @@ private:
         error_ = none;
         response_.clear();
         sendings_ = {};
-        line_.room = 256 - (std::max(how_.front, request_.size()) - how_.front);
+        line_.room = room_beside(request_);
         wait(now);
         leave_if_free(now);
     }

@@ -290,7 +290,7 @@ private:
 
     line_timing timing_;
     sim::line wire_;
-    test::asking<basic_client<line_statistics>> link_;
+    test::asking<basic_client<observed_by<line_statistics>>> link_;
     std::array<server, servers> nodes_;
     std::array<telling_bank, servers> banks_{};
     sim::usb_adapter adapter_;

@@ -5,6 +5,6 @@
 
 int main()
 {
-    rtuwire::basic_client<rtuwire::line_statistics> link{timing};
+    rtuwire::basic_client<rtuwire::observed_by<rtuwire::line_statistics>> link{timing};
     ask_on(link);
 }

@@ -17,7 +17,14 @@ using panel = read_plan<atv320::device, atv320::eta, atv320::rfr, atv320::frh, a
                         atv320::uln, atv320::uop>;
 constexpr station<atv320::device> drive{unit_id{1}};
 constexpr line_timing timing{19'200, character_format::even_8_1};
+#ifdef OF_FOUR_FUNCTIONS
+constexpr client_needs<function_list<read_holding_registers, write_single_register, write_multiple_registers<>,
+                                     read_write_multiple_registers<>>>
+    needs{.timing = timing, .longest_frame = 64, .motors = 1};
+constinit basic_client<needs> link;
+#else
 constinit static_drive_client<timing> link;
+#endif
 
 } // namespace
 

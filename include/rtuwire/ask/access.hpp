@@ -22,6 +22,7 @@
 #include <rtuwire/table/key_range.hpp>
 #include <rtuwire/table/restepped.hpp>
 #include <rtuwire/table/setting.hpp>
+#include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 #include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
 #include <rtuwire/wire/pdu/write_multiple_coils.hpp>
@@ -36,6 +37,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 class word_read : public finite_conversation {
 public:
     static constexpr bool keeps_meaning = true;
+    static constexpr function_set asks{function_code::read_holding_registers};
 
     constexpr word_read(unit_id unit, std::uint16_t address) noexcept
     {

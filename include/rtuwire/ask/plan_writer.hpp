@@ -15,6 +15,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/write_plan.hpp>
+#include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/pdu/write_multiple_registers.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -26,6 +27,8 @@ template <typename Plan> class plan_writer : public finite_conversation {
                   "this device does not implement function 16");
 
 public:
+    static constexpr function_set asks{function_code::write_multiple_registers};
+
     constexpr plan_writer(station<device> const& to, Plan const& values) noexcept : plan_{values}, unit_{to.unit()}
     {
         begin();

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/ask/finite_conversation.hpp>
@@ -16,6 +17,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/read_plan.hpp>
+#include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -33,11 +35,20 @@ template <typename Plan> [[nodiscard]] constexpr auto read_frames(unit_id unit) 
     return all;
 }
 
+/// The functions that a plan asks.
+/// Internal.
+template <typename Plan, std::size_t... Requests>
+[[nodiscard]] consteval function_set functions_of(std::index_sequence<Requests...>) noexcept
+{
+    return function_set{function_that_reads(Plan::space_of(Requests))...};
+}
+
 /// The conversation of a read plan with one unit; owns its frames and the snapshot. Each `again` is one
 /// round more.
 template <typename Plan> class poller : public finite_conversation {
 public:
     static constexpr bool keeps_meaning = true;
+    static constexpr function_set asks = functions_of<Plan>(std::make_index_sequence<Plan::request_count>{});
 
     using snapshot = typename Plan::snapshot;
 

@@ -16,6 +16,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/frame_rules.hpp>
+#include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/limits.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -34,6 +35,13 @@ concept names_response_check = requires
 {
     &Request::check_response;
 };
+
+/// The function of a request; none where that is not known before it is made, as of `raw_pdu`.
+/// Internal.
+template <typename Request> inline constexpr function_set function_of{};
+template <typename Request>
+    requires std::same_as<std::remove_cv_t<decltype(Request::code)>, function_code>
+inline constexpr function_set function_of<Request>{Request::code};
 
 /// One request in a frame of at most `FrameSize` bytes, and room for a response PDU of `ResponseSize`.
 /// Internal.
@@ -120,6 +128,8 @@ class single_request : public sized_request<Request::max_size + adu_overhead, la
     using base = sized_request<Request::max_size + adu_overhead, largest_response<Request>>;
 
 public:
+    static constexpr function_set asks = function_of<Request>;
+
     using base::base;
 
     template <typename To>

@@ -19,6 +19,7 @@
 #include <rtuwire/table/form/form.hpp>
 #include <rtuwire/table/key_range.hpp>
 #include <rtuwire/wire/adu.hpp>
+#include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 #include <rtuwire/wire/pdu/write_multiple_registers.hpp>
@@ -82,6 +83,7 @@ private:
 template <register_space Space, std::size_t Count> class words_read : public finite_conversation {
 public:
     static constexpr bool keeps_meaning = true;
+    static constexpr function_set asks{function_that_reads(Space)};
 
     constexpr words_read(unit_id whom, std::uint16_t start) noexcept : frame_{read_frame(whom, Space, start, Count)} {}
 

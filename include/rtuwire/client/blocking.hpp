@@ -15,6 +15,7 @@
 #include <rtuwire/ask/outcome_of.hpp>
 #include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/client/client.hpp>
+#include <rtuwire/client/needs.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/receive_from.hpp>
 
@@ -57,11 +58,19 @@ result<void> finish_pass(Engine& engine, Port& port, byte_span place, instant un
 }
 
 /// Sends requests and waits for their outcomes. May be left unused for any time. Borrows its port, which must outlive
-/// it.
-template <serial_port Port> class blocking_client {
+/// it. `Needs` is as for `basic_client`.
+template <serial_port Port, auto const& Needs = host_needs> class blocking_client {
+    using engine = basic_client<Needs>;
+
 public:
     blocking_client(Port& its_port, line_timing const& its_line, client_options const& its_options = {}) noexcept
+        requires(not told_by<Needs>::is_fixed)
         : port_{its_port}, client_{its_line, its_options}, write_limit_{its_options.response_timeout}
+    {}
+
+    /// For needs with a `timing`.
+    explicit blocking_client(Port& its_port) noexcept requires(told_by<Needs>::is_fixed)
+        : port_{its_port}, write_limit_{Needs.options.response_timeout}
     {}
 
     /// Sends one request and waits for its outcome. The response is a view of this client's memory, valid until the
@@ -90,6 +99,9 @@ public:
     /// The frame for which the last request failed, with `wrong_length`, `crc_mismatch` and the like: see the client's.
     /// Valid until the next `ask` or `run`.
     [[nodiscard]] std::optional<refused_frame> refused() const noexcept { return client_.refused(); }
+
+    /// What was counted, where counting was asked for.
+    [[nodiscard]] auto const& statistics() const noexcept { return client_.statistics(); }
 
     /// Whether the line has given back what was sent: see the client's.
     [[nodiscard]] bool has_seen_echo() const noexcept { return client_.has_seen_echo(); }
@@ -163,7 +175,7 @@ private:
 
     /// What passes bytes on to the client, and whether any came.
     struct stale_input {
-        host_client& client;
+        engine& client;
         bool has_come{false};
 
         void receive(byte_view bytes, instant at)
@@ -209,7 +221,7 @@ private:
     static constexpr duration longest_wait = milliseconds(1'000);
 
     Port& port_;
-    host_client client_;
+    engine client_;
     duration write_limit_;
     std::array<std::byte, max_adu_size> input_{};
     std::array<std::byte, max_pdu_size> response_{};

@@ -17,13 +17,12 @@
 #include <rtuwire/ask/commander.hpp>
 #include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/client/line/phase.hpp>
-#include <rtuwire/client/line/quarantine.hpp>
 #include <rtuwire/client/line/transaction.hpp>
+#include <rtuwire/client/needs.hpp>
 #include <rtuwire/client/options.hpp>
 #include <rtuwire/client/order/orders.hpp>
 #include <rtuwire/client/turns.hpp>
 #include <rtuwire/core/bytes.hpp>
-#include <rtuwire/core/constant.hpp>
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
@@ -46,24 +45,25 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// goes to the conversation that asked, or is dropped. A client may be assigned, or made anew in its place: what its
 /// conversations asked and ordered before is over, and they may ask and order anew.
 ///
-/// `Debts` holds the units with an outstanding response; `Front` is `shared_memory` or `separate_memory`; `Orders` is
-/// `no_orders`, or `orders<Units>` for conversations that command motors: see client/order/orders.hpp.
-template <typename Statistics, typename Line = stored<line_timing>, typename Options = stored<client_options>,
-          typename Debts = quarantine<1>, std::size_t Front = shared_memory, typename Orders = no_orders>
-class basic_client {
+/// `Needs` is the constant that says what it is for: see `client_needs`. `client`, `drive_client`, `static_client` and
+/// `host_client` are names for the frequent ones.
+template <auto const& Needs> class basic_client {
+    using needed = told_by<Needs>;
+    using Statistics = typename needed::observer;
+    using Orders = std::conditional_t<Needs.motors == 0, no_orders, orders<Needs.motors>>;
+
 public:
     /// The same, of which a sink takes the frames as they pass, from `trace_to(sink)` on:
     /// `client::traced_by<trace_ring<4096>>`.
-    template <frame_sink Sink>
-    using traced_by = basic_client<tracing<Sink, Statistics>, Line, Options, Debts, Front, Orders>;
+    template <frame_sink Sink> using traced_by = basic_client<traced_needs<Needs, Sink>>;
 
     explicit constexpr basic_client(line_timing const& its_timing, client_options const& its_options = {}) noexcept
+        requires(not needed::is_fixed)
         : transaction_{its_timing, its_options}
     {}
 
-    /// For a constant line and constant options. Zero-initialised, so a `constinit` client lives in .bss.
-    constexpr basic_client() noexcept requires is_constant<Line>
-    = default;
+    /// For needs with a `timing`. Zero-initialised, so a `constinit` client lives in .bss.
+    constexpr basic_client() noexcept requires(needed::is_fixed) = default;
 
     // The line.
 
@@ -145,6 +145,10 @@ public:
     /// Whether a request is under way or its outcome not taken yet.
     [[nodiscard]] constexpr bool is_busy() const noexcept { return transaction_.is_busy(); }
 
+    /// How far it is.
+    /// Internal.
+    [[nodiscard]] constexpr client_phase phase_now() const noexcept { return transaction_.phase_now(); }
+
     /// The unit of the last request; 0 for a broadcast.
     [[nodiscard]] constexpr std::uint8_t asked_unit() const noexcept { return transaction_.asked_unit(); }
 
@@ -221,7 +225,7 @@ public:
     constexpr std::optional<errc> deliver(Conversation& conversation, bool wants_turn, instant now) noexcept
     {
         std::optional<errc> told;
-        if (turns_.was_dropped(conversation, transaction_.phase_now() == client_phase::idle)) {
+        if (turns_.was_dropped(conversation, phase_now() == client_phase::idle)) {
             told = reason_of_drop(conversation);
             conversation.accept(*told);
             wants_turn = wants_turn and not conversation.settled();
@@ -273,6 +277,9 @@ public:
     constexpr turn_result ask(Conversation& conversation, instant now, retry_policy const& with) noexcept
     {
         static_assert(has_what_it_declares<Conversation>());
+        static_assert(
+            has_what_it_asks<typename needed::functions, Conversation>(),
+            "this client's list of functions lacks one that the conversation asks: add it to its client_needs");
         if (conversation.settled() and not turns_.is_last(conversation)) {
             return turn_result::passed;
         }
@@ -312,7 +319,7 @@ public:
     /// Internal.
     [[nodiscard]] constexpr bool needs_no_visit() const noexcept
     {
-        client_phase const at = transaction_.phase_now();
+        client_phase const at = phase_now();
         bool const has_left = is_under_way(at) and at > client_phase::handed_out;
         return has_left and turns_.others_wait() and not reservation_.is_held() and not is_held_back_;
     }
@@ -324,7 +331,7 @@ private:
     /// turn finds its asker missing twice, or where the asker itself has given it up.
     constexpr bool comes_by(asker& who, bool wants_turn, instant now) noexcept
     {
-        client_phase const at = transaction_.phase_now();
+        client_phase const at = phase_now();
         bool const is_own = is_asked_by(who);
         if (at == client_phase::idle or not(is_own or wants_turn)) {
             return false;
@@ -382,7 +389,7 @@ private:
     /// last moment, the line has to be silent first.
     constexpr bool may_ask(asker& who, bool is_prompt, instant now) noexcept
     {
-        if (transaction_.phase_now() != client_phase::idle) {
+        if (phase_now() != client_phase::idle) {
             return false;
         }
         bool const is_silent = is_quiet();
@@ -422,7 +429,7 @@ private:
     }
 
     /// Whether a request would leave in this pass.
-    constexpr bool is_free() const noexcept { return transaction_.phase_now() == client_phase::idle and is_quiet(); }
+    constexpr bool is_free() const noexcept { return phase_now() == client_phase::idle and is_quiet(); }
 
     /// A conversation's unit gets no request now. The one that asked last has had its turn; others get one later.
     constexpr turn_result hold_back(asker const& who) noexcept
@@ -609,22 +616,23 @@ private:
     // which ends with the memory of a frame.
     [[no_unique_address]] turns turns_;
     bool is_held_back_{false}; ///< a conversation waits for a unit that gets no request now
-    transaction<Statistics, Line, Options, Debts, Front> transaction_;
+    transaction<Needs> transaction_;
     instant seen_{0}; ///< the latest `advance`
     [[no_unique_address]] Orders orders_{};
     [[no_unique_address]] std::conditional_t<Orders::is_kept, reservation, no_reservation> reservation_{};
 };
 
 /// A client that counts nothing.
-using client = basic_client<no_statistics>;
+using client = basic_client<usual_needs>;
+
+/// What a `drive_client` needs.
+/// Internal.
+template <std::size_t Units> inline constexpr client_needs<> needs_to_drive{.motors = Units};
 
 /// The same for conversations that command the motors of up to `Units` units: start, stop, cycle and the like.
-template <std::size_t Units = 1>
-using drive_client = basic_client<no_statistics, stored<line_timing>, stored<client_options>, quarantine<1>,
-                                  shared_memory, orders<Units>>;
+template <std::size_t Units = 1> using drive_client = basic_client<needs_to_drive<Units>>;
 
 /// The same where memory does not matter: its requests and responses may have any size.
-using host_client = basic_client<no_statistics, stored<line_timing>, stored<client_options>, quarantine<1>,
-                                 separate_memory, orders<32>>;
+using host_client = basic_client<host_needs>;
 
 } // namespace rtuwire

@@ -52,6 +52,8 @@ struct client_options {
     /// response must then be whole. Each one adds 1.5e-5 to the share of noise that passes a CRC, so the default is
     /// none.
     std::uint8_t max_leading_noise{0};
+
+    friend constexpr bool operator==(client_options const&, client_options const&) noexcept = default;
 };
 
 } // namespace rtuwire

@@ -13,6 +13,12 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// Internal.
 inline constexpr client_options default_client_options{};
 
+/// What a `static_client` and a `static_drive_client` need.
+/// Internal.
+template <line_timing const& Timing, client_options const& Options, typename Observer, std::size_t Motors>
+inline constexpr client_needs<public_functions, Observer> fixed_needs{
+    .timing = Timing, .options = Options, .motors = Motors};
+
 /// A client that holds neither its line's times nor its options and is zero-initialised: a `constinit` one has no
 /// constructor to run and no image in flash. Each `Timing` makes code of its own, so it is for boards with one line.
 ///
@@ -20,12 +26,11 @@ inline constexpr client_options default_client_options{};
 ///     constinit static_client<timing> link;
 template <line_timing const& Timing, client_options const& Options = default_client_options,
           typename Statistics = no_statistics>
-using static_client = basic_client<Statistics, constant<Timing>, constant<Options>>;
+using static_client = basic_client<fixed_needs<Timing, Options, Statistics, 0>>;
 
 /// The same for conversations that command the motors of up to `Units` units: see `drive_client`.
 template <line_timing const& Timing, std::size_t Units = 1, client_options const& Options = default_client_options,
           typename Statistics = no_statistics>
-using static_drive_client =
-    basic_client<Statistics, constant<Timing>, constant<Options>, quarantine<1>, shared_memory, orders<Units>>;
+using static_drive_client = basic_client<fixed_needs<Timing, Options, Statistics, Units>>;
 
 } // namespace rtuwire

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// What a client counts of its line, if its type says so: `basic_client<unit_statistics<30>>`. A client without
+// What a client counts of its line, if its type says so: `basic_client<observed_by<unit_statistics<30>>>`. A client without
 // statistics holds no byte of them and runs no instruction for them.
 #pragma once
 

@@ -26,12 +26,12 @@ struct end_hint {
     bool is_open = false;     ///< ... and the size by the other rule is one byte more
 };
 
-/// For a receiver of responses.
-template <direction Way> class foreign_exchange {
+/// For a receiver of responses to these functions.
+template <direction Way, typename Functions = public_functions> class foreign_exchange {
 public:
     [[gnu::always_inline]] static constexpr end_hint apply(byte_view so_far) noexcept
     {
-        std::size_t const size = size_hint(Way, so_far);
+        std::size_t const size = size_hint<Functions>(Way, so_far);
         return {size, size == so_far.size()};
     }
     static constexpr bool is_expected(byte_view) noexcept { return false; }
@@ -40,8 +40,8 @@ public:
     static constexpr bool takes(std::byte) noexcept { return false; }
 };
 
-/// For a receiver of requests.
-template <> class foreign_exchange<direction::request> {
+/// For a receiver of requests, to others of any function.
+template <typename Functions> class foreign_exchange<direction::request, Functions> {
 public:
     /// A request to another unit passed; a function of 80 or above expects no response.
     constexpr void expect(std::uint8_t unit, std::uint8_t function) noexcept

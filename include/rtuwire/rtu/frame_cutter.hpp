@@ -27,8 +27,9 @@
 namespace rtuwire::inline RTUWIRE_BUILD::detail {
 
 /// Internal: a framer without its memory. `Holder` derives from it and holds the line's times, `line_`, and the
-/// memory, `bytes_`, behind all other members: small processors reach near members with short instructions.
-template <typename Holder, direction Way, std::size_t Front> class frame_cutter {
+/// memory, `bytes_`, behind all other members: small processors reach near members with short instructions. `Place` is the
+/// `frame_place`; the lengths of responses are known of `Functions`.
+template <typename Holder, direction Way, typename Place, typename Functions = public_functions> class frame_cutter {
 public:
     constexpr frame_cutter() noexcept = default;
 
@@ -285,7 +286,7 @@ public:
     [[nodiscard]] constexpr byte_view storage() const noexcept { return static_cast<Holder const&>(*this).bytes_; }
 
     /// Keeps the first `size` bytes of the memory, at most 256, free: later frames are received behind them.
-    constexpr void receive_behind(std::size_t size) noexcept requires(Front > 0)
+    constexpr void receive_behind(std::size_t size) noexcept requires(Place::has_front)
     {
         place_.leave_room_for(size);
         end_ = place_.begin();
@@ -391,7 +392,8 @@ private:
         }
         if constexpr (default_crc_form == crc_form::host) {
             // 0 and 1 say that only silence ends it, and are no bytes to look at.
-            if (std::size_t const told = size_hint(Way, first); told > 3 and not others_.is_expected(first)) {
+            if (std::size_t const told = size_hint<Functions>(Way, first);
+                told > 3 and not others_.is_expected(first)) {
                 return look_at(told);
             }
         }
@@ -444,16 +446,16 @@ private:
     state state_{state::synchronising};
     std::uint16_t end_{0};     ///< behind the last byte
     std::uint16_t rule_at_{0}; ///< where the length rule is due; no byte's position, 0, where it has nothing to say
-    [[no_unique_address]] frame_place<Front> place_{};
+    [[no_unique_address]] Place place_{};
     [[no_unique_address]] frame_sum<> sum_{};
     errc error_{errc::none};
-    [[no_unique_address]] foreign_exchange<Way> others_{};
+    [[no_unique_address]] foreign_exchange<Way, Functions> others_{};
 };
 
 /// Internal: a frame cutter with its memory.
-template <direction Way, typename Line = stored<line_timing>, std::size_t Front = 0>
-class frame_receiver : public frame_cutter<frame_receiver<Way, Line, Front>, Way, Front> {
-    friend frame_cutter<frame_receiver, Way, Front>;
+template <direction Way, typename Line = stored<line_timing>>
+class frame_receiver : public frame_cutter<frame_receiver<Way, Line>, Way, frame_place<0>> {
+    friend frame_cutter<frame_receiver, Way, frame_place<0>>;
 
 public:
     explicit constexpr frame_receiver(line_timing const& its_timing) noexcept : line_{its_timing} {}
@@ -463,7 +465,7 @@ private:
     static constexpr bool awaits_rest() noexcept { return false; } ///< nothing but silence ends a frame without its end
 
     [[no_unique_address]] Line line_{};
-    std::array<std::byte, frame_place<Front>::memory> bytes_; ///< written up to the frame's end
+    std::array<std::byte, frame_place<0>::memory> bytes_; ///< written up to the frame's end
 };
 
 } // namespace rtuwire::detail

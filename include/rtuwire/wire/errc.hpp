@@ -68,8 +68,8 @@ enum class errc : std::uint8_t {
     /// Start and quantity run past register 65535, or an index is past the end of a view.
     /// Remedy: Check start and quantity, or the size of the view.
     invalid_address_range = 0x83,
-    /// A function code outside 1..127.
-    /// Remedy: Codes of one's own are 65 to 72 and 100 to 110.
+    /// A function code outside 1..127, or one that is not in the client's list of functions.
+    /// Remedy: Codes of one's own are 65 to 72 and 100 to 110; a client asks what its `client_needs` list.
     invalid_function = 0x84,
     /// A request that needs a response, which a broadcast never gets.
     /// Remedy: Ask each unit by its address.

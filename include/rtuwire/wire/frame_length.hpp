@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The length of a frame, from its first bytes: one table, made of the rules of the functions (AP 6).
+// The length of a frame, from its first bytes: one table, made of the rules of the functions (AP 6), of all or of those that
+// a client's user has chosen.
 // Sizes are of the whole ADU. Knows no CRC and no time.
 // Internal: may change with any version.
 #pragma once
@@ -57,8 +58,8 @@ template <typename... Functions>
     return rules;
 }
 
-inline constexpr auto requests = table_of(public_functions{}, &frame_rules::request);
-inline constexpr auto responses = table_of(public_functions{}, &frame_rules::response);
+template <typename Functions> inline constexpr auto requests = table_of(Functions{}, &frame_rules::request);
+template <typename Functions> inline constexpr auto responses = table_of(Functions{}, &frame_rules::response);
 
 /// The rule of a function that is not in the table; an exception has one as a response.
 template <typename... Functions>
@@ -75,13 +76,13 @@ template <typename... Functions>
 }
 
 /// The rule of one function in one direction; `wire_code` is the byte behind the unit address.
-[[nodiscard]] constexpr std::uint8_t of(direction dir, std::uint8_t wire_code) noexcept
+template <typename Functions> [[nodiscard]] constexpr std::uint8_t of(direction dir, std::uint8_t wire_code) noexcept
 {
     bool const asks = dir == direction::request;
     if (wire_code >= in_table) {
-        return of_others(public_functions{}, asks, wire_code);
+        return of_others(Functions{}, asks, wire_code);
     }
-    return asks ? requests[wire_code] : responses[wire_code];
+    return asks ? requests<Functions>[wire_code] : responses<Functions>[wire_code];
 }
 
 template <typename Function>
@@ -109,12 +110,13 @@ template <typename First, typename... Others>
 } // namespace length_rules
 
 /// What the first bytes of an ADU say by their rule in the table.
+template <typename Functions>
 [[nodiscard, gnu::always_inline]] constexpr raw_length length_by_rule(direction dir, byte_view adu) noexcept
 {
     if (adu.size() < 2) {
         return {2, false};
     }
-    std::uint8_t const rule = length_rules::of(dir, to_u8(adu[1]));
+    std::uint8_t const rule = length_rules::of<Functions>(dir, to_u8(adu[1]));
     auto const counts = static_cast<length_rule>(rule & length_rule_bits);
     std::size_t const size = size_in(rule);
     if (counts == length_rule::none) {
@@ -124,7 +126,7 @@ template <typename First, typename... Others>
         return {size, true};
     }
     if (counts == length_rule::own) {
-        return length_rules::own(public_functions{}, dir, adu);
+        return length_rules::own(Functions{}, dir, adu);
     }
     // The bytes before the CRC.
     std::size_t const counted = counts == length_rule::subfunction ? 4 : size - 2;
@@ -147,7 +149,7 @@ template <typename First, typename... Others>
 /// not tell it checks that itself.
 [[nodiscard]] constexpr bool has_size_of_rule(byte_view pdu) noexcept
 {
-    std::uint8_t const rule = length_rules::of(direction::request, to_u8(pdu[0]));
+    std::uint8_t const rule = length_rules::of<public_functions>(direction::request, to_u8(pdu[0]));
     auto const counts = static_cast<length_rule>(rule & length_rule_bits);
     std::size_t size = size_in(rule) - adu_overhead;
     if (counts == length_rule::byte_count) {
@@ -159,19 +161,21 @@ template <typename First, typename... Others>
 }
 
 /// What the first bytes of an ADU tell about its size. A size above 256 is never returned: such a frame ends
-/// by silence and is refused.
+/// by silence and is refused; so does that of a function that is not among `Functions`.
+template <typename Functions = public_functions>
 [[nodiscard]] constexpr length_hint frame_length(direction dir, byte_view adu) noexcept
 {
-    raw_length const hint = length_by_rule(dir, adu);
+    raw_length const hint = length_by_rule<Functions>(dir, adu);
     return hint.size > max_adu_size ? length_hint{} : length_hint{hint.size, hint.is_final};
 }
 
 /// The size alone, for a caller that checks whether so many bytes are there. A size above 256 is returned as
 /// 1, which no frame has: such a frame ends by silence and is refused. Force-inlined: the direction is
 /// constant at each call, so half of it is dropped (60 to 80 bytes).
+template <typename Functions = public_functions>
 [[nodiscard, gnu::always_inline]] constexpr std::size_t size_hint(direction dir, byte_view adu) noexcept
 {
-    std::size_t const size = length_by_rule(dir, adu).size;
+    std::size_t const size = length_by_rule<Functions>(dir, adu).size;
     return size > max_adu_size ? 1 : size;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include <rtuwire/core/bytes.hpp>
@@ -72,6 +73,16 @@ public:
     {
         auto const number = to_u8(code);
         return number < 0x80 and ((words_[number / 32U] >> (number % 32U)) & 1U) != 0;
+    }
+
+    /// Whether all functions of another set are members.
+    [[nodiscard]] constexpr bool contains_all(function_set const& others) const noexcept
+    {
+        std::uint32_t missing = 0;
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            missing |= others.words_[i] & ~words_[i];
+        }
+        return missing == 0;
     }
 
     friend constexpr bool operator==(function_set const&, function_set const&) = default;

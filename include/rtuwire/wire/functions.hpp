@@ -41,6 +41,14 @@ template <typename... Functions> struct function_list {
     template <typename Function> static constexpr bool contains = ((Functions::code == Function::code) or ...);
 };
 
+/// Whether a list has a function with this code.
+/// Internal.
+template <typename... Functions>
+[[nodiscard]] constexpr bool is_among(function_list<Functions...>, std::uint8_t code) noexcept
+{
+    return ((code == to_u8(Functions::code)) or ...);
+}
+
 /// The public functions (AP 6).
 using public_functions =
     function_list<read_coils, read_discrete_inputs, read_holding_registers, read_input_registers, write_single_coil,

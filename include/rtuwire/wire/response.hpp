@@ -29,7 +29,7 @@ template <typename... Functions>
     return answers;
 }
 /// Internal.
-inline constexpr auto answer_rules = answers_of(public_functions{});
+template <typename Functions> inline constexpr auto answer_rules = answers_of(Functions{});
 
 /// How a function answers that is not in the table.
 /// Internal.
@@ -45,9 +45,10 @@ template <typename... Functions>
 
 /// How the function with this code answers.
 /// Internal.
+template <typename Functions>
 [[nodiscard, gnu::always_inline]] constexpr answer_rule answer_of(std::uint8_t code) noexcept
 {
-    return code < length_rules::in_table ? answer_rules[code] : answer_of_others(public_functions{}, code);
+    return code < length_rules::in_table ? answer_rules<Functions>[code] : answer_of_others(Functions{}, code);
 }
 
 /// Whether the quantity of a request gives the size of its response.
@@ -150,10 +151,11 @@ template <typename... Functions>
 /// The size of the longest response to a request, an ADU; final where the response's bytes tell its end, so
 /// that no silence need follow. Where the request does not tell the size it is the largest possible.
 /// Internal.
+template <typename Functions = public_functions>
 [[nodiscard]] constexpr length_hint longest_response(byte_view request_adu) noexcept
 {
     std::uint8_t const code = to_u8(request_adu[1]);
-    std::uint8_t const rule = length_rules::of(direction::response, code);
+    std::uint8_t const rule = length_rules::of<Functions>(direction::response, code);
     auto const kind = static_cast<length_rule>(rule & length_rule_bits);
     std::size_t size = max_adu_size;
     bool tells_end = kind != length_rule::none;
@@ -163,17 +165,17 @@ template <typename... Functions>
         size = request_adu.size();
         tells_end = u16_at(request_adu, 2) != 0;
     } else if (kind == length_rule::own) {
-        tells_end = tells_end_by_own(public_functions{}, request_adu);
+        tells_end = tells_end_by_own(Functions{}, request_adu);
     } else if (request_adu.size() >= 8) {
         constexpr std::size_t most = 250; // 125 registers, 2000 bits
-        answer_rule const counts = answer_of(code);
+        answer_rule const counts = answer_of<Functions>(code);
         if (counts == answer_rule::whole) {
             size = request_adu.size();
         } else if (counts_by_quantity(counts)) {
             std::size_t const bytes = answer_bytes(counts, u16_at(request_adu, 4));
             size = bytes <= most ? 5U + bytes : max_adu_size;
         } else {
-            size = longest_by_own(public_functions{}, code, request_adu);
+            size = longest_by_own(Functions{}, code, request_adu);
         }
     }
     return {size, tells_end};
@@ -181,36 +183,39 @@ template <typename... Functions>
 
 /// The size alone.
 /// Internal.
+template <typename Functions = public_functions>
 [[nodiscard]] constexpr std::size_t response_size(byte_view request_adu) noexcept
 {
-    return longest_response(request_adu).size();
+    return longest_response<Functions>(request_adu).size();
 }
 
 /// How many bytes a response should have: what its request gives, else what its own first bytes give; 0 where neither does.
 /// Internal.
+template <typename Functions = public_functions>
 [[nodiscard]] constexpr std::size_t due_size(byte_view request_adu, byte_view response_adu) noexcept
 {
-    length_hint const by_frame = frame_length(direction::response, response_adu);
+    length_hint const by_frame = frame_length<Functions>(direction::response, response_adu);
     bool const is_refusal = response_adu.size() > 1 and (to_u8(response_adu[1]) & exception_bit) != 0;
-    std::size_t const by_request = is_refusal ? max_adu_size : response_size(request_adu);
+    std::size_t const by_request = is_refusal ? max_adu_size : response_size<Functions>(request_adu);
     return by_request != max_adu_size ? by_request : by_frame.is_final() ? by_frame.size() : 0;
 }
 
 /// Compares the fields of a normal response with its request; both PDUs are of one function. Inlined in
 /// `check_response`, where it is smaller than a separate function.
 /// Internal.
+template <typename Functions = public_functions>
 [[nodiscard, gnu::always_inline]] constexpr errc check_fields(byte_view request_pdu, byte_view response_pdu) noexcept
 {
     // A raw request may be shorter than its function allows; then there is nothing to compare with.
     constexpr std::size_t usual = 4;
-    constexpr std::size_t shortest = shortest_checked(public_functions{}, usual);
+    constexpr std::size_t shortest = shortest_checked(Functions{}, usual);
     if (request_pdu.size() < shortest) {
         return errc::none;
     }
     std::uint8_t const code = to_u8(request_pdu[0]);
     std::size_t size = 5;    // of the response
     std::size_t same = size; // bytes that are those of the request
-    answer_rule const rule = answer_of(code);
+    answer_rule const rule = answer_of<Functions>(code);
     if (shortest < usual and rule != answer_rule::own and request_pdu.size() < usual) {
         return errc::none;
     }
@@ -221,9 +226,9 @@ template <typename... Functions>
     }
     if (rule != answer_rule::head) {
         size = request_pdu.size();
-        same = rule == answer_rule::whole ? size : repeated_by(public_functions{}, code, request_pdu);
+        same = rule == answer_rule::whole ? size : repeated_by(Functions{}, code, request_pdu);
         if (same == 0) {
-            return check_by_own(public_functions{}, code, request_pdu, response_pdu);
+            return check_by_own(Functions{}, code, request_pdu, response_pdu);
         }
     }
     if (response_pdu.size() != size) {
@@ -235,7 +240,8 @@ template <typename... Functions>
 /// Whether `response`, whose CRC was right, answers the request in `request_adu`, a frame that was encoded
 /// here. The error is the exception when the server refused; `line_echo` when the frame is the request
 /// itself; `wrong_unit`, `wrong_function`, `wrong_length`, `response_mismatch` or `malformed` when it does
-/// not answer the request.
+/// not answer the request. Of a request whose function is not among `Functions` nothing but unit and function is compared.
+template <typename Functions = public_functions>
 [[nodiscard]] constexpr errc check_response(byte_view const& request_adu, adu const& response) noexcept
 {
     if (response.unit() != to_u8(request_adu[0])) {
@@ -249,10 +255,10 @@ template <typename... Functions>
     if (response.is_exception()) {
         return response_pdu.size() == 2 ? exception_error(to_u8(response_pdu[1])) : errc::wrong_length;
     }
-    errc const wrong = check_fields(request_pdu, response_pdu);
+    errc const wrong = check_fields<Functions>(request_pdu, response_pdu);
     // A request for bits may look like its own response: 01 01 03 00 00 11 begins one of three bytes. Where nothing is
     // compared, any request does.
-    bool const is_doubtful = wrong != errc::none or answer_of(to_u8(request_pdu[0])) >= answer_rule::bits;
+    bool const is_doubtful = wrong != errc::none or answer_of<Functions>(to_u8(request_pdu[0])) >= answer_rule::bits;
     bool const is_own = is_doubtful and same_bytes(request_adu, response.bytes());
     return is_own ? errc::line_echo : wrong;
 }

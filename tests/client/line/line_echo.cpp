@@ -130,7 +130,8 @@ constexpr bool without_being_told()
 PROOF("an echo that nobody spoke of is never a value", without_being_told)
 
 /// A request on the line, of which so many bytes have come back while it leaves.
-constexpr void let_come_back(test::basic_manual_unit<basic_client<line_statistics>>& unit, std::size_t count)
+constexpr void let_come_back(test::basic_manual_unit<basic_client<observed_by<line_statistics>>>& unit,
+                             std::size_t count)
 {
     static_cast<void>(unit.link.start(request_frame{read_eta}, unit.now));
     static_cast<void>(unit.link.poll_transmit());
@@ -140,7 +141,7 @@ constexpr bool takes_no_part_for_the_whole()
 {
     // Behind five the response's first byte is the next one of the echo as well.
     for (std::size_t const count : {0U, 1U, 3U, 4U, 5U, 6U, 7U, 8U}) {
-        test::basic_manual_unit<basic_client<line_statistics>> unit{count16};
+        test::basic_manual_unit<basic_client<observed_by<line_statistics>>> unit{count16};
         let_come_back(unit, count);
         bool const waits = unit.none_yet();
         unit.now = unit.now + test::line.characters(read_eta.size());
@@ -160,7 +161,7 @@ PROOF("a request that came back whole ends when it has left, one that did in par
 constexpr bool ends_with_its_last_byte()
 {
     for (std::size_t count = 0; count < read_eta.size(); ++count) {
-        test::basic_manual_unit<basic_client<line_statistics>> unit{count16};
+        test::basic_manual_unit<basic_client<observed_by<line_statistics>>> unit{count16};
         let_come_back(unit, count);
         unit.link.sent(unit.now);
         unit.link.receive(byte_view{read_eta}.subspan(count), unit.now);

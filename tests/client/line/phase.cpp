@@ -29,13 +29,9 @@ constexpr auto answer = "01 03 02 12 34 B5 33"_hex;
 constexpr auto exception_06 = "01 83 06 C1 32"_hex;
 constexpr auto with_wrong_crc = "01 03 02 12 34 B5 34"_hex;
 
-/// A client whose phase can be seen, one conversation of one request, and a clock.
+/// A client, one conversation of one request, and a clock.
 struct desk {
-    struct open_client : client {
-        using client::client;
-        using client::phase_now;
-    };
-    open_client link{timing, client_options{.late_response = {}}};
+    client link{timing, client_options{.late_response = {}}};
     test::frame_request conversation;
     retry_policy with{};
     instant now{1'000'000};

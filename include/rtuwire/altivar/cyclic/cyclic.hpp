@@ -18,6 +18,7 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
+#include <rtuwire/wire/function.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
@@ -38,6 +39,8 @@ public:
         .urgency = urgency::stop_of_unit, .repetition = repetition::never, .freshness = freshness::when_free};
 
     static constexpr bool keeps_meaning = true;
+    static constexpr function_set asks{function_code::read_holding_registers, function_code::write_single_register,
+                                       Device::cycle.by};
 
     explicit constexpr cyclic(station<Device> const& its_drive, cyclic_options const& its_options = {}) noexcept
         : steps_{its_drive.unit(), its_options}, enable_timeout_{its_options.enable_timeout},

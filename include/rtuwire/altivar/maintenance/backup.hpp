@@ -17,6 +17,7 @@
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
+#include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
@@ -31,6 +32,8 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// error. The map's groups outlive it; `sink` does not throw.
 template <typename Sink> class backup : public finite_conversation {
 public:
+    static constexpr function_set asks{function_code::read_holding_registers};
+
     template <device_type Device>
     constexpr backup(station<Device> const& its_drive, parameter_map const& its_map, Sink its_sink) noexcept
         : map_{its_map}, sink_{its_sink}, walk_{Device::limits.read}, unit_{its_drive.unit()}

@@ -14,6 +14,7 @@
 #include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 #include <rtuwire/wire/pdu/write_single_register.hpp>
 
@@ -30,6 +31,7 @@ public:
     /// Each action says whether its request may be repeated.
     static constexpr conversation_properties properties{.urgency = urgency::stop_of_unit,
                                                         .freshness = freshness::when_free};
+    static constexpr function_set asks{function_code::read_holding_registers, function_code::write_single_register};
 
     static constexpr bool keeps_meaning = true;
 

@@ -17,7 +17,9 @@
 #include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/client/line/line_echo.hpp>
 #include <rtuwire/client/line/phase.hpp>
+#include <rtuwire/client/line/quarantine.hpp>
 #include <rtuwire/client/line/retry_state.hpp>
+#include <rtuwire/client/needs.hpp>
 #include <rtuwire/client/options.hpp>
 #include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/bytes.hpp>
@@ -34,13 +36,6 @@
 #include <rtuwire/wire/response.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
-
-/// How many bytes precede the room for a response on a microcontroller: as many as most requests have. A longer
-/// request takes room from its response.
-inline constexpr std::size_t shared_memory = 8;
-
-/// The same on a host: requests and responses of every size.
-inline constexpr std::size_t separate_memory = max_adu_size;
 
 /// How many bytes of noise may still be skipped before a response; constant options that allow none take no memory.
 template <typename Options> class noise_allowance {
@@ -75,12 +70,21 @@ struct refused_frame {
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
-/// Runs a client's request under way; `basic_client` decides whose it is, and says what the parameters are.
-template <typename Statistics, typename Line, typename Options, typename Debts, std::size_t Front>
-class transaction
-    : private detail::frame_cutter<transaction<Statistics, Line, Options, Debts, Front>, direction::response, Front> {
+/// Cuts the responses out of what a client receives.
+template <typename Holder, auto const& Needs>
+using response_cutter =
+    detail::frame_cutter<Holder, direction::response, frame_place<Needs.request_room, Needs.longest_frame>,
+                         typename told_by<Needs>::functions>;
+
+/// Runs a client's request under way; `basic_client` decides whose it is.
+template <auto const& Needs> class transaction : private response_cutter<transaction<Needs>, Needs> {
     using phase = client_phase;
-    using cutter = detail::frame_cutter<transaction, direction::response, Front>;
+    using cutter = response_cutter<transaction, Needs>;
+    using Statistics = typename told_by<Needs>::observer;
+    using Options = typename told_by<Needs>::options;
+    using Line = typename told_by<Needs>::line;
+    using Functions = typename told_by<Needs>::functions;
+    using place = frame_place<Needs.request_room, Needs.longest_frame>;
     friend cutter;
 
 public:
@@ -238,7 +242,7 @@ public:
         if (not has_failed or not framer().begun().empty() or framer().bytes().empty() or judged() != error_) {
             return std::nullopt;
         }
-        return refused_frame{framer().bytes(), due_size(request(), framer().bytes())};
+        return refused_frame{framer().bytes(), due_size<Functions>(request(), framer().bytes())};
     }
 
     /// Sends no request of any conversation to a unit from here until `end`, at most 35 minutes away. A request that
@@ -267,8 +271,9 @@ public:
 
     [[nodiscard]] constexpr client_phase phase_now() const noexcept { return phase_; }
 
-    /// Takes a request: copies its frame to the front of the memory. Errors: `frame_too_short`,
-    /// `frame_too_long`; `buffer_too_small` where the request and its response do not fit together.
+    /// Takes a request: copies its frame to the front of the memory. Errors: `frame_too_short`, `frame_too_long`;
+    /// `invalid_function` of one that is not among those of the client; `buffer_too_small` where the request and its response
+    /// do not fit together.
     constexpr errc start(request_frame const& asked, instant now, retry_policy const& with) noexcept
     {
         if (errc const wrong = keep(asked.frame()); wrong != errc::none) {
@@ -365,16 +370,24 @@ private:
         if (frame.size() > max_adu_size) {
             return errc::frame_too_long;
         }
+        if constexpr (not std::is_same_v<Functions, public_functions>) {
+            if (not is_among(Functions{}, to_u8(frame[1]))) {
+                return errc::invalid_function;
+            }
+        }
+        if (place::memory < max_adu_size and frame.size() > place::memory) {
+            return errc::buffer_too_small;
+        }
         framer().receive_behind(frame.size());
-        longest_ = longest_response(frame);
+        longest_ = longest_response<Functions>(frame);
         if (longest_.size() > framer().room()) {
             return errc::buffer_too_small;
         }
-        byte_span const place = framer().storage();
+        byte_span const memory = framer().storage();
         std::size_t i = frame.size();
         do { // backwards: 8 bytes less
             --i;
-            place[i] = frame[i];
+            memory[i] = frame[i];
         } while (i != 0);
         size_ = static_cast<std::uint16_t>(frame.size());
         unit_ = to_u8(frame[0]);
@@ -634,7 +647,7 @@ private:
     {
         errc wrong = framer().verdict();
         if (wrong == errc::none) {
-            wrong = check_response(request(), framer().frame());
+            wrong = check_response<Functions>(request(), framer().frame());
         }
         if (wrong == errc::none and not framer().matches_size_hint()) {
             wrong = errc::wrong_length;
@@ -662,7 +675,7 @@ private:
         if (echo_.is_whole()) {
             // What came behind the request as a whole may be the response to it; what came before `sent`, to an earlier one,
             // or to this one where `sent` is late. Neither shows what the line does.
-            bool const is_mirrored = check_response(request(), adu{request()}) != errc::line_echo;
+            bool const is_mirrored = check_response<Functions>(request(), adu{request()}) != errc::line_echo;
             bool const is_doubtful = is_mirrored and may_be_response and framer().begun().size() == before;
             if (is_doubtful and not echo_.is_known()) {
                 echo_.end();
@@ -774,13 +787,13 @@ private:
     std::uint16_t size_{0}; ///< of the request
     length_hint longest_{}; ///< of its responses; stored, which saves 57 instructions of a read
     instant deadline_{0};
-    [[no_unique_address]] Debts quarantine_{};
+    [[no_unique_address]] quarantine<Needs.quarantine_places> quarantine_{};
     line_echo echo_;
     [[no_unique_address]] noise_allowance<Options> noise_{};
     [[no_unique_address]] Options options_{};
     [[no_unique_address]] Statistics statistics_{};
     [[no_unique_address]] Line line_{};
-    std::array<std::byte, frame_place<Front>::memory> bytes_; ///< the request, and behind it its response
+    std::array<std::byte, place::memory> bytes_; ///< the request, and behind it its response
 };
 
 #pragma GCC diagnostic pop

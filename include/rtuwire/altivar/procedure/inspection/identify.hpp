@@ -15,6 +15,7 @@
 #include <rtuwire/core/fixed_buffer.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
+#include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/pdu/device_identification.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
@@ -30,6 +31,8 @@ struct identity {
 /// end; `buffer_too_small` for a text over 48 characters.
 template <device_type Device> class identify : public finite_conversation {
 public:
+    static constexpr function_set asks{function_code::encapsulated_interface};
+
     explicit constexpr identify(station<Device> const& its_drive) noexcept : unit_{its_drive.unit()}
     {
         prepare(vendor_name);

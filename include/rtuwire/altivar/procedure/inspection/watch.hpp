@@ -18,6 +18,7 @@
 #include <rtuwire/core/units.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
+#include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
@@ -43,6 +44,7 @@ template <device_type Device> class watch : public asker {
 public:
     static constexpr conversation_properties properties{.repetition = repetition::never,
                                                         .freshness = freshness::when_free};
+    static constexpr function_set asks{function_code::read_holding_registers};
 
     explicit constexpr watch(station<Device> const& its_drive, watch_options const& its_options = {}) noexcept
         : options_{its_options}, unit_{its_drive.unit()}

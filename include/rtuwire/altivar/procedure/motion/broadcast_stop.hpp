@@ -15,6 +15,7 @@
 #include <rtuwire/ask/commander.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
+#include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/pdu/write_single_register.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
@@ -114,6 +115,7 @@ private:
 template <std::size_t Drives> class broadcast_stop : public commander {
 public:
     static constexpr conversation_properties properties{.urgency = urgency::stop_of_all};
+    static constexpr function_set asks{function_code::read_holding_registers, function_code::write_single_register};
 
     template <device_type... Device>
     explicit constexpr broadcast_stop(broadcast_stop_options const& options, station<Device> const&... drives) noexcept

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What a client is for, in one constant: a program pays for nothing that it does not name. What protects a line, the
+// quarantine of units whose response is outstanding and the watch for echoes, can't be left out.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+#include <rtuwire/client/options.hpp>
+#include <rtuwire/client/statistics.hpp>
+#include <rtuwire/core/constant.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/rtu/line.hpp>
+#include <rtuwire/trace/tracing.hpp>
+#include <rtuwire/wire/function.hpp>
+#include <rtuwire/wire/functions.hpp>
+#include <rtuwire/wire/limits.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// What a client needs. `Functions`: those that it asks, each by the type of its request; other requests are refused with
+/// `invalid_function`, and where a conversation's type tells what it asks, by the compiler. With all public functions, the
+/// default, it also asks those of one's own. `Observer`: what it counts, `line_statistics` or `unit_statistics<Units>`.
+///
+///     inline constexpr client_needs<function_list<read_holding_registers, write_single_register>> panel{
+///         .timing = line_timing{19'200, character_format::even_8_1}, .longest_frame = 64};
+///     constinit basic_client<panel> link;
+template <typename Functions = public_functions, typename Observer = no_statistics> struct client_needs {
+    using functions = Functions;
+    using observer = Observer;
+
+    /// The line. Where it is given, it and the options are constants of the program, and the client is zero-initialised: it
+    /// has no constructor to run and no image in flash. Absent: both are given to the constructor.
+    std::optional<line_timing> timing{};
+    client_options options{};
+    /// The longest response, 8 to 256 bytes, CRC included; with a request of more than `request_room` so much less. A request
+    /// whose response may be longer is refused with `buffer_too_small`.
+    std::size_t longest_frame{max_adu_size};
+    /// How many bytes precede the room for a response: as many as most requests have, 8 to 256. A longer request takes room
+    /// from its response.
+    std::size_t request_room{8};
+    /// For so many units the client keeps apart until when each gets no new request because its response is outstanding; where
+    /// it are more, the last place stands for all. At least 1.
+    std::size_t quarantine_places{1};
+    /// How many units it may order to run their motors at once; 0 for one that commands none.
+    std::size_t motors{0};
+};
+
+/// A client of all functions whose line is given to its constructor.
+inline constexpr client_needs<> usual_needs{};
+
+/// The same that counts, or whatever else `Observer` does: `basic_client<observed_by<line_statistics>>`.
+template <typename Observer> inline constexpr client_needs<public_functions, Observer> observed_by{};
+
+/// Those of a program where memory does not matter: requests and responses of every size, and 32 motors.
+inline constexpr client_needs<> host_needs{.request_room = max_adu_size, .motors = 32};
+
+/// What the constant `Needs` says, in types and in changed copies of it.
+/// Internal.
+template <auto const& Needs> struct told_by {
+    using functions = typename std::remove_cvref_t<decltype(Needs)>::functions;
+    using observer = typename std::remove_cvref_t<decltype(Needs)>::observer;
+
+    static constexpr bool is_fixed = Needs.timing.has_value();
+    static constexpr std::size_t smallest = 8;
+    static_assert(Needs.longest_frame >= smallest and Needs.longest_frame <= max_adu_size,
+                  "a client's longest_frame is 8 to 256 bytes");
+    static_assert(Needs.request_room >= smallest and Needs.request_room <= max_adu_size,
+                  "a client's request_room is 8 to 256 bytes");
+    static_assert(is_fixed or Needs.options == client_options{},
+                  "a client whose line is given to its constructor is given its options there, too");
+    static_assert(Needs.quarantine_places > 0,
+                  "a client has at least one place for a unit whose response is outstanding");
+
+    /// The line and the options as constants; a part of one is no template argument.
+    struct constant_line {
+        static constexpr line_timing value = Needs.timing.value_or(line_timing{19'200, character_format::even_8_1});
+        [[nodiscard]] static constexpr line_timing const& get() noexcept { return value; }
+    };
+    struct constant_options {
+        static constexpr client_options value = Needs.options;
+        [[nodiscard]] static constexpr client_options const& get() noexcept { return value; }
+    };
+    using line = std::conditional_t<is_fixed, constant_line, stored<line_timing>>;
+    using options = std::conditional_t<is_fixed, constant_options, stored<client_options>>;
+
+    /// The same needs with other counts.
+    template <typename Observer>
+    static constexpr client_needs<functions, Observer> with(std::size_t quarantine_places, std::size_t motors) noexcept
+    {
+        return {.timing = Needs.timing,
+                .options = Needs.options,
+                .longest_frame = Needs.longest_frame,
+                .request_room = Needs.request_room,
+                .quarantine_places = quarantine_places,
+                .motors = motors};
+    }
+};
+
+/// Whether a list of functions has all that a conversation asks, as far as its type tells: a conversation may declare
+/// `static constexpr function_set asks{...}`.
+/// Internal.
+template <typename Functions, typename Conversation> [[nodiscard]] consteval bool has_what_it_asks() noexcept
+{
+    if constexpr (requires { Conversation::asks; }) {
+        return Functions::codes.contains_all(Conversation::asks);
+    }
+    return true;
+}
+
+/// The same needs, with a sink that takes the frames.
+/// Internal.
+template <auto const& Needs, typename Sink>
+inline constexpr auto traced_needs = told_by<Needs>::template with<tracing<Sink, typename told_by<Needs>::observer>>(
+    Needs.quarantine_places, Needs.motors);
+
+} // namespace rtuwire
