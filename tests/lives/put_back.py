@@ -85,7 +85,7 @@ DEFECTS = [
     Defect("D28 a cycle goes on behind a sleep longer than the drive's time-out", [
         ("altivar/cyclic/cyclic.hpp", "if (is_heard_ and not is_asking_ and since_heard_ > drive_timeout()) {",
          "if (is_heard_ and is_asking_ and since_heard_ > drive_timeout()) {"),
-        ("client/order/unit_losses.hpp", "own.last_fault = counts ? ++count_ : own.last_fault;",
+        ("client/orders.hpp", "own.last_fault = counts ? ++count_ : own.last_fault;",
          "static_cast<void>(counts);"),
     ], {*MOVED, *POWER}, 2),
     Defect("D29 a direct start reads the command before the status", [

@@ -7,7 +7,7 @@
 
 #include <rtuwire/altivar/device/drive_layout.hpp>
 #include <rtuwire/ask/commander.hpp>
-#include <rtuwire/client/order/orders.hpp>
+#include <rtuwire/client/orders.hpp>
 
 namespace rtuwire::test {
 

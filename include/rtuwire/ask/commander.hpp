@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // Conversations that can command a motor, as far as a client has to know them: which of their requests may move it,
-// which stop it, and what they read. client/order/orders.hpp says what a client does with that.
+// which stop it, and what they read. client/orders.hpp says what a client does with that.
 // Internal: may change with any version.
 #pragma once
 
@@ -208,7 +208,6 @@ private:
     }
 
     template <std::size_t> friend class orders;
-    template <std::size_t> friend class stop_holds;
 
     std::uint32_t counted_by_{0};      ///< the number of the client whose count the next two are
     std::uint32_t stamp_{0};           ///< when the last order or stop was given, in the client's count; 0: never

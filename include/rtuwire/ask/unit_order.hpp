@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// What a client knows of one unit whose motor it commands. The client keeps it (client/order/order_places.hpp), and a
+// What a client knows of one unit whose motor it commands. The client keeps it (client/order_places.hpp), and a
 // conversation that ordered the motor to run asks it whether that still counts. Events are ordered by stamps, which
 // count up.
 // Internal: may change with any version.

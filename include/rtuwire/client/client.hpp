@@ -4,7 +4,7 @@
 // The client's end of a line (SL 2.4.1): one request at a time, for any number of conversations. Owns neither the wire nor a
 // clock; knows of functions only what wire/response.hpp says. A client has a transaction, which runs the request under way
 // and knows no conversation (client/line/transaction.hpp); the turns of the conversations (client/turns.hpp); and the orders
-// of those that command motors (client/order/orders.hpp). Here the three meet: a conversation that visits gets its outcome,
+// of those that command motors (client/orders.hpp). Here the three meet: a conversation that visits gets its outcome,
 // and leaves its next request where it is its turn and no order forbids it.
 #pragma once
 
@@ -20,7 +20,7 @@
 #include <rtuwire/client/line/transaction.hpp>
 #include <rtuwire/client/needs.hpp>
 #include <rtuwire/client/options.hpp>
-#include <rtuwire/client/order/orders.hpp>
+#include <rtuwire/client/orders.hpp>
 #include <rtuwire/client/turns.hpp>
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/result.hpp>
@@ -618,7 +618,7 @@ private:
     bool is_held_back_{false}; ///< a conversation waits for a unit that gets no request now
     transaction<Needs> transaction_;
     instant seen_{0}; ///< the latest `advance`
-    [[no_unique_address]] Orders orders_{};
+    [[no_unique_address]] Orders orders_;
     [[no_unique_address]] std::conditional_t<Orders::is_kept, reservation, no_reservation> reservation_{};
 };
 

@@ -12,7 +12,7 @@
 #include "support/known_words.hpp"
 
 #include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
-#include <rtuwire/client/order/orders.hpp>
+#include <rtuwire/client/orders.hpp>
 
 namespace rtuwire::test {
 

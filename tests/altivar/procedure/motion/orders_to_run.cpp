@@ -19,7 +19,7 @@
 #include <rtuwire/altivar/procedure/motion/reset_fault.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/altivar/procedure/procedure.hpp>
-#include <rtuwire/client/order/orders.hpp>
+#include <rtuwire/client/orders.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

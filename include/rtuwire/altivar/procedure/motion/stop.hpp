@@ -10,7 +10,7 @@
 // A drive at rest is brought to "switch on disabled", where no late or foreign word can start it.
 //
 // No word rests on the type that its user declares: only 0000 stops all Altivars that have their control word at 8501.
-// The others go there once this client has read what they mean (client/order/orders.hpp).
+// The others go there once this client has read what they mean (client/orders.hpp).
 #pragma once
 
 #include <cstdint>
