@@ -261,3 +261,29 @@ TEST_CASE("rule 40: a response to a repetition is a response")
     CHECK(one.told == errc::none);
     CHECK_FALSE(it.is_lost(3));
 }
+
+TEST_CASE("rule 38: the repetition of a stop's word does not wait for what its unit owes to an earlier request")
+{
+    constexpr client_options owing{
+        .response_timeout = milliseconds(100), .late_response = milliseconds(800), .retries = 2};
+    command_desk<1> it{owing};
+    series poll = reader(3);
+    it.link.converse(poll, it.now());
+    REQUIRE(it.leaves());
+    stop_of_3 stop;
+    stop.again = repetition::allowed;
+    it.link.converse(stop, it.now()); // the poll's response is given up, and may still come for 0.9 s
+    it.pass(5'000);
+    it.link.converse(stop, it.now());
+    REQUIRE(it.leaves());
+    REQUIRE(is_word(it.left));
+    it.link.advance(it.now());
+    std::uint64_t const said = it.time;
+    it.left = {};
+    while (it.time - said < 1'000'000 and not it.leaves()) {
+        it.pass(1'000);
+        it.link.converse(stop, it.now());
+    }
+    CHECK(is_word(it.left));
+    CHECK(it.time - said < 150'000); // the response time-out, the response's own time, the silence
+}

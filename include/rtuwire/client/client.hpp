@@ -344,7 +344,7 @@ private:
         } else if (at == client_phase::waiting) {
             turns_.renew(who);
         }
-        if (transaction_.awaits_asker()) {
+        if (transaction_.awaits_asker(reservation_.is_of_stops())) {
             if (is_own) {
                 transaction_.get_ready(now);
             } else {
@@ -589,7 +589,7 @@ private:
         // Of several such requests the first one to visit is next, also to drop one whose asker no longer visits: those for
         // one unit, which give each other up, keep the line from no other.
         if (not reservation_.is_held_for_another(unit) and
-            not(reservation_.is_held() and transaction_.awaits_asker())) {
+            not(reservation_.is_held() and transaction_.awaits_asker(reservation_.is_of_stops()))) {
             reservation_.begin(turns_, who, unit);
         }
         give_up(may_cut, may_drop, now);

@@ -240,6 +240,7 @@ private:
 /// The line of a client without commanders, for which nobody reserves it.
 struct no_reservation {
     [[nodiscard]] static constexpr bool is_held() noexcept { return false; }
+    [[nodiscard]] static constexpr bool is_of_stops() noexcept { return false; }
 };
 
 } // namespace rtuwire

@@ -296,10 +296,14 @@ public:
         limit_sending(now);
     }
 
-    /// Whether only the asker is missing: the line would let the request leave, or its outcome is there.
-    constexpr bool awaits_asker() const noexcept
+    /// Whether only the asker is missing: the line would let the request leave, or its outcome is there. A stop's request
+    /// does not wait for what its unit owes.
+    constexpr bool awaits_asker(bool is_of_stop) const noexcept
     {
-        return phase_ == phase::settled or (phase_ == phase::waiting and is_quiet() and not quarantine_.covers(unit_));
+        if (phase_ != phase::waiting) {
+            return phase_ == phase::settled;
+        }
+        return is_quiet() and (is_of_stop or not quarantine_.covers(unit_));
     }
 
     /// Gives up a request that waits for its asker.
