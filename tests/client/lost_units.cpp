@@ -239,3 +239,170 @@ TEST_CASE("rule 40: a stop of all units loses those that are ordered and not amo
     CHECK_FALSE(it.is_lost(3));
     CHECK((it.link.motor_orders().is_ordered(3) and it.link.motor_orders().is_ordered(4)));
 }
+
+namespace {
+
+/// A unit that was ordered to run, in passes of 20 ms, each with a poll that is answered.
+struct left_alone {
+    command_desk<2> it{};
+    hand_commander one{3};
+    series poll{[](unsigned) { return read_of(3, 3'201); }};
+    unsigned polls{0};
+
+    left_alone() { REQUIRE(it.runs(one) == errc::none); }
+
+    /// One poll, if it may leave. Returns whether it did.
+    bool asks()
+    {
+        it.pass(10'000);
+        poll.most = poll.number + 1;
+        it.link.converse(poll, it.now());
+        if (not it.leaves()) {
+            it.link.cancel(it.now());
+            return false;
+        }
+        it.hear(response_to(it.left));
+        it.link.converse(poll, it.now());
+        return true;
+    }
+    unsigned polls_in(std::uint64_t length)
+    {
+        unsigned count = 0;
+        for (std::uint64_t const end = it.time + length; it.time < end;) {
+            count += asks() ? 1U : 0U;
+        }
+        return count;
+    }
+};
+
+} // namespace
+
+TEST_CASE("rule 40: an ordered unit whose stop was given up is silent until its own time-out has stopped it")
+{
+    left_alone of;
+    {
+        hand_commander stop{3};
+        stop.note_stop();
+        of.it.see(stop); // its word never leaves
+    }
+    std::uint64_t const begun = of.it.time;
+    CHECK(of.polls_in(500'000) > 10);
+    static_cast<void>(of.polls_in(100'000));
+    REQUIRE(of.it.is_lost(3));
+    CHECK(of.it.link.is_held(unit_id{3}));
+    CHECK(of.polls_in(silence - 200'000) == 0);
+    of.it.pass_until(begun + 700'000 + words + silence);
+    CHECK_FALSE(of.it.is_lost(3));
+    CHECK(of.polls_in(1'000'000) > 20);           // it has stopped by itself
+    CHECK(of.it.runs(of.one) == errc::overruled); // and is held up to a stop's end, or `release`
+    of.it.link.release(unit_id{3});
+    of.it.see(of.one);
+    CHECK(of.it.runs(of.one) == errc::none);
+}
+
+TEST_CASE("rule 40: beside a stop that was given up another commander may stop its unit")
+{
+    left_alone of;
+    {
+        hand_commander stop{3};
+        stop.note_stop();
+        of.it.see(stop);
+        CHECK(of.it.does(of.one, effect::stopping) == errc::overruled);
+    }
+    static_cast<void>(of.polls_in(600'000));
+    REQUIRE(of.it.is_lost(3));
+    CHECK(of.it.does(of.one, effect::stopping) == errc::none); // and is answered
+    CHECK_FALSE(of.it.is_lost(3));
+    CHECK(of.it.does(of.one, effect::enabling) == errc::overruled);
+}
+
+TEST_CASE("rule 40: a stop that comes by again holds its unit, however long it was away")
+{
+    left_alone of;
+    hand_commander stop{3};
+    stop.note_stop();
+    of.it.see(stop);
+    static_cast<void>(of.polls_in(600'000));
+    REQUIRE(of.it.is_lost(3));
+    of.it.see(stop);
+    CHECK(of.it.does(of.one, effect::stopping) == errc::overruled);
+    CHECK(of.it.does(stop, effect::stopping) == errc::none);
+    CHECK_FALSE(of.it.is_lost(3));
+    for (unsigned pass = 0; pass < 100; ++pass) {
+        of.it.see(stop);
+        CHECK(of.asks());
+        CHECK_FALSE(of.it.is_lost(3));
+    }
+}
+
+TEST_CASE("rule 40: a stop that visits in each pass is given up by no pause of the program")
+{
+    left_alone of;
+    hand_commander stop{3};
+    stop.note_stop();
+    of.it.see(stop);
+    of.it.pass(3'000'000);
+    of.it.see(stop);
+    CHECK_FALSE(of.it.is_lost(3));
+    CHECK(of.it.does(of.one, effect::stopping) == errc::overruled);
+}
+
+TEST_CASE("rule 40: a stop of all units that is given up leaves each ordered unit silent")
+{
+    left_alone of;
+    {
+        hand_for_all all{9};
+        all.note_stop();
+        of.it.link.converse(all, of.it.now());
+    }
+    static_cast<void>(of.polls_in(600'000));
+    CHECK(of.it.is_lost(3));
+    CHECK(of.polls_in(silence - 200'000) == 0);
+}
+
+TEST_CASE("rule 41: an order stands where each request left within the drive's time-out, however late its response")
+{
+    left_alone of;
+    REQUIRE(of.asks());
+    for (unsigned i = 0; i < 20; ++i) {
+        of.it.pass(4'880'000); // of a drive whose time-out is 5 s
+        of.poll.most = of.poll.number + 1;
+        of.it.link.converse(of.poll, of.it.now());
+        REQUIRE(of.it.leaves());
+        of.it.pass(60'000);
+        of.it.hear(response_to(of.it.left));
+        of.it.link.converse(of.poll, of.it.now());
+        CHECK(of.one.is_in_force());
+        CHECK_FALSE(of.it.is_lost(3));
+    }
+}
+
+TEST_CASE("rule 41: where only the repetition of a request is answered, behind the time-out, the unit is lost")
+{
+    constexpr client_options repeating{
+        .response_timeout = milliseconds(100), .turnaround = milliseconds(20), .late_response = {}, .retries = 1};
+    command_desk<2> it{repeating};
+    hand_commander one{3, 5};
+    REQUIRE(it.runs(one) == errc::none);
+    series poll{[](unsigned) { return read_of(3, 3'201); }};
+    it.pass(4'950'000);
+    it.link.converse(poll, it.now());
+    REQUIRE(it.leaves());
+    it.pass(110'000);
+    it.link.converse(poll, it.now());
+    it.pass(5'000);
+    it.link.converse(poll, it.now());
+    REQUIRE(it.leaves()); // the first one may not have reached it
+    it.hear(response_to(it.left));
+    it.link.converse(poll, it.now());
+    CHECK_FALSE(one.is_in_force());
+    for (unsigned answered = 1; answered < 3; ++answered) { // a commander might look at its power
+        CHECK_FALSE(it.is_lost(3));
+        it.pass(300'000);
+        it.link.converse(poll, it.now());
+        REQUIRE(it.leaves());
+        it.hear(response_to(it.left));
+        it.link.converse(poll, it.now());
+    }
+    CHECK(it.is_lost(3));
+}

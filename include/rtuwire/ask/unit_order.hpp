@@ -18,6 +18,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 enum class hold : std::uint8_t {
     by_its_stop,
     by_another_stop, ///< a stop whose unit had no place when this unit got one
+    by_nobody,       ///< that stop was given up: it visits no more
     is_over,         ///< that stop has ended
 };
 
@@ -31,30 +32,33 @@ enum class stop_words : std::uint8_t {
 /// What is known of one unit. All zero where nothing is known, so that a `constinit` client lives in .bss; the times
 /// are written before they are read.
 struct unit_order {
-    instant words_end;
-    instant silence_end;
-    instant heard; ///< when the last request was made that it answered
-    duration silence;
-    std::uint32_t last_stop;  ///< the stamp of the last stop or loss
-    std::uint32_t last_order; ///< of the last order to run; 0: none
-    std::uint32_t last_fault; ///< of the last time that it was read in fault, or of the last stop of all units
-    std::uint32_t rearranged; ///< of the last request that rearranged it
-    std::uint32_t holder;     ///< of the stop under way; 0: none
-    std::uint16_t confirmed;  ///< the control word that was read to be that of the drive profile; 0: none
-    bool is_doubtful;         ///< it may have been without power since that was read
-    std::uint8_t unit;        ///< 0: a free place
-    std::uint8_t misses;      ///< missing responses in a row
-    std::uint8_t tolerated;
-    bool is_ordered;
-    bool is_starting; ///< the command to run was sent; neither seen with power nor told to stop since
-    bool is_lost;
-    bool was_lost; ///< the last stop was a loss
-    stop_words words;
-    hold held;
+    instant words_end{0};
+    instant silence_end{0};
+    instant heard{0};   ///< when the last request was made that it answered
+    instant on_line{0}; ///< when a request to it may have been on the line
+    duration silence{};
+    std::uint32_t last_stop{0};  ///< the stamp of the last stop or loss
+    std::uint32_t last_order{0}; ///< of the last order to run; 0: none
+    std::uint32_t last_fault{0}; ///< of the last time that it was read in fault, or of the last stop of all units
+    std::uint32_t rearranged{0}; ///< of the last request that rearranged it
+    std::uint32_t holder{0};     ///< of the stop under way; 0: none
+    std::uint16_t confirmed{0};  ///< the control word that was read to be that of the drive profile; 0: none
+    std::uint16_t seen{0};       ///< when the stop under way visited last, in steps of 65.5 ms
+    bool is_doubtful{false};     ///< it may have been without power since that was read
+    std::uint8_t unit{0};        ///< 0: a free place
+    std::uint8_t misses{0};      ///< missing responses in a row
+    std::uint8_t tolerated{0};
+    bool is_ordered{false};
+    bool is_starting{false}; ///< the command to run was sent; neither seen with power nor told to stop since
+    bool is_lost{false};
+    bool was_lost{false}; ///< the last stop was a loss
+    std::uint8_t answers_left{
+        0}; ///< not 0: its motor may run, and no order or stop is in force; lost after so many answers
+    std::uint8_t passes_left{0}; ///< that the stop under way may miss before it counts as given up
+    stop_words words{stop_words::none};
+    hold held{hold::by_its_stop};
 };
-inline constexpr unit_order nothing_known{
-    instant{0}, instant{0}, instant{0},       duration{},       0, 0, 0, 0, 0, 0, false, 0, 0, 0, false, false,
-    false,      false,      stop_words::none, hold::by_its_stop};
+inline constexpr unit_order nothing_known{};
 
 /// Whether an event came before another one.
 [[nodiscard]] constexpr bool is_older(std::uint32_t stamp, std::uint32_t than) noexcept

@@ -90,7 +90,7 @@ public:
     {
         instant const at = seen_ == instant{0} ? now : within_reach(seen_, now); // 0: the first time
         seen_ = instant{now.microseconds | 1U};                                  // never 0
-        bool const is_silence_over = orders_.advance(at);
+        bool const is_silence_over = orders_.advance(at, is_busy(), asked_unit());
         if ((transaction_.advance(now, at) or is_silence_over) and is_held_back_) {
             is_held_back_ = false;
             turns_.void_marks();

@@ -41,13 +41,22 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// How long stop requests may be sent after a loss, or after the first one of a stop that follows it.
 inline constexpr duration stop_words_after_loss = milliseconds(2'000);
 
+/// How long a stop under way may leave out its visits before it counts as given up, in steps of 65.5 ms (0.5 s); and for how
+/// many passes.
+inline constexpr std::uint16_t longest_absence = 8;
+inline constexpr std::uint8_t most_passes_missed = 4;
+
+/// After so many answers to others than commanders an ordered unit is lost that nobody's order or stop holds: a commander's
+/// look may still show that it has no power.
+inline constexpr std::uint8_t most_answers = 3;
+
 /// Of a unit whose type is not the declared one: the longest time-out of any drive, and 1 s more.
 inline constexpr duration silence_of_another_family = milliseconds(31'000);
 
 /// For a client that commands no motor.
 struct no_orders {
     static constexpr bool is_kept = false;
-    static constexpr bool advance(instant) noexcept { return false; }
+    static constexpr bool advance(instant, bool, std::uint8_t) noexcept { return false; }
     static constexpr bool is_silent(std::uint8_t, effect) noexcept { return false; }
     static constexpr void note_outcome(std::uint8_t, errc, bool, instant) noexcept {}
     static constexpr void add_to(earliest&) noexcept {}
@@ -91,7 +100,7 @@ public:
         tell_arrangement(who, unit);
         take_notes(who, unit, is_doubtful, now);
         if (who.is_stopping_) {
-            keep_hold(who, unit);
+            keep_hold(who, unit, now);
         }
         who.has_come_by_ = true;
         who.seen_ = count_;
@@ -139,6 +148,7 @@ public:
     constexpr void note_asked(commander& who, std::uint8_t unit, effect what, duration drive_timeout,
                               std::uint8_t tolerated) noexcept
     {
+        is_by_commander_ = true;
         switch (what) {
         case effect::enabling:
         case effect::resetting: return note_enabling(who, unit, drive_timeout, tolerated);
@@ -191,6 +201,10 @@ public:
         }
         if (who.is_stopping_ and holder_of_all_ == 0) { // it was released, and still visits
             holder_of_all_ = who.stamp_;
+        }
+        if (who.is_stopping_) {
+            all_seen_ = step_of(now);
+            all_passes_left_ = most_passes_missed;
         }
         bool is_known = true;
         who.is_doubtful_ = false;
@@ -255,10 +269,16 @@ public:
         bool const is_answered = error == errc::none or is_exception(error);
         own->is_doubtful = own->is_doubtful or was_repeated or not is_answered;
         if (is_answered) {
-            heed_gap(*own, now);
+            if (was_repeated) { // an earlier sending may not have reached it
+                heed_gap(*own, now, false);
+            }
             own->heard = asked_;
+            own->on_line = was_repeated ? now : asked_;
             own->misses = 0;
             own->is_lost = false;
+            if (own->answers_left != 0 and not is_by_commander_ and --own->answers_left == 0) {
+                lose(*own, now);
+            }
             return;
         }
         if (not own->is_ordered and own->holder == 0) {
@@ -273,7 +293,11 @@ public:
     }
 
     /// A request is taken now, to any unit.
-    constexpr void note_start(instant now) noexcept { asked_ = now; }
+    constexpr void note_start(instant now) noexcept
+    {
+        asked_ = now;
+        is_by_commander_ = false;
+    }
 
     /// Whether a unit gets no request of this effect now; for a broadcast (0), whether one of the units is lost.
     [[nodiscard]] constexpr bool is_silent(std::uint8_t unit, effect what) const noexcept
@@ -312,14 +336,18 @@ public:
         }
     }
 
-    /// Lets time pass. Returns whether a silence is over.
-    constexpr bool advance(instant now) noexcept
+    /// Lets time pass. Returns whether a silence is over. `is_asked`: a request to `asked` is under way.
+    constexpr bool advance(instant now, bool is_asked, std::uint8_t asked) noexcept
     {
         let_go_of_ended();
         wake_ = {};
         bool is_over = false;
+        bool const is_all_left = holder_of_all_ != 0 and has_missed(all_passes_left_, all_seen_, now);
         for (unit_order& each : places_) {
-            heed_gap(each, now);
+            bool const is_under_way = is_asked and (asked == each.unit or asked == 0);
+            heed_gap(each, now, is_under_way);
+            heed_absence(each, is_all_left, now);
+            each.on_line = is_under_way ? now : each.on_line;
             if (each.words == stop_words::timed and reached(now, each.words_end)) {
                 each.words = stop_words::none;
             }
@@ -398,6 +426,7 @@ private:
             own.is_starting = false;
             own.is_ordered = false;
             own.misses = 0;
+            own.answers_left = 0;
         }
     }
 
@@ -446,6 +475,7 @@ private:
         who.takes_over_ = false;
         if (own != nullptr) {
             own->last_order = who.stamp_;
+            own->answers_left = own->holder == 0 ? std::uint8_t{0} : own->answers_left;
             own->heard = own->is_doubtful ? now : own->heard;
         }
     }
@@ -542,17 +572,23 @@ private:
         own.holder = count_;
         own.held = hold::by_its_stop;
         own.words = stop_words::due;
+        own.answers_left = 0;
     }
 
     /// A stop under way visits: a place that has become free goes to its unit, and where the stop of another unit
     /// without a place has ended, this one goes on holding.
-    constexpr void keep_hold(commander const& who, std::uint8_t unit) noexcept
+    constexpr void keep_hold(commander const& who, std::uint8_t unit, instant now) noexcept
     {
         unit_order& own = place_of(unit);
-        if (own.holder == 0 or own.held == hold::by_another_stop) {
+        bool const is_back = own.held == hold::by_nobody and own.holder == who.stamp_;
+        if (own.holder == 0 or own.held == hold::by_another_stop or is_back) {
             own.unit = unit;
             own.holder = who.stamp_;
             own.held = hold::by_its_stop;
+        }
+        if (own.holder == who.stamp_) {
+            own.seen = step_of(now);
+            own.passes_left = most_passes_missed;
         }
     }
 
@@ -575,7 +611,7 @@ private:
         unit_order const* const own = places_.find(unit);
         bool const stops_all = holder_of_all_ != 0 and who.stamp_ == holder_of_all_;
         return own != nullptr and own->holder != 0 and own->holder != who.stamp_ and
-               own->held != hold::by_another_stop and not stops_all;
+               own->held != hold::by_another_stop and own->held != hold::by_nobody and not stops_all;
     }
 
     /// Stops that ended release their units.
@@ -638,23 +674,65 @@ private:
 
     // Losses.
 
-    /// The unit may have lost its power where it was not heard for long. Behind its own time-out it has stopped: no order to
-    /// run counts any more.
-    constexpr void heed_gap(unit_order& own, instant now) noexcept
+    /// The unit may have lost its power where it was not heard for long. Behind its own time-out no order to run counts any
+    /// more: where nothing was on the line to it for as long, it has stopped by itself; else a request may have reached it
+    /// whose response did not come, and it may run on. `is_asked`: a request to it is under way, which left in time.
+    [[gnu::noinline]] constexpr void heed_gap(unit_order& own, instant now, bool is_asked) noexcept
     {
         constexpr duration behind = milliseconds(1'000); // a clock may be, a little
         duration const gap = now + behind - own.heard;
         own.is_doubtful = own.is_doubtful or gap > longest_gap_in_presence + behind;
-        if (own.is_ordered and gap > own.silence) {
-            own.confirmed = 0; // a read could let it run as ordered again
-            bool const counts = own.last_order != 0 and not is_older(own.last_order, own.last_fault);
-            own.last_fault = counts ? ++count_ : own.last_fault;
+        if (not own.is_ordered or gap <= own.silence or (is_asked and now - asked_ <= behind)) {
+            return;
         }
+        own.confirmed = 0; // a read could let it run as ordered again
+        if (own.last_order != 0 and not is_older(own.last_order, own.last_fault)) {
+            own.last_fault = ++count_;
+            leave(own, now);
+        }
+    }
+
+    /// A stop that is given up before its end leaves a motor that nobody stops any more.
+    constexpr void heed_absence(unit_order& own, bool is_all_left, instant now) noexcept
+    {
+        bool const is_held = own.holder != 0 and own.held == hold::by_its_stop;
+        bool const is_over = own.is_ordered and now - own.on_line > own.silence; // it has stopped by itself
+        if (is_held and (is_over or has_missed(own.passes_left, own.seen, now))) {
+            own.held = hold::by_nobody;
+            leave(own, now);
+        }
+        if (is_all_left and own.holder == 0) {
+            leave(own, now);
+        }
+        own.answers_left = is_over ? std::uint8_t{0} : own.answers_left;
+    }
+
+    /// Nobody's order or stop holds an ordered unit any more. A commander that looks at it now may still see its power gone.
+    static constexpr void leave(unit_order& own, instant now) noexcept
+    {
+        bool const may_run = own.is_ordered and not own.is_lost and now - own.on_line <= own.silence;
+        own.answers_left = may_run ? most_answers : std::uint8_t{0};
+    }
+
+    static constexpr std::uint16_t step_of(instant at) noexcept
+    {
+        return static_cast<std::uint16_t>(at.microseconds >> 16U);
+    }
+
+    /// A pass without a visit. Returns whether it makes a stop one that was given up; once.
+    static constexpr bool has_missed(std::uint8_t& passes_left, std::uint16_t seen, instant now) noexcept
+    {
+        bool const is_short = static_cast<std::uint16_t>(step_of(now) - seen) < longest_absence;
+        if (passes_left == 0 or (passes_left == 1 and is_short)) {
+            return false;
+        }
+        return --passes_left == 0;
     }
 
     constexpr void lose(unit_order& own, instant now) noexcept
     {
         own.confirmed = 0;
+        own.answers_left = 0;
         if (not own.is_lost) {
             own.is_lost = true;
             own.was_lost = true;
@@ -672,7 +750,10 @@ private:
     std::uint32_t stopped_all_{0};   ///< the stamp of the last stop of all units
     std::uint32_t holder_of_all_{0}; ///< the same while it is under way; 0: none
     bool is_all_over_{false};
-    instant asked_{0}; ///< when the last request was taken, to any unit
+    bool is_by_commander_{false};     ///< the last request
+    std::uint8_t all_passes_left_{0}; ///< that the stop of all units may miss
+    std::uint16_t all_seen_{0};       ///< when it visited last
+    instant asked_{0};                ///< when the last request was taken, to any unit
     deadline wake_{};
     order_places<Units> places_;
 };

@@ -49,7 +49,7 @@ template <std::size_t Drives> struct everyone_by_hand {
     }
     std::string asks_once()
     {
-        motors.advance(now);
+        motors.advance(now, false, 0);
         all.advance(now);
         motors.visit_for_all(all, now);
         for (altivar::stop& each : all.stops()) {
