@@ -11,8 +11,8 @@
 #include "../compile/codes.hpp"
 
 #include <rtuwire/core/crc16.hpp>
-#include <rtuwire/server/bank/typed_bank.hpp>
 #include <rtuwire/server/response_frame.hpp>
+#include <rtuwire/server/typed_bank.hpp>
 
 namespace operations {
 

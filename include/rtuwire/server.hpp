@@ -7,14 +7,13 @@
 #include <rtuwire/frames.hpp>
 #include <rtuwire/rtu/interrupt_queue.hpp>
 #include <rtuwire/rtu/receive_from.hpp>
-#include <rtuwire/server/bank/bit_bank.hpp>
-#include <rtuwire/server/bank/register_bank.hpp>
-#include <rtuwire/server/bank/typed_bank.hpp>
+#include <rtuwire/server/banks.hpp>
 #include <rtuwire/server/blocking.hpp>
-#include <rtuwire/server/hook/with_hooks.hpp>
+#include <rtuwire/server/hooks.hpp>
 #include <rtuwire/server/identification.hpp>
 #include <rtuwire/server/response_frame.hpp>
 #include <rtuwire/server/server.hpp>
+#include <rtuwire/server/typed_bank.hpp>
 #include <rtuwire/server/units/several_units.hpp>
 #include <rtuwire/table/form/ascii.hpp>
 #include <rtuwire/table/form/floating.hpp>

@@ -27,8 +27,8 @@ PROOFS = """core/bytes core/crc16 core/crc16_forms core/hex core/literal core/qu
  trace/capture/pcapng_writer wire/adu wire/frame_length wire/golden_requests wire/golden_responses wire/register_view wire/response wire/sizes
  rtu/foreign_exchange rtu/frame_place rtu/framer rtu/framer_silence rtu/framer_stream
  table/device table/enumeration table/plans table/snapshot table/write_plan cia402/state cia402/transition
- server/bank/register_bank server/corners server/identification server/respond server/serial_diagnostics server/server
- server/bank/typed_bank ask/access ask/wide_registers table/form/word_orders client/statistics
+ server/register_bank server/corners server/identification server/respond server/serial_diagnostics server/server
+ server/typed_bank ask/access ask/wide_registers table/form/word_orders client/statistics
  altivar/device/layouts""".split()
 WRAPS = "static_assert(65535U + 2U > 65535U);\n"
 

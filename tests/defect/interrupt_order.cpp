@@ -13,7 +13,7 @@
 #include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/server/bank/register_bank.hpp>
+#include <rtuwire/server/banks.hpp>
 #include <rtuwire/server/response_frame.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 

@@ -15,7 +15,7 @@
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/port/error_marks.hpp>
 #include <rtuwire/port/pseudo_terminal.hpp>
-#include <rtuwire/server/bank/register_bank.hpp>
+#include <rtuwire/server/banks.hpp>
 #include <rtuwire/server/blocking.hpp>
 #include <rtuwire/wire/pdu/read_holding_registers.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Banks at the last address there is, and functions that a device lacks.
-#include <rtuwire/server/bank/typed_bank.hpp>
 #include <rtuwire/server/respond.hpp>
+#include <rtuwire/server/typed_bank.hpp>
 
 #include "support/catch.hpp"
 

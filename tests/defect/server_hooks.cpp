@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // The order of the specification's diagrams (AP 7: function, address, value) holds for hooks, too: no check of a value is
 // called for a request that is refused for an address, or for what is no value of its register.
-#include <rtuwire/server/hook/with_hooks.hpp>
+#include <rtuwire/server/hooks.hpp>
 
 #include <array>
 

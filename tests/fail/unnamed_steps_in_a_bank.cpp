@@ -3,7 +3,7 @@
 // A ramp time in a bank, whose steps another register sets.
 // EXPECT: another register sets this register's steps: name them with restepped
 #include <rtuwire/altivar/atv320.hpp>
-#include <rtuwire/server/bank/typed_bank.hpp>
+#include <rtuwire/server/typed_bank.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

@@ -8,7 +8,7 @@
 
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/rtuwire.hpp>
-#include <rtuwire/server/bank/bit_bank.hpp>
+#include <rtuwire/server/banks.hpp>
 #include <rtuwire/wire/functions.hpp>
 
 namespace rtuwire::test {

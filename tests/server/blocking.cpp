@@ -9,7 +9,7 @@
 #include "support/catch.hpp"
 
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/server/bank/register_bank.hpp>
+#include <rtuwire/server/banks.hpp>
 
 using namespace rtuwire;
 

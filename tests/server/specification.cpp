@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A server with every public function answers the examples of the specification (AP 6.1 to 6.21) as they are printed.
-#include <rtuwire/server/bank/bit_bank.hpp>
+#include <rtuwire/server/banks.hpp>
 #include <rtuwire/server/respond.hpp>
 
 #include <array>

@@ -14,8 +14,8 @@
 #include <rtuwire/ask/poller.hpp>
 #include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/server/bank/typed_bank.hpp>
-#include <rtuwire/server/hook/with_hooks.hpp>
+#include <rtuwire/server/hooks.hpp>
+#include <rtuwire/server/typed_bank.hpp>
 #include <rtuwire/table/form/ascii.hpp>
 #include <rtuwire/table/form/floating.hpp>
 #include <rtuwire/table/form/known.hpp>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <rtuwire/rtu/line.hpp>
-#include <rtuwire/server/bank/register_bank.hpp>
+#include <rtuwire/server/banks.hpp>
 #include <rtuwire/server/server.hpp>
 
 namespace rtuwire::test {

@@ -7,8 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <rtuwire/server/bank/bit_bank.hpp>
-#include <rtuwire/server/bank/register_bank.hpp>
+#include <rtuwire/server/banks.hpp>
 #include <rtuwire/wire/parts/file_records.hpp>
 
 namespace rtuwire::test {

@@ -4,7 +4,7 @@
 // does itself for files and a queue is as little as it can be.
 #include "board.hpp"
 
-#include <rtuwire/server/bank/bit_bank.hpp>
+#include <rtuwire/server/banks.hpp>
 #include <rtuwire/server/server.hpp>
 
 using namespace rtuwire;

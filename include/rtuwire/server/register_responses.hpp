@@ -9,7 +9,7 @@
 #include <cstddef>
 
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/server/bank/register_bank.hpp>
+#include <rtuwire/server/banks.hpp>
 #include <rtuwire/server/pdu_buffer.hpp>
 #include <rtuwire/server/request.hpp>
 #include <rtuwire/wire/functions.hpp>

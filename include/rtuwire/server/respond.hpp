@@ -10,7 +10,7 @@
 #include <type_traits>
 
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/server/bank/register_bank.hpp>
+#include <rtuwire/server/banks.hpp>
 #include <rtuwire/server/identification.hpp>
 #include <rtuwire/server/pdu_buffer.hpp>
 #include <rtuwire/server/register_responses.hpp>

@@ -12,7 +12,7 @@
 #include <rtuwire/altivar/atv310.hpp>
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/ask/access.hpp>
-#include <rtuwire/server/bank/typed_bank.hpp>
+#include <rtuwire/server/typed_bank.hpp>
 #include <rtuwire/table/read_plan.hpp>
 #include <rtuwire/table/write_plan.hpp>
 

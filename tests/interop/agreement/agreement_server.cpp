@@ -5,7 +5,7 @@
 #include "agreement.hpp"
 
 #include <rtuwire/port/posix_serial.hpp>
-#include <rtuwire/server/bank/bit_bank.hpp>
+#include <rtuwire/server/banks.hpp>
 #include <rtuwire/server/blocking.hpp>
 
 using namespace rtuwire;

@@ -12,7 +12,7 @@
 #include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/server/bank/register_bank.hpp>
+#include <rtuwire/server/banks.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/wire/frame_length.hpp>
 #include <rtuwire/wire/response.hpp>

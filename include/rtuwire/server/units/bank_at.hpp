@@ -11,7 +11,7 @@
 #include <utility>
 
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/server/bank/register_bank.hpp>
+#include <rtuwire/server/banks.hpp>
 #include <rtuwire/server/request.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 

@@ -13,7 +13,7 @@
 #include <rtuwire/cia402/state.hpp>
 #include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/server/bank/register_bank.hpp>
+#include <rtuwire/server/banks.hpp>
 #include <rtuwire/sim/drive/drive_parts.hpp>
 #include <rtuwire/sim/drive/registers/menu_order.hpp>
 #include <rtuwire/sim/drive/registers/row_rules.hpp>

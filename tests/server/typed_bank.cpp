@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A bank of typed registers: access, limits and order of refusals; and typed access against it.
-#include <rtuwire/server/bank/typed_bank.hpp>
+#include <rtuwire/server/typed_bank.hpp>
 
 #include "support/proof.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Banks and plans of a thousand registers: random requests against a map of addresses, which knows nothing of the bank's
 // order and search. The registers are named in an order of their own, with gaps between them.
-#include <rtuwire/server/bank/typed_bank.hpp>
+#include <rtuwire/server/typed_bank.hpp>
 
 #include <cstdint>
 #include <map>

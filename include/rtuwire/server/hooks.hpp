@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Callables at the registers of a server: one that may refuse a value before it is written, one that acts on it after.
+// Callables at the registers of a server: one that may refuse a value before it is written, one that acts on it after. A
+// register is named by its type, or by its address as a plain word.
 //
 //     bank<pump::setpoint, pump::actual> registers;
 //     auto served = with_hooks(registers)
@@ -18,15 +19,143 @@
 #include <type_traits>
 #include <utility>
 
+#include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/result.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/server/bank/register_bank.hpp>
-#include <rtuwire/server/hook/bank_parts.hpp>
-#include <rtuwire/server/hook/register_hook.hpp>
+#include <rtuwire/server/banks.hpp>
+#include <rtuwire/server/pdu_buffer.hpp>
+#include <rtuwire/table/form/form.hpp>
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/wire/errc.hpp>
+#include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/register_view.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// A register of a table. Its words may be no value of it (a floating point number that is none) in a bank of plain
+/// words.
+/// Internal.
+template <auto const& R> struct typed_place {
+    static constexpr std::uint16_t address = R.address;
+    static constexpr std::size_t size = R.word_count;
+    [[nodiscard]] static constexpr result<value_of<R>> value(register_view words, std::size_t index) noexcept
+    {
+        return value_in<R>(words, index, index);
+    }
+};
+
+/// A word at an address.
+/// Internal.
+struct word_place {
+    static constexpr std::size_t size = 1;
+    std::uint16_t address;
+    [[nodiscard]] static constexpr result<std::uint16_t> value(register_view words, std::size_t index) noexcept
+    {
+        return words[index];
+    }
+};
+
+/// Whether the words of a request from `index` on, which go to `address`, are this register.
+/// Internal.
+template <typename Place>
+[[nodiscard]] constexpr bool holds(Place const& place, std::uint32_t address, register_view words,
+                                   std::size_t index) noexcept
+{
+    return address == place.address and words.size() - index >= Place::size;
+}
+
+/// Whether the word of a request at `index`, which goes to `address`, is of this register, and the request has not all of
+/// its words. Half a register passes no check and calls nothing, so it is not written: exception 02, as in a typed bank.
+/// Internal.
+template <typename Place>
+[[nodiscard]] constexpr bool splits([[maybe_unused]] Place const& place, [[maybe_unused]] std::uint32_t address,
+                                    [[maybe_unused]] register_view words, [[maybe_unused]] std::size_t index) noexcept
+{
+    if constexpr (Place::size == 1) {
+        return false;
+    } else {
+        std::uint32_t const offset = address - place.address; // far above the size in front of the register
+        return offset < Place::size and (offset > index or words.size() - index < Place::size - offset);
+    }
+}
+
+/// Whether the words of a request from `index` on are this register, and no value of it.
+/// Internal.
+template <typename Place>
+[[nodiscard]] constexpr bool holds_no_value(Place const& place, std::uint32_t address, register_view words,
+                                            std::size_t index) noexcept
+{
+    return holds(place, address, words, index) and not place.value(words, index);
+}
+
+/// Whether a callable takes a value.
+/// Internal.
+template <typename Callable, typename Value> inline constexpr bool takes = std::is_invocable_v<Callable, Value>;
+/// Whether a callable that takes a value returns a type.
+/// Internal.
+template <typename Returned, typename Callable, typename Value> inline constexpr bool gives = true;
+template <typename Returned, typename Callable, typename Value>
+    requires takes<Callable, Value>
+inline constexpr bool gives<Returned, Callable, Value> =
+    std::is_same_v<std::invoke_result_t<Callable, Value>, Returned>;
+
+/// A callable that is asked before a write; it cannot change itself.
+/// Internal.
+template <typename Place, typename Callable> struct write_check {
+    [[no_unique_address]] Place place;
+    [[no_unique_address]] Callable call;
+
+    [[nodiscard]] constexpr errc check(std::uint32_t address, register_view words, std::size_t index) const noexcept
+    {
+        if (not holds(place, address, words, index)) {
+            return errc::none;
+        }
+        auto const value = place.value(words, index);
+        return value ? call(*value) : errc::illegal_data_value;
+    }
+    static constexpr void act(std::uint32_t, register_view, std::size_t) noexcept {}
+};
+
+/// A callable that is told after a write.
+/// Internal.
+template <typename Place, typename Callable> struct write_action {
+    [[no_unique_address]] Place place;
+    [[no_unique_address]] Callable call;
+
+    [[nodiscard]] static constexpr errc check(std::uint32_t, register_view, std::size_t) noexcept { return errc::none; }
+    constexpr void act(std::uint32_t address, register_view words, std::size_t index) noexcept
+    {
+        if (holds(place, address, words, index)) {
+            if (auto const value = place.value(words, index)) {
+                call(*value);
+            }
+        }
+    }
+};
+
+/// No hook.
+/// Internal.
+struct no_hooks {
+    template <typename Visit> static constexpr void for_each(Visit&&) noexcept {}
+};
+
+/// Hooks in the order in which they were named.
+/// Internal.
+template <typename Before, typename Hook> struct hook_list {
+    [[no_unique_address]] Before before;
+    [[no_unique_address]] Hook last;
+
+    template <typename Visit> constexpr void for_each(Visit&& visit) noexcept
+    {
+        before.for_each(visit);
+        visit(last);
+    }
+    template <typename Visit> constexpr void for_each(Visit&& visit) const noexcept
+    {
+        before.for_each(visit);
+        visit(last);
+    }
+};
 
 /// Whether a bank that lists its registers has this one; one of plain words has any.
 /// Internal.
@@ -49,9 +178,9 @@ inline constexpr bool is_typed_bank<Bank> = true;
 /// written, and no action is called. Function 23 reads after the actions. The same holds for a broadcast, which nobody
 /// answers. What the program itself writes into the bank (`set`) calls no hook.
 /// Internal.
-template <register_bank Bank, typename Hooks = no_hooks> class hooked_bank : public bank_parts<Bank> {
+template <register_bank Bank, typename Hooks = no_hooks> class hooked_bank {
 public:
-    constexpr hooked_bank(Bank& bank, Hooks hooks) noexcept : bank_parts<Bank>{bank}, hooks_{std::move(hooks)} {}
+    constexpr hooked_bank(Bank& bank, Hooks hooks) noexcept : bank_{&bank}, hooks_{std::move(hooks)} {}
 
     /// Asks `call(value)` before register R is written: `errc::none`, or the exception to send,
     /// `errc::illegal_data_value` (03) for a value that is never allowed, `errc::server_device_failure` (04) where the
@@ -119,7 +248,7 @@ public:
             return splits(hook.place, word...) ? errc::illegal_data_address : errc::none;
         });
         if (wrong == errc::none) {
-            wrong = static_cast<Bank const&>(this->bank()).check_write(start, values);
+            wrong = static_cast<Bank const&>(*bank_).check_write(start, values);
         }
         // What is no value could be neither checked nor told.
         wrong = first_refusal(wrong, start, values, [](auto const& hook, auto const&... word) {
@@ -131,11 +260,83 @@ public:
 
     constexpr errc write(std::uint16_t start, register_view values) noexcept
     {
-        errc const wrong = this->bank().write(start, values);
+        errc const wrong = bank_->write(start, values);
         for (std::size_t i = 0; wrong == errc::none and i < values.size(); ++i) {
             hooks_.for_each([&](auto& hook) { hook.act(address_of(start, i), values, i); });
         }
         return wrong;
+    }
+
+    // All else is the bank's own, passed on. Each part is there only where the bank has it, so that a server finds the same
+    // functions.
+
+    [[nodiscard]] constexpr errc check_read(std::uint16_t start, std::size_t count) const noexcept
+    {
+        return bank_->check_read(start, count);
+    }
+    constexpr errc read(std::uint16_t start, std::size_t count, byte_writer& out) noexcept
+    {
+        return bank_->read(start, count, out);
+    }
+
+    constexpr decltype(auto) coils() noexcept requires requires(Bank& at) { at.coils(); }
+    {
+        return bank_->coils();
+    }
+    constexpr decltype(auto) discrete_inputs() noexcept requires requires(Bank& at) { at.discrete_inputs(); }
+    {
+        return bank_->discrete_inputs();
+    }
+    constexpr decltype(auto) input_registers() noexcept requires requires(Bank& at) { at.input_registers(); }
+    {
+        return bank_->input_registers();
+    }
+    constexpr auto exception_status() noexcept requires requires(Bank& at) { at.exception_status(); }
+    {
+        return bank_->exception_status();
+    }
+    constexpr decltype(auto) server_id() noexcept requires requires(Bank& at) { at.server_id(); }
+    {
+        return bank_->server_id();
+    }
+    constexpr errc read_fifo(std::uint16_t address, byte_writer& out) noexcept requires requires(Bank& at)
+    {
+        at.read_fifo(address, out);
+    }
+    {
+        return bank_->read_fifo(address, out);
+    }
+    constexpr errc check_read_file(file_run run) noexcept requires requires(Bank& at) { at.check_read_file(run); }
+    {
+        return bank_->check_read_file(run);
+    }
+    constexpr errc read_file(file_run run, byte_writer& out) noexcept requires requires(Bank& at)
+    {
+        at.read_file(run, out);
+    }
+    {
+        return bank_->read_file(run, out);
+    }
+    constexpr errc check_write_file(file_run run, register_view values) noexcept requires requires(Bank& at)
+    {
+        at.check_write_file(run, values);
+    }
+    {
+        return bank_->check_write_file(run, values);
+    }
+    constexpr errc write_file(file_run run, register_view values) noexcept requires requires(Bank& at)
+    {
+        at.write_file(run, values);
+    }
+    {
+        return bank_->write_file(run, values);
+    }
+    constexpr auto respond(function_code function, pdu_buffer& pdu) noexcept requires requires(Bank& at)
+    {
+        at.respond(function, pdu);
+    }
+    {
+        return bank_->respond(function, pdu);
     }
 
 private:
@@ -155,7 +356,7 @@ private:
     template <typename Hook> constexpr auto with(Hook hook) && noexcept
     {
         using hooks = hook_list<Hooks, Hook>;
-        return hooked_bank<Bank, hooks>{this->bank(), hooks{std::move(hooks_), std::move(hook)}};
+        return hooked_bank<Bank, hooks>{*bank_, hooks{std::move(hooks_), std::move(hook)}};
     }
 
     static constexpr std::uint32_t address_of(std::uint16_t start, std::size_t index) noexcept
@@ -163,6 +364,7 @@ private:
         return std::uint32_t{start} + static_cast<std::uint32_t>(index);
     }
 
+    Bank* bank_;
     [[no_unique_address]] Hooks hooks_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Plain words, reached by address.
-#include <rtuwire/server/bank/register_bank.hpp>
+#include <rtuwire/server/banks.hpp>
 
 #include <array>
 

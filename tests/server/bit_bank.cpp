@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Bits of a server that do not begin at address 0, at both of their ends; and a bank of one's own, which only sets bits.
-#include <rtuwire/server/bank/bit_bank.hpp>
+#include <rtuwire/server/banks.hpp>
 
 #include <array>
 
