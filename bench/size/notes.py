@@ -59,7 +59,7 @@ TRICKS = (
     inlining("inline", "rtu/foreign_exchange.hpp", "static constexpr end_hint apply("),
     inlining("inline", "rtu/foreign_exchange.hpp", "constexpr end_hint apply("),
     inlining("inline", "rtu/frame_cutter.hpp", "constexpr bool apply_length_rule("),
-    inlining("inline", "server/server_engine.hpp", "constexpr void serve_by("),
+    inlining("inline", "server/server.hpp", "constexpr void serve_by("),
     inlining("not inline", "server/respond.hpp", "constexpr errc respond_apart("),
     inlining("inline", "client/client.hpp", "constexpr void replace_asker("),
     inlining("inline", "client/line/retry_state.hpp", "constexpr bool may_pause("),

@@ -14,7 +14,7 @@
 #include <rtuwire/server/response_frame.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/server/typed_bank.hpp>
-#include <rtuwire/server/units/several_units.hpp>
+#include <rtuwire/server/units.hpp>
 #include <rtuwire/table/form/ascii.hpp>
 #include <rtuwire/table/form/floating.hpp>
 #include <rtuwire/table/form/known.hpp>

@@ -14,7 +14,7 @@
 #include "support/server_on_a_line.hpp"
 #include "support/whole_bank.hpp"
 
-#include <rtuwire/server/served_functions.hpp>
+#include <rtuwire/server/respond.hpp>
 
 using namespace rtuwire;
 

@@ -11,7 +11,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/receive_from.hpp>
 #include <rtuwire/server/server.hpp>
-#include <rtuwire/server/units/several_units.hpp>
+#include <rtuwire/server/units.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
@@ -63,7 +63,8 @@ result<void> serve_once(basic_server<Diagnostics, Functions>& node, Port& port, 
 
 /// The same for a server of several units, which knows its banks.
 template <typename Diagnostics, typename Functions, typename... Entries, typename Port>
-result<void> serve_once(several_units<Diagnostics, Functions, Entries...>& node, Port& port, duration time_limit)
+result<void> serve_once(basic_server<Diagnostics, Functions, unit_set<Entries...>>& node, Port& port,
+                        duration time_limit)
 {
     return serve_pass(node, port, time_limit, [&](instant now) { node.serve(now); });
 }

@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// A request as a server sees it: decoded, and checked against what this server can do. The order of the checks is
-// that of the specification's diagrams: the function, then its quantities (AP 7).
+// A request as a server sees it: the memory that its response is written over, its head, and the registers that it names,
+// decoded and checked against what a device allows: first the function, then its quantities (AP 7).
+// Internal: may change with any version.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
+#include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/server/identification.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/limits.hpp>
@@ -16,22 +19,16 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// What a server can do. The defaults are the specification's limits and every function that the server has in its
-/// type; a device's manual may allow less.
-struct server_profile {
-    function_set functions{all_functions};
-    device_limits limits{};
-    device_objects identity{}; ///< without objects, function 43 is not supported
+/// Holds a request PDU, then its response. A function that responds first reads what it needs of `bytes`, then writes
+/// into them and sets `size`; for an error, `respond_in_place` does that.
+struct pdu_buffer {
+    std::span<std::byte, max_pdu_size> bytes;
+    std::size_t size; ///< of the request, then of the response: 0 where none is due
+
+    [[nodiscard]] constexpr byte_view view() const noexcept { return bytes.first(size); }
 };
 
-/// The functions of a server that has registers only: 03, 06, 08, 16, 23 and 43.
-/// Internal.
-using register_functions =
-    function_list<read_holding_registers, write_single_register, diagnostics<>, write_multiple_registers<>,
-                  read_write_multiple_registers<>, read_device_identification>;
-
 /// Whether a request of this function may go to every unit, of these functions.
-/// Internal.
 template <typename... Functions>
 [[nodiscard]] constexpr bool may_be_broadcast(function_list<Functions...>, function_code code) noexcept
 {
@@ -39,7 +36,6 @@ template <typename... Functions>
 }
 
 /// The head of a request, decoded once: what executes, refuses and counts it takes this, and reads no byte again.
-/// Internal.
 struct request_head {
     function_code function;
     bool is_broadcast; ///< to every unit: no response is sent
@@ -53,7 +49,6 @@ struct request_head {
 
 /// The registers that a request of function 03, 06, 16 or 23 reads and writes. A half that the function does not have
 /// has quantity 0.
-/// Internal.
 struct register_access {
     register_view values{}; ///< a view of the request's bytes
     std::size_t read_count{0};
@@ -103,7 +98,6 @@ struct register_access {
 /// Decodes the fields of a request of functions 03, 06, 16 and 23, which follow the function, into `access`.
 /// `illegal_function` for any other function and for one with a limit of 0; `illegal_data_value` when quantity, byte
 /// count and size do not agree or a limit of the device is exceeded; `access` is then undefined.
-/// Internal.
 template <typename Functions>
 [[nodiscard]] constexpr errc decode_access(function_code function, byte_view fields, device_limits const& limits,
                                            register_access& access) noexcept

@@ -4,6 +4,10 @@
 // A server as a pure function: a request and a bank in, a response out. Checks in the specification's order (AP 7):
 // function, value, address, then the access itself; everything is checked before anything is written. Handles no unit
 // address, no CRC and no time.
+//
+// From `execute` a request goes to `respond_to`, which knows whose it is: the bank's own functions, 08, 43, the five that
+// access registers (`respond_to_access`, one way for all, since one piece of code is the smallest), or one that has its
+// server's half in its own file (`respond_by_own`).
 #pragma once
 
 #include <cstddef>
@@ -12,14 +16,184 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/banks.hpp>
 #include <rtuwire/server/identification.hpp>
-#include <rtuwire/server/pdu_buffer.hpp>
-#include <rtuwire/server/register_responses.hpp>
 #include <rtuwire/server/request.hpp>
 #include <rtuwire/server/serial_diagnostics.hpp>
+#include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/frame_length.hpp>
+#include <rtuwire/wire/functions.hpp>
+#include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/pdu/diagnostics.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// What a server can do. The defaults are the specification's limits and every function that the server has in its
+/// type; a device's manual may allow less.
+struct server_profile {
+    function_set functions{all_functions};
+    device_limits limits{};
+    device_objects identity{}; ///< without objects, function 43 is not supported
+};
+
+/// The functions of a server that has registers only: 03, 06, 08, 16, 23 and 43.
+/// Internal.
+using register_functions =
+    function_list<read_holding_registers, write_single_register, diagnostics<>, write_multiple_registers<>,
+                  read_write_multiple_registers<>, read_device_identification>;
+
+/// Whether a bank has what a function serves.
+/// Internal.
+template <typename Function, typename Bank> inline constexpr bool serves_function = true;
+template <typename Function, typename Bank>
+    requires requires { Function::template is_served_by<Bank&>; }
+inline constexpr bool serves_function<Function, Bank> = Function::template is_served_by<Bank&>;
+
+/// Moves those of a list that a bank serves behind those that are chosen.
+/// Internal.
+template <typename Bank, typename Chosen, typename Others> struct choose_functions {
+    using type = Chosen;
+};
+template <typename Bank, typename... Chosen, typename First, typename... Others>
+struct choose_functions<Bank, function_list<Chosen...>, function_list<First, Others...>>
+    : choose_functions<
+          Bank,
+          std::conditional_t<serves_function<First, Bank>, function_list<Chosen..., First>, function_list<Chosen...>>,
+          function_list<Others...>> {};
+
+/// The public functions that a bank of registers serves.
+/// Internal.
+template <typename Bank>
+using served_functions = typename choose_functions<Bank, function_list<>, public_functions>::type;
+
+/// Function and byte count, in front of what a response carries.
+/// Internal.
+inline constexpr std::size_t counted_head = 2;
+
+/// How many functions of a list access the registers of the bank itself: 03, 06, 16 and 23.
+/// Internal.
+template <typename... Functions>
+[[nodiscard]] consteval int count_register_functions(function_list<Functions...>) noexcept
+{
+    constexpr function_set together{function_code::read_holding_registers, function_code::write_single_register,
+                                    function_code::write_multiple_registers,
+                                    function_code::read_write_multiple_registers};
+    return (int{together.contains(Functions::code)} + ... + 0);
+}
+
+/// Which functions `respond_to_access` answers on a server of these: those four, and 04.
+/// Internal.
+template <typename Functions> struct register_accesses {
+    static constexpr bool has_inputs = Functions::template contains<read_input_registers>;
+    static constexpr int holding = count_register_functions(Functions{});
+    static constexpr bool any = has_inputs or holding > 0;
+
+    [[nodiscard]] static constexpr bool contain(function_code function) noexcept
+    {
+        return contain(Functions{}, function);
+    }
+
+private:
+    template <typename Function>
+    static constexpr bool answers = Function::code == read_input_registers::code or
+                                    count_register_functions(function_list<Function>{}) > 0;
+
+    template <typename... All>
+    [[nodiscard]] static constexpr bool contain(function_list<All...>, function_code function) noexcept
+    {
+        return ((All::code == function and answers<All>) or ...);
+    }
+};
+
+/// Calls `use` with the registers that a function of these reads.
+/// Internal.
+template <typename Functions, typename Bank, typename Use>
+constexpr errc with_registers(function_code function, Bank& bank, Use use) noexcept
+{
+    using accesses = register_accesses<Functions>;
+    if constexpr (accesses::has_inputs) {
+        static_assert(read_input_registers::is_served_by<Bank&>,
+                      "a server of function 04 needs a bank with input_registers()");
+        if (accesses::holding == 0 or function == function_code::read_input_registers) {
+            return use(bank.input_registers());
+        }
+    }
+    if constexpr (accesses::holding > 0) {
+        return use(bank);
+    }
+}
+
+/// Executes functions 03, 04, 06, 16 and 23: both halves are checked before the write, and the write comes before the
+/// read. The words read are appended to `out`.
+/// Internal.
+template <typename Functions, typename Bank>
+[[nodiscard]] constexpr errc access_registers(function_code function, register_access const& asked, Bank& bank,
+                                              byte_writer& out) noexcept
+{
+    bool const reads = asked.read_count > 0;
+    bool const writes = not asked.values.empty();
+    errc wrong = errc::none;
+    if (reads) {
+        wrong = with_registers<Functions>(
+            function, bank, [&](auto& space) { return space.check_read(asked.read_start, asked.read_count); });
+    }
+    if constexpr (register_accesses<Functions>::holding > 0) {
+        static_assert(register_bank<Bank>, "a server of functions 03, 06, 16 or 23 needs a register_bank");
+        if (wrong == errc::none and writes) {
+            wrong = bank.check_write(asked.write_start, asked.values);
+        }
+        if (wrong == errc::none and writes) {
+            wrong = bank.write(asked.write_start, asked.values);
+        }
+    }
+    if (wrong == errc::none and reads) {
+        wrong = with_registers<Functions>(
+            function, bank, [&](auto& space) { return space.read(asked.read_start, asked.read_count, out); });
+    }
+    return wrong;
+}
+
+/// Writes the byte count in front of what was appended.
+/// Internal.
+constexpr void write_count(pdu_buffer& pdu, byte_writer const& out) noexcept
+{
+    pdu.bytes[1] = static_cast<std::byte>(out.size());
+    pdu.size = counted_head + out.size();
+}
+
+/// Where the words of a response go: behind its byte count, or where a writer already is. A small server makes the
+/// writer after the request was decoded, which is 80 bytes smaller.
+/// Internal.
+[[nodiscard]] constexpr byte_writer writer_into(pdu_buffer& pdu) noexcept
+{
+    return byte_writer{pdu.bytes.subspan(counted_head)};
+}
+[[nodiscard]] constexpr byte_writer& writer_into(pdu_buffer&, byte_writer& out) noexcept { return out; }
+
+/// Answers a request of functions 03, 04, 06, 16 and 23; any other is `illegal_function`.
+/// Internal.
+template <typename Functions, typename Bank, typename... Writer>
+[[nodiscard]] constexpr errc respond_to_access(function_code function, pdu_buffer& pdu, Bank& bank,
+                                               server_profile const& profile, Writer&... writer) noexcept
+{
+    constexpr std::size_t echo_size = 5;
+    register_access asked;
+    if (errc const wrong = decode_access<Functions>(function, pdu.view().subspan(1), profile.limits, asked);
+        wrong != errc::none) {
+        return wrong;
+    }
+    auto&& out = writer_into(pdu, writer...);
+    if (errc const wrong = access_registers<Functions>(function, asked, bank, out); wrong != errc::none) {
+        return wrong;
+    }
+    if (out.size() != 2U * asked.read_count) {
+        return errc::server_device_failure;
+    }
+    // The bytes that a write repeats are in place.
+    pdu.size = echo_size;
+    if (sizeof...(Writer) == 0 and asked.read_count > 0) {
+        write_count(pdu, out);
+    }
+    return errc::none;
+}
 
 /// What the server gives the function that answers a request.
 /// Internal.

@@ -12,7 +12,7 @@
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/server/pdu_buffer.hpp>
+#include <rtuwire/server/request.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/pdu/diagnostics.hpp>
 

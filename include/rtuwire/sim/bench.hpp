@@ -20,9 +20,9 @@
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/server/served_functions.hpp>
+#include <rtuwire/server/respond.hpp>
 #include <rtuwire/server/server.hpp>
-#include <rtuwire/server/units/bank_at.hpp>
+#include <rtuwire/server/units.hpp>
 #include <rtuwire/sim/drive/unit.hpp>
 #include <rtuwire/sim/line/line.hpp>
 #include <rtuwire/sim/line/terminal.hpp>

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <rtuwire/server/identification.hpp>
-#include <rtuwire/server/request.hpp>
+#include <rtuwire/server/respond.hpp>
 #include <rtuwire/wire/register_view.hpp>
 
 namespace rtuwire::test {

@@ -1,22 +1,92 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// A server that answers for several unit addresses of one line, each with its own bank and profile, over one framer and
-// one frame's memory. What it hears between other units ends its frames as in a server of one; the counters of function
-// 08, and its listen-only mode, are those of the line, so all units show the same.
+// The unit addresses that a server answers for: one; or several, each with its own bank and profile. What is executed on
+// which bank; the line they have in common is the server's.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
+#include <utility>
 
-#include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/server/served_functions.hpp>
-#include <rtuwire/server/server.hpp>
-#include <rtuwire/server/units/bank_at.hpp>
+#include <rtuwire/server/banks.hpp>
+#include <rtuwire/server/request.hpp>
+#include <rtuwire/server/respond.hpp>
+#include <rtuwire/wire/errc.hpp>
+#include <rtuwire/wire/unit_id.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
+
+/// Says: this bank answers as this unit, by every public function that it has something for (coils, a queue, files and
+/// so on) and its server has, or by those that a profile allows. The bank and the profile are stored elsewhere, and must
+/// outlive what is made of this.
+template <register_bank Bank> struct bank_at {
+    unit_id address;
+    Bank& bank;
+    server_profile const& profile;
+
+    constexpr bank_at(unit_id its_unit, Bank& served, server_profile const& allowed = every_function) noexcept
+        : address{its_unit}, bank{served}, profile{allowed}
+    {}
+    bank_at(unit_id, Bank&, server_profile const&&) = delete;
+
+private:
+    static constexpr server_profile every_function{};
+};
+
+/// What a server of several units stores of an argument: a `bank_at`, or a view of an array of them.
+/// Internal.
+template <typename T> struct entry_for;
+template <register_bank Bank> struct entry_for<bank_at<Bank>> {
+    using type = bank_at<Bank>;
+};
+template <register_bank Bank, std::size_t Count> struct entry_for<std::array<bank_at<Bank>, Count>> {
+    using type = std::span<bank_at<Bank> const>;
+};
+template <register_bank Bank, std::size_t Extent> struct entry_for<std::span<bank_at<Bank> const, Extent>> {
+    using type = std::span<bank_at<Bank> const>;
+};
+/// Internal.
+template <typename T>
+concept names_units = requires
+{
+    typename entry_for<std::remove_cvref_t<T>>::type;
+};
+
+/// The entry of an argument, which is an lvalue or a `bank_at`.
+/// Internal.
+template <typename Argument> struct checked_entry {
+    static_assert(names_units<Argument>,
+                  "a server of several units is made of bank_at{unit_id{3}, bank}, or of a std::array of these");
+    static_assert(
+        std::is_lvalue_reference_v<Argument> or not requires { std::declval<Argument>().size(); },
+        "an array that ends with its expression cannot be served: give it a name first");
+    using type = typename entry_for<std::remove_cvref_t<Argument>>::type;
+};
+/// Internal.
+template <typename Argument> using unit_entry = typename checked_entry<Argument>::type;
+
+/// The unit address of a server that has one; 0 for none.
+/// Internal.
+struct one_unit {
+    static constexpr bool has_banks = false;
+    std::uint8_t number;
+
+    [[nodiscard]] constexpr bool contains(std::uint8_t unit) const noexcept { return unit == number; }
+
+    /// Executes a request on its bank; returns the exception, or none.
+    template <typename Functions, typename Bank, typename Diagnostics>
+    static constexpr errc execute_on(std::uint8_t, request_head const& asked, pdu_buffer& pdu, Bank& bank,
+                                     server_profile const& profile, Diagnostics& line) noexcept
+    {
+        return asked.has_effect<Functions>() ? execute<Functions>(asked.function, pdu, bank, profile, line)
+                                             : errc::illegal_function;
+    }
+};
 
 /// Banks and their unit addresses, in the order in which they were named; some of them in arrays.
 /// Internal.
@@ -53,10 +123,14 @@ private:
 /// Internal.
 struct own_banks {};
 
-/// The unit addresses of a server, and what it executes on their banks.
+/// The unit addresses of a server of several, and what it executes on their banks: a request on the bank of its unit, by
+/// those of the server's functions that this bank has something for; a broadcast on every bank. An address that is named
+/// twice has the first bank.
 /// Internal.
 template <typename... Entries> class unit_set {
 public:
+    static constexpr bool has_banks = true;
+
     explicit constexpr unit_set(Entries const&... entries) noexcept : entries_{entries...} {}
 
     [[nodiscard]] constexpr bool contains(std::uint8_t unit) const noexcept
@@ -114,24 +188,6 @@ private:
     }
 
     unit_list<Entries...> entries_;
-};
-
-/// Made by `server::for_units`; used as a server, but served without a bank: `node.serve(now)`. A request is executed
-/// on the bank of its unit, by those of the server's functions that this bank has something for; a broadcast on every
-/// bank, and answered by none. An address that is named twice has the first bank. Counters and listen-only mode of
-/// function 08 are one for all: the line's.
-/// Internal.
-template <typename Diagnostics, typename Functions, typename... Entries>
-class several_units : public server_engine<Diagnostics, unit_set<Entries...>> {
-    using engine = server_engine<Diagnostics, unit_set<Entries...>>;
-
-public:
-    explicit constexpr several_units(line_timing const& its_timing, Entries const&... entries) noexcept
-        : engine{unit_set<Entries...>{entries...}, its_timing, engine::default_profile}
-    {}
-
-    /// Calls `advance`; then executes the waiting request and prepares the response.
-    constexpr void serve(instant now) noexcept { this->template serve_by<Functions>(own_banks{}, now); }
 };
 
 } // namespace rtuwire
