@@ -5,10 +5,8 @@
 #pragma once
 
 #include <rtuwire/sim/bench.hpp>
-#include <rtuwire/sim/drive/demand.hpp>
 #include <rtuwire/sim/drive/unit.hpp>
 #include <rtuwire/sim/line/line.hpp>
 #include <rtuwire/sim/line/random_source.hpp>
 #include <rtuwire/sim/line/usb_adapter.hpp>
-#include <rtuwire/sim/line/waveform.hpp>
 #include <rtuwire/wire/errc_name.hpp>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Simulates a drive whose table does not have its unit address.
 // EXPECT: a simulated drive needs the register ADD, its unit address
-#include <rtuwire/sim/drive/drive_needs.hpp>
+#include <rtuwire/sim/drive/unit.hpp>
 
 #include "../altivar/device/sixth_drive.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Simulates a drive whose table does not have its highest frequency.
 // EXPECT: a simulated drive needs the register HSP, its highest frequency
-#include <rtuwire/sim/drive/drive_needs.hpp>
+#include <rtuwire/sim/drive/unit.hpp>
 
 #include "../altivar/device/sixth_drive.hpp"
 

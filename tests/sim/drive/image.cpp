@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // The limits that an image holds its registers to: open ones, numbers of both signs, and those that hang on
 // other registers.
-#include <rtuwire/sim/drive/registers/image.hpp>
+#include <rtuwire/sim/drive/image.hpp>
 
 #include <array>
 #include <cstdint>

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The channels from which a drive takes its commands and its reference, by its settings and its logic inputs.
+// The channels from which a drive takes its commands: its link, which it supervises, its logic inputs, its keypad. Knows
+// no registers.
 // Internal: may change with any version.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
+#include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/sim/drive/registers/image.hpp>
-#include <rtuwire/sim/drive/registers/register_index.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
@@ -74,51 +74,44 @@ private:
     bool is_released_{false};
 };
 
-/// A view of the channel settings in an image, which outlives it.
-template <device_type Device> class channels {
-    static constexpr register_index<Device> at{};
-
+/// How a drive supervises its serial link: after the first request, each next one must come within the time-out.
+class link_watchdog {
 public:
-    explicit constexpr channels(image<Device> const& its_registers) noexcept : registers_{its_registers} {}
-
-    [[nodiscard]] constexpr channel_choice choose(logic_inputs const& inputs) const noexcept
+    /// A request has come.
+    constexpr void note_contact(instant now) noexcept
     {
-        return {commands_by_link(), is_forced_local(inputs), registers_.get(at.chcf) == io_profile,
-                inputs.is_closed(1)};
+        back_at_ = has_lost_ ? now : back_at_;
+        has_lost_ = false;
+        is_armed_ = true;
+        last_ = now;
     }
 
-    /// Whether Modbus gives the reference.
-    [[nodiscard]] constexpr bool refers_to_link() const noexcept
+    /// Whether the link was lost, and no request has come since.
+    [[nodiscard]] constexpr bool has_lost() const noexcept { return has_lost_; }
+
+    /// Whether requests have come again for a second: a drive that restarts by itself waits so long.
+    [[nodiscard]] constexpr bool is_back(instant now) const noexcept
     {
-        return not at.has(at.fr1) or registers_.get(at.fr1) == reference_by_modbus;
+        return not has_lost_ and now - back_at_ >= milliseconds(1'000);
+    }
+
+    /// Whether the time-out has passed since the last request, reported once; a time-out of 0 never passes.
+    [[nodiscard]] constexpr bool is_lost(instant now, duration time_out) noexcept
+    {
+        bool const is_over =
+            is_armed_ and time_out.microseconds != 0 and (now - last_).microseconds >= time_out.microseconds;
+        if (is_over) {
+            is_armed_ = false;
+            has_lost_ = true;
+        }
+        return is_over;
     }
 
 private:
-    static constexpr std::uint16_t together = 1, io_profile = 3;            ///< CHCF
-    static constexpr std::uint16_t reference_by_modbus = 164;               ///< FR1
-    static constexpr std::uint16_t command_by_modbus = 10;                  ///< CD1
-    static constexpr std::uint16_t first_input = 129, first_inverted = 145; ///< FLO: LI1, L1L
-    static constexpr std::uint16_t forces_local = 17;                       ///< LI3 and LI4
-
-    /// With CHCF 1 the reference's channel also commands, whatever CD1 holds.
-    constexpr bool commands_by_link() const noexcept
-    {
-        bool const is_together = not at.has(at.cd1) or registers_.get(at.chcf) == together;
-        return is_together ? refers_to_link() : registers_.get(at.cd1) == command_by_modbus;
-    }
-
-    constexpr bool is_forced_local(logic_inputs const& inputs) const noexcept
-    {
-        std::size_t const by = registers_.get(at.flo);
-        constexpr std::size_t most = 16;
-        bool const by_high = by >= first_input and by < first_inverted and inputs.is_closed(by - first_input + 1);
-        bool const by_low =
-            by >= first_inverted and by < first_inverted + most and not inputs.is_closed(by - first_inverted + 1);
-        return by_high or by_low or (registers_.get(at.li3) == forces_local and inputs.is_closed(3)) or
-               (registers_.get(at.li4) == forces_local and inputs.is_closed(4));
-    }
-
-    image<Device> const& registers_;
+    instant last_{0};
+    instant back_at_{0};
+    bool has_lost_{false};
+    bool is_armed_{false};
 };
 
 } // namespace rtuwire::sim

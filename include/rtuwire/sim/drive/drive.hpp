@@ -11,45 +11,40 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <rtuwire/altivar/device/drive_layout.hpp>
+#include <rtuwire/altivar/device/drive_type.hpp>
+#include <rtuwire/cia402/state.hpp>
+#include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/server/banks.hpp>
+#include <rtuwire/sim/drive/channels.hpp>
 #include <rtuwire/sim/drive/control.hpp>
-#include <rtuwire/sim/drive/drive_bank.hpp>
-#include <rtuwire/sim/drive/link_watchdog.hpp>
+#include <rtuwire/sim/drive/image.hpp>
+#include <rtuwire/sim/drive/memory.hpp>
 #include <rtuwire/sim/drive/motor.hpp>
 #include <rtuwire/sim/drive/parameters.hpp>
-#include <rtuwire/sim/drive/registers/fault_record.hpp>
+#include <rtuwire/sim/drive/register_rules.hpp>
 #include <rtuwire/sim/drive/state_machine.hpp>
+#include <rtuwire/sim/drive/status_registers.hpp>
+#include <rtuwire/wire/errc.hpp>
+#include <rtuwire/wire/register_view.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
 /// One simulated drive; a register bank. Call `advance` in each pass before the bank is served, and
 /// `note_contact` for each request to this unit.
-template <device_type Device> class drive : public drive_bank<Device> {
-    using base = drive_bank<Device>;
-    using base::analog_;
-    using base::at;
-    using base::behaviour;
-    using base::control_;
-    using base::line_;
-    using base::link_watchdog_;
-    using base::memory_;
-    using base::motor_;
-    using base::now_;
-    using base::power_up;
-    using base::registers_;
-    using base::set;
-    using base::settle;
-    using base::terminals_;
-    using base::turn;
-    using base::update_status;
-    using typename base::registers;
+template <device_type Device> class drive {
+    using registers = image<Device>;
+    static constexpr altivar::drive_layout const& layout = Device::layout;
+    static constexpr altivar::simulated_behaviour const& behaviour = altivar::behaviour_of<Device>;
+    static constexpr register_index<Device> at{};
+
+    using orders = menu_orders_of<registers>;
+    static constexpr scanner_half<Device> inputs{Device::scanner.input_words, Device::scanner.input_addresses};
+    static constexpr scanner_half<Device> outputs{Device::scanner.output_words, Device::scanner.output_addresses};
 
 public:
-    using base::fault;
-    using base::motor;
-    using base::state_machine;
-
     /// Powered up at `now`, commissioned: Modbus commands it, and it has a unit address.
     explicit constexpr drive(instant power_on, std::uint16_t address = 1) noexcept
     {
@@ -127,6 +122,54 @@ public:
         power_up(now);
     }
 
+    // The bank, as a server sees it.
+
+    [[nodiscard]] constexpr errc check_read(std::uint16_t start, std::size_t count) const noexcept
+    {
+        bool is_known = true;
+        for (std::size_t i = 0; i < count; ++i) {
+            is_known = is_known and registers::at_address(start + i) != registers::nowhere;
+        }
+        return is_known ? errc::none : errc::illegal_data_address;
+    }
+
+    [[nodiscard]] constexpr errc check_write(std::uint16_t start, register_view values) const noexcept
+    {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            std::size_t const place = registers::at_address(start + i);
+            if (place == registers::nowhere or registers::rule(place).mode == access::read_only) {
+                return errc::illegal_data_address;
+            }
+        }
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            errc const wrong = check_word(registers::at_address(start + i), values[i]);
+            if (wrong != errc::none) {
+                return wrong;
+            }
+        }
+        return fit(start, values) ? errc::none : errc::illegal_data_value;
+    }
+
+    constexpr errc read(std::uint16_t start, std::size_t count, byte_writer& out) noexcept
+    {
+        for (std::size_t i = 0; i < count; ++i) {
+            out.u16(word_at(registers::at_address(start + i)));
+        }
+        return errc::none;
+    }
+
+    constexpr errc write(std::uint16_t start, register_view values) noexcept
+    {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            store(registers::at_address(start + i), values[i]);
+        }
+        settle();
+        return errc::none;
+    }
+
+    /// The word of a register by its mnemonic; 0 for one that this device does not have.
+    [[nodiscard]] constexpr std::uint16_t word(literal code) const noexcept { return word_at(registers::at(code)); }
+
     // What can be seen at the drive itself.
 
     /// How often the EEPROM was written.
@@ -144,7 +187,192 @@ public:
     /// Rate and format of the line as they are in effect, as values of its registers.
     [[nodiscard]] constexpr line_setting line() const noexcept { return line_; }
 
+    [[nodiscard]] constexpr sim::state_machine const& state_machine() const noexcept
+    {
+        return control_.state_machine();
+    }
+    [[nodiscard]] constexpr sim::motor const& motor() const noexcept { return motor_; }
+    [[nodiscard]] constexpr std::uint16_t fault() const noexcept { return control_.fault(); }
+
 private:
+    // What a word may be, and what a written word does; and the scanner, whose words stand for other registers.
+
+    constexpr errc check_word(std::size_t place, std::uint16_t word) const noexcept
+    {
+        bool const is_command = place == at.cmd or place == at.cmdd or place == at.lfr or place == at.lfrd;
+        if (is_command and place != registers::nowhere) {
+            bool const is_refused = control_.is_forced_local() and layout.refuses_commands_in_local;
+            return is_refused ? errc::server_device_failure : errc::none;
+        }
+        if (registers::rule(place).mode == access::configuration and cia402::has_power(state_machine().state())) {
+            return errc::server_device_failure;
+        }
+        errc const wrong = registers_.check(place, word);
+        if constexpr (is_whole<Device>) {
+            return wrong == errc::none and orders::refuses(place, word) ? errc::server_device_failure : wrong;
+        } else {
+            return wrong;
+        }
+    }
+
+    /// Whether words fit each other and what is held beside them.
+    constexpr bool fit([[maybe_unused]] std::uint16_t start, [[maybe_unused]] register_view values) const noexcept
+    {
+        if constexpr (is_whole<Device>) {
+            speed_limits<registers> after{registers_};
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                after.put(registers::at_address(start + i), values[i]);
+            }
+            return after.hold();
+        } else {
+            return true;
+        }
+    }
+
+    constexpr std::uint16_t word_at(std::size_t place) const noexcept
+    {
+        bool const is_scanned = inputs.has(place);
+        return registers_.get(is_scanned ? inputs.target_of(place, registers_) : place);
+    }
+
+    constexpr void store(std::size_t place, std::uint16_t word) noexcept
+    {
+        registers_.put_word(place, word);
+        if (registers::rule(place).mode == access::configuration and layout.falls_back_when_configured and
+            state_machine().state() == cia402::state::switched_on) {
+            control_.fall_back();
+        }
+        if (outputs.has(place)) {
+            forward(outputs.target_of(place, registers_), word);
+        } else {
+            act_on(place, word);
+        }
+    }
+
+    /// Stores a scanner output word in its target register; a word that the target would refuse is dropped.
+    constexpr void forward(std::size_t target, std::uint16_t word) noexcept
+    {
+        register_block const alone{word};
+        if (target != registers::nowhere and registers::rule(target).mode != access::read_only and
+            check_word(target, word) == errc::none and fit(registers::rule(target).address, alone)) {
+            registers_.put_word(target, word);
+            act_on(target, word);
+        }
+    }
+
+    constexpr void act_on(std::size_t place, std::uint16_t word) noexcept
+    {
+        if (place == at.cmd or place == at.cmdd) {
+            apply(word);
+        } else if (place == at.lfr) {
+            registers_.put(at.lfrd, set().to_rpm(registers_.get_signed(at.lfr) * 100));
+        } else if (place == at.lfrd) {
+            registers_.put(at.lfr, set().to_millihertz(registers_.get_signed(at.lfrd)) / 100);
+        } else if (place == at.cmi) {
+            extended_command(word);
+        } else {
+            execute(place, word);
+        }
+    }
+
+    /// Executes an order in a parameter.
+    constexpr void execute([[maybe_unused]] std::size_t place, [[maybe_unused]] std::uint16_t word) noexcept
+    {
+        if constexpr (is_whole<Device>) {
+            if (orders::reads_zero_again(place)) {
+                registers_.put(place, 0);
+            }
+            if (orders::recalls_factory_settings(place, word)) {
+                memory_.deliver(registers_, now_);
+            }
+        }
+    }
+
+    constexpr void apply(std::uint16_t word) noexcept
+    {
+        registers_.put(at.cmd, word);
+        registers_.put(at.cmdd, word);
+        if (control_.apply(word)) {
+            link_watchdog_.note_contact(now_);
+        }
+    }
+
+    constexpr void extended_command(std::uint16_t word) noexcept
+    {
+        if (not cia402::has_power(state_machine().state())) {
+            memory_.execute(registers_, word, now_);
+        }
+    }
+
+    // What follows a change or the time: settings choose the channel, channel and commands make the demand, the demand
+    // turns the motor, and the monitoring registers report all of it.
+
+    constexpr void power_up(instant now) noexcept
+    {
+        now_ = now;
+        control_.power_up();
+        motor_ = sim::motor{};
+        link_watchdog_ = link_watchdog{};
+        line_ = set().line();
+        arrange();
+        update_status();
+    }
+
+    /// Chooses the commanding channel by the present settings and inputs.
+    constexpr void arrange() noexcept
+    {
+        control_.choose(set().choose(terminals_));
+        if (not behaviour.sets_line_at_power_up) {
+            line_ = set().line();
+        }
+    }
+
+    /// Brings everything up to date after a change, without time passing.
+    constexpr void settle() noexcept
+    {
+        arrange();
+        turn(duration{});
+        update_status();
+    }
+
+    constexpr parameters<Device> set() const noexcept { return parameters<Device>{registers_}; }
+
+    constexpr sim::demand<Device> demand() const noexcept
+    {
+        return {registers_, control_, analog_, link_watchdog_.has_lost()};
+    }
+
+    constexpr void turn(duration passed) noexcept
+    {
+        drive_motor(motor_, demand(), cia402::has_power(state_machine().state()), passed, set().motor());
+        if (motor_.is_at_rest()) {
+            control_.at_rest();
+        }
+    }
+
+    constexpr void update_status() noexcept
+    {
+        sim::demand<Device> const now = demand();
+        bool const has_power = cia402::has_power(state_machine().state());
+        bool const is_by_link = control_.is_by_link();
+        appearance const seen{.state = state_machine().state(),
+                              .target = now.target(),
+                              .is_backwards = now.is_backwards(),
+                              .is_limited = now.is_limited(),
+                              .is_local = layout.shows_forced_local_only ? control_.is_forced_local() : not is_by_link,
+                              .is_by_link = is_by_link,
+                              .is_stopped_by_key = control_.is_stopped_by_key(),
+                              .has_cause = control_.has_cause(),
+                              .tripped_in_quick_stop = state_machine().tripped_in_quick_stop(),
+                              .is_injecting = has_power and now.how_it_stops() == stopping::injection,
+                              .is_memory_busy = memory_.is_busy()};
+        update_status_registers(registers_, seen, motor_);
+        show_active_fault(registers_, fault());
+        show_inputs(registers_, terminals_);
+    }
+
+    // Faults.
+
     constexpr void lose_link() noexcept
     {
         loss_reaction const how = set().reaction_to_loss();
@@ -180,7 +408,16 @@ private:
         }
     }
 
+    registers registers_{};
+    memory<Device> memory_{};
     fault_record<Device> faults_{};
+    control control_{layout}; ///< the state, and which channel commands
+    sim::motor motor_{};
+    link_watchdog link_watchdog_{};
+    logic_inputs terminals_{};
+    line_setting line_{}; ///< in effect
+    instant now_{0};
+    std::int32_t analog_{0}; ///< the reference at the terminals, in mHz
 };
 
 } // namespace rtuwire::sim

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// What the words of a drive's settings mean to its model: ramps, speed limits, the motor's nameplate, the supervision
-// of the link.
+// What the words of a drive's settings mean to its model: ramps, speed limits, the motor's nameplate, the supervision of
+// the link, the channels of command and reference; and what they demand of the motor, together with the commands.
 // Internal: may change with any version.
 #pragma once
 
@@ -10,12 +10,14 @@
 #include <cstdint>
 
 #include <rtuwire/altivar/device/drive_type.hpp>
+#include <rtuwire/cia402/state.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/sim/drive/channels.hpp>
 #include <rtuwire/sim/drive/control.hpp>
+#include <rtuwire/sim/drive/image.hpp>
+#include <rtuwire/sim/drive/memory.hpp>
 #include <rtuwire/sim/drive/motor.hpp>
-#include <rtuwire/sim/drive/registers/image.hpp>
-#include <rtuwire/sim/drive/registers/register_index.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
@@ -134,7 +136,26 @@ public:
         return {registers_.get(at.has(at.tbr) ? at.tbr : at.bdr), registers_.get(at.tfo)};
     }
 
+    /// Which channel commands.
+    [[nodiscard]] constexpr channel_choice choose(logic_inputs const& inputs) const noexcept
+    {
+        return {commands_by_link(), is_forced_local(inputs), registers_.get(at.chcf) == io_profile,
+                inputs.is_closed(1)};
+    }
+
+    /// Whether Modbus gives the reference.
+    [[nodiscard]] constexpr bool refers_to_link() const noexcept
+    {
+        return not at.has(at.fr1) or registers_.get(at.fr1) == reference_by_modbus;
+    }
+
 private:
+    static constexpr std::uint16_t together = 1, io_profile = 3;            ///< CHCF
+    static constexpr std::uint16_t reference_by_modbus = 164;               ///< FR1
+    static constexpr std::uint16_t command_by_modbus = 10;                  ///< CD1
+    static constexpr std::uint16_t first_input = 129, first_inverted = 145; ///< FLO: LI1, L1L
+    static constexpr std::uint16_t forces_local = 17;                       ///< LI3 and LI4
+
     [[nodiscard]] constexpr std::int32_t get(std::size_t place) const noexcept { return registers_.get(place); }
 
     /// What one count of ACC and DEC is, in us: INR 0, 1 and 2 where a drive has it, else 0.1 s.
@@ -153,7 +174,122 @@ private:
         return pairs == 0 ? 1 : pairs;
     }
 
+    /// With CHCF 1 the reference's channel also commands, whatever CD1 holds.
+    constexpr bool commands_by_link() const noexcept
+    {
+        bool const is_together = not at.has(at.cd1) or registers_.get(at.chcf) == together;
+        return is_together ? refers_to_link() : registers_.get(at.cd1) == command_by_modbus;
+    }
+
+    constexpr bool is_forced_local(logic_inputs const& inputs) const noexcept
+    {
+        std::size_t const by = registers_.get(at.flo);
+        constexpr std::size_t most = 16;
+        bool const by_high = by >= first_input and by < first_inverted and inputs.is_closed(by - first_input + 1);
+        bool const by_low =
+            by >= first_inverted and by < first_inverted + most and not inputs.is_closed(by - first_inverted + 1);
+        return by_high or by_low or (registers_.get(at.li3) == forces_local and inputs.is_closed(3)) or
+               (registers_.get(at.li4) == forces_local and inputs.is_closed(4));
+    }
+
     image<Device> const& registers_;
 };
+
+/// What a drive demands of its motor: a frequency in a direction, or a kind of stop; from its commands, its channels, its
+/// limits and a link that may be lost. A view of a drive's registers and commands, which outlive it.
+template <device_type Device> class demand {
+    static constexpr register_index<Device> at{};
+
+public:
+    /// `analog` is the reference at the terminals, in mHz.
+    constexpr demand(image<Device> const& its_registers, control const& commands, std::int32_t analog,
+                     bool is_link_lost) noexcept
+        : registers_{its_registers}, commands_{commands}, analog_{analog}, is_link_lost_{is_link_lost}
+    {}
+
+    /// The reference, in mHz, before the limits and without the direction of the command.
+    [[nodiscard]] constexpr std::int32_t asked() const noexcept
+    {
+        bool const falls_back = is_link_lost_ and set().reaction_to_loss() == loss_reaction::fall_back_to_a_speed;
+        std::int32_t const given = refers_to_link() ? registers_.get_signed(at.lfr) * 100 : analog_;
+        return falls_back ? 0 : given;
+    }
+
+    /// The direction that is asked for: that of the reference and of the command. A reference has one even where it is no
+    /// step of LFR, or another speed is taken for it.
+    [[nodiscard]] constexpr bool is_backwards() const noexcept
+    {
+        bool const is_negative = registers_.get_signed(at.lfr) < 0 or registers_.get_signed(at.lfrd) < 0;
+        return (refers_to_link() ? is_negative : analog_ < 0) != commands_.is_reversed();
+    }
+
+    /// How the motor is being stopped; `none` while it may turn.
+    [[nodiscard]] constexpr stopping how_it_stops() const noexcept
+    {
+        if (commands_.state_machine().state() == cia402::state::fault_reaction_active) {
+            return how_a_fault_stops();
+        }
+        if (commands_.state_machine().is_leaving() and commands_.is_by_link() and set().freewheels_when_disabled()) {
+            return stopping::freewheel;
+        }
+        stopping const how = commands_.how_it_stops();
+        return how == stopping::as_set ? set().as_set() : how;
+    }
+
+    /// The target of the ramp, in mHz.
+    [[nodiscard]] constexpr std::int32_t target() const noexcept
+    {
+        return how_it_stops() == stopping::none ? set().limited(asked(), is_backwards()) : 0;
+    }
+
+    /// Whether the reference lies outside LSP and HSP.
+    [[nodiscard]] constexpr bool is_limited() const noexcept { return set().limited(asked(), asked() < 0) != asked(); }
+
+private:
+    constexpr parameters<Device> set() const noexcept { return parameters<Device>{registers_}; }
+
+    constexpr bool refers_to_link() const noexcept { return commands_.is_by_link() and set().refers_to_link(); }
+
+    /// A fault removes the torque, unless it is a lost link with another reaction in SLL.
+    constexpr stopping how_a_fault_stops() const noexcept
+    {
+        if (commands_.fault() != link_fault) {
+            return stopping::freewheel;
+        }
+        switch (set().reaction_to_loss()) {
+        case loss_reaction::ramp: return stopping::ramp;
+        case loss_reaction::fast: return stopping::fast;
+        case loss_reaction::injection: return stopping::injection;
+        case loss_reaction::ignore:
+        case loss_reaction::freewheel:
+        case loss_reaction::stop_without_fault:
+        case loss_reaction::fall_back_to_a_speed:
+        case loss_reaction::keep_the_speed: break;
+        }
+        return stopping::freewheel;
+    }
+
+    image<Device> const& registers_;
+    control const& commands_;
+    std::int32_t analog_;
+    bool is_link_lost_;
+};
+
+/// Moves a motor for the time `passed`, as demanded.
+template <device_type Device>
+constexpr void drive_motor(motor& shaft, demand<Device> const& asked, bool has_power, duration passed,
+                           motor_settings settings) noexcept
+{
+    constexpr std::int64_t fast = 4; ///< of the ramp, as dCF is delivered
+    stopping const how = asked.how_it_stops();
+    if (not has_power or how == stopping::freewheel) {
+        shaft.coast(passed, settings);
+    } else if (how == stopping::injection) {
+        shaft.inject(passed, settings);
+    } else {
+        settings.deceleration /= how == stopping::fast ? fast : 1;
+        shaft.drive(asked.target(), passed, settings);
+    }
+}
 
 } // namespace rtuwire::sim

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The contents of a simulated drive's monitoring registers.
+// The contents of a simulated drive's monitoring registers: one function for each word, of a drive as it is at one
+// moment. Apart from the drive, of which they know no more than that.
 // Internal: may change with any version.
 #pragma once
 
@@ -13,10 +14,9 @@
 #include <rtuwire/cia402/state.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/sim/drive/channels.hpp>
+#include <rtuwire/sim/drive/image.hpp>
 #include <rtuwire/sim/drive/motor.hpp>
 #include <rtuwire/sim/drive/parameters.hpp>
-#include <rtuwire/sim/drive/registers/image.hpp>
-#include <rtuwire/sim/drive/registers/register_index.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
 

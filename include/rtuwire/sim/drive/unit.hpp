@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 
@@ -13,9 +14,45 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/server.hpp>
 #include <rtuwire/sim/drive/drive.hpp>
-#include <rtuwire/sim/drive/drive_needs.hpp>
+#include <rtuwire/sim/drive/image.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
+
+// The registers and facts without which a drive cannot be simulated. What a drive lacks is said in a sentence each; all
+// other registers may be there or not.
+
+/// Whether a drive has no register of this mnemonic. What is no drive is refused for that alone, see `drive_check`.
+/// Internal.
+template <typename Device> [[nodiscard]] constexpr bool lacks([[maybe_unused]] literal code) noexcept
+{
+    if constexpr (altivar::drive_type<Device>) {
+        return image<Device>::at(code) == image<Device>::nowhere;
+    } else {
+        return false;
+    }
+}
+
+/// Internal.
+template <typename Device>
+concept names_itself =
+    not altivar::drive_type<Device> or not implements<Device>(function_code::encapsulated_interface) or
+    std::convertible_to<decltype(Device::reference), literal>;
+
+/// Stops the compiler at a drive that cannot be simulated.
+/// Internal.
+template <typename Device> struct drive_needs {
+    static_assert(not lacks<Device>("HSP"), "a simulated drive needs the register HSP, its highest frequency");
+    static_assert(not lacks<Device>("ACC"), "a simulated drive needs the register ACC, its acceleration ramp");
+    static_assert(not lacks<Device>("DEC"), "a simulated drive needs the register DEC, its deceleration ramp");
+    static_assert(not lacks<Device>("ADD"), "a simulated drive needs the register ADD, its unit address");
+    static_assert(not lacks<Device>("NSP") or not lacks<Device>("SDS"),
+                  "a simulated drive needs the register NSP, the motor's rated speed, or SDS, its revolutions a minute "
+                  "for one hertz");
+    static_assert(names_itself<Device>, "a simulated drive with function 43 has an order code: `static constexpr "
+                                        "literal reference`");
+
+    static constexpr bool met = true;
+};
 
 /// The vendor name of the drives, and their conformity level: regular identification, as a stream.
 inline constexpr literal maker{"Schneider Electric"};

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// A simulated RS-485 line in virtual time, bit by bit, with the faults of real ones. The same seed makes
-// the same faults, so a run is named by one number. No heap, and a simulated second is some thousand
-// steps.
+// A simulated RS-485 line in virtual time, bit by bit, with the faults of real ones. The same seed makes the same faults,
+// so a run is named by one number. No heap, and a simulated second is some thousand steps.
 #pragma once
 
 #include <array>
@@ -17,10 +16,123 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/sim/line/random_source.hpp>
-#include <rtuwire/sim/line/uart.hpp>
-#include <rtuwire/sim/line/waveform.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
+
+// One character on a wire: start bit, data, parity, stop. Bit 0 of a pattern comes first; idle is 1.
+
+/// A character as a receiver decodes it.
+/// Internal.
+struct received_byte {
+    std::byte byte;
+    bool is_damaged; ///< parity or framing error
+};
+
+/// The parity bit of a byte, 0 or 1; nothing where the format has none.
+/// Internal.
+[[nodiscard]] constexpr std::optional<std::uint32_t> parity_of(character_format format, std::uint8_t byte) noexcept
+{
+    std::uint32_t const even = static_cast<std::uint32_t>(std::popcount(byte)) & 1U;
+    switch (format) {
+    case character_format::even_8_1: return even;
+    case character_format::odd_8_1: return even ^ 1U;
+    case character_format::none_8_1:
+    case character_format::none_8_2: break;
+    }
+    return std::nullopt;
+}
+
+/// The bits of a byte, `bits_per_character` of them.
+/// Internal.
+[[nodiscard]] constexpr std::uint32_t character_bits(character_format format, std::byte byte) noexcept
+{
+    constexpr std::uint32_t stop_bits = 0b11;
+    std::uint32_t const data = to_u8(byte);
+    std::uint32_t const parity = parity_of(format, to_u8(byte)).value_or(1); // without parity the stop bit is there
+    return data << 1U | parity << 9U | stop_bits << 10U;
+}
+
+/// Decodes the bits that begin with a start bit, as a receiver does.
+/// Internal.
+[[nodiscard]] constexpr received_byte receive_character(character_format format, std::uint32_t bits) noexcept
+{
+    auto const byte = static_cast<std::uint8_t>(bits >> 1U);
+    auto const parity = parity_of(format, byte);
+    bool const is_parity_right = not parity or *parity == ((bits >> 9U) & 1U);
+    std::uint32_t const stop_at = parity ? 10 : 9;
+    bool const has_stop = ((bits >> stop_at) & 1U) != 0;
+    return {to_byte(byte), not is_parity_right or not has_stop};
+}
+
+/// The signal of one busy period, bit by bit: idle high, pulled low by any sender. Bits beyond its end are idle.
+/// Internal.
+class waveform {
+public:
+    static constexpr std::size_t capacity = 16'384;
+
+    constexpr waveform() noexcept { words_.fill(idle); }
+
+    /// The number of bits up to the last one written.
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
+
+    /// Writes `count` bits, at most 16, over those already there: low wins.
+    constexpr void lay(std::size_t at, std::uint32_t bits, std::size_t count) noexcept
+    {
+        if (at + count > capacity) {
+            return;
+        }
+        std::uint64_t const lows = ~std::uint64_t{bits} & ((std::uint64_t{1} << count) - 1);
+        std::size_t const word = at / word_bits;
+        std::size_t const shift = at % word_bits;
+        words_[word] &= ~(lows << shift);
+        if (shift + count > word_bits) {
+            words_[word + 1] &= ~(lows >> (word_bits - shift));
+        }
+        touch(at + count);
+    }
+
+    /// Inverts a bit.
+    constexpr void flip(std::size_t at) noexcept
+    {
+        if (at < capacity) {
+            words_[at / word_bits] ^= std::uint64_t{1} << (at % word_bits);
+            touch(at + 1);
+        }
+    }
+
+    /// The 16 bits from a place on.
+    [[nodiscard]] constexpr std::uint32_t bits_from(std::size_t at) const noexcept
+    {
+        std::size_t const word = at / word_bits;
+        std::size_t const shift = at % word_bits;
+        std::uint64_t const low = word < words_.size() ? words_[word] : idle;
+        std::uint64_t const high = word + 1 < words_.size() ? words_[word + 1] : idle;
+        std::uint64_t const both = shift == 0 ? low : low >> shift | high << (word_bits - shift);
+        return static_cast<std::uint32_t>(both & 0xFFFFU);
+    }
+
+    /// All idle again.
+    constexpr void clear() noexcept
+    {
+        for (std::size_t word = 0; word * word_bits < size_; ++word) {
+            words_[word] = idle;
+        }
+        size_ = 0;
+    }
+
+private:
+    static constexpr std::size_t word_bits = 64;
+    static constexpr std::uint64_t idle = ~std::uint64_t{0};
+
+    constexpr void touch(std::size_t end) noexcept
+    {
+        end = end < capacity ? end : capacity;
+        size_ = end > size_ ? end : size_;
+    }
+
+    std::array<std::uint64_t, capacity / word_bits> words_{};
+    std::size_t size_{0};
+};
 
 /// How often each fault occurs, in a million.
 struct line_faults {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // LSP <= HSP <= TFR at any time, whatever is written: one of them, several by one request, one through the scanner. The
 // model here knows the three numbers alone.
-#include <rtuwire/sim/drive/registers/speed_limits.hpp>
+#include <rtuwire/sim/drive/image.hpp>
 
 #include "sim/drive/whole/whole_drives.hpp"
 #include "support/random.hpp"
