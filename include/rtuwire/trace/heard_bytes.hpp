@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The bytes that a listener has not handed out yet, each with the time when it had arrived, and between which of them
-// damaged ones lay. In one piece, so that a view of a frame is one span.
+// What a listener keeps: the bytes that it has not handed out yet, each with the time when it had arrived, and between
+// which of them damaged ones lay, in one piece, so that a view of a frame is one span; and a request that passed, for its
+// response. Apart from the listener, which says what becomes of them.
 // Internal: may change with any version.
 #pragma once
 
@@ -96,6 +97,29 @@ private:
     std::size_t first_damage_{0}; ///< an index of the byte behind it
     std::size_t last_damage_{0};
     bool has_damage_{false};
+};
+
+/// Internal: the bytes of one frame, or none, and when it ended.
+class passed_request {
+public:
+    constexpr void note(byte_view bytes, instant end) noexcept
+    {
+        size_ = static_cast<std::uint16_t>(bytes.size());
+        for (std::size_t i = 0; i < bytes.size(); ++i) {
+            bytes_[i] = bytes[i];
+        }
+        end_ = end;
+    }
+    constexpr void forget() noexcept { size_ = 0; }
+
+    [[nodiscard]] constexpr bool is_any() const noexcept { return size_ != 0; }
+    [[nodiscard]] constexpr byte_view bytes() const noexcept { return byte_view{bytes_}.first(size_); }
+    [[nodiscard]] constexpr instant end() const noexcept { return end_; }
+
+private:
+    std::array<std::byte, max_adu_size> bytes_{};
+    std::uint16_t size_{0};
+    instant end_{0};
 };
 
 } // namespace rtuwire::detail

@@ -21,9 +21,10 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/trace/frame_match.hpp>
-#include <rtuwire/trace/frame_search.hpp>
+#include <rtuwire/trace/heard_bytes.hpp>
 #include <rtuwire/trace/heard_frame.hpp>
-#include <rtuwire/trace/passed_request.hpp>
+#include <rtuwire/trace/traced_frame.hpp>
+#include <rtuwire/wire/frame_length.hpp>
 #include <rtuwire/wire/limits.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -35,7 +36,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 ///     line_listener tap{line_timing{19'200, character_format::even_8_1}};
 ///     tap.receive(uart.take(), now, [](heard_frame const& it) { show(it); });
 ///     tap.advance(now, ...);
-class line_listener : detail::frame_search {
+class line_listener {
 public:
     /// A request without a response after `response_limit` is unanswered; the response is late from then on, for up to 35
     /// minutes. Let it be shorter than the time after which the line's client repeats a request: before, a repetition of
@@ -85,6 +86,8 @@ public:
     }
 
 private:
+    using frame_match = detail::frame_match;
+
     static constexpr std::size_t piece = 64;
     /// Bytes that wait for a silence; no frame is longer.
     static constexpr std::size_t most_waiting = max_adu_size;
@@ -125,11 +128,11 @@ private:
     {
         while (not held_.is_empty()) {
             byte_view const bytes = held_.first(held_.size());
-            detail::frame_match const found = match_at(0, is_silent);
+            frame_match const found = match_at(0, is_silent);
             if (found.is_whole()) {
                 hand_out(found, take);
             } else if (is_silent and has_no_rule(bytes)) {
-                hand_out({detail::frame_match::outcome::whole, bytes.size(), role_of(bytes)}, take);
+                hand_out({frame_match::outcome::whole, bytes.size(), role_of(bytes)}, take);
             } else if (found.is_open() and not is_silent and bytes.size() < most_waiting) {
                 return;
             } else if (std::size_t const next = find_frame(is_silent); next != 0) {
@@ -144,7 +147,7 @@ private:
         }
     }
 
-    template <typename Take> constexpr void hand_out(detail::frame_match const& found, Take& take)
+    template <typename Take> constexpr void hand_out(frame_match const& found, Take& take)
     {
         byte_view const bytes = held_.first(found.size);
         lost_.forget();
@@ -224,6 +227,73 @@ private:
         pending_.forget();
     }
 
+    // Where among the bytes that were not handed out yet frames are.
+
+    /// What begins at a byte, undamaged.
+    constexpr frame_match match_at(std::size_t from, bool is_over) const noexcept
+    {
+        byte_view const bytes = held_.first(held_.size()).subspan(from);
+        frame_match found = detail::match_frame(bytes, pending_.bytes(), is_over);
+        if (not found.is_whole() and detail::begins_response(bytes, given_up_.bytes())) {
+            frame_match const late = detail::match_response(bytes, given_up_.bytes());
+            found = late.is_verified ? detail::response_or_longer(bytes, late, detail::match_request(bytes), is_over)
+                                     : found;
+        }
+        if (found.is_whole() and found.role == frame_role::request and lost_.is_any() and
+            detail::match_by_rule(direction::response, bytes).size == found.size and
+            detail::resembles(bytes.first(found.size), lost_.bytes())) {
+            found.role = frame_role::response;
+        }
+        if (found.is_whole() and held_.is_damaged(from, found.size)) {
+            found.is = frame_match::outcome::refuted;
+        }
+        return found;
+    }
+
+    /// Where among the bytes a frame begins for which more than a CRC speaks; 0 for nowhere.
+    constexpr std::size_t find_frame(bool is_silent) const noexcept
+    {
+        for (std::size_t from = 1; from + min_adu_size <= held_.size(); ++from) {
+            frame_match const found = match_at(from, is_silent);
+            std::size_t const behind = from + found.size;
+            bool const is_request = found.is_whole() and found.role == frame_role::request;
+            if (found.is_verified or
+                (is_request and ((is_silent and behind == held_.size()) or is_answered(from, found.size)))) {
+                return from;
+            }
+        }
+        return 0;
+    }
+
+    /// Whether right behind a request its response stands.
+    constexpr bool is_answered(std::size_t from, std::size_t size) const noexcept
+    {
+        byte_view const bytes = held_.first(held_.size()).subspan(from);
+        frame_match const found = detail::match_response(bytes.subspan(size), bytes.first(size));
+        return found.is_verified and not held_.is_damaged(from + size, found.size);
+    }
+
+    constexpr bool has_no_rule(byte_view bytes) const noexcept
+    {
+        return bytes.size() >= min_adu_size and bytes.size() <= max_adu_size and
+               not held_.is_damaged(0, bytes.size()) and detail::has_right_crc(bytes) and
+               frame_length(direction::request, bytes).size() == 0;
+    }
+
+    constexpr frame_role role_of(byte_view bytes) const noexcept
+    {
+        return detail::begins_response(bytes, pending_.bytes()) ? frame_role::response : frame_role::request;
+    }
+
+    static constexpr bool has_rule(byte_view bytes) noexcept
+    {
+        return frame_length(direction::response, bytes).size() != 0;
+    }
+
+    detail::heard_bytes held_{};
+    detail::passed_request pending_{};
+    detail::passed_request given_up_{};
+    detail::passed_request lost_{}; ///< damaged bytes in the place of a request
     line_timing timing_;
     duration limit_;
     instant last_{0};
