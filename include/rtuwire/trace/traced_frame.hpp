@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/literal.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 
@@ -25,6 +26,31 @@ enum class frame_verdict : std::uint8_t {
     echo,    ///< what this end sent itself, given back by the line
     stray,   ///< anything else: noise, or an undamaged frame that answers nothing
 };
+
+/// "request", "response" or "unknown".
+[[nodiscard]] constexpr literal name(frame_role role) noexcept
+{
+    switch (role) {
+    case frame_role::request: return "request";
+    case frame_role::response: return "response";
+    case frame_role::unknown: break;
+    }
+    return "unknown";
+}
+
+/// The name of the enumerator: "damaged".
+[[nodiscard]] constexpr literal name(frame_verdict verdict) noexcept
+{
+    switch (verdict) {
+    case frame_verdict::good: break;
+    case frame_verdict::damaged: return "damaged";
+    case frame_verdict::late: return "late";
+    case frame_verdict::foreign: return "foreign";
+    case frame_verdict::echo: return "echo";
+    case frame_verdict::stray: return "stray";
+    }
+    return "good";
+}
 
 /// One frame, or the bytes that belong to none, in the pieces in which they arrived.
 struct traced_frame {
