@@ -115,7 +115,9 @@ template <std::size_t Places> struct command_desk : hand_clock<drive_client<Plac
     static constexpr client_options options{
         .response_timeout = milliseconds(100), .turnaround = milliseconds(20), .late_response = {}, .retries = 0};
 
-    explicit command_desk(client_options const& with = options) : base{with} {}
+    explicit command_desk(client_options const& with = options, line_timing const& timing = office_line)
+        : base{with, timing}
+    {}
 
     /// Comes by and asks nothing.
     template <typename Conversation> void see(Conversation& conversation)

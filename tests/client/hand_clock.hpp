@@ -13,7 +13,7 @@ template <typename Link> struct hand_clock {
     Link link;
     std::uint64_t time{0xFFFF'FFFFU - 5'000'000U};
 
-    explicit hand_clock(client_options const& options) : link{office_line, options}
+    explicit hand_clock(client_options const& options, line_timing const& timing = office_line) : link{timing, options}
     {
         pass(0);
         pass(1'000'000);

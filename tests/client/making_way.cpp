@@ -163,6 +163,43 @@ TEST_CASE("rule 38: a request to the stopped unit is given up unless its respons
     }
 }
 
+TEST_CASE("rule 38: a response that comes in lumps, as an adapter hands it over, has begun until its line is silent")
+{
+    constexpr std::uint32_t rates[] = {19'200, 115'200};
+    for (std::uint32_t const rate : rates) {
+        for (bool const rests_first : {true, false}) { // the silence before sending, or none
+            for (bool const is_whole : {true, false}) {
+                INFO(rate << " bit/s, " << rests_first << ", " << is_whole);
+                line_timing const host = line_timing::host(rate, character_format::even_8_1);
+                command_desk<1> it{{}, rests_first ? host : host.with_silence(duration{})};
+                series other{[](unsigned) { return read_of(3, 3'201, 60); }};
+                it.link.converse(other, it.now());
+                REQUIRE(it.leaves());
+                frame_bytes const response = response_to(it.left);
+                it.time += 40'000;
+                it.link.receive(frame_bytes{response.begin(), response.begin() + 62}, it.now());
+                stop_of_3 stop;
+                it.pass(16'000);
+                it.link.converse(stop, it.now());
+                CHECK_FALSE(it.leaves());
+                if (is_whole) {
+                    it.link.receive(frame_bytes{response.begin() + 62, response.end()}, it.now());
+                    it.pass(5'000);
+                    it.link.converse(other, it.now());
+                    CHECK(other.answered == 1);
+                } else { // the rest was lost: no longer than until the frame is over
+                    deadline const next = it.link.poll_deadline();
+                    REQUIRE(next);
+                    it.pass((*next - it.now()).microseconds);
+                }
+                it.link.converse(stop, it.now());
+                CHECK(it.leaves());
+                CHECK(is_word(it.left));
+            }
+        }
+    }
+}
+
 TEST_CASE("rule 24: a stop that waits for silence while a response is awaited gets a pass when the line is silent")
 {
     command_desk<1> it;

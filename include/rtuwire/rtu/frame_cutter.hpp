@@ -273,6 +273,18 @@ public:
     /// Whether the next byte would be the first of a frame.
     [[nodiscard]] constexpr bool is_at_start() const noexcept { return not waits_for_silence(); }
 
+    /// Whether something is being received that silence ends. On a host, where no wire may lose bytes, it does not while its
+    /// holder awaits the rest.
+    [[nodiscard]] constexpr bool ends_by_silence() const noexcept
+    {
+        if constexpr (has_system) {
+            if (not line().has_wire() and static_cast<Holder const&>(*this).awaits_rest()) {
+                return false;
+            }
+        }
+        return waits_for_silence();
+    }
+
     /// Whether bytes are ignored until the line has been silent.
     [[nodiscard]] constexpr bool ignores_bytes() const noexcept { return state_ == state::synchronising; }
 
@@ -339,18 +351,6 @@ private:
 
     /// The silence that ends what is being received.
     constexpr duration end_silence() const noexcept { return is_open_end() ? line().t3_5() : line().frame_end(); }
-
-    /// Whether silence ends what is being received. On a host, where no wire may lose bytes, it does not while its holder
-    /// awaits the rest.
-    constexpr bool ends_by_silence() const noexcept
-    {
-        if constexpr (has_system) {
-            if (not line().has_wire() and static_cast<Holder const&>(*this).awaits_rest()) {
-                return false;
-            }
-        }
-        return waits_for_silence();
-    }
 
     /// `at`: the time by which the latest activity is judged, which is `within_reach_of_line` of bytes that have come now.
     constexpr void keep_activity(instant now, instant at) noexcept

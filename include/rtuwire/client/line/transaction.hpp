@@ -320,7 +320,8 @@ public:
     {
         retries_.end_retries();
         bool const has_not_left = phase_ == phase::waiting or phase_ == phase::ready or phase_ == phase::pausing;
-        bool const is_arriving = phase_ == phase::awaiting and not is_quiet();
+        // Between the lumps of a response its line may rest for longer than before a request: the frame is not over.
+        bool const is_arriving = phase_ == phase::awaiting and (not is_quiet() or framer().ends_by_silence());
         if (has_not_left ? may_drop or not retries_.is_first() : may_cut and not is_arriving) {
             cancel(now);
         }
