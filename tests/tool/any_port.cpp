@@ -50,7 +50,7 @@ errc read_status(any_port& port, std::uint32_t unit, duration time_limit = test:
 }
 
 /// Whether a unit has a register at an address.
-bool has_register(any_port& port, std::uint32_t unit, std::uint16_t address)
+bool answers_at(any_port& port, std::uint32_t unit, std::uint16_t address)
 {
     blocking_client client{port, port.timing(), {.response_timeout = test::limit, .retries = 0}};
     auto const response = client.ask(*unit_id::checked(unit), read_holding_registers{.start = address, .count = 1});
@@ -137,14 +137,14 @@ TEST_CASE("simulated drives have all their parameters, each its own")
                             scanner_word_8 = 12'708;
     any_port port;
     REQUIRE(port.open(described("sim:atv320:7,atv12:3,atv310_2026:9,atv310:10")));
-    CHECK(has_register(port, 7, preset_speed_2));
-    CHECK(has_register(port, 7, set_2_value_1));
-    CHECK(has_register(port, 3, preset_speed_2));
-    CHECK(has_register(port, 3, pump_mode));
-    CHECK(not has_register(port, 3, set_2_value_1));
-    CHECK(not has_register(port, 9, preset_speed_2));
-    CHECK(has_register(port, 9, scanner_word_8));
-    CHECK(not has_register(port, 10, scanner_word_8));
+    CHECK(answers_at(port, 7, preset_speed_2));
+    CHECK(answers_at(port, 7, set_2_value_1));
+    CHECK(answers_at(port, 3, preset_speed_2));
+    CHECK(answers_at(port, 3, pump_mode));
+    CHECK(not answers_at(port, 3, set_2_value_1));
+    CHECK(not answers_at(port, 9, preset_speed_2));
+    CHECK(answers_at(port, 9, scanner_word_8));
+    CHECK(not answers_at(port, 10, scanner_word_8));
 }
 
 TEST_CASE("the first response of a simulated drive is soon there")
