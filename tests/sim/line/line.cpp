@@ -179,3 +179,26 @@ TEST_CASE("an adapter keeps bytes until its timer ends or its buffer is full")
     }
     CHECK(adapter.give(now).size() == 62);
 }
+
+TEST_CASE("an adapter's timer may run all the time: from the packet before on, and round and round")
+{
+    sim::usb_adapter adapter{milliseconds(16), sim::usb_timer::from_last_packet};
+    auto const waits = [&](instant now) {
+        adapter.take(std::byte{1}, now);
+        duration const length = *adapter.poll_deadline() - now;
+        CHECK(adapter.give(now + length - microseconds(1)).empty());
+        CHECK(adapter.give(now + length).size() == 1);
+        return length;
+    };
+    instant const first{0};
+    CHECK(waits(first + milliseconds(10)) == milliseconds(6));
+    CHECK(waits(first + milliseconds(16)) == milliseconds(16)); // it ended just now
+    CHECK(waits(first + milliseconds(16 * 5 + 15)) == milliseconds(1));
+    // A full packet does not wait for it, and sets it back.
+    instant const full = first + milliseconds(16 * 10 + 5);
+    for (unsigned i = 0; i < 62; ++i) {
+        adapter.take(std::byte{2}, full);
+    }
+    CHECK(adapter.give(full).size() == 62);
+    CHECK(waits(full + milliseconds(3)) == milliseconds(13));
+}

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/time.hpp>
@@ -14,17 +15,24 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
 
+/// What an adapter's latency timer runs from. With `from_last_packet` it runs all the time, from the packet before on, whether
+/// bytes have come or not, as FTDI's do (AN232B-04); other adapters' timers begin with a byte.
+enum class usb_timer : std::uint8_t { from_first_byte, from_last_packet };
+
 /// One direction of an adapter.
 class usb_adapter {
 public:
-    /// The timer runs from the first byte; common adapters have 16 ms.
-    explicit constexpr usb_adapter(duration latency = milliseconds(16)) noexcept : latency_{latency} {}
+    /// Common adapters have a latency of 16 ms; above 0 with `from_last_packet`.
+    explicit constexpr usb_adapter(duration latency = milliseconds(16),
+                                   usb_timer timer = usb_timer::from_first_byte) noexcept
+        : latency_{latency}, timer_{timer}
+    {}
 
     /// Receives a byte from the line.
     constexpr void take(std::byte byte, instant now) noexcept
     {
         if (size_ == 0) {
-            release_at_ = now + latency_;
+            release_at_ = now + until_timer(now);
         }
         if (size_ < buffer_.size()) {
             buffer_[size_++] = byte;
@@ -42,6 +50,7 @@ public:
         }
         byte_view const lump = byte_view{buffer_}.first(size_);
         size_ = 0;
+        last_packet_ = release_at_;
         return lump;
     }
 
@@ -51,9 +60,20 @@ public:
     }
 
 private:
+    /// How long it is to the next end of the timer.
+    constexpr duration until_timer(instant now) const noexcept
+    {
+        if (timer_ == usb_timer::from_first_byte) {
+            return latency_;
+        }
+        return duration{latency_.microseconds - (now - last_packet_).microseconds % latency_.microseconds};
+    }
+
     std::array<std::byte, 62> buffer_{}; ///< as much as one USB packet of 64 bytes carries
     duration latency_;
+    usb_timer timer_;
     instant release_at_{0};
+    instant last_packet_{0}; ///< or a time at which an empty one went
     std::size_t size_{0};
 };
 
