@@ -23,4 +23,5 @@ for compiler in g++ clang++; do
     done
     /usr/bin/python3 -B bench/speed/report.py "$made"
     "$made/bench/pseudo_terminal"
+    "$made/bench/usb_adapter"
 done

@@ -58,6 +58,42 @@ STATIC_CHECK(line_timing::host(115'200, e).with_silence(duration{}).frame_end() 
 STATIC_CHECK(line_timing::host(115'200, e).with_silence(milliseconds(80)).frame_end() == milliseconds(50));
 STATIC_CHECK(line_timing{19'200, e}.with_silence(milliseconds(1)).frame_end() == microseconds(2'006));
 
+// Behind a USB adapter nothing changes up to 38 400 bit/s; above, only the silence before sending is left out.
+constexpr bool is_as_host(std::uint32_t rate, character_format format, bool rests)
+{
+    line_timing const usb = line_timing::usb(rate, format);
+    line_timing const host = line_timing::host(rate, format);
+    return usb.characters(256) == host.characters(256) and usb.t3_5() == host.t3_5() and usb.has_wire() and
+           usb.frame_end() == host.frame_end() and usb.silence() == (rests ? host.t3_5() : duration{});
+}
+STATIC_CHECK(is_as_host(50, e, true));
+STATIC_CHECK(is_as_host(9'600, n1, true));
+STATIC_CHECK(is_as_host(19'200, e, true));
+STATIC_CHECK(is_as_host(38'400, e, true));
+STATIC_CHECK(is_as_host(38'401, e, false));
+STATIC_CHECK(is_as_host(57'600, n1, false));
+STATIC_CHECK(is_as_host(115'200, e, false));
+STATIC_CHECK(is_as_host(4'000'000, n1, false));
+STATIC_CHECK(line_timing::usb(115'200, e, milliseconds(20)).frame_end() == milliseconds(20));
+STATIC_CHECK(line_timing::usb(115'200, e, milliseconds(1)).frame_end() == microseconds(1'750));
+
+// The silence before sending follows the rate where that is wanted and the line is faster than 115 200 bit/s.
+constexpr duration silence_by_rate(std::uint32_t rate, character_format format, std::uint32_t least)
+{
+    return line_timing::host(rate, format).with_silence_by_rate(microseconds(least)).silence();
+}
+STATIC_CHECK(silence_by_rate(1'000'000, e, 0) == microseconds(39)); // 38.5
+STATIC_CHECK(silence_by_rate(1'000'000, n1, 0) == microseconds(35));
+STATIC_CHECK(silence_by_rate(1'000'000, e, 200) == microseconds(200));
+STATIC_CHECK(silence_by_rate(230'400, e, 0) == microseconds(168)); // 3.5 characters of 48 us, each rounded up from 47.7
+STATIC_CHECK(silence_by_rate(128'000, e, 0) == microseconds(301));
+STATIC_CHECK(silence_by_rate(115'200, e, 0) == microseconds(1'750));
+STATIC_CHECK(silence_by_rate(115'200, n1, 0) == microseconds(1'750));
+STATIC_CHECK(silence_by_rate(19'200, e, 0) == microseconds(2'006));
+STATIC_CHECK(line_timing::without_wire().with_silence_by_rate(milliseconds(1)).silence() == duration{});
+STATIC_CHECK(line_timing::host(1'000'000, e).with_silence_by_rate(duration{}).t3_5() == microseconds(1'750));
+STATIC_CHECK(line_timing::host(1'000'000, e).with_silence_by_rate(duration{}).frame_end() == milliseconds(50));
+
 // Without a wire nothing takes time but the end of what has no length rule.
 STATIC_CHECK(line_timing::without_wire().characters(256) == duration{});
 STATIC_CHECK(line_timing::without_wire().silence() == duration{});

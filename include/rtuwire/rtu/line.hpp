@@ -49,6 +49,20 @@ public:
         return line;
     }
 
+    /// Times for a client on a host behind a USB adapter: those of `host`, above 38 400 bit/s without a silence before
+    /// sending. The adapter has kept the bytes meanwhile, until 62 had come or its timer ended, 1 to 16 ms, and the line has
+    /// rested for some of that; t3.5 more from their arrival on makes a transaction take up to 2.0 times as long at 115 200
+    /// bit/s, 3.0 at 1 Mbit/s (bench/hosts/usb_adapter.cpp). No adapter promises that rest: a unit that misses a request
+    /// which comes that soon needs `host`, or a pause of its own. Up to 38 400 bit/s t3.5 stays: drives want their three
+    /// characters, and the wire is slower than the adapter. Frames end as for `host`.
+    [[nodiscard]] static constexpr line_timing usb(std::uint32_t bits_per_second, character_format format,
+                                                   duration frame_end = milliseconds(50)) noexcept
+    {
+        constexpr std::uint32_t slower_than_adapter = 38'400;
+        line_timing const line = host(bits_per_second, format, frame_end);
+        return bits_per_second > slower_than_adapter ? line.with_silence(duration{}) : line;
+    }
+
     /// Times for what is no wire, where bytes take no time, need no silence between frames and are not lost: a
     /// pseudo-terminal, a socket. What has no length rule ends after `frame_end` there, too, and so does all that a server
     /// receives. A client on a host waits for the rest of a response that tells its length until its response time-out; on
@@ -69,6 +83,20 @@ public:
         line_timing line = *this;
         line.silence_ = silence;
         return line;
+    }
+
+    /// The same with a silence before sending that follows the rate where a character is shorter than 87 us, its length at
+    /// 115 200 bit/s and 10 bits: 3.5 characters there, 39 us at 1 Mbit/s and 11 bits, or `least` where that is more. The
+    /// specification fixes t3.5 at 1 750 us above 19 200 bit/s to spare receivers the interrupts (SL 2.5.1.1), so take as
+    /// `least` what the slowest unit needs between two frames. On a slower line, and without a wire, nothing changes.
+    [[nodiscard]] constexpr line_timing with_silence_by_rate(duration least) const noexcept
+    {
+        constexpr duration shortest_usual = microseconds(87);
+        if (not has_wire() or character_ >= shortest_usual) {
+            return *this;
+        }
+        duration const by_rate{(character_.microseconds * 7U + 1U) / 2U};
+        return with_silence(least > by_rate ? least : by_rate);
     }
 
     /// Whether bytes take time on a wire, which may lose some; not so of `without_wire`.
