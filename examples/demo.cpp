@@ -136,9 +136,8 @@ template <device_type Device> int run_on_line(options const& chosen, station<Dev
     simulated_process simulated;
     bool const is_real = not chosen.line.port.empty();
     // Nothing delays the bytes of a pseudo-terminal inside a frame.
-    auto const timing = is_real ? line_timing::host(set.bits_per_second, set.format)
-                                : line_timing::host(set.bits_per_second, set.format, milliseconds(5));
-    if (not is_real and not simulated.start(chosen.drive, chosen.unit, timing)) {
+    auto const no_delay = line_timing::host(set.bits_per_second, set.format, milliseconds(5));
+    if (not is_real and not simulated.start(chosen.drive, chosen.unit, no_delay)) {
         complain("demo: no simulated drive to be had\n");
         return 1;
     }
@@ -146,7 +145,7 @@ template <device_type Device> int run_on_line(options const& chosen, station<Dev
         complain("%s\n", port.failure().c_str());
         return 1;
     }
-    return demonstrate(chosen, drive, port, timing, is_real ? nullptr : &simulated);
+    return demonstrate(chosen, drive, port, is_real ? port.timing() : no_delay, is_real ? nullptr : &simulated);
 }
 
 } // namespace

@@ -66,3 +66,17 @@ TEST_CASE("a client that is given other times than the port's keeps them")
     CHECK(by_rate.shortest_rest() >= microseconds(500));
     CHECK(by_rate.shortest_rest() < told.t3_5());
 }
+
+TEST_CASE("a client that is given no times takes those of its port")
+{
+    adapter_setting const how{115'200, milliseconds(4), sim::usb_timer::from_first_byte, 4};
+    adapter_port told{how};
+    adapter_port untold{how};
+    double const expected = by_rtuwire(told, how, 1, told.timing());
+    blocking_client line{untold};
+    instant const begin = untold.now();
+    REQUIRE(line.ask(untold.unit, read_holding_registers{.start = 0, .count = 4}));
+    CHECK(double((untold.now() - begin).microseconds) == expected);
+    blocking_client impatient{untold, {.response_timeout = milliseconds(1), .retries = 0}};
+    CHECK(impatient.ask(untold.unit, read_holding_registers{.start = 0, .count = 1}).error() == errc::timed_out);
+}

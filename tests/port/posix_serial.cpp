@@ -7,7 +7,11 @@
 #include <array>
 #include <string>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <termios.h>
+#include <unistd.h>
 
 #include "support/catch.hpp"
 #include "support/soon.hpp"
@@ -133,6 +137,69 @@ TEST_CASE("bit rate and stop bits are set on the device")
         CHECK((line.c_cflag & CSTOPB) != 0);
         CHECK((line.c_lflag & (ICANON | ECHO | ISIG)) == 0);
     }
+}
+
+TEST_CASE("a device is behind USB where one of its folders is a USB bus, whatever its name is")
+{
+    CHECK(is_behind_usb(
+        "../../devices/pci0000:00/0000:00:14.0/usb1/1-2/1-2:1.0/ttyUSB0/tty/ttyUSB0")); // FTDI and the like
+    CHECK(is_behind_usb("../../devices/pci0000:00/0000:00:14.0/usb3/3-1/3-1.4/3-1.4:1.0/tty/ttyACM0"));
+    CHECK(is_behind_usb("../../devices/platform/soc/3f980000.usb/usb1/1-1/1-1.2/1-1.2:1.0/ttyUSB1/tty/ttyUSB1"));
+    CHECK(is_behind_usb("../../devices/platform/vhci_hcd.0/usb10/10-1/10-1:1.0/ttyUSB0/tty/ttyUSB0"));
+    CHECK_FALSE(is_behind_usb("../../devices/pnp0/00:04/00:04:0/00:04:0.0/tty/ttyS0"));
+    CHECK_FALSE(is_behind_usb("../../devices/platform/soc/fe201000.serial/tty/ttyAMA0"));
+    CHECK_FALSE(is_behind_usb("../../devices/platform/soc/3f980000.usb/gadget.0/tty/ttyS0")); // none behind it
+    CHECK_FALSE(is_behind_usb("../../devices/virtual/tty/usb1"));                             // a name
+    CHECK_FALSE(is_behind_usb("../../devices/virtual/usb/tty"));
+    CHECK_FALSE(is_behind_usb("../../devices/virtual/usb1a/tty"));
+    CHECK_FALSE(is_behind_usb("/usb"));
+    CHECK_FALSE(is_behind_usb(""));
+}
+
+TEST_CASE("a device is looked up in sysfs by its number")
+{
+    pseudo_terminal far;
+    REQUIRE(far.open());
+    descriptor const look{::open(far.path().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC)};
+    REQUIRE(look.is_open());
+    struct stat info {};
+    REQUIRE(::fstat(look.number(), &info) == 0);
+    CHECK(device_major(info.st_rdev) == major(info.st_rdev));
+    CHECK(device_minor(info.st_rdev) == minor(info.st_rdev));
+    constexpr dev_t large = 0x1234'5671'2345ULL;
+    CHECK(device_major(large) == major(large));
+    CHECK(device_minor(large) == minor(large));
+    std::string const folder = "./sysfs" + std::to_string(::getpid());
+    std::string const link =
+        folder + "/" + std::to_string(major(info.st_rdev)) + ":" + std::to_string(minor(info.st_rdev));
+    REQUIRE(::mkdir(folder.c_str(), 0700) == 0);
+    CHECK_FALSE(is_usb_device(look.number(), folder)); // no link
+    REQUIRE(::symlink("../../devices/pci0000:00/0000:00:14.0/usb1/1-2/1-2:1.0/ttyUSB0/tty/ttyUSB0", link.c_str()) == 0);
+    CHECK(is_usb_device(look.number(), folder));
+    CHECK_FALSE(is_usb_device(look.number(), folder + "-not-there"));
+    CHECK_FALSE(is_usb_device(-1, folder));
+    CHECK_FALSE(is_usb_device(look.number())); // a pseudo-terminal is none
+    ::unlink(link.c_str());
+    ::rmdir(folder.c_str());
+}
+
+TEST_CASE("a port tells the times that suit its device")
+{
+    pseudo_terminal far;
+    REQUIRE(far.open());
+    posix_serial port;
+    auto const is = [&](line_timing const& expected) {
+        line_timing const told = port.timing();
+        CHECK(told.characters(256) == expected.characters(256));
+        CHECK(told.t3_5() == expected.t3_5());
+        CHECK(told.frame_end() == expected.frame_end());
+        CHECK(told.silence() == expected.silence());
+    };
+    is(line_timing::host(19'200, character_format::even_8_1));
+    REQUIRE(port.open(far.path(), {.bits_per_second = 115'200, .format = character_format::none_8_1}));
+    is(line_timing::host(115'200, character_format::none_8_1));
+    port.close();
+    is(line_timing::host(115'200, character_format::none_8_1));
 }
 
 TEST_CASE("control flags are those of the character format")

@@ -39,6 +39,16 @@ concept serial_port = requires(T& port, byte_view out, byte_span in, instant unt
         } -> std::same_as<result<byte_span>>;
 };
 
+/// A serial port that also knows the times which suit its device, as `posix_serial` does.
+/// Internal.
+template <typename T>
+concept timed_port = serial_port<T> and requires(T const& port)
+{
+    {
+        port.timing()
+        } -> std::same_as<line_timing>;
+};
+
 /// The end of one pass of a client or a bus over a host's port, after `advance` and `converse`: sends what is to be
 /// sent, then passes on the bytes that have arrived, or arrive before `until` or the engine's next deadline. `place`
 /// is working memory. Errors: those of the port.
@@ -71,6 +81,12 @@ public:
     /// For needs with a `timing`.
     explicit blocking_client(Port& its_port) noexcept requires(told_by<Needs>::is_fixed)
         : port_{its_port}, write_limit_{Needs.options.response_timeout}
+    {}
+
+    /// With the times that suit the device, as the port tells them now: `its_port` has been opened before.
+    explicit blocking_client(Port& its_port, client_options const& its_options = {}) noexcept
+        requires(timed_port<Port> and not told_by<Needs>::is_fixed)
+        : blocking_client{its_port, its_port.timing(), its_options}
     {}
 
     /// Sends one request and waits for its outcome. The response is a view of this client's memory, valid until the

@@ -24,6 +24,7 @@
 #include <rtuwire/port/serial_settings.hpp>
 #include <rtuwire/port/standard_places.hpp>
 #include <rtuwire/port/timed_reader.hpp>
+#include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/errc_name.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -67,6 +68,8 @@ public:
             return failed(set.error(), why);
         }
         has_low_latency_ = request_low_latency(opened.number());
+        timing_ = is_usb_device(opened.number()) ? line_timing::usb(settings.bits_per_second, settings.format)
+                                                 : line_timing::host(settings.bits_per_second, settings.format);
         ::tcflush(opened.number(), TCIOFLUSH);
         opened.keep_settings();
         opened_ = std::move(opened);
@@ -96,6 +99,11 @@ public:
     /// said that it will. False where it refused, as a pseudo-terminal's does, where nothing is open and on other systems:
     /// a USB adapter may then hand bytes over up to 16 ms late.
     [[nodiscard]] bool has_low_latency() const noexcept { return has_low_latency_; }
+
+    /// The times that suit the device opened last and what it was set up with: `line_timing::usb` of one behind a USB bus,
+    /// as Linux tells, `line_timing::host` of any other; before the first those of 19 200 bit/s and 8E1. A `blocking_client`
+    /// that is given no others takes these when it is made, so open the device first.
+    [[nodiscard]] line_timing timing() const noexcept { return timing_; }
 
     /// The device's name as it was given to `open`.
     [[nodiscard]] std::string const& device() const noexcept { return device_; }
@@ -185,6 +193,7 @@ private:
     error_marks marks_{};
     bool has_receive_error_{false};
     bool has_low_latency_{false};
+    line_timing timing_{line_timing::host(19'200, character_format::even_8_1)};
     std::string device_;
     std::string failure_;
 };

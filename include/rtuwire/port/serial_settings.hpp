@@ -5,11 +5,14 @@
 // offers it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include <sys/ioctl.h>
 #include <termios.h>
+#include <unistd.h>
 
 #ifdef __linux__
 #include <linux/serial.h>
@@ -80,6 +83,13 @@ inline constexpr duration terminal_timer = milliseconds(100);
     return static_cast<unsigned>(number >> 8U & 0xFFFU) | static_cast<unsigned>(number >> 32U & 0xFFFF'F000U);
 }
 
+/// The device's part of it.
+/// Internal.
+[[nodiscard]] constexpr unsigned device_minor(std::uint64_t number) noexcept
+{
+    return static_cast<unsigned>(number & 0xFFU) | static_cast<unsigned>(number >> 12U & 0xFFFF'FF00U);
+}
+
 /// Whether a device is a pseudo-terminal, which has no wire and so no parity.
 /// Internal.
 [[nodiscard]] inline bool is_pseudo_terminal([[maybe_unused]] int device) noexcept
@@ -93,6 +103,43 @@ inline constexpr duration terminal_timer = milliseconds(100);
     }
     unsigned const number = device_major(info.st_rdev);
     return number >= first_unix98_major and number <= last_unix98_major;
+#else
+    return false;
+#endif
+}
+
+/// Whether a place among the devices of sysfs is behind a USB bus: one of its folders is a bus's, `usb1` and the like.
+/// Internal.
+[[nodiscard]] constexpr bool is_behind_usb(std::string_view place) noexcept
+{
+    constexpr std::string_view bus = "/usb";
+    for (std::size_t at = place.find(bus); at != std::string_view::npos; at = place.find(bus, at + 1)) {
+        std::string_view const number = place.substr(at + bus.size());
+        std::size_t const digits = number.find_first_not_of("0123456789");
+        if (digits != 0 and digits != std::string_view::npos and number[digits] == '/') {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Whether an open device is behind a USB bus, as the kernel's driver says in sysfs (Linux); false on other systems, and
+/// where that is not mounted. What a name says, `/dev/ttyUSB0`, does not count: udev or a user may have given another.
+/// `devices` is the folder of the links to the places of all character devices.
+/// Internal.
+[[nodiscard]] inline bool is_usb_device([[maybe_unused]] int device,
+                                        [[maybe_unused]] std::string const& devices = "/sys/dev/char")
+{
+#ifdef __linux__
+    struct stat info {};
+    if (::fstat(device, &info) != 0) {
+        return false;
+    }
+    std::string const link =
+        devices + "/" + std::to_string(device_major(info.st_rdev)) + ":" + std::to_string(device_minor(info.st_rdev));
+    char place[4096]; // PATH_MAX; a longer place is cut, behind its buses
+    ssize_t const size = ::readlink(link.c_str(), place, sizeof place);
+    return size > 0 and is_behind_usb({place, static_cast<std::size_t>(size)});
 #else
     return false;
 #endif
