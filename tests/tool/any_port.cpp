@@ -278,6 +278,9 @@ TEST_CASE("a serial device has the times of its wire, what is no wire has none")
     REQUIRE(port.open(described(far.path()), {.bits_per_second = 9'600}));
     CHECK_FALSE(port.is_simulated());
     CHECK(port.timing().characters(1) == line_timing{9'600, character_format::even_8_1}.characters(1));
+    CHECK(port.timing().silence() == line_timing{9'600, character_format::even_8_1}.t3_5());
+    port.keep_pause(milliseconds(7));
+    CHECK(port.timing().silence() == milliseconds(7));
     CHECK(far.write(std::array<std::byte, 1>{}, test::soon()));
     std::array<std::byte, 4> place{};
     auto const bytes = port.read(place, test::soon());

@@ -25,9 +25,9 @@ result<void> any_port::open(port_description const& described, serial_settings c
 
 result<void> any_port::open_one(serial_device const& chosen, serial_settings const& settings)
 {
-    timing_ = line_timing::host(settings.bits_per_second, settings.format);
     auto& port = port_.emplace<posix_serial>();
     auto const opened = port.open(chosen.path, settings);
+    timing_ = port.timing();
     if (std::string const nearest = opened == errc::device_not_found ? nearest_device(chosen.path) : "";
         not nearest.empty()) {
         own_failure_ = port.failure() + "; did you mean " + nearest + "?";

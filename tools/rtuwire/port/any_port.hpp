@@ -33,8 +33,8 @@ public:
     /// Wants this silence before each request, where it is longer than the port's own.
     void keep_pause(rtuwire::duration silence) noexcept;
 
-    /// The times that suit the port: of a wire with these settings, or of none; with the pause that was wanted since it was
-    /// opened.
+    /// The times that suit the port: of a wire with these settings, behind a USB adapter or not, or of none; with the pause
+    /// that was wanted since it was opened.
     [[nodiscard]] rtuwire::line_timing timing() const noexcept { return timing_; }
 
     /// The system's number of it, for `poll`; -1 where none is open.
