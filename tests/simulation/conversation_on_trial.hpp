@@ -121,7 +121,7 @@ public:
 
 inline std::unique_ptr<engine> engine_for(setting const& how)
 {
-    line_timing const line = timing_of(how, how.is_host);
+    line_timing const line = client_timing_of(how);
     if (how.is_bus) {
         return std::make_unique<one_bus>(line, how.options);
     }

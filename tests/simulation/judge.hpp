@@ -175,12 +175,13 @@ private:
 
     void check_line(moment now)
     {
+        moment const rest = how_.lets_line_rest() ? times_.t3_5 : 0;
         if (now < own_end_) {
             all_.accuse(fault::overlap, now);
-        } else if (own_end_ > 0 and now < own_end_ + times_.t3_5) {
+        } else if (own_end_ > 0 and now < own_end_ + rest) {
             all_.accuse(fault::short_silence, now);
         }
-        if (last_heard_ > 0 and now < last_heard_ + times_.t3_5) {
+        if (last_heard_ > 0 and now < last_heard_ + rest) {
             all_.accuse(fault::short_silence, now);
         }
         if (was_broadcast_ and now < own_end_ + how_.options.turnaround.microseconds) {

@@ -20,7 +20,7 @@ enum class fault : std::uint8_t {
     unasked,          ///< an outcome for a conversation that asked nothing, or something else
     alien_bytes,      ///< a frame on the line that is not the request under way
     overlap,          ///< a frame begins before the one before it has left
-    short_silence,    ///< less than t3.5 before a frame
+    short_silence,    ///< less than t3.5 before a frame, where the client's times want that
     short_turnaround, ///< a frame too early after a broadcast
     too_many,         ///< a request went out more often than it may
     too_few,          ///< it was given up too early

@@ -78,6 +78,10 @@ struct setting {
     moment gap_most{0};        ///< and with gaps between the lumps
     bool is_late_in_lumps{false};
 
+    /// Every other client of a host takes the times of one behind a USB adapter, which lets no fast line rest.
+    bool has_usb_times() const { return is_host and seed % 2U == 0; }
+    bool lets_line_rest() const { return not has_usb_times() or bits_per_second <= 38'400; }
+
     moment response_timeout() const { return options.response_timeout.microseconds; }
     moment late_response() const { return options.late_response.microseconds; }
 
@@ -94,6 +98,11 @@ struct setting {
 inline line_timing timing_of(setting const& how, bool is_host)
 {
     return is_host ? line_timing::host(how.bits_per_second, how.format) : line_timing{how.bits_per_second, how.format};
+}
+
+inline line_timing client_timing_of(setting const& how)
+{
+    return how.has_usb_times() ? line_timing::usb(how.bits_per_second, how.format) : timing_of(how, how.is_host);
 }
 
 inline setting setting_of(std::uint32_t seed, choice wanted)
