@@ -10,7 +10,7 @@
 
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/server/response_frame.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/response.hpp>
 
 namespace operations {

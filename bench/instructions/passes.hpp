@@ -10,7 +10,7 @@
 #include <optional>
 
 #include <rtuwire/client/bus.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 namespace operations {
 

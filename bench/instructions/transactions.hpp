@@ -12,7 +12,7 @@
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/server/server.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 namespace operations {
 

@@ -3,7 +3,7 @@
 // Fifty registers read by address. Twin of fifty_typed.cpp.
 #include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/client/client.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 

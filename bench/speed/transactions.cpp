@@ -15,7 +15,7 @@
 #include <rtuwire/port/descriptor.hpp>
 #include <rtuwire/rtu/receive_from.hpp>
 #include <rtuwire/server/server.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 

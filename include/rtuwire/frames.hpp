@@ -10,9 +10,8 @@
 #include <rtuwire/rtu/framer.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/adu.hpp>
-#include <rtuwire/wire/errc_category.hpp>
+#include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/errc_name.hpp>
 #include <rtuwire/wire/functions.hpp>
-#include <rtuwire/wire/pdu/exception.hpp>
-#include <rtuwire/wire/pdu/raw.hpp>
+#include <rtuwire/wire/raw.hpp>
 #include <rtuwire/wire/response.hpp>

@@ -7,7 +7,7 @@
 
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/wire/functions.hpp>
-#include <rtuwire/wire/pdu/raw.hpp>
+#include <rtuwire/wire/raw.hpp>
 
 using namespace rtuwire;
 

@@ -10,9 +10,8 @@
 
 #include <rtuwire/ask/access.hpp>
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/wire/pdu/read_file_record.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/registers.hpp>
+#include <rtuwire/wire/serial_line/file_records.hpp>
 
 using namespace rtuwire;
 

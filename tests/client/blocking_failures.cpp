@@ -12,8 +12,7 @@
 #include <rtuwire/altivar/atv320.hpp>
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
 #include <rtuwire/sim/bench.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 

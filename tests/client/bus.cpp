@@ -9,8 +9,7 @@
 
 #include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 

@@ -10,7 +10,7 @@
 #include "support/proof.hpp"
 
 #include <rtuwire/ask/single_request.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 

@@ -12,7 +12,7 @@
 #include <rtuwire/ask/poller.hpp>
 #include <rtuwire/client/bus.hpp>
 #include <rtuwire/client/client.hpp>
-#include <rtuwire/wire/pdu/raw.hpp>
+#include <rtuwire/wire/raw.hpp>
 
 #include "support/manual_unit.hpp"
 #include "support/proof.hpp"

@@ -13,8 +13,7 @@
 #include <rtuwire/altivar/atv12.hpp>
 #include <rtuwire/client/line_echo_probe.hpp>
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/wire/pdu/read_file_record.hpp>
-#include <rtuwire/wire/pdu/write_file_record.hpp>
+#include <rtuwire/wire/serial_line/file_records.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

@@ -9,7 +9,7 @@
 
 #include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/core/crc16.hpp>
-#include <rtuwire/wire/pdu/raw.hpp>
+#include <rtuwire/wire/raw.hpp>
 
 namespace {
 

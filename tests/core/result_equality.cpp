@@ -5,7 +5,7 @@
 
 #include "support/catch.hpp"
 
-#include <rtuwire/wire/pdu/raw.hpp>
+#include <rtuwire/wire/raw.hpp>
 
 using namespace rtuwire;
 

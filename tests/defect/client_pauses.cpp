@@ -19,7 +19,7 @@
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/client/blocking.hpp>
 #include <rtuwire/client/bus.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::test;

@@ -9,7 +9,7 @@
 
 #include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/client/bus.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 

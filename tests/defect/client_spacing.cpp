@@ -13,7 +13,7 @@
 
 #include <rtuwire/client/blocking.hpp>
 #include <rtuwire/client/bus.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::test;

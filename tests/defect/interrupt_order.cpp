@@ -15,7 +15,7 @@
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/server/banks.hpp>
 #include <rtuwire/server/response_frame.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 

@@ -10,7 +10,7 @@
 #include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/rtu/framer.hpp>
 #include <rtuwire/server.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::test;

@@ -9,7 +9,7 @@
 #include <deque>
 
 #include <rtuwire/client/blocking.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::test;

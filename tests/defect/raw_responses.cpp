@@ -11,7 +11,7 @@
 
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/server/respond.hpp>
-#include <rtuwire/wire/pdu/raw.hpp>
+#include <rtuwire/wire/raw.hpp>
 
 using namespace rtuwire;
 

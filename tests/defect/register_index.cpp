@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A register that a view or a block does not have is neither read nor written: the program's hook is called, and
 // the program ends. The hook of this program is in result_values.cpp.
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 #include <limits>
 

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A request that is kept in a variable owns its words: what is sent later is what it was made of.
-#include <rtuwire/wire/pdu/diagnostics.hpp>
-#include <rtuwire/wire/pdu/raw.hpp>
-#include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/exchange.hpp>
+#include <rtuwire/wire/raw.hpp>
+#include <rtuwire/wire/registers.hpp>
+#include <rtuwire/wire/serial_line/diagnostics.hpp>
 
 #include <array>
 #include <cstddef>

@@ -4,12 +4,8 @@
 // function, against an oracle that knows nothing of the codec.
 #include <array>
 
-#include <rtuwire/wire/pdu/read_coils.hpp>
-#include <rtuwire/wire/pdu/read_discrete_inputs.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
-#include <rtuwire/wire/pdu/read_input_registers.hpp>
-#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/bits.hpp>
+#include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/response.hpp>
 
 #include "share.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A request to everyone, which nobody would answer.
 // EXPECT: a broadcast has no response, so only a write can be broadcast
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 

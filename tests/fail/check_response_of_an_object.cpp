@@ -3,7 +3,7 @@
 // A check of the response that needs a request's object: no client has one, so nothing would ever be checked.
 // EXPECT: check_response of a request is a static function: errc (byte_view request_pdu, byte_view response_pdu)
 #include <rtuwire/ask/single_request.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 

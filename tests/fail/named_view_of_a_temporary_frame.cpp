@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // The same, asked for by name.
 // EXPECT: a frame that ends with its expression gives no view: give it a name first
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 

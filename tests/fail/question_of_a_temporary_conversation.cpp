@@ -4,7 +4,7 @@
 // EXPECT: deleted
 // EXPECT: next
 #include <rtuwire/ask/single_request.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 

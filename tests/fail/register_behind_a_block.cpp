@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A register behind the last one of a block.
 // EXPECT: there_is_no_such_register
-#include <rtuwire/wire/register_view.hpp>
+#include <rtuwire/wire/views.hpp>
 
 using namespace rtuwire;
 

@@ -3,7 +3,7 @@
 // A register behind the last one of a view, though bytes follow it; also where nothing is checked when the program runs.
 // EXPECT: there_is_no_such_register
 #define RTUWIRE_CHECKED 0
-#include <rtuwire/wire/register_view.hpp>
+#include <rtuwire/wire/views.hpp>
 
 using namespace rtuwire;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A request that would keep a view of words that are gone.
 // EXPECT: register_view
-#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A write that would keep a view of words that are gone with the result that held them.
 // EXPECT: register_view
-#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 

@@ -13,12 +13,10 @@
 #include <rtuwire/port/posix_serial.hpp>
 #include <rtuwire/port/tcp_stream.hpp>
 #include <rtuwire/wire/errc_name.hpp>
-#include <rtuwire/wire/pdu/device_identification.hpp>
-#include <rtuwire/wire/pdu/raw.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
-#include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/exchange.hpp>
+#include <rtuwire/wire/raw.hpp>
+#include <rtuwire/wire/registers.hpp>
+#include <rtuwire/wire/serial_line/device_identification.hpp>
 
 using namespace rtuwire;
 

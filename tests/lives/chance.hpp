@@ -6,8 +6,7 @@
 #include "lives/user.hpp"
 
 #include <rtuwire/wire/adu.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 namespace rtuwire::lives {
 

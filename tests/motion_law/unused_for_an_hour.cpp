@@ -16,7 +16,7 @@
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
 #include <rtuwire/client/blocking.hpp>
 #include <rtuwire/sim/drive/unit.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

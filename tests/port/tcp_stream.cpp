@@ -24,7 +24,7 @@
 
 #include <rtuwire/client/blocking.hpp>
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 using test::soon;

@@ -20,7 +20,7 @@
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/port/pseudo_terminal.hpp>
 #include <rtuwire/server/blocking.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 using test::soon;

@@ -10,11 +10,9 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
-#include <rtuwire/wire/pdu/exception.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
-#include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/exchange.hpp>
+#include <rtuwire/wire/raw.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 

@@ -11,7 +11,7 @@
 #include <rtuwire/ask/single_request.hpp>
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/sim/bench.hpp>
-#include <rtuwire/wire/pdu/raw.hpp>
+#include <rtuwire/wire/raw.hpp>
 
 using namespace rtuwire;
 

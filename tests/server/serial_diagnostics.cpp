@@ -8,7 +8,7 @@
 
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/server/server.hpp>
-#include <rtuwire/wire/pdu/raw.hpp>
+#include <rtuwire/wire/raw.hpp>
 
 using namespace rtuwire;
 

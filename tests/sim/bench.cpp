@@ -16,7 +16,7 @@
 #include <rtuwire/ask/access.hpp>
 #include <rtuwire/ask/poller.hpp>
 #include <rtuwire/ask/single_request.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

@@ -8,10 +8,8 @@
 #include <cstdlib>
 #include <string>
 
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
-#include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/exchange.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 #include "world.hpp"
 

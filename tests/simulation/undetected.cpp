@@ -12,7 +12,7 @@
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/core/crc16.hpp>
 #include <rtuwire/sim/line/line.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 

@@ -13,7 +13,7 @@ import declarations
 
 DRIVES, FUNCTIONS = "include/rtuwire/altivar/all_drives.hpp", "include/rtuwire/wire/functions.hpp"
 # Headers, by where they are, and what the list of their types is called.
-DEVICES_OF, PDUS_OF = "include/rtuwire/altivar", "include/rtuwire/wire/pdu"
+DEVICES_OF, PDUS_OF = "include/rtuwire/altivar", "include/rtuwire/wire"
 ALL_DRIVES, ALL_FUNCTIONS = "all_drives", "public_functions"
 
 # Headers of single drives, by where they are or by their namespace; others know no drive. An include of one is no code.

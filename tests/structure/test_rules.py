@@ -58,7 +58,7 @@ class Layers(unittest.TestCase):
 
     def test_one_header_of_a_room_is_not_the_room(self):
         self.refused("table__table", "wire/adu.hpp")
-        self.refused("table__table", "wire/pdu/exception.hpp")
+        self.refused("table__table", "wire/raw.hpp")
 
     def test_drives_and_the_operating_system_stay_above(self):
         for below in ("core", "wire", "rtu", "table", "client", "server"):

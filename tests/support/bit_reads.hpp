@@ -5,7 +5,7 @@
 
 #include "support/pdu_facts.hpp"
 
-#include <rtuwire/wire/bit_view.hpp>
+#include <rtuwire/wire/views.hpp>
 
 namespace rtuwire::test {
 

@@ -7,7 +7,6 @@
 #include <cstdint>
 
 #include <rtuwire/wire/errc.hpp>
-#include <rtuwire/wire/errc_category.hpp>
 
 namespace rtuwire::test {
 

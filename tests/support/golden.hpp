@@ -10,7 +10,7 @@
 #include "support/length.hpp"
 
 #include <rtuwire/wire/adu.hpp>
-#include <rtuwire/wire/pdu/diagnostics.hpp>
+#include <rtuwire/wire/serial_line/diagnostics.hpp>
 
 namespace rtuwire::test {
 

@@ -7,7 +7,7 @@
 
 #include "support/exact.hpp"
 
-#include <rtuwire/wire/frame_length.hpp>
+#include <rtuwire/wire/functions.hpp>
 
 namespace rtuwire::test {
 

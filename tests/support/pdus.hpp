@@ -8,8 +8,7 @@
 #include "type_list.hpp"
 
 #include <rtuwire/wire/functions.hpp>
-#include <rtuwire/wire/pdu/exception.hpp>
-#include <rtuwire/wire/pdu/raw.hpp>
+#include <rtuwire/wire/raw.hpp>
 
 namespace rtuwire::test {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include <rtuwire/server/banks.hpp>
-#include <rtuwire/wire/parts/file_records.hpp>
+#include <rtuwire/wire/serial_line/file_records.hpp>
 
 namespace rtuwire::test {
 

@@ -7,7 +7,7 @@
 
 #include <rtuwire/altivar/atv28.hpp>
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/wire/register_view.hpp>
+#include <rtuwire/wire/views.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

@@ -8,8 +8,7 @@
 
 #include <vector>
 
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 #include "support/random.hpp"
 

@@ -8,13 +8,11 @@
 
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/core/literal.hpp>
-#include <rtuwire/wire/pdu/device_identification.hpp>
-#include <rtuwire/wire/pdu/diagnostics.hpp>
-#include <rtuwire/wire/pdu/exception.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
-#include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/exchange.hpp>
+#include <rtuwire/wire/raw.hpp>
+#include <rtuwire/wire/registers.hpp>
+#include <rtuwire/wire/serial_line/device_identification.hpp>
+#include <rtuwire/wire/serial_line/diagnostics.hpp>
 
 using namespace rtuwire;
 using rtuwire::test::encodes;

@@ -11,10 +11,8 @@
 #include "support/verdict.hpp"
 
 #include <rtuwire/core/hex.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
-#include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/exchange.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 using rtuwire::test::verdict;

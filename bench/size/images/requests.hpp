@@ -7,12 +7,10 @@
 
 #include <array>
 
-#include <rtuwire/wire/pdu/device_identification.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
-#include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/exchange.hpp>
+#include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/response.hpp>
+#include <rtuwire/wire/serial_line/device_identification.hpp>
 
 inline constexpr rtuwire::unit_id address{1};
 inline constexpr rtuwire::register_block<4> words{1, 2, 3, 4};

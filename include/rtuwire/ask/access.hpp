@@ -22,13 +22,10 @@
 #include <rtuwire/table/key_range.hpp>
 #include <rtuwire/table/restepped.hpp>
 #include <rtuwire/table/setting.hpp>
+#include <rtuwire/wire/bits.hpp>
+#include <rtuwire/wire/exchange.hpp>
 #include <rtuwire/wire/function.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
-#include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_multiple_coils.hpp>
-#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_coil.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 

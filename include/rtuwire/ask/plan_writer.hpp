@@ -16,7 +16,7 @@
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/write_plan.hpp>
 #include <rtuwire/wire/function.hpp>
-#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 

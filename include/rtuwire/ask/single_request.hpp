@@ -15,7 +15,6 @@
 #include <rtuwire/ask/finite_conversation.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
-#include <rtuwire/wire/frame_rules.hpp>
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/limits.hpp>
 

@@ -21,8 +21,7 @@
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/limits.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
-#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 

@@ -13,8 +13,8 @@
 
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/wire/frame_length.hpp>
 #include <rtuwire/wire/function.hpp>
+#include <rtuwire/wire/functions.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 

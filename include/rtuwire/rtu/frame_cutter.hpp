@@ -21,7 +21,7 @@
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/errc.hpp>
-#include <rtuwire/wire/frame_length.hpp>
+#include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/limits.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::detail {

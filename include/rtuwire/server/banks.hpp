@@ -14,10 +14,9 @@
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/result.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/wire/bit_view.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/limits.hpp>
-#include <rtuwire/wire/register_view.hpp>
+#include <rtuwire/wire/views.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 

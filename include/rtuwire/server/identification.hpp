@@ -14,7 +14,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/request.hpp>
 #include <rtuwire/wire/errc.hpp>
-#include <rtuwire/wire/pdu/device_identification.hpp>
+#include <rtuwire/wire/serial_line/device_identification.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 

@@ -19,10 +19,9 @@
 #include <rtuwire/server/request.hpp>
 #include <rtuwire/server/serial_diagnostics.hpp>
 #include <rtuwire/wire/errc.hpp>
-#include <rtuwire/wire/frame_length.hpp>
 #include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/limits.hpp>
-#include <rtuwire/wire/pdu/diagnostics.hpp>
+#include <rtuwire/wire/serial_line/diagnostics.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 

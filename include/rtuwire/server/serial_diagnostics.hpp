@@ -14,7 +14,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/server/request.hpp>
 #include <rtuwire/wire/errc.hpp>
-#include <rtuwire/wire/pdu/diagnostics.hpp>
+#include <rtuwire/wire/serial_line/diagnostics.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 

@@ -49,7 +49,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 ///
 /// How frames end. Bytes are ignored until the line was silent for `frame_end` once; before the first `advance`, time
 /// is not known and all bytes are ignored. Then a frame begins with the next byte. It ends
-/// - at the size that the request's length rule gives (wire/frame_length.hpp), with a correct CRC;
+/// - at the size that the request's length rule gives (wire/functions.hpp), with a correct CRC;
 /// - where the last good frame was a request to another unit and the first two bytes are that unit and that function,
 ///   with or without 80: also at the size that the response's rule gives, whichever size comes first with a correct
 ///   CRC. For functions 01 to 04 the size of a request does not count where the fifth byte is above 7 (01, 02) or

@@ -25,9 +25,8 @@
 #include <rtuwire/table/request_plan.hpp>
 #include <rtuwire/table/setting.hpp>
 #include <rtuwire/table/table.hpp>
-#include <rtuwire/wire/bit_view.hpp>
 #include <rtuwire/wire/errc.hpp>
-#include <rtuwire/wire/register_view.hpp>
+#include <rtuwire/wire/views.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 

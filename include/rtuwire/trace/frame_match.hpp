@@ -14,8 +14,8 @@
 #include <rtuwire/trace/traced_frame.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/errc.hpp>
-#include <rtuwire/wire/frame_length.hpp>
 #include <rtuwire/wire/function.hpp>
+#include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/response.hpp>
 

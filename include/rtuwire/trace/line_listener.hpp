@@ -25,8 +25,8 @@
 #include <rtuwire/trace/frame_match.hpp>
 #include <rtuwire/trace/heard_bytes.hpp>
 #include <rtuwire/trace/traced_frame.hpp>
-#include <rtuwire/wire/frame_length.hpp>
 #include <rtuwire/wire/function.hpp>
+#include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/limits.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {

@@ -1,35 +1,30 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The one list of the functions. A line here makes a function known to the length rules, to the check of responses, to
-// broadcasts, to the tests and to the fuzz targets; all that belongs to it alone is in its own file.
+// The one list of the functions, and the length of a frame from its first bytes: one table, made of the rules of all
+// functions (AP 6), or of those that a client's user has chosen. A line here makes a function known to the length
+// rules, to the check of responses, to broadcasts, to the tests and to the fuzz targets; all that belongs to it alone
+// is in its class. Sizes are of the whole ADU. Knows no CRC and no time.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
+#include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/bits.hpp>
+#include <rtuwire/wire/exchange.hpp>
 #include <rtuwire/wire/function.hpp>
-#include <rtuwire/wire/pdu/device_identification.hpp>
-#include <rtuwire/wire/pdu/diagnostics.hpp>
-#include <rtuwire/wire/pdu/get_comm_event_counter.hpp>
-#include <rtuwire/wire/pdu/get_comm_event_log.hpp>
-#include <rtuwire/wire/pdu/mask_write_register.hpp>
-#include <rtuwire/wire/pdu/read_coils.hpp>
-#include <rtuwire/wire/pdu/read_discrete_inputs.hpp>
-#include <rtuwire/wire/pdu/read_exception_status.hpp>
-#include <rtuwire/wire/pdu/read_fifo_queue.hpp>
-#include <rtuwire/wire/pdu/read_file_record.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
-#include <rtuwire/wire/pdu/read_input_registers.hpp>
-#include <rtuwire/wire/pdu/read_write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/report_server_id.hpp>
-#include <rtuwire/wire/pdu/write_file_record.hpp>
-#include <rtuwire/wire/pdu/write_multiple_coils.hpp>
-#include <rtuwire/wire/pdu/write_multiple_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_coil.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/limits.hpp>
+#include <rtuwire/wire/mask_write.hpp>
+#include <rtuwire/wire/registers.hpp>
+#include <rtuwire/wire/serial_line/device_identification.hpp>
+#include <rtuwire/wire/serial_line/diagnostics.hpp>
+#include <rtuwire/wire/serial_line/fifo_queue.hpp>
+#include <rtuwire/wire/serial_line/file_records.hpp>
+#include <rtuwire/wire/serial_line/unit_report.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
@@ -76,6 +71,172 @@ template <typename... Functions>
     };
     (ask(std::type_identity<Functions>{}), ...);
     return found;
+}
+
+/// What the bytes so far tell: the frame is `size` bytes long, or more is known when `size` are there, or
+/// (`size` 0) only silence ends it.
+/// Internal.
+class length_hint {
+public:
+    constexpr length_hint() noexcept = default;
+    constexpr length_hint(std::size_t size, bool is_final) noexcept
+        : hint_{static_cast<std::uint16_t>(size << 1U | (is_final ? 1U : 0U))}
+    {}
+
+    [[nodiscard]] constexpr std::size_t size() const noexcept { return hint_ >> 1U; }
+    [[nodiscard]] constexpr bool is_final() const noexcept { return (hint_ & 1U) != 0; }
+
+    friend constexpr bool operator==(length_hint, length_hint) noexcept = default;
+
+private:
+    std::uint16_t hint_{0}; ///< in one register, which small processors return best
+};
+
+/// The rules of the functions that have codes up to 24, one byte each, and of the others.
+/// Internal.
+namespace length_rules {
+
+inline constexpr std::size_t in_table = 25;
+
+template <typename Function> inline constexpr bool is_in_table = to_u8(Function::code) < in_table;
+
+template <typename... Functions>
+[[nodiscard]] consteval std::array<std::uint8_t, in_table> table_of(function_list<Functions...>,
+                                                                    std::uint8_t frame_rules::*way) noexcept
+{
+    std::array<std::uint8_t, in_table> rules{};
+    auto const put = [&](function_code code, frame_rules const& of) {
+        if (to_u8(code) < in_table) {
+            rules[to_u8(code)] = of.*way;
+        }
+    };
+    (put(Functions::code, Functions::rules), ...);
+    return rules;
+}
+
+template <typename Functions> inline constexpr auto requests = table_of(Functions{}, &frame_rules::request);
+template <typename Functions> inline constexpr auto responses = table_of(Functions{}, &frame_rules::response);
+
+/// The rule of a function that is not in the table; an exception has one as a response.
+template <typename... Functions>
+[[nodiscard, gnu::always_inline]] constexpr std::uint8_t of_others(function_list<Functions...>, bool asks,
+                                                                   std::uint8_t wire_code) noexcept
+{
+    bool const is_exception = (wire_code & exception_bit) != 0;
+    std::uint8_t rule = is_exception and not asks ? sized(length_rule::fixed, exception_adu_size) : std::uint8_t{0};
+    ((rule = not is_in_table<Functions> and wire_code == to_u8(Functions::code)
+                 ? (asks ? Functions::rules.request : Functions::rules.response)
+                 : rule),
+     ...);
+    return rule;
+}
+
+/// The rule of one function in one direction; `wire_code` is the byte behind the unit address.
+template <typename Functions> [[nodiscard]] constexpr std::uint8_t of(direction dir, std::uint8_t wire_code) noexcept
+{
+    bool const asks = dir == direction::request;
+    if (wire_code >= in_table) {
+        return of_others(Functions{}, asks, wire_code);
+    }
+    return asks ? requests<Functions>[wire_code] : responses<Functions>[wire_code];
+}
+
+template <typename Function>
+inline constexpr bool
+    has_own = static_cast<length_rule>(Function::rules.response& length_rule_bits) == length_rule::own;
+
+/// What the one function says of its size that has a rule of its own; of several, the one with this code.
+template <typename First, typename... Others>
+[[nodiscard, gnu::always_inline]] constexpr raw_length own(function_list<First, Others...>, direction dir,
+                                                           byte_view adu) noexcept
+{
+    if constexpr (has_own<First>) {
+        bool const is_only = not(has_own<Others> or ...);
+        if (is_only or First::code == static_cast<function_code>(to_u8(adu[1]))) {
+            return First::length(dir, adu);
+        }
+    }
+    if constexpr (sizeof...(Others) > 0) {
+        return own(function_list<Others...>{}, dir, adu);
+    } else {
+        return {};
+    }
+}
+
+} // namespace length_rules
+
+/// What the first bytes of an ADU say by their rule in the table.
+/// Internal.
+template <typename Functions>
+[[nodiscard, gnu::always_inline]] constexpr raw_length length_by_rule(direction dir, byte_view adu) noexcept
+{
+    if (adu.size() < 2) {
+        return {2, false};
+    }
+    std::uint8_t const rule = length_rules::of<Functions>(dir, to_u8(adu[1]));
+    auto const counts = static_cast<length_rule>(rule & length_rule_bits);
+    std::size_t const size = size_in(rule);
+    if (counts == length_rule::none) {
+        return {};
+    }
+    if (counts == length_rule::fixed) {
+        return {size, true};
+    }
+    if (counts == length_rule::own) {
+        return length_rules::own(Functions{}, dir, adu);
+    }
+    // The bytes before the CRC.
+    std::size_t const counted = counts == length_rule::subfunction ? 4 : size - 2;
+    if (adu.size() < counted) {
+        return {counted, false};
+    }
+    if (counts == length_rule::byte_count) {
+        return {size + to_u8(adu[counted - 1]), true};
+    }
+    std::size_t const word = u16_at(adu, counted - 2);
+    if (counts == length_rule::word_count) {
+        // Where a size has 16 bits, the sum would wrap; such a frame is refused anyway.
+        bool const may_wrap = sizeof(std::size_t) < sizeof(std::uint32_t) and word > max_adu_size;
+        return {may_wrap ? word : size + word, true};
+    }
+    return word == 0 ? raw_length{} : raw_length{size, true};
+}
+
+/// Whether a request PDU, of one byte at least, has the size that its function's rule tells. A function whose rule does
+/// not tell it checks that itself.
+/// Internal.
+[[nodiscard]] constexpr bool has_size_of_rule(byte_view pdu) noexcept
+{
+    std::uint8_t const rule = length_rules::of<public_functions>(direction::request, to_u8(pdu[0]));
+    auto const counts = static_cast<length_rule>(rule & length_rule_bits);
+    std::size_t size = size_in(rule) - adu_overhead;
+    if (counts == length_rule::byte_count) {
+        size += pdu.size() < size ? 0U : to_u8(pdu[size - 1]);
+    } else if (counts != length_rule::fixed) {
+        return true;
+    }
+    return pdu.size() == size;
+}
+
+/// What the first bytes of an ADU tell about its size. A size above 256 is never returned: such a frame ends
+/// by silence and is refused; so does that of a function that is not among `Functions`.
+/// Internal.
+template <typename Functions = public_functions>
+[[nodiscard]] constexpr length_hint frame_length(direction dir, byte_view adu) noexcept
+{
+    raw_length const hint = length_by_rule<Functions>(dir, adu);
+    return hint.size > max_adu_size ? length_hint{} : length_hint{hint.size, hint.is_final};
+}
+
+/// The size alone, for a caller that checks whether so many bytes are there. A size above 256 is returned as
+/// 1, which no frame has: such a frame ends by silence and is refused. Force-inlined: the direction is
+/// constant at each call, so half of it is dropped (60 to 80 bytes).
+/// Internal.
+template <typename Functions = public_functions>
+[[nodiscard, gnu::always_inline]] constexpr std::size_t size_hint(direction dir, byte_view adu) noexcept
+{
+    std::size_t const size = length_by_rule<Functions>(dir, adu).size;
+    return size > max_adu_size ? 1 : size;
 }
 
 } // namespace rtuwire

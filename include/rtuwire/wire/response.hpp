@@ -11,7 +11,6 @@
 
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
-#include <rtuwire/wire/frame_length.hpp>
 #include <rtuwire/wire/functions.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {

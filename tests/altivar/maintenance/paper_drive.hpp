@@ -13,7 +13,7 @@
 
 #include <rtuwire/server/identification.hpp>
 #include <rtuwire/server/respond.hpp>
-#include <rtuwire/wire/register_view.hpp>
+#include <rtuwire/wire/views.hpp>
 
 namespace rtuwire::test {
 

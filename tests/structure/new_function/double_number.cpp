@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // A client asks a server for function 65, and all that is made of the list of functions knows it.
-#include <rtuwire/wire/pdu/double_number.hpp>
+#include <rtuwire/wire/double_number.hpp>
 
 #include <array>
 
@@ -14,7 +14,7 @@
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/server/banks.hpp>
 #include <rtuwire/server/server.hpp>
-#include <rtuwire/wire/frame_length.hpp>
+#include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/response.hpp>
 
 using namespace rtuwire;

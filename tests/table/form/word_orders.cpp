@@ -13,7 +13,7 @@
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/table/form/floating.hpp>
 #include <rtuwire/table/form/form_setting.hpp>
-#include <rtuwire/wire/register_view.hpp>
+#include <rtuwire/wire/views.hpp>
 
 using namespace rtuwire;
 

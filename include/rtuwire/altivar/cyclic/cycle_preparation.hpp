@@ -12,7 +12,7 @@
 #include <rtuwire/altivar/cyclic/cycle_layout.hpp>
 #include <rtuwire/altivar/procedure/inspection/supervision.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 

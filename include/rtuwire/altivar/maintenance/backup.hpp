@@ -18,7 +18,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/wire/function.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 

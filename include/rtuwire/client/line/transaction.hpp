@@ -32,7 +32,7 @@
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/trace/tracing.hpp>
 #include <rtuwire/wire/errc.hpp>
-#include <rtuwire/wire/frame_length.hpp>
+#include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/response.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {

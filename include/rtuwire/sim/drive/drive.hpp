@@ -28,7 +28,7 @@
 #include <rtuwire/sim/drive/state_machine.hpp>
 #include <rtuwire/sim/drive/status_registers.hpp>
 #include <rtuwire/wire/errc.hpp>
-#include <rtuwire/wire/register_view.hpp>
+#include <rtuwire/wire/views.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::sim {
 

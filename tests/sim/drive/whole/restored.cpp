@@ -7,8 +7,7 @@
 #include "support/random.hpp"
 
 #include <rtuwire/ask/single_request.hpp>
-#include <rtuwire/wire/pdu/read_holding_registers.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/registers.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;

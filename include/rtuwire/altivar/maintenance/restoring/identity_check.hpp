@@ -12,7 +12,7 @@
 #include <rtuwire/altivar/parameters/parameter.hpp>
 #include <rtuwire/ask/conversation.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/wire/pdu/device_identification.hpp>
+#include <rtuwire/wire/serial_line/device_identification.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 

@@ -12,7 +12,6 @@
 #include <rtuwire/altivar/maintenance/restore_options.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/errc.hpp>
-#include <rtuwire/wire/errc_category.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 

@@ -15,7 +15,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/table/setting.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {

@@ -16,7 +16,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
 #include <rtuwire/wire/function.hpp>
-#include <rtuwire/wire/pdu/device_identification.hpp>
+#include <rtuwire/wire/serial_line/device_identification.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 

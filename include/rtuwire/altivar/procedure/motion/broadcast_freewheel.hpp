@@ -12,7 +12,7 @@
 #include <rtuwire/cia402/command.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/table/device.hpp>
-#include <rtuwire/wire/pdu/write_single_register.hpp>
+#include <rtuwire/wire/registers.hpp>
 #include <rtuwire/wire/unit_id.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
