@@ -23,7 +23,8 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// A serial port: it has a clock; `write` accepts all bytes before a deadline and sends them at the line's pace;
 /// `read` returns the bytes that are there or arrive before a deadline (none: an empty span). It may also report
-/// damaged bytes: see `receive_from`.
+/// damaged bytes: see `receive_from`. One that waits makes a `host_deadline` of `until` first: the program may be stopped for
+/// an hour.
 /// Internal.
 template <typename T>
 concept serial_port = requires(T& port, byte_view out, byte_span in, instant until)

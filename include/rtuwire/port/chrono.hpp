@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Converts between the library's wrapping microseconds and std::chrono, and has the host's clock.
+// Converts between the library's wrapping microseconds and std::chrono, and has the host's clock, which counts 64 bits:
+// a program, or the whole machine, may be stopped between any two looks at it, for longer than half of 32 bits.
 #pragma once
 
 #include <chrono>
@@ -42,11 +43,52 @@ template <typename Rep, typename Period>
     return std::chrono::steady_clock::now().time_since_epoch();
 }
 
+/// A thread's looks at the clock of the ports, in whole microseconds.
+/// Internal.
+class clock_looks {
+public:
+    /// Looks now.
+    static std::int64_t look() noexcept
+    {
+        return last() = std::chrono::duration_cast<std::chrono::microseconds>(host_time()).count();
+    }
+    /// The last look of this thread, or one now where it never looked.
+    static std::int64_t latest() noexcept { return last() < 0 ? look() : last(); }
+
+private:
+    static std::int64_t& last() noexcept
+    {
+        static thread_local constinit std::int64_t at = -1;
+        return at;
+    }
+};
+
 /// Now, on the clock of `host_time`: the clock of the ports.
-[[nodiscard]] inline instant steady_now() noexcept
-{
-    auto const whole = std::chrono::duration_cast<std::chrono::microseconds>(host_time()).count();
-    return instant{static_cast<std::uint32_t>(whole)};
-}
+[[nodiscard]] inline instant steady_now() noexcept { return instant{static_cast<std::uint32_t>(clock_looks::look())}; }
+
+/// A deadline on the clock of `steady_now`, for a port that waits: make one where its call begins, and ask that before each
+/// wait, also after one that a signal broke off. An instant alone looks as if it lay ahead once it has been over for 35.8
+/// minutes. This counts 64 bits, from the last look that its thread had at the clock, which is that of whoever named the
+/// deadline: so no wait is longer than it was when it was asked for, however long the program was stopped since. One that another
+/// thread has named may be taken for over where this thread has not looked for 35 minutes.
+class host_deadline {
+public:
+    /// Implicit: whoever waits takes it, and is given an instant.
+    host_deadline(instant until) noexcept
+    {
+        std::int64_t const seen = clock_looks::latest();
+        at_ = seen + static_cast<std::int32_t>(until.microseconds - static_cast<std::uint32_t>(seen));
+    }
+
+    /// The time left now; zero when it has passed.
+    [[nodiscard]] duration left() const noexcept
+    {
+        std::int64_t const now = clock_looks::look();
+        return now < at_ ? duration{static_cast<std::uint32_t>(at_ - now)} : duration{};
+    }
+
+private:
+    std::int64_t at_; ///< in microseconds
+};
 
 } // namespace rtuwire

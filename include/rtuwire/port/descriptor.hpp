@@ -48,12 +48,6 @@ namespace rtuwire::inline RTUWIRE_BUILD {
     }
 }
 
-/// The time left until an instant; zero when it has passed.
-[[nodiscard]] inline duration time_until(instant until, instant now) noexcept
-{
-    return reached(now, until) ? duration{} : until - now;
-}
-
 /// Waits as `poll` does: to the microsecond where the system offers that, elsewhere to the millisecond, rounded up.
 [[nodiscard]] inline int poll_for(pollfd& watched, duration longest) noexcept
 {
@@ -103,14 +97,15 @@ public:
 
     /// Sends all bytes. Errors: `transmit_stalled` when the deadline passes first, part of them sent;
     /// `device_not_open`, `device_vanished`, `device_failed`.
-    result<void> write(byte_view bytes, instant until) const noexcept
+    result<void> write(byte_view bytes, host_deadline const& until) const noexcept
     {
         return write_by([](int number, byte_view part) { return ::write(number, part.data(), part.size()); }, bytes,
                         until);
     }
 
     /// The same by another call: `send(number, bytes)` returns what `::write` does, and sets errno as it does.
-    template <typename Send> result<void> write_by(Send send, byte_view bytes, instant until) const noexcept
+    template <typename Send>
+    result<void> write_by(Send send, byte_view bytes, host_deadline const& until) const noexcept
     {
         if (not is_open()) {
             return errc::device_not_open;
@@ -127,7 +122,7 @@ public:
             if (count < 0 and errno != EAGAIN) {
                 return device_error(errno);
             }
-            auto const ready = wait_to_write(until);
+            auto const ready = wait(POLLOUT, until);
             if (not ready) {
                 return ready.error();
             }
@@ -139,12 +134,12 @@ public:
     }
 
     /// Whether it took bytes before the deadline; a connection that is being made: whether it was made, or failed.
-    result<bool> wait_to_write(instant until) const noexcept { return wait(POLLOUT, until); }
+    result<bool> wait_to_write(host_deadline const& until) const noexcept { return wait(POLLOUT, until); }
 
     /// Waits until there is at least one byte or the deadline has passed, and reads what is there: an
     /// empty part of `place` when there was nothing. Errors: `device_not_open`, `device_vanished`,
     /// `device_failed`.
-    result<byte_span> read(byte_span place, instant until) const noexcept
+    result<byte_span> read(byte_span place, host_deadline const& until) const noexcept
     {
         if (not is_open()) {
             return errc::device_not_open;
@@ -173,11 +168,11 @@ public:
 private:
     /// Whether the descriptor became ready before the deadline. A hang-up counts as ready while bytes
     /// are left to read, and as vanished after that.
-    result<bool> wait(short events, instant until) const noexcept
+    result<bool> wait(short events, host_deadline const& until) const noexcept
     {
         for (;;) {
             pollfd watched{number_, events, 0};
-            int const count = poll_for(watched, time_until(until, steady_now()));
+            int const count = poll_for(watched, until.left());
             if (count == 0) {
                 return false;
             }

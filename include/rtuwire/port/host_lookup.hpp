@@ -44,7 +44,7 @@ public:
 
     /// Looks the host up before a deadline, once. Errors: `device_not_found`, `timed_out`, `device_failed`; `why()` says
     /// more.
-    result<void> run(instant until)
+    result<void> run(host_deadline const& until)
     {
         ask(AI_NUMERICHOST);
         if (status_ == EAI_NONAME) {
@@ -79,7 +79,7 @@ private:
 
     /// Asks in a thread that keeps this alive; its end is a byte in a pipe, of which both ends belong to this, too. Where
     /// the time is over first, what is asked for belongs to the thread.
-    result<void> ask_aside(instant until)
+    result<void> ask_aside(host_deadline const& until)
     {
         {
             standard_places const kept;

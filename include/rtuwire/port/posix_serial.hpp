@@ -130,13 +130,14 @@ public:
         if (not opened_.is_open()) {
             return failed(errc::device_not_open).error();
         }
+        host_deadline const end{until}; // once: it may be read several times
         while (not place.empty()) {
             error_marks::part const part = unmark(place);
             has_receive_error_ = has_receive_error_ or part.has_error;
             if (part.size > 0 or part.has_error) {
                 return place.first(part.size);
             }
-            auto const bytes = arrived(until);
+            auto const bytes = arrived(end);
             if (not bytes) {
                 return failed(bytes.error()).error();
             }
@@ -168,7 +169,7 @@ private:
     }
 
     /// What the device delivers before a deadline; by the terminal's timer first, where that is wanted.
-    result<byte_span> arrived(instant until) noexcept
+    result<byte_span> arrived(host_deadline const& until) noexcept
     {
         if (auto const bytes = reader_.read(input_, until); not bytes or not bytes->empty()) {
             return bytes;

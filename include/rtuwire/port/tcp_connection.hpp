@@ -97,7 +97,8 @@ inline void set_up_connection(int socket) noexcept
 }
 
 /// Connects a socket before a deadline; 0, or the system's number of the error.
-[[nodiscard]] inline int connect_until(descriptor const& line, addrinfo const& address, instant until) noexcept
+[[nodiscard]] inline int connect_until(descriptor const& line, addrinfo const& address,
+                                       host_deadline const& until) noexcept
 {
     if (::connect(line.number(), address.ai_addr, address.ai_addrlen) != 0 and errno != EINPROGRESS and
         errno != EINTR) {
@@ -120,7 +121,7 @@ inline void set_up_connection(int socket) noexcept
 
 /// The first address of a list that answers. Each gets its share of the time that is left, so that one which is silent
 /// leaves some for the next. Without any: the last one's error is in `failure`.
-[[nodiscard]] inline descriptor connect_any(addrinfo const* first, instant until, int& failure) noexcept
+[[nodiscard]] inline descriptor connect_any(addrinfo const* first, host_deadline const& until, int& failure) noexcept
 {
     std::uint32_t left = 0;
     for (addrinfo const* each = first; each != nullptr; each = each->ai_next) {
@@ -128,10 +129,10 @@ inline void set_up_connection(int socket) noexcept
     }
     failure = EADDRNOTAVAIL;
     for (addrinfo const* each = first; each != nullptr; each = each->ai_next, --left) {
-        instant const now = steady_now();
-        duration const share{time_until(until, now).microseconds / left};
+        duration const share{until.left().microseconds / left};
+        host_deadline const own{steady_now() + share};
         descriptor line = socket_for(*each);
-        failure = line.is_open() ? connect_until(line, *each, now + share) : errno;
+        failure = line.is_open() ? connect_until(line, *each, own) : errno;
         if (failure == 0) {
             set_up_connection(line.number());
             return line;

@@ -45,7 +45,7 @@ public:
         close();
         bool const is_number_6 = host.find(':') != std::string::npos;
         device_ = (is_number_6 ? "[" + host + "]:" : host + ":") + std::to_string(port);
-        instant const until = now() + time_limit;
+        host_deadline const until{now() + time_limit};
         auto const lookup = std::make_shared<host_lookup>(host, port);
         if (auto const found = lookup->run(until); not found) {
             return failed(found.error(), "no such host", lookup->why());

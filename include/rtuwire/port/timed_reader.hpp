@@ -53,9 +53,9 @@ public:
 
     /// Waits for bytes for one period of the timer, where that much time is left. Nothing: whoever wants to wait on has to
     /// poll, which also tells whether the device is still there. Errors: `device_vanished`, `device_failed`.
-    result<byte_span> read(byte_span place, instant until) const noexcept
+    result<byte_span> read(byte_span place, host_deadline const& until) const noexcept
     {
-        if (not line_.is_open() or time_until(until, steady_now()) < least_wait) {
+        if (not line_.is_open() or until.left() < least_wait) {
             return place.first(0);
         }
         ssize_t const count = ::read(line_.number(), place.data(), place.size());
