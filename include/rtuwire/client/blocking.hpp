@@ -50,6 +50,17 @@ concept timed_port = serial_port<T> and requires(T const& port)
         } -> std::same_as<line_timing>;
 };
 
+/// Passes on the bytes that arrive until a time that was named since the engine's last `advance`. That may be over for half an
+/// hour, and seem to lie ahead: the program may have been stopped since, in a write or in a conversation.
+/// Internal.
+template <typename Engine, serial_port Port>
+result<void> receive_until(Engine& engine, Port& port, byte_span place, instant until)
+{
+    instant const now = port.now();
+    keep_over(until, now, engine.judged_at(now));
+    return receive_from(port, engine, place, until);
+}
+
 /// The end of one pass of a client or a bus over a host's port, after `advance` and `converse`: sends what is to be
 /// sent, then passes on the bytes that have arrived, or arrive before `until` or the engine's next deadline. `place`
 /// is working memory. Errors: those of the port.
@@ -65,6 +76,8 @@ result<void> finish_pass(Engine& engine, Port& port, byte_span place, instant un
         // Computed: asking the driver for the end costs a call, and adapters do not know it.
         engine.sent(port.now() + engine.line().characters(frame.size()));
     }
+    instant const now = port.now();
+    keep_over(until, now, engine.judged_at(now));
     return receive_from(port, engine, place, *earlier(engine.poll_deadline(), until));
 }
 
@@ -187,7 +200,7 @@ private:
                 next = earlier(next, own);
             }
         }
-        return receive_until(next ? *next : now + longest_pause);
+        return receive_until(client_, port_, input_, next ? *next : now + longest_pause);
     }
 
     /// What passes bytes on to the client, and whether any came.
@@ -229,8 +242,6 @@ private:
             }
         }
     }
-
-    result<void> receive_until(instant until) { return receive_from(port_, client_, input_, until); }
 
     /// How long to wait for a conversation that pauses and gives no deadline.
     static constexpr duration longest_pause = milliseconds(10);

@@ -112,6 +112,7 @@ public:
     }
     constexpr void hold(unit_id unit, instant end) noexcept { client_.hold(unit, end); }
     [[nodiscard]] constexpr bool is_held(unit_id unit) const noexcept { return client_.is_held(unit); }
+    [[nodiscard]] constexpr instant judged_at(instant now) const noexcept { return client_.judged_at(now); }
     [[nodiscard]] constexpr bool has_seen_echo() const noexcept { return client_.has_seen_echo(); }
     [[nodiscard]] constexpr byte_view poll_transmit() noexcept { return client_.poll_transmit(); }
     template <typename Sink>

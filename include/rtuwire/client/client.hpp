@@ -88,8 +88,8 @@ public:
     /// Internal.
     constexpr instant advance_within_reach(instant now) noexcept
     {
-        instant const at = seen_ == instant{0} ? now : within_reach(seen_, now); // 0: the first time
-        seen_ = instant{now.microseconds | 1U};                                  // never 0
+        instant const at = judged_at(now);
+        seen_ = instant{now.microseconds | 1U}; // never 0
         bool const is_silence_over = orders_.advance(at, is_busy(), asked_unit());
         if ((transaction_.advance(now, at) or is_silence_over) and is_held_back_) {
             is_held_back_ = false;
@@ -97,6 +97,13 @@ public:
             turns_.note_waiting();
         }
         return at;
+    }
+
+    /// The time by which a deadline that was named since the last `advance` is to be judged `now`: see `within_reach`.
+    /// Internal.
+    [[nodiscard]] constexpr instant judged_at(instant now) const noexcept
+    {
+        return seen_ == instant{0} ? now : within_reach(seen_, now); // 0: the first time
     }
 
     /// The bytes to send now, each request and repetition once; empty when there is nothing to send. They are the
