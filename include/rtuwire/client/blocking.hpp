@@ -8,6 +8,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -221,15 +222,16 @@ private:
     };
 
     /// What the operating system buffered before the request, however much, must not be taken for its response. Where the
-    /// line has to fall silent first, one wait serves both. `bus_jam`: for all of the response time-out more came than
-    /// one read takes away.
+    /// line has to fall silent first, one wait serves both. `bus_jam`: more came than one read takes away, again and again for
+    /// all of the time to send. A pause of the program, in which nothing was read, counts no more than one short read.
     result<void> drop_stale_input()
     {
-        instant const begin = port_.now();
-        client_.advance(begin);
-        instant until =
-            client_.is_quiet() ? begin : *earlier(client_.poll_deadline(), begin + client_.line().silence());
-        instant const limit = until + write_limit_;
+        instant now = port_.now();
+        client_.advance(now);
+        instant until = client_.is_quiet() ? now : *earlier(client_.poll_deadline(), now + client_.line().silence());
+        duration const limit = write_limit_ < least_jam ? least_jam : write_limit_;
+        duration const longest_part{limit.microseconds / least_reads_of_a_jam};
+        duration busy{};
         for (;;) {
             stale_input old{client_};
             auto const passed = receive_from(port_, old, input_, until);
@@ -237,11 +239,17 @@ private:
                 return passed;
             }
             until = port_.now();
-            if (reached(until, limit)) {
+            duration const part = until - std::exchange(now, until);
+            busy = busy + (part < longest_part ? part : longest_part);
+            if (busy >= limit) {
                 return errc::bus_jam;
             }
         }
     }
+
+    /// For how long old input comes at least, and by how many reads, before it counts as one that never ends.
+    static constexpr duration least_jam = milliseconds(100);
+    static constexpr std::uint32_t least_reads_of_a_jam = 64;
 
     /// How long to wait for a conversation that pauses and gives no deadline.
     static constexpr duration longest_pause = milliseconds(10);
