@@ -62,6 +62,32 @@ result<void> receive_until(Engine& engine, Port& port, byte_span place, instant 
     return receive_from(port, engine, place, until);
 }
 
+/// Sends what an engine has to send. Returns whether there was anything; the errors are those of the port.
+/// Internal.
+template <typename Engine, serial_port Port> result<bool> send_from(Engine& engine, Port& port, duration write_limit)
+{
+    byte_view const frame = engine.poll_transmit();
+    if (frame.empty()) {
+        return false;
+    }
+    if (auto const written = port.write(frame, port.now() + write_limit); not written) {
+        return written.error();
+    }
+    // Computed: asking the driver for the end costs a call, and adapters do not know it.
+    engine.sent(port.now() + engine.line().characters(frame.size()));
+    return true;
+}
+
+/// Passes on the bytes that arrive until the engine's next deadline, or `until`, as `receive_until` does.
+/// Internal.
+template <typename Engine, serial_port Port>
+result<void> receive_within_pass(Engine& engine, Port& port, byte_span place, instant until)
+{
+    instant const now = port.now();
+    keep_over(until, now, engine.judged_at(now));
+    return receive_from(port, engine, place, *earlier(engine.poll_deadline(), until));
+}
+
 /// The end of one pass of a client or a bus over a host's port, after `advance` and `converse`: sends what is to be
 /// sent, then passes on the bytes that have arrived, or arrive before `until` or the engine's next deadline. `place`
 /// is working memory. Errors: those of the port.
@@ -69,17 +95,8 @@ template <typename Engine, serial_port Port>
 result<void> finish_pass(Engine& engine, Port& port, byte_span place, instant until,
                          duration write_limit = milliseconds(1'000))
 {
-    if (byte_view const frame = engine.poll_transmit(); not frame.empty()) {
-        auto const written = port.write(frame, port.now() + write_limit);
-        if (not written) {
-            return written;
-        }
-        // Computed: asking the driver for the end costs a call, and adapters do not know it.
-        engine.sent(port.now() + engine.line().characters(frame.size()));
-    }
-    instant const now = port.now();
-    keep_over(until, now, engine.judged_at(now));
-    return receive_from(port, engine, place, *earlier(engine.poll_deadline(), until));
+    auto const sent = send_from(engine, port, write_limit);
+    return sent ? receive_within_pass(engine, port, place, until) : result<void>{sent.error()};
 }
 
 /// Sends requests and waits for their outcomes. May be left unused for any time. Borrows its port, which must outlive
@@ -90,12 +107,12 @@ template <serial_port Port, auto const& Needs = host_needs> class blocking_clien
 public:
     blocking_client(Port& its_port, line_timing const& its_line, client_options const& its_options = {}) noexcept
         requires(not told_by<Needs>::is_fixed)
-        : port_{its_port}, client_{its_line, its_options}, write_limit_{its_options.response_timeout}
+        : port_{its_port}, client_{its_line, its_options}, write_limit_{time_to_write(its_line, its_options)}
     {}
 
     /// For needs with a `timing`.
     explicit blocking_client(Port& its_port) noexcept requires(told_by<Needs>::is_fixed)
-        : port_{its_port}, write_limit_{Needs.options.response_timeout}
+        : port_{its_port}, write_limit_{time_to_write(*Needs.timing, Needs.options)}
     {}
 
     /// With the times that suit the device, as the port tells them now: `its_port` has been opened before.
@@ -152,7 +169,14 @@ public:
     }
 
 private:
-    /// Until it is settled; or `used_already`, or the error of the port.
+    /// A conversation that stops motors, by a word that it sends whatever else fails, and that ends by its own limit.
+    template <typename Conversation>
+    static constexpr bool has_to_stop =
+        stops_a_unit<Conversation> or stops_by_broadcast<Conversation> or frees_all_units<Conversation>;
+
+    /// Until it is settled; or `used_already`, or the error of the port. Where it has to stop, the port's reads end nothing
+    /// before the word that stops has left: so much is sent even where nothing can be read. Nor does a write that fails,
+    /// but for a device that is gone.
     template <conversation Conversation> errc run_to_end(Conversation& conversation)
     {
         static_assert(not endless_conversation<Conversation>,
@@ -161,21 +185,65 @@ private:
             return errc::used_already;
         }
         auto passed = drop_stale_input();
-        while (passed) {
+        bool has_to_say = has_to_stop<Conversation> and passed != errc::bus_jam;
+        instant const limit = port_.now() + longest_wait;
+        while (passed or (has_to_say and not reached(client_.judged_at(port_.now()), limit))) {
             instant const now = port_.now();
             client_.advance(now);
             client_.converse(conversation, now);
             if (conversation.settled() and not client_.is_asked_by(conversation)) {
                 return errc::none; // one visit more would take its outcome back
             }
-            if (client_.is_busy()) {
-                passed = finish_pass(client_, port_, input_, now + longest_wait, write_limit_);
-            } else {
+            if (not client_.is_busy()) {
                 passed = wait_for(conversation, now);
+                continue;
+            }
+            bool const says_it = is_said(conversation);
+            auto const sent = send_from(client_, port_, write_limit_);
+            bool const has_left = sent and *sent;
+            passed =
+                sent ? receive_within_pass(client_, port_, input_, now + longest_wait) : result<void>{sent.error()};
+            has_to_say = has_to_say and not(has_left and says_it) and (sent or is_passing(sent.error()));
+            bool const goes_on =
+                sent ? has_to_say and has_left : has_to_stop<Conversation> and is_passing(sent.error());
+            if (not passed and goes_on) {
+                fail(conversation, passed.error());
+                if (conversation.settled()) {
+                    return errc::none;
+                }
+                passed = sent ? passed : result<void>{};
             }
         }
         give_up(conversation, port_.now());
         return passed.error();
+    }
+
+    /// Whether the request of a conversation that has to stop is its word.
+    template <typename Conversation> static constexpr bool is_said(Conversation const& conversation) noexcept
+    {
+        if constexpr (frees_all_units<Conversation>) {
+            return true;
+        } else if constexpr (has_to_stop<Conversation>) {
+            return conversation.intent() == effect::stopping;
+        } else {
+            return false;
+        }
+    }
+
+    /// Whether another write may succeed behind one that failed so.
+    static constexpr bool is_passing(errc why) noexcept
+    {
+        return why == errc::transmit_stalled or why == errc::device_failed;
+    }
+
+    /// Ends the request under way of a conversation that goes on: with the error of the port, for it may have left.
+    template <typename Conversation> void fail(Conversation& conversation, errc why)
+    {
+        instant const now = port_.now();
+        client_.cancel(conversation, now);
+        client_.sent(now);
+        conversation.forget();
+        conversation.accept(why);
     }
 
     /// Ends the request under way: once the port has failed, nothing more is known of it.
@@ -250,6 +318,13 @@ private:
     /// For how long old input comes at least, and by how many reads, before it counts as one that never ends.
     static constexpr duration least_jam = milliseconds(100);
     static constexpr std::uint32_t least_reads_of_a_jam = 64;
+
+    /// A port has the response time-out to take a frame, but no more than the longest frame's own time on the line and 1 s.
+    static constexpr duration time_to_write(line_timing const& line, client_options const& options) noexcept
+    {
+        duration const most = line.characters(max_adu_size) + milliseconds(1'000);
+        return options.response_timeout < most ? options.response_timeout : most;
+    }
 
     /// How long to wait for a conversation that pauses and gives no deadline.
     static constexpr duration longest_pause = milliseconds(10);

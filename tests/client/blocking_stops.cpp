@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+// Stops that a blocking client runs over a port which fails: their word is sent where the port can send at all, and they end
+// by their own limit.
+#include <rtuwire/client/blocking.hpp>
+
+#include <optional>
+
+#include "support/catch.hpp"
+#include "support/drive_port.hpp"
+
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/procedure/motion/broadcast_freewheel.hpp>
+#include <rtuwire/altivar/procedure/motion/broadcast_stop.hpp>
+#include <rtuwire/altivar/procedure/motion/start.hpp>
+#include <rtuwire/altivar/procedure/motion/stop.hpp>
+
+using namespace rtuwire;
+using altivar::outcome_kind;
+using altivar::stop_by;
+
+namespace {
+
+using device = altivar::atv320::device;
+constexpr station<device> drive{unit_id{3}};
+
+/// A drive's port of which so many of the next reads or writes fail.
+struct failing_port : test::drive_port<device> {
+    unsigned bad_reads{0};
+    unsigned bad_writes{0};
+    errc why{errc::device_failed};
+    duration longest_write{};
+
+    result<void> write(byte_view bytes, instant until)
+    {
+        duration const given = until - clock;
+        longest_write = given > longest_write ? given : longest_write;
+        if (bad_writes == 0) {
+            return drive_port::write(bytes, until);
+        }
+        --bad_writes;
+        if (why == errc::transmit_stalled) {
+            clock = until;
+        }
+        far.advance(clock);
+        return why;
+    }
+    result<byte_span> read(byte_span place, instant until)
+    {
+        if (bad_reads == 0) {
+            return drive_port::read(place, until);
+        }
+        --bad_reads;
+        clock = clock + microseconds(20);
+        far.advance(clock);
+        return why;
+    }
+
+    void wait(duration length)
+    {
+        for (instant const end = clock + length; not reached(clock, end); clock = clock + milliseconds(1)) {
+            far.advance(clock);
+        }
+    }
+};
+
+constexpr unsigned for_ever = 1'000'000'000;
+
+/// A port and a client whose drive runs by its order.
+struct running {
+    failing_port port{};
+    blocking_client<failing_port> line;
+    altivar::start go{drive, 30_Hz};
+
+    explicit running(client_options const& options = {}) : line{port, port.timing, options}
+    {
+        REQUIRE(line.run(go).kind == outcome_kind::succeeded);
+        REQUIRE(port.has_power());
+        port.sent.clear();
+    }
+};
+
+/// What one run gives where every read fails.
+template <typename Stop> void check_blind(Stop&& stop)
+{
+    running it;
+    it.port.bad_reads = for_ever;
+    instant const begin = it.port.clock;
+    static_cast<void>(it.line.run(stop));
+    CHECK(it.port.clock - begin < milliseconds(1'500));
+    it.port.wait(milliseconds(10'000));
+    CHECK_FALSE(it.port.has_power());
+    REQUIRE_FALSE(it.port.sent.empty());
+    // The last frame is a word that stops.
+    CHECK(it.port.sent.back()[1] == std::byte{6});
+}
+
+} // namespace
+
+TEST_CASE("a stop goes on where one read before its word fails")
+{
+    running it;
+    it.port.bad_reads = 1;
+    CHECK(it.line.run(altivar::stop{drive}).kind == outcome_kind::succeeded);
+    CHECK_FALSE(it.port.has_power());
+    CHECK_FALSE(it.go.running());
+}
+
+TEST_CASE("a stop's word is sent where nothing can be read, and the port's error told")
+{
+    for (stop_by const mode : {stop_by::ramp, stop_by::freewheel, stop_by::quick_stop, stop_by::halt}) {
+        INFO(static_cast<int>(mode));
+        running it;
+        it.port.bad_reads = for_ever;
+        altivar::stop rest{drive, mode};
+        CHECK(it.line.run(rest).error == errc::device_failed);
+        CHECK_FALSE(it.port.sent.empty());
+        it.port.wait(milliseconds(10'000));
+        CHECK_FALSE(it.port.far.drive().state_machine().state() == cia402::state::operation_enabled);
+    }
+    check_blind(altivar::stop{drive, stop_by::freewheel});
+    check_blind(altivar::broadcast_stop{altivar::broadcast_stop_options{.freewheel = true}, drive});
+    check_blind(altivar::broadcast_freewheel<device>());
+}
+
+TEST_CASE("what stops nothing is not sent where the port's reads fail before it")
+{
+    running it;
+    it.port.bad_reads = 1;
+    CHECK(it.line.run(altivar::start{drive, 20_Hz}).error == errc::device_failed);
+    CHECK(it.port.sent.empty());
+}
+
+TEST_CASE("one write that stalls or fails ends no stop")
+{
+    for (errc const why : {errc::transmit_stalled, errc::device_failed}) {
+        for (unsigned const writes : {1U, 5U}) {
+            running it;
+            it.port.why = why;
+            it.port.bad_writes = writes;
+            auto const ended = it.line.run(altivar::stop{drive});
+            CHECK_FALSE(it.port.sent.empty());
+            CHECK_FALSE(it.port.has_power());
+            // Behind several that stalled its drive has ended the run by itself.
+            CHECK((writes == 1 ? ended.kind == outcome_kind::succeeded : ended.error == errc::none));
+        }
+    }
+}
+
+TEST_CASE("a stop ends by its limit where no write is taken, whatever the response time-out, and tells that")
+{
+    for (duration const timeout : {milliseconds(100), milliseconds(1'000), milliseconds(30 * 60'000)}) {
+        INFO(timeout.microseconds / 1'000);
+        running it{{.response_timeout = timeout}};
+        it.port.why = errc::transmit_stalled;
+        it.port.bad_writes = for_ever;
+        instant const begin = it.port.clock;
+        altivar::stop rest{drive};
+        auto const ended = it.line.run(rest);
+        CHECK(ended.kind == outcome_kind::silent);
+        CHECK(ended.error == errc::transmit_stalled);
+        CHECK(it.port.clock - begin >= milliseconds(29'000));
+        CHECK(it.port.clock - begin < milliseconds(33'000));
+        CHECK(it.port.longest_write <= milliseconds(1'200));
+        // And another one is possible when the port works.
+        it.port.bad_writes = 0;
+        it.port.sent.clear();
+        CHECK(it.line.run(rest).error == errc::none);
+        CHECK_FALSE(it.port.sent.empty());
+    }
+}
+
+TEST_CASE("a stop ends at once where the device is gone")
+{
+    for (errc const why : {errc::device_vanished, errc::device_not_open}) {
+        running it;
+        it.port.why = why;
+        it.port.bad_reads = it.port.bad_writes = for_ever;
+        instant const begin = it.port.clock;
+        CHECK(it.line.run(altivar::stop{drive}).error == why);
+        CHECK(it.port.clock - begin < milliseconds(50));
+    }
+}
