@@ -181,3 +181,32 @@ TEST_CASE("a stop ends at once where the device is gone")
         CHECK(it.port.clock - begin < milliseconds(50));
     }
 }
+
+TEST_CASE("a stop that was given up holds its unit until a waiting client releases it")
+{
+    for (bool const is_of_all : {false, true}) {
+        running it;
+        CHECK(it.line.is_ordered(unit_id{3}));
+        CHECK_FALSE(it.line.is_ordered(unit_id{4}));
+        REQUIRE(it.line.run(altivar::stop{drive}).kind == outcome_kind::succeeded); // else the unit would be lost
+        it.port.bad_reads = for_ever;
+        if (is_of_all) {
+            static_cast<void>(
+                it.line.run(altivar::broadcast_stop{altivar::broadcast_stop_options{.freewheel = true}, drive}));
+        } else {
+            static_cast<void>(it.line.run(altivar::stop{drive}));
+        }
+        it.port.bad_reads = 0;
+        it.port.wait(milliseconds(3'000));
+        CHECK(it.line.run(altivar::start{drive, 20_Hz}).kind == outcome_kind::overruled);
+        if (is_of_all) {
+            it.line.release_all();
+        } else {
+            it.line.release(unit_id{3});
+        }
+        CHECK(it.line.run(altivar::start{drive, 20_Hz}).kind == outcome_kind::succeeded);
+        CHECK(it.line.is_ordered(unit_id{3}));
+        CHECK(it.line.run(altivar::stop{drive}).kind == outcome_kind::succeeded);
+        CHECK_FALSE(it.line.is_ordered(unit_id{3}));
+    }
+}

@@ -154,6 +154,14 @@ public:
     /// Whether the line has given back what was sent: see the client's.
     [[nodiscard]] bool has_seen_echo() const noexcept { return client_.has_seen_echo(); }
 
+    /// Which motors this client ordered to run, and the end of a stop's hold that was given up: see the client's and the bus's.
+    [[nodiscard]] bool is_ordered(unit_id unit) const noexcept
+    {
+        return client_.motor_orders().is_ordered(unit.byte());
+    }
+    void release(unit_id unit) noexcept { client_.release(unit); }
+    void release_all() noexcept { client_.release_all(); }
+
     /// Runs a conversation until it is settled, and returns its `outcome()`; where it has none, its `reason()`; where it
     /// has neither, a `result<void>`. Of a conversation without a name, whose response would end with the statement, only
     /// the error. One that is already settled begins anew, by its `again()`. Errors besides its own: `used_already` where it
