@@ -397,6 +397,26 @@ def asked(program, check):
                 check(enabled == (status == 0), f"behind the question {what}: whether it sends a word to run", enabled)
 
 
+def answered(program, check):
+    """What starts the motor is an answer to the question, and to nothing else."""
+    from support import Tool
+    cases = [("typed before the question", [("", "y\n"), ("(y/n)", "n\n")], 5, "the motor is not started"),
+             ("begun before the question", [("", "y"), ("(y/n)", "\n")], 5, "the motor is not started"),
+             ("y", [("(y/n)", "y\n")], 0, "the motor stands")]
+
+    def one(case):
+        what, keys, status, says = case
+        with Tool(program) as tool, Motor(program) as motor:
+            ended = tool.on_terminal("--unit", UNIT, "--no-listen", "--timeout", motor.timeout, "--retries", 0, "--allow-run", "start",
+                                     "--frequency", f"{SPEED}Hz", "--for", "0.5s", port=motor.device, keys=keys)
+            with checks_lock:
+                check(ended.status == status and says in ended.output, f"the answer {what}", ended)
+                check((RUNS in ended.output) == (status == 0), f"the answer {what}: whether it runs", ended)
+
+    with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
+        list(pool.map(one, cases))
+
+
 def typed(program, check):
     """A line that is typed while it runs changes its speed, or is refused with the reason."""
     from support import Tool
@@ -541,6 +561,7 @@ def resets_and_misses(program, check):
 def orders(program, check):
     refused(program, check)
     asked(program, check)
+    answered(program, check)
     typed(program, check)
     stops(program, check)
     by_a_wrong_name(program, check)

@@ -140,9 +140,7 @@ private:
                          label_of({values[i].address, values[i].entry}).c_str(), shown(before[i]).c_str(),
                          values[i].text.c_str());
         }
-        std::fputs("write? (y/n) ", stderr);
-        int const answer = std::getchar();
-        return answer == 'y' or answer == 'Y';
+        return is_answered_yes("write?");
     }
 
     /// While somebody was asked, a register that sets the step of a value may have been written: what was confirmed is

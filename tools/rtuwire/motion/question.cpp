@@ -9,30 +9,42 @@
 
 #include "../support/say.hpp"
 #include "../support/signals.hpp"
+#include "motion/typed_lines.hpp"
 #include "output/plain_text.hpp"
 
 namespace tool {
 
 bool is_asked(permissions const& allowed) { return not allowed.is_confirmed and ::isatty(STDIN_FILENO) == 1; }
 
-bool may_go_on(permissions const& allowed, std::string const& what, char const* question)
+bool is_answered_yes(char const* question)
 {
     constexpr int look_every = 100; // ms
-    bool const asks = is_asked(allowed);
-    // A terminal that was stopped (Ctrl-S) must not keep this program from ending.
-    error_output.put(plain_text(what) + "\n" + (asks ? std::string{question} + " (y/n) " : std::string{}));
-    error_output.finish(std::chrono::milliseconds{300});
-    if (not asks) {
-        return noted.end == 0;
-    }
+    forget_typed();
+    error_output.put(std::string{question} + " (y/n) ");
     pollfd watched{STDIN_FILENO, POLLIN, 0};
-    while (noted.end == 0 and noted.suspend == 0) {
-        if (::poll(&watched, 1, look_every) > 0) {
+    bool is_shown = false;
+    while (noted.end == 0 and noted.suspend == 0 and error_output.failure() == 0) {
+        if (not is_shown) { // a terminal that was stopped (Ctrl-S) must not keep this program from ending
+            is_shown = error_output.finish(std::chrono::milliseconds{look_every});
+            if (not is_shown) {
+                forget_typed();
+            }
+        } else if (::poll(&watched, 1, look_every) > 0) {
             char answer = 0;
             return ::read(STDIN_FILENO, &answer, 1) == 1 and (answer == 'y' or answer == 'Y');
         }
     }
     return false;
+}
+
+bool may_go_on(permissions const& allowed, std::string const& what, char const* question)
+{
+    error_output.put(plain_text(what) + "\n");
+    if (is_asked(allowed)) {
+        return is_answered_yes(question);
+    }
+    error_output.finish(std::chrono::milliseconds{300});
+    return noted.end == 0;
 }
 
 } // namespace tool

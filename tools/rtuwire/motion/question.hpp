@@ -13,7 +13,11 @@ namespace tool {
 /// drive before the question is read again behind it.
 bool is_asked(permissions const& allowed);
 
-/// Says what will happen on the error output. Whether it may; a signal that asks for an end is a no.
+/// Asks on the terminal, and waits. What was typed before the question could be read is no answer to it, and is thrown away;
+/// a signal that asks for an end is a no.
+bool is_answered_yes(char const* question);
+
+/// Says what will happen on the error output. Whether it may: where somebody is asked, by the answer.
 bool may_go_on(permissions const& allowed, std::string const& what, char const* question);
 
 } // namespace tool

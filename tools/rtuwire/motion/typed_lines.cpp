@@ -3,9 +3,28 @@
 #include "motion/typed_lines.hpp"
 
 #include <poll.h>
+#include <termios.h>
 #include <unistd.h>
 
 namespace tool {
+
+namespace {
+
+/// In the background the terminal is somebody else's. One that controls nothing has no foreground.
+bool is_terminal_own() noexcept
+{
+    pid_t const foreground = ::tcgetpgrp(STDIN_FILENO);
+    return foreground == -1 or foreground == ::getpgrp();
+}
+
+} // namespace
+
+void forget_typed() noexcept
+{
+    if (::isatty(STDIN_FILENO) == 1 and is_terminal_own()) {
+        ::tcflush(STDIN_FILENO, TCIFLUSH);
+    }
+}
 
 typed_lines::typed_lines() : is_open_{::isatty(STDIN_FILENO) == 1} {}
 
@@ -13,10 +32,7 @@ std::optional<std::string> typed_lines::next()
 {
     constexpr std::size_t longest = 256;
     pollfd watched{STDIN_FILENO, POLLIN, 0};
-    // In the background the terminal is somebody else's. One that controls nothing has no foreground.
-    pid_t const foreground = ::tcgetpgrp(STDIN_FILENO);
-    bool const is_own = foreground == -1 or foreground == ::getpgrp();
-    if (is_open_ and is_own and ::poll(&watched, 1, 0) > 0) {
+    if (is_open_ and is_terminal_own() and ::poll(&watched, 1, 0) > 0) {
         char place[longest];
         auto const size = ::read(STDIN_FILENO, place, sizeof place);
         is_open_ = size > 0;

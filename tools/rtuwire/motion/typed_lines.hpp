@@ -8,6 +8,10 @@
 
 namespace tool {
 
+/// Throws away what was typed on the terminal of the standard input, and nobody has read. In the background the terminal is
+/// somebody else's, and what a script has on its standard input is no typing: both stay.
+void forget_typed() noexcept;
+
 /// From a terminal alone: what a script has on its standard input is not meant for a motor.
 class typed_lines {
 public:
