@@ -14,6 +14,7 @@ import os
 import pathlib
 import pty
 import re
+import select
 import signal
 import subprocess
 import sys
@@ -402,19 +403,41 @@ def answered(program, check):
     from support import Tool
     cases = [("typed before the question", [("", "y\n"), ("(y/n)", "n\n")], 5, "the motor is not started"),
              ("begun before the question", [("", "y"), ("(y/n)", "\n")], 5, "the motor is not started"),
-             ("y", [("(y/n)", "y\n")], 0, "the motor stands")]
+             *((line, [("(y/n)", line + "\n")], 5, "the motor is not started")
+               for line in ("y20Hz", "y 20Hz", "yy", "yesterday=1", "y; echo", "no, yes", "n", "", "j", "y" * 300)),
+             *((line, [("(y/n)", line + "\n")], 0, "the motor stands") for line in ("y", "Y", "yes", "Yes")),
+             ("y and an order in one paste", [("(y/n)", "y\n20Hz\n")], 0, "the motor stands")]
+    typed_ahead = ("20Hz typed before a start with -y", [("", "20Hz\n")], 0, "the motor stands")
 
     def one(case):
         what, keys, status, says = case
         with Tool(program) as tool, Motor(program) as motor:
             ended = tool.on_terminal("--unit", UNIT, "--no-listen", "--timeout", motor.timeout, "--retries", 0, "--allow-run", "start",
-                                     "--frequency", f"{SPEED}Hz", "--for", "0.5s", port=motor.device, keys=keys)
+                                     "--frequency", f"{SPEED}Hz", "--for", "0.5s", *(["-y"] if case is typed_ahead else []),
+                                     port=motor.device, keys=keys)
             with checks_lock:
                 check(ended.status == status and says in ended.output, f"the answer {what}", ended)
+                check("goes to" not in ended.output and "stays at" not in ended.output, f"the answer {what}: it is no order", ended)
                 check((RUNS in ended.output) == (status == 0), f"the answer {what}: whether it runs", ended)
 
     with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
-        list(pool.map(one, cases))
+        list(pool.map(one, [*cases, typed_ahead]))
+
+
+def left_for_the_shell(program, check):
+    """What is typed behind a no is no command for the shell either."""
+    with Motor(program) as motor:
+        near, far = os.openpty()
+        process = motor.start(program, stdin=far, stdout=far, stderr=far)
+        text = b""
+        while b"(y/n)" not in text and select.select([near], [], [], LIMIT)[0]:
+            text += os.read(near, 4096)
+        os.write(near, b"no, echo HERE\necho THERE\n")
+        process.wait(LIMIT)
+        check(process.returncode == 5, "a no is a no", (process.returncode, text))
+        check(not select.select([far], [], [], 0)[0], "nothing of the answer is left for the shell")
+        os.close(near)
+        os.close(far)
 
 
 def typed(program, check):
@@ -562,6 +585,7 @@ def orders(program, check):
     refused(program, check)
     asked(program, check)
     answered(program, check)
+    left_for_the_shell(program, check)
     typed(program, check)
     stops(program, check)
     by_a_wrong_name(program, check)

@@ -13,8 +13,9 @@ namespace tool {
 /// drive before the question is read again behind it.
 bool is_asked(permissions const& allowed);
 
-/// Asks on the terminal, and waits. What was typed before the question could be read is no answer to it, and is thrown away;
-/// a signal that asks for an end is a no.
+/// Asks on the terminal, and waits for a line. "y" and "yes" are a yes, in capitals as well; every other line is a no, and so
+/// is a signal that asks for an end. What was typed before the question could be read, or together with the answer, is thrown
+/// away: it is no answer, no order to the motor, and no command for the shell.
 bool is_answered_yes(char const* question);
 
 /// Says what will happen on the error output. Whether it may: where somebody is asked, by the answer.

@@ -143,6 +143,7 @@ std::optional<motion_end> running::order()
     if (not motor_->run()) {
         return motion_end{exit_status::differs, "the drive takes no order: " + words_of_kind(motor_->reason().kind)};
     }
+    typed_.forget(); // whoever typed before had no motor in mind that runs
     return std::nullopt;
 }
 

@@ -48,4 +48,10 @@ std::optional<std::string> typed_lines::next()
     return line;
 }
 
+void typed_lines::forget()
+{
+    forget_typed();
+    typed_.clear();
+}
+
 } // namespace tool

@@ -20,6 +20,9 @@ public:
     /// The next line that was typed, without its end; never waits.
     std::optional<std::string> next();
 
+    /// Throws away what was typed so far.
+    void forget();
+
 private:
     std::string typed_{};
     bool is_open_;
