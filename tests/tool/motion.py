@@ -217,10 +217,26 @@ def by_two_interrupts(motor, program, check):
     check(soon(lambda: motor.shown()[1] == 40), "twice Ctrl-C: it turns")
     process.send_signal(signal.SIGINT)
     check(soon(lambda: 0 < motor.shown()[1] < 40), "twice Ctrl-C: its ramp has begun", motor.shown())
+    time.sleep(1.2)
+    check(0 < motor.shown()[1] < 40, "twice Ctrl-C: it is on its ramp", motor.shown())
     process.send_signal(signal.SIGINT)
-    found, _, error = end(process)
+    found, out, error = end(process)
     check(found in (0, 1) and "power" in error or "stands" in error, "twice Ctrl-C: its status", (found, error))
+    check("Ctrl-C again takes its power away: it coasts" in out, "twice Ctrl-C: it is told before", out)
     check(motor.has_no_power(), "twice Ctrl-C: the motor has no power", motor.shown())
+
+
+def by_a_held_interrupt(motor, program, check):
+    """A key that is held repeats itself: that is one Ctrl-C."""
+    process = motor.start(program)
+    check(soon(lambda: motor.shown()[1] == 40), "held Ctrl-C: it turns")
+    for _ in range(10):
+        process.send_signal(signal.SIGINT)
+        time.sleep(0.03)
+    slower = []
+    check(soon(lambda: slower.append(motor.shown()) or process.poll() is not None), "held Ctrl-C: it ends")
+    check(any(0 < each[1] < 20 for each in slower), "held Ctrl-C: it stops by its ramp", slower[:30])
+    ends_with(process, motor, check, "held Ctrl-C", 0, "the motor stands")
 
 
 def by_suspension(motor, program, check):
@@ -323,10 +339,10 @@ def with_nothing_open(motor, program, check):
 
 
 WAYS = (by_its_time, by_speed, by_fault, by_lost_line, by_deaf_line, by_another_master, by_local, by_two_interrupts,
-        by_signals, by_suspension, by_stop, by_sleep, by_abort, by_a_full_disk, by_its_reader, behind_a_full_pipe,
+        by_a_held_interrupt, by_signals, by_suspension, by_stop, by_sleep, by_abort, by_a_full_disk, by_its_reader, behind_a_full_pipe,
         by_its_terminal, with_nothing_open)
 TIMES = {by_lost_line: 60, by_deaf_line: 300, by_stop: 60, by_sleep: 60}
-RAMPS = {by_two_interrupts: 100}
+RAMPS = {by_two_interrupts: 100, by_a_held_interrupt: 30}
 
 
 def ways(program, check):

@@ -161,6 +161,9 @@ void add_writing(CLI::App& app, choices& chosen)
         ->excludes(speed);
     start.add_flag("--reverse", chosen.motion.is_reverse, "the other direction");
     add_time_limit(start, chosen);
+    start.footer("Ctrl-C stops the motor by its ramp. Ctrl-C again, a second later or more, takes its power away: it "
+                 "coasts.\n" +
+                 start.get_footer());
     CLI::App& stop = add_command(app, chosen, "stop", "stop a motor");
     auto* const ramp = stop.add_flag_callback(
         "--ramp", [&chosen] { chosen.motion.stop_by = "ramp"; },

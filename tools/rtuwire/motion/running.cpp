@@ -24,6 +24,7 @@ using std::chrono::seconds;
 
 constexpr seconds longest_look{3};      ///< between two passes, before the drive's time-out was read
 constexpr milliseconds limit_seen{500}; ///< behind a new reference
+constexpr seconds one_press{1};         ///< a key that is held repeats itself, and a hand that is hurried presses twice
 constexpr seconds connect_limit{5};     ///< to the first exchange of words
 constexpr seconds able_limit{5};        ///< to a drive that takes an order
 constexpr seconds unreached_limit{3};   ///< the library sends words that stop for 2 s, and is silent then
@@ -250,10 +251,20 @@ bool running::stands() const
     return seen.is_linked and has_no_power and seen.has_output and seen.output == 0;
 }
 
-/// A second Ctrl-C takes the motor's power away, whatever it does.
+/// Ctrl-C again takes the motor's power away, whatever it does. That is no slip of a finger, and is said before: a load may
+/// fall.
 void running::heed_interrupts()
 {
-    if (noted.interrupts >= 2 and not std::exchange(is_coasting_, true)) {
+    int const pressed = noted.interrupts;
+    auto const now = clock::now();
+    if (pressed > 0 and not interrupted_at_) {
+        interrupted_at_ = now;
+        display_.say(motor_->sight(), "Ctrl-C again takes its power away: it coasts");
+    }
+    if (interrupted_at_ and now - *interrupted_at_ < one_press) {
+        heeded_interrupts_ = pressed;
+    }
+    if (pressed > heeded_interrupts_ and not std::exchange(is_coasting_, true)) {
         motor_->stop(stop_by::freewheel);
     }
 }

@@ -65,7 +65,9 @@ private:
     motor_display display_;
     reason_to_end must_end_;
     std::optional<std::chrono::duration<double>> length_{};
-    std::optional<clock::time_point> limit_due_{}; ///< when to look whether the drive limits what was typed
+    std::optional<clock::time_point> limit_due_{};      ///< when to look whether the drive limits what was typed
+    std::optional<clock::time_point> interrupted_at_{}; ///< by the first Ctrl-C
+    int heeded_interrupts_{0};
     bool is_coasting_{false};
     std::string reset_; ///< the command that resets a fault
     std::string stop_;  ///< the one that stops the motor
