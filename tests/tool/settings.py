@@ -108,6 +108,29 @@ def check_file(tool, check):
     check(ended.status == DONE and len((tool.place / "kept.json").read_text()) > 50_000, "a good one takes its place", ended)
 
 
+def check_wrong_drive(tool, check):
+    """What --drive says wrongly makes no backup, and takes no good one away."""
+    port = ["--port", "sim:atv320:7", "-u", 7]
+    (tool.place / "kept.json").write_text("as before")
+    for words, status, says in ((["--port", "sim:atv320:7", "-u", 7, "-d", "atv28"], USAGE, "and --drive or --name calls it atv28"),
+                                (["--port", "sim:atv320:7", "-u", "fan", "--name", "fan=7:atv12"], USAGE, "calls it atv12"),
+                                (["--port", "sim:atv28:5", "-u", 5, "-d", "atv320"], USAGE, "is an atv28, and")):
+        ended = tool.run(*words, "backup", "-o", "kept.json")
+        check(ended.status == status and says in ended.errors, f"a backup of {words} is refused", ended)
+        check((tool.place / "kept.json").read_text() == "as before", "and the old file stays")
+    with Units({7: {1: 1}}) as line:
+        ended = tool.run("--port", line.name, "--no-listen", "-u", 7, "-d", "atv28", "backup", "-o", "kept.json")
+        check(ended.status == DIFFERS and "none of the parameters" in ended.errors, "nor is one of which nothing was read", ended)
+        check((tool.place / "kept.json").read_text() == "as before", "and that leaves the old file as well")
+    (tool.place / "empty.json").write_text('{"format":"rtuwire backup 1","drive":"atv320","parameters":[\n]}')
+    (tool.place / "refused.json").write_text('{"format":"rtuwire backup 1","drive":"atv320","parameters":[\n'
+                                             '{"register":"HSP","error":"illegal data address"}]}')
+    for name in ("empty.json", "refused.json"):
+        for how_to in (["--write", "-y"], []):
+            ended = tool.run(*port, *how_to, "restore", name, *([] if how_to else ["--dry-run"]))
+            check(ended.status == USAGE and f"{name}: " in ended.errors, f"{name} restores nothing, and says so", ended)
+
+
 def check_compare(tool, check):
     with Units({7: registers_of_drive(tool), 8: registers_of_drive(tool, **{})}) as line:
         line.units[8][11411] = 333
@@ -355,6 +378,7 @@ def main(check, program):
     with Tool(program) as tool:
         check_backup(tool, check)
         check_file(tool, check)
+        check_wrong_drive(tool, check)
         check_compare(tool, check)
         check_restore(tool, check)
         check_refusals(tool, check)

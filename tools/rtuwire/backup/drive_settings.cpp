@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "backup/drive_settings.hpp"
 
+#include <algorithm>
 #include <ctime>
 #include <optional>
 
@@ -78,6 +79,25 @@ void read_all(open_line& line, rtuwire::unit_id unit, saved_settings& to)
     }
 }
 
+/// Settings of another drive's table would take the place of good ones, and say of a register that it is refused.
+void refuse_another_drive(identity_words const& who, drive_catalog const& drive, rtuwire::unit_id unit)
+{
+    if (is_of_another_family(who, drive)) {
+        std::string const it = who.product.empty() ? "an " + who.drive : '\'' + who.product + '\'';
+        refuse_word("unit " + std::to_string(unit.byte()) + " is " + it + ", and --drive or --name calls it " +
+                    std::string{drive.name} + "; nothing is kept");
+    }
+}
+
+void refuse_nothing_read(saved_settings const& settings, rtuwire::unit_id unit)
+{
+    if (std::ranges::none_of(settings.parameters, [](saved_parameter const& each) { return each.word.has_value(); })) {
+        throw ended{exit_status::differs,
+                    "unit " + std::to_string(unit.byte()) + " has told none of the parameters of an " +
+                        std::string{settings.drive->name} + ": is --drive right? Nothing is kept"};
+    }
+}
+
 } // namespace
 
 saved_settings settings_of(open_line& line, named_unit const& unit, std::string const& port)
@@ -86,7 +106,9 @@ saved_settings settings_of(open_line& line, named_unit const& unit, std::string 
     identity_words const who = who_is_it(line, unit.unit);
     read.drive = &(who.drive.empty() or not unit.drive.empty() ? catalog_of(line, unit.unit, unit.drive)
                                                                : catalog_chosen(who.drive));
+    refuse_another_drive(who, *read.drive, unit.unit);
     read_all(line, unit.unit, read);
+    refuse_nothing_read(read, unit.unit);
     read.head = {{"format", "rtuwire backup 1"},
                  {"made by", "rtuwire " RTUWIRE_TOOL_VERSION},
                  {"time", time_of_backup()},

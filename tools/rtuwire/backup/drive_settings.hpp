@@ -12,7 +12,8 @@
 namespace tool {
 
 /// Reads every parameter of a unit. What it refuses is recorded with the exception. Ends the command where the unit does
-/// not answer, or the port fails: part of a drive is no backup. `head` says what was asked, and when.
+/// not answer, is known to be another drive than --drive says, or tells none of them, or the port fails: part of a drive is no
+/// backup. `head` says what was asked, and when.
 saved_settings settings_of(open_line& line, named_unit const& unit, std::string const& port);
 
 /// The factory values, as far as they are known and do not depend on the rating.

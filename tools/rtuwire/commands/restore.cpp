@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Writes a file's settings into a drive that stands. A dry run comes first, and shows what would be written.
+#include <algorithm>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -47,6 +48,7 @@ public:
 
     exit_status run()
     {
+        refuse_nothing_to_restore();
         refuse_what_is_out_of_limits();
         if (not chosen_.restore.dry_run) {
             refuse_wrong_log();
@@ -85,6 +87,15 @@ private:
                 .with_autorestart = asked.with_autorestart,
                 .save = asked.save,
                 .terminals = {.accept_unseen_inputs = asked.has_open_inputs}};
+    }
+
+    /// A file of which nothing is left, or that was made of another drive, must not end as if the drive held it.
+    void refuse_nothing_to_restore() const
+    {
+        auto const has_word = [](saved_parameter const& each) { return each.word.has_value(); };
+        if (std::ranges::none_of(settings_.parameters, has_word)) {
+            refuse_word(chosen_.file + ": there is no value in it that could be restored");
+        }
     }
 
     /// Before the line is opened: what would be written has to fit its register.

@@ -229,6 +229,13 @@ identity_words who_is_it(open_line& line, rtuwire::unit_id unit)
     return who;
 }
 
+bool is_of_another_family(identity_words const& who, drive_catalog const& drive)
+{
+    drive_catalog const* const known = who.drive.empty() ? nullptr : catalog_named(who.drive);
+    candidates const found = known != nullptr ? candidates{known} : of_family(who.product);
+    return not found.empty() and family_of(found.front()->reference) != family_of(drive.reference);
+}
+
 drive_catalog const& catalog_chosen(std::string const& name)
 {
     if (drive_catalog const* const found = catalog_named(name)) {
