@@ -440,6 +440,14 @@ def answered(program, check):
         list(pool.map(one, [*cases, typed_ahead]))
 
 
+def as_another_drive(program, check):
+    """What was never read is not told."""
+    with Motor(program, "atv12") as motor:
+        found, _, error = end(motor.tool(program, "--drive", "atv320", "--allow-run", "start", "--frequency", "5Hz"))
+        check(found == 5 and "no known value of ATR, register 7122: this drive may have no such register, and --drive atv320 may be wrong"
+              in error, "a register that the drive does not have", (found, error))
+
+
 def left_for_the_shell(program, check):
     """What is typed behind a no is no command for the shell either."""
     with Motor(program) as motor:
@@ -602,6 +610,7 @@ def orders(program, check):
     asked(program, check)
     answered(program, check)
     left_for_the_shell(program, check)
+    as_another_drive(program, check)
     typed(program, check)
     stops(program, check)
     by_a_wrong_name(program, check)

@@ -115,6 +115,11 @@ motion_end running::refusal_of_check() const
         sentence += " (" + std::to_string(found.period.timeout.microseconds / 1'000) +
                     " ms; it has to be three times " + std::to_string(found.period.longest_gap.microseconds / 1'000) +
                     " ms: a shorter --timeout helps)";
+    } else if (why.kind == outcome_kind::unknown_register and found.word == 0) { // which stands for "not read", too
+        register_entry const* const entry = drive_.at(found.address);
+        sentence += " (no known value of " + (entry == nullptr ? "" : std::string{entry->code} + ", ") + "register " +
+                    std::to_string(found.address) + ": this drive may have no such register, and --drive " +
+                    std::string{drive_.name} + " may be wrong)";
     } else if (register_entry const* const entry = found.finding == why.kind ? drive_.at(found.address) : nullptr) {
         sentence += " (" + std::string{entry->code} + " is " + full_text(*entry, found.word) + ")";
     } else if (why.kind == outcome_kind::misconfigured) {
