@@ -448,6 +448,22 @@ def as_another_drive(program, check):
               in error, "a register that the drive does not have", (found, error))
 
 
+def keeps_its_sign(program, check):
+    """An ATV28 tells its frequency without a sign: what is shown of a motor in reverse is below zero to the end."""
+    from support import Tool
+
+    def one(_):
+        with Tool(program) as tool, Motor(program, "atv28", ramp=10) as motor:
+            ended = tool.on_terminal("--unit", UNIT, "--no-listen", "--timeout", motor.timeout, "--retries", 0, "--allow-run", "-y",
+                                     "start", "--frequency", f"{SPEED}Hz", "--reverse", "--for", "0.5s", port=motor.device)
+            shown = [float(each) for each in re.findall(r"(-?\d+\.\d) Hz  ", ended.output)]
+            with checks_lock:
+                check(min(shown, default=0) < -1 and max(shown, default=1) <= 0, "a motor in reverse is shown so to its end", shown)
+
+    with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
+        list(pool.map(one, range(8)))
+
+
 def left_for_the_shell(program, check):
     """What is typed behind a no is no command for the shell either."""
     with Motor(program) as motor:
@@ -610,6 +626,7 @@ def orders(program, check):
     asked(program, check)
     answered(program, check)
     left_for_the_shell(program, check)
+    keeps_its_sign(program, check)
     as_another_drive(program, check)
     typed(program, check)
     stops(program, check)

@@ -99,7 +99,7 @@ public:
         seen.is_able = control.is_able();
         seen.is_ordered = control.is_ordered();
         seen.is_limited = (control.status() & rtuwire::altivar::reference_limited_bit) != 0;
-        seen.is_backwards = (control.status() & rtuwire::altivar::runs_backwards_bit) != 0;
+        seen.is_backwards = seen.is_backwards or turns_back();
         return seen;
     }
 
@@ -129,6 +129,8 @@ private:
         return each * (1U + line.options.retries) + rtuwire::milliseconds(30);
     }
 
+    bool turns_back() const noexcept { return (cycle_.control().status() & rtuwire::altivar::runs_backwards_bit) != 0; }
+
     void take_shown()
     {
         if (not shown_->settled()) {
@@ -142,6 +144,7 @@ private:
             sight_.output = static_cast<std::int16_t>(read->registers[0]);
             sight_.current = read->registers[shown_words - 1];
             sight_.has_output = true;
+            sight_.is_backwards = turns_back(); // at the end of a ramp the next status says that it stands
         }
         is_old_ = false;
         shown_.reset();
