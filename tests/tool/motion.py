@@ -497,7 +497,8 @@ def typed(program, check):
             ("to turn it the other way: stays at 30.0 Hz; Ctrl-C stops it", speed_is(30, "10Hz\n15Hz\n")),
             ("goes to 15.0 Hz", speed_is(15, ""))]
     slow = [("operation enabled", speed_is(40, "5Hz\n")), ("5.0 Hz is outside of the drive's limits: it turns at LSP, or at HSP", speed_is(10, ""))]
-    reverse = [("operation enabled", speed_is(-40, "25Hz\n")), ("goes to 25.0 Hz, reverse", speed_is(-25, ""))]
+    reverse = [("operation enabled", speed_is(-40, "25Hz\n")), ("goes to 25.0 Hz, reverse", speed_is(-25, "0Hz\n")),
+               ("goes to 0.0 Hz, reverse (0 has no direction: to keep this one it turns on", speed_is(-0.1, ""))]
     with Tool(program) as tool, Motor(program) as motor:
         check("on a terminal a line such as" in tool.run("start", "--help").output, "the help says so")
         ended = tool.on_terminal("--unit", UNIT, "--no-listen", "--timeout", motor.timeout, "-y", "--allow-run", "start", "--frequency",

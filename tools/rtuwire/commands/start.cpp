@@ -52,7 +52,8 @@ std::string announcement(choices const& chosen, named_unit const& who, drive_cat
     std::string const other = asked.is_speed ? "900rpm" : "30Hz";
     bool const is_typed_to = ::isatty(STDIN_FILENO) == 1;
     return unit + ", " + std::string{drive.name} + " on " + chosen.line.port + ": runs the motor at " + asked.text +
-           ", " + length + (is_typed_to ? "; a line such as " + other + " changes that meanwhile" : std::string{});
+           words_of_least(asked) + ", " + length +
+           (is_typed_to ? "; a line such as " + other + " changes that meanwhile" : std::string{});
 }
 
 exit_status start_on(line_choices const& how, choices const& chosen)

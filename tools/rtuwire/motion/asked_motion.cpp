@@ -94,6 +94,13 @@ asked_motion motion_of(typed_motion const& it, std::int64_t count, register_entr
 
 } // namespace
 
+std::string words_of_least(asked_motion const& asked)
+{
+    return asked.count == 0 and asked.is_reverse
+               ? " (0 has no direction: to keep this one it turns on, at the least reference, some 0.1 Hz)"
+               : "";
+}
+
 void refuse_wrong_words(motion_choices const& typed)
 {
     if (typed.speed.empty() == typed.frequency.empty()) {

@@ -19,6 +19,9 @@ struct asked_motion {
     std::string text{}; ///< "40.0 Hz, reverse"
 };
 
+/// What has to be said of 0 in reverse, to be put behind its text: the motor does not rest there. Empty for any other.
+std::string words_of_least(asked_motion const& asked);
+
 /// Refuses what can be refused without the drive: neither or both words, no number, a sign and --reverse.
 void refuse_wrong_words(motion_choices const& typed);
 

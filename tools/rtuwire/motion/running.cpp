@@ -187,7 +187,7 @@ void running::change(std::string const& typed)
         if (motor_->change(next)) {
             asked_ = next;
             limit_due_ = clock::now() + limit_seen;
-            sentence = "goes to " + next.text;
+            sentence = "goes to " + next.text + words_of_least(next);
         } else {
             auto const why = motor_->reason();
             sentence = typed + ": " + words_of_kind(why.kind) +
