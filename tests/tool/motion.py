@@ -564,6 +564,25 @@ def stops(program, check):
         list(pool.map(one, cases))
 
 
+def stops_slowly(program, check):
+    """Whoever waits for a long ramp sees it go on, and whoever ends the waiting is told what is known."""
+    from support import Tool
+    at = Registers("atv320")
+    with Tool(program) as tool, Motor(program) as motor:
+        motor.write(at.dec, 60)
+        check(runs_by_another(motor, at), "another runs it")
+        ended = tool.on_terminal("--unit", UNIT, "--no-listen", "--timeout", motor.timeout, "stop", port=motor.device)
+        check(re.search(r"told to stop, at \d+\.\d Hz; waits", ended.output), "the ramp is shown", ended)
+        motor.write(at.dec, 200)
+        check(runs_by_another(motor, at), "another runs it again")
+        process = motor.tool(program, "stop")
+        time.sleep(4.5)
+        process.send_signal(signal.SIGINT)
+        found, _, error = end(process)
+        check(found == -signal.SIGINT and "told to stop, not seen to stand" in error, "Ctrl-C says how far it came", (found, error))
+        check(0 < motor.shown()[1] < SPEED, "the motor goes on slowing", motor.shown())
+
+
 def by_a_wrong_name(program, check):
     """An ATV320 in its I/O profile, where every word that stops but 0000 is RUN, and drives of another family."""
     cmd, lfr, chcf, io_profile = 8501, 8502, 8401, 3
@@ -631,6 +650,7 @@ def orders(program, check):
     as_another_drive(program, check)
     typed(program, check)
     stops(program, check)
+    stops_slowly(program, check)
     by_a_wrong_name(program, check)
     resets_and_misses(program, check)
 

@@ -8,9 +8,14 @@
 // asked for follows, else 0000, and the motor coasts. An ATV28 has no CHCF: exception 02. No other Altivar takes a word at
 // 400, and nobody names a device that is none when a motor has to be stopped. What confirms the stop is the same in the four
 // others, so that nothing has to be identified.
+#include <csignal>
 #include <cstdint>
+#include <cstdio>
 #include <optional>
 #include <string>
+#include <string_view>
+
+#include <unistd.h>
 
 #include <rtuwire/altivar/all.hpp>
 #include <rtuwire/client.hpp>
@@ -65,6 +70,51 @@ public:
     }
 };
 
+/// Whether the drive is known to have got its word; a signal may come before.
+std::sig_atomic_t volatile has_got_its_word = 0;
+
+/// The drive follows its word without this program; whoever ends it is told how far it came.
+extern "C" void tell_and_end(int number)
+{
+    std::string_view const text = has_got_its_word != 0
+                                      ? "\nrtuwire: told to stop, not seen to stand\n"
+                                      : "\nrtuwire: ended before the drive was known to have been told to stop\n";
+    ssize_t const written = ::write(STDERR_FILENO, text.data(), text.size());
+    static_cast<void>(written);
+    std::signal(number, SIG_DFL);
+    std::raise(number);
+}
+
+void tell_at_the_end()
+{
+    for (int const each : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction before {};
+        // What was ignored when the program began stays so: `nohup` means it.
+        if (sigaction(each, nullptr, &before) == 0 and before.sa_handler == SIG_DFL) {
+            struct sigaction taken {};
+            taken.sa_handler = tell_and_end;
+            taken.sa_flags = SA_RESTART;
+            sigaction(each, &taken, nullptr);
+        }
+    }
+}
+
+/// A line on the terminal that changes while a motor takes its time.
+class waiting_line {
+public:
+    void show(std::string const& text) const
+    {
+        if (is_terminal_) {
+            std::fprintf(stderr, "\r%s\x1b[K", text.c_str());
+            std::fflush(stderr);
+        }
+    }
+    void clear() const { show({}); }
+
+private:
+    bool is_terminal_{::isatty(STDERR_FILENO) == 1};
+};
+
 struct ending {
     exit_status status;
     std::string sentence;
@@ -78,6 +128,8 @@ public:
 
     exit_status run()
     {
+        tell_at_the_end();
+        waiting_.show("stops the motor of unit " + std::to_string(who_.unit.byte()));
         // A drive without a name says by its answer whether it is an ATV28; all the others are stopped alike.
         std::string drive = not who_.drive.empty() ? who_.drive : is_atv28() ? "atv28" : "atv320";
         rtuwire::altivar::reason why = stop_as(drive);
@@ -89,6 +141,7 @@ public:
             why = stop_as(drive);
         }
         ending const end = judge(why, catalog_chosen(drive));
+        waiting_.clear();
         output results{chosen_.form, false};
         results.put({{"unit", std::int64_t{who_.unit.byte()}},
                      {"outcome", end.sentence + of_which_unit()},
@@ -158,8 +211,19 @@ private:
             if (why.kind != outcome_kind::unconfirmed and unobeyed == 0) {
                 break;
             }
+            has_got_its_word = 1;
+            show_output(catalog_chosen(drive));
         }
         return why;
+    }
+
+    void show_output(drive_catalog const& drive)
+    {
+        auto const read = line_.ask(who_.unit, rtuwire::read_holding_registers{.start = drive.layout.rfr, .count = 1});
+        register_entry const* const rfr = drive.at(drive.layout.rfr);
+        waiting_.show("told to stop" +
+                      (read and rfr != nullptr ? ", at " + text_of(*rfr, read->registers[0]) : std::string{}) +
+                      "; waits until it stands");
     }
 
     bool is_at_zero(drive_catalog const& drive)
@@ -221,6 +285,7 @@ private:
     named_unit who_;
     stop_by way_;
     open_line line_;
+    waiting_line waiting_{};
     bool is_blind_{false};        ///< another stop than the one that was asked for went first
     bool is_other_family_{false}; ///< than that of the type that was named
 };
