@@ -205,6 +205,13 @@ def by_another_master(motor, program, check):
     ends_with(process, motor, check, "another master", 1, "another master commands the drive")
 
 
+def by_a_word_of_another_master(motor, program, check):
+    """It takes the motor's power away, and the drive's state is all that is read of it."""
+    process = turning(motor, program, check, "a word of another master")
+    motor.write(8501, 6)
+    ends_with(process, motor, check, "a word of another master", 1, "another master")
+
+
 def by_local(motor, program, check):
     process = turning(motor, program, check, "local control")
     motor.suffer("local")
@@ -338,7 +345,7 @@ def with_nothing_open(motor, program, check):
     check(motor.stands(), "closed descriptors: the motor stands", motor.shown())
 
 
-WAYS = (by_its_time, by_speed, by_fault, by_lost_line, by_deaf_line, by_another_master, by_local, by_two_interrupts,
+WAYS = (by_its_time, by_speed, by_fault, by_lost_line, by_deaf_line, by_another_master, by_a_word_of_another_master, by_local, by_two_interrupts,
         by_a_held_interrupt, by_signals, by_suspension, by_stop, by_sleep, by_abort, by_a_full_disk, by_its_reader, behind_a_full_pipe,
         by_its_terminal, with_nothing_open)
 TIMES = {by_lost_line: 60, by_deaf_line: 300, by_stop: 60, by_sleep: 60}

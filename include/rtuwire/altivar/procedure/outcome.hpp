@@ -80,7 +80,8 @@ struct [[nodiscard]] reason {
     case outcome_kind::no_place: return "the client has no place for one more drive";
     case outcome_kind::silent: return "no response";
     case outcome_kind::state_timeout: return "the drive did not follow in time: look at its state and its ramp";
-    case outcome_kind::fell_back: return "the drive fell back by itself: look at its power and its terminals";
+    case outcome_kind::fell_back:
+        return "the drive fell back by itself, or by another master: look at its power and its terminals";
     case outcome_kind::stop_key: return "the drive's STOP key was pressed: look who is at the drive";
     case outcome_kind::aborted: return "given up before it was done: look at the drive's state and the time limit";
     case outcome_kind::unconfirmed: return "told to stop, not seen to stand";
