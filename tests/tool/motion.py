@@ -385,6 +385,9 @@ def refused(program, check):
         check(not line.heard, "nothing was sent for that", line.heard)
         asks("above HSP", 2, "50.0 Hz (HSP)", "--allow-run", *start, "50.1Hz")
         asks("a speed above HSP", 2, "50.0 Hz (HSP)", "--allow-run", "start", "--speed", "1600rpm")
+        asks("a speed a third of a step above HSP", 2, "(50.1 Hz): the drive is set to run from 0.0 Hz (LSP) to 50.0 Hz (HSP)",
+             "--allow-run", "start", "--speed", "1501rpm")
+        asks("a speed that no register takes", 2, "99999rpm: the drive is set to run from", "--allow-run", "start", "--speed", "99999rpm")
         asks("half a step", 2, "steps of 0.1 Hz", "--allow-run", *start, "40.05Hz")
         motor.write(LSP, 100)
         asks("below LSP", 2, "10.0 Hz (LSP)", "--allow-run", *start, "9.9Hz")
@@ -498,12 +501,13 @@ def typed(program, check):
 
         return key
 
-    keys = [("operation enabled", speed_is(40, "30Hz\n")), ("goes to 30.0 Hz", speed_is(30, "50.1\n")),
+    keys = [("operation enabled", speed_is(40, "30Hz\n")), ("goes to 30.0 Hz", speed_is(30, "99999Hz\n")),
+            ("99999Hz: above HSP, which is no more than", speed_is(30, "50.1\n")),
             ("highest frequency, HSP, 50.0 Hz: stays at 30.0 Hz", speed_is(30, "9rpm\n")),
             ("mHz: stays", speed_is(30, "30.05\n")), ("steps of 0.1 Hz: stays", speed_is(30, "\n-20\n")),
             ("to turn it the other way: stays at 30.0 Hz; Ctrl-C stops it", speed_is(30, "10Hz\n15Hz\n")),
             ("goes to 15.0 Hz", speed_is(15, ""))]
-    slow = [("operation enabled", speed_is(40, "5Hz\n")), ("5.0 Hz is outside of the drive's limits: it turns at LSP, or at HSP", speed_is(10, ""))]
+    slow = [("operation enabled", speed_is(40, "5Hz\n")), ("5.0 Hz is outside of the drive's limits: it turns at LSP, 10.0 Hz", speed_is(10, ""))]
     reverse = [("operation enabled", speed_is(-40, "25Hz\n")), ("goes to 25.0 Hz, reverse", speed_is(-25, "0Hz\n")),
                ("goes to 0.0 Hz, reverse (0 has no direction: to keep this one it turns on", speed_is(-0.1, ""))]
     with Tool(program) as tool, Motor(program) as motor:

@@ -49,14 +49,19 @@ std::int64_t count_in(register_reader const& from, drive_catalog const& drive, s
     return entry->count_of(*word);
 }
 
-/// In 0.1 Hz, as the drive works it out of its motor's nameplate; rounded towards zero.
-std::int64_t tenths_of_hertz(std::int64_t speed, std::int64_t rated_tenths, std::int64_t rated_speed)
+/// In 0.1 Hz, as the drive works it out of its motor's nameplate.
+struct hertz_range {
+    std::int64_t least; ///< rounded down
+    std::int64_t most;  ///< rounded up
+};
+
+hertz_range tenths_of_hertz(std::int64_t speed, std::int64_t rated_tenths, std::int64_t rated_speed)
 {
     if (rated_tenths <= 0 or rated_speed <= 0) {
         refuse_for_safety("the drive's nameplate of its motor (FRS, NSP) is empty: say --frequency");
     }
     std::int64_t const pole_pairs = (rated_tenths * 6 + rated_speed / 2) / rated_speed;
-    return speed * pole_pairs / 6;
+    return {speed * pole_pairs / 6, (speed * pole_pairs + 5) / 6};
 }
 
 std::string hertz_text(std::int64_t tenths) { return amount_text(tenths, {1, 10}, "Hz"); }
@@ -135,11 +140,11 @@ asked_motion motion_asked(motion_choices const& typed, open_line& line, rtuwire:
     std::string const said = std::string{it.option()} + ' ' + it.word;
     std::int64_t const count = count_of(it, reference, said);
     bool const fits = count <= reference.highest_count();
-    std::int64_t const tenths =
+    hertz_range const tenths =
         it.is_speed and fits ? tenths_of_hertz(count, count_in(reader, drive, "FRS"), count_in(reader, drive, "NSP"))
-                             : count;
-    if (not fits or tenths < lowest or tenths > highest) {
-        refuse_word(said + (it.is_speed ? " (" + hertz_text(tenths) + ")" : std::string{}) +
+                             : hertz_range{count, count};
+    if (not fits or tenths.least < lowest or tenths.most > highest) {
+        refuse_word(said + (it.is_speed and fits ? " (" + hertz_text(tenths.most) + ")" : std::string{}) +
                     ": the drive is set to run from " + hertz_text(lowest) + " (LSP) to " + hertz_text(highest) +
                     " (HSP)");
     }
@@ -156,7 +161,8 @@ asked_motion motion_typed(std::string const& word, asked_motion const& now, driv
     register_entry const& reference = reference_of(it, drive);
     std::int64_t const count = count_of(it, reference, word);
     if (count > reference.highest_count()) {
-        refuse_word(word + ": no more than " + amount_text(reference.highest_count(), reference.step, reference.unit));
+        refuse_word(word + ": above HSP, which is no more than " +
+                    amount_text(reference.highest_count(), reference.step, reference.unit));
     }
     return motion_of(it, count, reference);
 }

@@ -32,6 +32,12 @@ constexpr seconds unfollowed_limit{30}; ///< in which the motor gets no slower
 
 std::string words_of_kind(outcome_kind kind) { return std::string{std::string_view{name_of(kind)}}; }
 
+/// With the limit that refused a reference.
+std::string words_with_limit(rtuwire::altivar::reason const& why)
+{
+    return words_of_kind(why.kind) + (why.limit != 0 ? ", " + amount_text(why.limit, {1, 10}, "Hz") : std::string{});
+}
+
 } // namespace
 
 running::running(std::unique_ptr<motor> which, asked_motion const& asked, any_port& port, rtuwire::unit_id unit,
@@ -147,7 +153,7 @@ std::optional<motion_end> running::order()
     }
     emergency.arm(port_, unit_, drive_.layout.cmd);
     if (not motor_->run()) {
-        return motion_end{exit_status::differs, "the drive takes no order: " + words_of_kind(motor_->reason().kind)};
+        return motion_end{exit_status::differs, "the drive takes no order: " + words_with_limit(motor_->reason())};
     }
     typed_.forget(); // whoever typed before had no motor in mind that runs
     return std::nullopt;
@@ -189,10 +195,7 @@ void running::change(std::string const& typed)
             limit_due_ = clock::now() + limit_seen;
             sentence = "goes to " + next.text + words_of_least(next);
         } else {
-            auto const why = motor_->reason();
-            sentence = typed + ": " + words_of_kind(why.kind) +
-                       (why.limit != 0 ? ", " + amount_text(why.limit, {1, 10}, "Hz") : std::string{}) + ": stays at " +
-                       asked_.text;
+            sentence = typed + ": " + words_with_limit(motor_->reason()) + ": stays at " + asked_.text;
         }
     } catch (ended const& why) {
         sentence = why.what() + (": stays at " + asked_.text + "; Ctrl-C stops it");
@@ -206,9 +209,21 @@ void running::tell_limit(motor_sight const& seen)
     if (limit_due_ and clock::now() >= *limit_due_ and seen.is_linked) {
         limit_due_.reset();
         if (seen.is_limited) {
-            display_.say(seen, asked_.text + " is outside of the drive's limits: it turns at LSP, or at HSP");
+            display_.say(seen, asked_.text + " is outside of the drive's limits: it turns at " + limit_text());
         }
     }
+}
+
+/// Which limit it is, and how much, by what was read at the start; somebody may have changed it since.
+std::string running::limit_text() const
+{
+    auto const& limits = motor_->supervision().limits;
+    std::uint16_t const address = asked_.is_speed ? drive_.speed_reference : drive_.frequency_reference;
+    outcome_kind const found = limits.judge({address, static_cast<std::uint16_t>(asked_.count), asked_.is_speed}, true);
+    std::string const hertz = amount_text(limits.named_by(found), {1, 10}, "Hz");
+    return found == outcome_kind::above_hsp   ? "HSP, " + hertz
+           : found == outcome_kind::below_lsp ? "LSP, " + hertz
+                                              : "LSP, or at HSP, which was changed meanwhile";
 }
 
 motion_end running::interrupted() const

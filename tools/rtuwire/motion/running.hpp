@@ -54,6 +54,7 @@ private:
     motion_end order_lost() const;
     motion_end interrupted() const;
     std::string own_stop() const;
+    std::string limit_text() const;
     std::string fault_text() const;
     void heed_interrupts();
     bool stands() const;
