@@ -380,6 +380,9 @@ def refused(program, check):
         asks("start without --allow-run", 5, "--allow-run", *start, "40Hz")
         asks("no frequency", 2, "how fast?", "--allow-run", "start")
         asks("a wrong unit", 2, "in Hz", "--allow-run", *start, "40m")
+        asks("a decimal comma", 2, "a number is written with a point: 1.3, not 1,3", "--allow-run", *start, "40,5Hz")
+        asks("a speed as a frequency", 2, "--speed takes rpm; --frequency takes Hz, kHz, mHz, not rpm", "--allow-run", *start, "900rpm")
+        asks("a frequency as a speed", 2, "--frequency takes Hz; --speed takes rpm, not Hz", "--allow-run", "start", "--speed", "40Hz")
         asks("two directions", 2, "say the direction once", "--allow-run", "start", "--frequency=-40Hz", "--reverse")
         asks("reset without --write", 5, "--write", "reset")
         check(not line.heard, "nothing was sent for that", line.heard)
@@ -504,7 +507,8 @@ def typed(program, check):
     keys = [("operation enabled", speed_is(40, "30Hz\n")), ("goes to 30.0 Hz", speed_is(30, "99999Hz\n")),
             ("99999Hz: above HSP, which is no more than", speed_is(30, "50.1\n")),
             ("highest frequency, HSP, 50.0 Hz: stays at 30.0 Hz", speed_is(30, "9rpm\n")),
-            ("mHz: stays", speed_is(30, "30.05\n")), ("steps of 0.1 Hz: stays", speed_is(30, "\n-20\n")),
+            ("9rpm: it was ordered, and is changed, in Hz, kHz, mHz, not rpm: stays", speed_is(30, "22,5Hz\n")),
+            ("1.3, not 1,3: stays", speed_is(30, "30.05\n")), ("steps of 0.1 Hz: stays", speed_is(30, "\n-20\n")),
             ("to turn it the other way: stays at 30.0 Hz; Ctrl-C stops it", speed_is(30, "10Hz\n15Hz\n")),
             ("goes to 15.0 Hz", speed_is(15, ""))]
     slow = [("operation enabled", speed_is(40, "5Hz\n")), ("5.0 Hz is outside of the drive's limits: it turns at LSP, 10.0 Hz", speed_is(10, ""))]
@@ -513,7 +517,7 @@ def typed(program, check):
     with Tool(program) as tool, Motor(program) as motor:
         check("on a terminal a line such as" in tool.run("start", "--help").output, "the help says so")
         ended = tool.on_terminal("--unit", UNIT, "--no-listen", "--timeout", motor.timeout, "-y", "--allow-run", "start", "--frequency",
-                                 f"{SPEED}Hz", "--for", "12s", port=motor.device, keys=keys)
+                                 f"{SPEED}Hz", "--for", "15s", port=motor.device, keys=keys)
         check(ended.status == 0 and all(text in ended.output for text, _ in keys), "what was typed is answered", ended)
         check("a line such as 30Hz changes that" in ended.output, "it says that before", ended)
         check("nothing read yet" in ended.output and "no link" not in ended.output, "before the first read nothing was read", ended)

@@ -66,11 +66,20 @@ hertz_range tenths_of_hertz(std::int64_t speed, std::int64_t rated_tenths, std::
 
 std::string hertz_text(std::int64_t tenths) { return amount_text(tenths, {1, 10}, "Hz"); }
 
-void refuse_no_number(typed_motion const& it, std::string const& said)
+/// `ordered` says what takes the unit: "--frequency takes".
+void refuse_no_number(typed_motion const& it, std::string const& said, std::string const& ordered)
 {
     std::string_view const unit = it.is_speed ? "rpm" : "Hz";
+    std::string_view const other = it.is_speed ? "Hz" : "rpm";
     bool const is_number = not it.size.empty() and it.size.front() >= '0' and it.size.front() <= '9';
-    if (not is_number or read_amount(it.size, unit).fault != amount_fault::none) {
+    amount_fault const fault = is_number ? read_amount(it.size, unit).fault : amount_fault::not_a_number;
+    if (fault == amount_fault::decimal_comma) {
+        refuse_word(said + ": " + decimal_comma_text);
+    }
+    if (fault == amount_fault::wrong_unit and read_amount(it.size, other).fault == amount_fault::none) {
+        refuse_word(said + ": " + ordered + ' ' + units_for(unit) + ", not " + units_for(other));
+    }
+    if (fault != amount_fault::none) {
         refuse_word(said + ": a number is needed, in " + units_for(unit));
     }
 }
@@ -115,7 +124,8 @@ void refuse_wrong_words(motion_choices const& typed)
     if (it.size != it.word and typed.is_reverse) {
         refuse_word(std::string{it.option()} + ' ' + it.word + " and --reverse: say the direction once");
     }
-    refuse_no_number(it, std::string{it.option()} + ' ' + it.word);
+    refuse_no_number(it, std::string{it.option()} + ' ' + it.word,
+                     it.is_speed ? "--frequency takes Hz; --speed takes" : "--speed takes rpm; --frequency takes");
 }
 
 asked_motion motion_asked(motion_choices const& typed, open_line& line, rtuwire::unit_id unit,
@@ -157,7 +167,7 @@ asked_motion motion_typed(std::string const& word, asked_motion const& now, driv
         refuse_word(word + ": the direction is the one that was ordered; stop the motor to turn it the other way");
     }
     typed_motion const it{word, word, now.is_speed, now.is_reverse};
-    refuse_no_number(it, word);
+    refuse_no_number(it, word, "it was ordered, and is changed, in");
     register_entry const& reference = reference_of(it, drive);
     std::int64_t const count = count_of(it, reference, word);
     if (count > reference.highest_count()) {

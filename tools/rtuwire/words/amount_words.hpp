@@ -34,6 +34,9 @@ struct typed_amount {
     std::string_view unit{}; ///< as it was typed
 };
 
+/// What is said of a comma in a number.
+inline constexpr char const decimal_comma_text[] = "a number is written with a point: 1.3, not 1,3";
+
 /// Reads an amount of what `unit` measures ("Hz"). A number without a unit is taken in that unit.
 [[nodiscard]] typed_amount read_amount(std::string_view text, std::string_view unit);
 

@@ -115,8 +115,7 @@ private:
         typed_amount const typed = read_amount(text, entry.unit);
         switch (typed.fault) {
         case amount_fault::none: break;
-        case amount_fault::decimal_comma:
-            return refuse("decimal_comma", "a number is written with a point: 1.3, not 1,3");
+        case amount_fault::decimal_comma: return refuse("decimal_comma", decimal_comma_text);
         case amount_fault::too_many_digits: return refuse("not_a_number", "more than 15 digits");
         case amount_fault::wrong_unit: return refuse_unit(typed.unit);
         case amount_fault::not_a_number:
