@@ -84,6 +84,9 @@ bool is_worth_a_line(restored_parameter const& of, saved_settings const& wanted)
 
 std::string sentence_of(rtuwire::altivar::reason const& why)
 {
+    if (why.kind == rtuwire::altivar::outcome_kind::silent and why.error == rtuwire::errc::timed_out) {
+        return words_of(why.error);
+    }
     std::string const text{std::string_view{name_of(why.kind)}};
     return why.error == rtuwire::errc::none ? text : text + ": " + words_of(why.error);
 }

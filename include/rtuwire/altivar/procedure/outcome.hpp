@@ -160,7 +160,9 @@ struct [[nodiscard]] reason {
         precede_by_number(text, std::uint32_t{why.fault});
         text.precede(", LFT ");
     }
-    if (why.error != errc::none) {
+    if (why.kind == outcome_kind::silent and why.error == errc::timed_out) {
+        text.precede(" in time");
+    } else if (why.error != errc::none) {
         std::string_view const error = name(why.error);
         text.precede(error.data(), error.size());
         text.precede(": ");
