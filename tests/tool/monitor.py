@@ -196,6 +196,9 @@ def refused(words, check, what, *sentences, **environment):
 def refusals(tool, check):
     piped = subprocess.run([tool, "monitor"], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
     check(piped.returncode == 2 and piped.stdout == "" and "watch" in piped.stderr, "no terminal", piped)
+    piped = subprocess.run([tool, "--port", "sim:atv320:7", "monitor", "7", "3", "2"], stdin=subprocess.DEVNULL, capture_output=True,
+                           text=True, check=False)
+    check(piped.returncode == 2 and "-u 7,3,2 monitor` shows the units" in piped.stderr, "units in place of registers", piped)
     words = monitor(tool, "sim:atv320:7", "-u", "7", "monitor")
     refused(words, check, "an unknown TERM", "TERM is 'no-such'", "watch", TERM="no-such")
     refused(words, check, "an empty TERM", "TERM is ''", TERM="")

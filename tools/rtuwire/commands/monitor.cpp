@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 // Several drives on a full screen. It only reads.
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <memory>
@@ -33,8 +34,32 @@ void refuse_screen(choices const& chosen, std::string const& why, std::string_vi
                 "` writes lines, to a pipe or a file as well");
 }
 
+/// `monitor 7 3 2` where no unit was said: registers of unit 1, and meant for units.
+void refuse_units_as_registers(choices const& chosen)
+{
+    constexpr unsigned longest_address = 3, highest_unit = 247;
+    bool const is_meant = not chosen.line.is_unit_named and chosen.line.names.empty() and not chosen.words.empty() and
+                          std::ranges::all_of(chosen.words, [](std::string const& word) {
+                              bool const is_short = word.find_first_not_of("0123456789") == word.npos and
+                                                    word.size() <= longest_address and not word.empty();
+                              return is_short and std::stoul(word) >= 1 and std::stoul(word) <= highest_unit;
+                          });
+    if (not is_meant) {
+        return;
+    }
+    std::string units;
+    for (std::string const& each : chosen.words) {
+        units += (units.empty() ? "" : ",") + each;
+    }
+    line_choices line = chosen.line;
+    line.typed.unit = " -u " + units;
+    refuse_word("the words of monitor are registers, and nobody said of which unit; `" +
+                shown_command(line, "monitor") + "` shows the units " + units);
+}
+
 void check(choices const& chosen)
 {
+    refuse_units_as_registers(chosen);
     if (chosen.form != output_form::table) {
         refuse_screen(chosen, "monitor draws a screen, no --json and no --csv", "--json ");
     }
