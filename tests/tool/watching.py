@@ -6,10 +6,11 @@
     python3 watching.py TOOL share    how much of a line it uses, on a machine with nothing else to do
 """
 import json
+import os
 import signal
 from datetime import datetime
 
-from support import DONE, LIMIT, NO_ANSWER, Tool, Units, runs
+from support import DONE, LIMIT, NO_ANSWER, Simulator, Tool, Units, runs
 
 COUNT = 20  # registers
 RATE = 19_200
@@ -64,6 +65,23 @@ def check_silence(tool, check):
         check(ended.status == NO_ANSWER, "silent to the end: status 3", ended)
 
 
+def check_suspension(program, tool, check):
+    """A watch that is suspended keeps nobody from the line, as from a stop; it is over when it goes on."""
+    with Simulator(program, "atv320:7") as device:
+        how = ["--port", device, "--no-listen", "-u", 7]
+        # A group of its own, in which a suspension is one.
+        process = tool.start(*how, "--json", "watch", "RFR", "--every", "100ms", preexec_fn=lambda: os.setpgid(0, 0))
+        process.stdout.readline()
+        process.send_signal(signal.SIGTSTP)
+        _, status = os.waitpid(process.pid, os.WUNTRACED)
+        check(os.WIFSTOPPED(status), "TSTP suspends it", status)
+        ended = tool.run(*how, "stop")
+        check(ended.status == DONE, "the line is free meanwhile", ended)
+        process.send_signal(signal.SIGCONT)
+        _, errors = process.communicate(timeout=LIMIT)
+        check(process.returncode == DONE and "this watch is over" in errors, "and it ends when it goes on", (process.returncode, errors))
+
+
 def check_share(tool, check):
     """A line with the times of 19 200 bits a second: a request, its response, and a silence before each."""
     with Units({7: dict.fromkeys(range(100, 100 + COUNT), 1)}, RATE) as line:
@@ -80,6 +98,8 @@ def main(check, program, part=""):
     with Tool(program) as tool:
         for each in (check_share,) if part == "share" else (check_period, check_reader, check_silence):
             each(tool, check)
+        if part != "share":
+            check_suspension(program, tool, check)
 
 
 runs(main)

@@ -4,8 +4,10 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
+#include "../support/signals.hpp"
 #include "commands/commands.hpp"
 #include "line/asked_registers.hpp"
 #include "line/end_wish.hpp"
@@ -48,7 +50,7 @@ private:
     }
     bool goes_on(steady_clock::time_point began) const
     {
-        return noted_signal() == 0 and results_.is_open() and not is_over(began);
+        return noted_signal() == 0 and noted.suspend == 0 and results_.is_open() and not is_over(began);
     }
 
     /// The port is read meanwhile, so that what arrives late is not taken for a response.
@@ -95,7 +97,14 @@ private:
 exit_status run_watch(choices const& chosen)
 {
     note_signals();
-    return watching{chosen}.run();
+    take_signal(SIGTSTP);
+    exit_status const status = watching{chosen}.run();
+    if (noted.suspend != 0) {
+        // Asleep it would keep the device from the `stop` of whoever has suspended it: the line is closed by now.
+        std::fputs("rtuwire: suspended, and the line is closed: this watch is over\n", stderr);
+        suspend();
+    }
+    return status;
 }
 
 } // namespace tool
