@@ -411,6 +411,8 @@ def asked(program, check):
             motor.write(cmd, word)
 
     cases = [("another program runs the motor", start_of_another, 5, "somebody else"),
+             ("it falls into a fault", lambda motor: motor.suffer("fault"), 1, "in fault: OCF"),
+             ("somebody takes it", lambda motor: motor.suffer("local"), 5, "in local control; its keypad or its terminals command it"),
              ("HSP is lowered", lambda motor: motor.write(hsp, 300), 2, "30.0 Hz (HSP)"),
              ("nothing happens", lambda motor: None, 0, "the motor stands")]
     with Tool(program) as tool:
@@ -425,6 +427,16 @@ def asked(program, check):
                 check(ended.status == status and says in ended.output, f"defect: D24 behind the question {what}", ended)
                 enabled = bytes([UNIT, 6, cmd >> 8, cmd & 255, 0, 15]) in line.heard or bytes([UNIT, 16, cmd >> 8, cmd & 255]) in line.heard
                 check(enabled == (status == 0), f"behind the question {what}: whether it sends a word to run", enabled)
+
+
+def not_asked(program, check):
+    """Nobody is asked whether a motor shall run that cannot."""
+    from support import Tool
+    with Tool(program) as tool, Motor(program) as motor:
+        motor.suffer("fault")
+        ended = tool.on_terminal("--unit", UNIT, "--no-listen", "--timeout", motor.timeout, "--retries", 0, "--allow-run", "start",
+                                 "--frequency", f"{SPEED}Hz", port=motor.device, keys=[("(y/n)", "n\n")])
+        check(ended.status == 1 and "in fault: OCF" in ended.output and "(y/n)" not in ended.output, "a fault: nobody is asked", ended)
 
 
 def answered(program, check):
@@ -659,6 +671,7 @@ def resets_and_misses(program, check):
 def orders(program, check):
     refused(program, check)
     asked(program, check)
+    not_asked(program, check)
     answered(program, check)
     left_for_the_shell(program, check)
     keeps_its_sign(program, check)

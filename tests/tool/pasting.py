@@ -62,6 +62,25 @@ def check_stop(tool, simulator, device, check):
         check(simulator.shown(UNIT)[0] == "switch on disabled", f"{what}: it stands", simulator.shown(UNIT))
 
 
+def check_settings(tool, simulator, device, check):
+    """A setting that forbids a start is named with what changes it; the next start is not refused for it."""
+    start = ["--allow-run", "-y", "start", "--frequency", "9Hz", "--for", "0.2s"]
+    separate, together = 2, 1
+    for code, address, word, good in (("SLL", 7010, 0, 1), ("SLL", 7010, 4, 1), ("CHCF", 8401, 3, 1), ("ATR", 7122, 1, 0),
+                                      ("FR1", 8413, 1, 164)):
+        simulator.suffer(f"{UNIT} write 8401 {separate if code == 'FR1' else together}")
+        simulator.suffer(f"{UNIT} write {address} {word}")
+        ended = tool.run("--port", device, *TIMES, "-u", UNIT, "-d", "atv320", *start)
+        found = shown_in(ended.errors)
+        check(ended.status == REFUSED and f"({code} is " in ended.errors and len(found) == 1, f"{code}={word}: a start is refused", ended)
+        done = pasted(tool, found[0] if found else "false")
+        check(done.returncode == DONE, f"{code}={word}: what it shows is done", (found, done))
+        ended = tool.run("--port", device, *TIMES, "-u", UNIT, "-d", "atv320", *start)
+        check(ended.status == DONE, f"{code}={word}: and then it starts", ended)
+        simulator.suffer(f"{UNIT} write {address} {good}")
+    simulator.suffer(f"{UNIT} write 8401 {together}")
+
+
 def check_scan(tool, simulator, device, check):
     """A scan shows what resets a drive that it leaves; a scan that finds nobody, what to try next."""
     for rates in ([], ["--bauds", "9600,19200"]):
@@ -128,6 +147,7 @@ def main(check, program, sources):
         with simulator as device:
             check_reset(tool, simulator, device, check)
             check_stop(tool, simulator, device, check)
+            check_settings(tool, simulator, device, check)
             check_scan(tool, simulator, device, check)
             check_screens(tool, device, check)
         check_quoting(tool, check)

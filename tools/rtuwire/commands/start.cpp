@@ -7,6 +7,7 @@
 
 #include "../support/emergency_stop.hpp"
 #include "../support/reason_to_end.hpp"
+#include "catalog/value_text.hpp"
 #include "commands/commands.hpp"
 #include "line/line_words.hpp"
 #include "line/who_is_it.hpp"
@@ -28,14 +29,30 @@ line_choices line_for_motion(line_choices line)
     return line;
 }
 
-void refuse_where_it_runs(open_line& line, rtuwire::unit_id unit, drive_catalog const& drive, line_choices const& how)
+std::uint16_t word_at(std::uint16_t address, char const* what, open_line& line, rtuwire::unit_id unit)
 {
-    auto const status = line.ask(unit, rtuwire::read_holding_registers{.start = drive.layout.eta, .count = 1});
-    if (not status) {
-        throw ended{status_of(status.error()),
-                    "the drive's status could not be read: " + line.words_of_failure(status.error())};
+    auto const read = line.ask(unit, rtuwire::read_holding_registers{.start = address, .count = 1});
+    if (not read) {
+        throw ended{status_of(read.error()),
+                    std::string{"the drive's "} + what + " could not be read: " + line.words_of_failure(read.error())};
     }
-    if (rtuwire::cia402::has_power(rtuwire::cia402::decode(status->registers[0]))) {
+    return read->registers[0];
+}
+
+/// Nobody is asked whether a motor shall run that cannot. The whole check of the drive comes behind the answer: only that
+/// tells why a drive is in local control.
+void refuse_where_it_cannot_run(open_line& line, rtuwire::unit_id unit, drive_catalog const& drive,
+                                line_choices const& how)
+{
+    auto const state = rtuwire::cia402::decode(word_at(drive.layout.eta, "status", line, unit));
+    if (rtuwire::cia402::is_in_fault(state)) {
+        register_entry const* const lft = drive.at(drive.layout.lft);
+        std::uint16_t const fault = word_at(drive.layout.lft, "last fault", line, unit);
+        throw ended{exit_status::differs, "the motor is not started: the drive is in fault: " +
+                                              (lft == nullptr ? std::to_string(fault) : text_of(*lft, fault)) + "; `" +
+                                              shown_command(how, "--write reset") + "` resets it"};
+    }
+    if (rtuwire::cia402::has_power(state)) {
         refuse_for_safety(
             "the motor has power already: somebody else commands it, and only there its speed is changed: "
             "a line such as 30Hz on the terminal of the start that runs it does; `" +
@@ -67,7 +84,7 @@ exit_status start_on(line_choices const& how, choices const& chosen)
     }
     auto const looked = [&] {
         asked_motion const asked = motion_asked(chosen.motion, line, who.unit, drive);
-        refuse_where_it_runs(line, who.unit, drive, chosen.line);
+        refuse_where_it_cannot_run(line, who.unit, drive, chosen.line);
         return asked;
     };
     asked_motion asked = looked();

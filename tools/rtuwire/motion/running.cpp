@@ -43,8 +43,7 @@ std::string words_with_limit(rtuwire::altivar::reason const& why)
 running::running(std::unique_ptr<motor> which, asked_motion const& asked, any_port& port, rtuwire::unit_id unit,
                  drive_catalog const& drive, choices const& chosen)
     : motor_{std::move(which)}, port_{port}, unit_{unit}, drive_{drive}, display_{chosen.form, drive},
-      must_end_{longest_look}, reset_{shown_command(chosen.line, "--write reset")},
-      stop_{shown_command(chosen.line, "stop")}, asked_{asked}
+      must_end_{longest_look}, line_{chosen.line}, asked_{asked}
 {
     if (chosen.last) {
         length_ = std::chrono::duration<double>{*chosen.last};
@@ -126,14 +125,44 @@ motion_end running::refusal_of_check() const
         sentence += " (no known value of " + (entry == nullptr ? "" : std::string{entry->code} + ", ") + "register " +
                     std::to_string(found.address) + ": this drive may have no such register, and --drive " +
                     std::string{drive_.name} + " may be wrong)";
+    } else if (why.kind == outcome_kind::local_control) {
+        sentence +=
+            "; its keypad or its terminals command it, or a setting (FR1, CD1, FLO) has given it to another channel";
     } else if (register_entry const* const entry = found.finding == why.kind ? drive_.at(found.address) : nullptr) {
-        sentence += " (" + std::string{entry->code} + " is " + full_text(*entry, found.word) + ")";
+        sentence += " (" + std::string{entry->code} + " is " + full_text(*entry, found.word) + ")" +
+                    remedy_for(why.kind, *entry);
     } else if (why.kind == outcome_kind::misconfigured) {
         sentence += "; --frequency does without it";
     } else if (why.kind == outcome_kind::in_fault) {
-        return {exit_status::differs, sentence + fault_text() + "; `" + reset_ + "` resets it"};
+        return {exit_status::differs,
+                sentence + fault_text() + "; `" + shown_command(line_, "--write reset") + "` resets it"};
     }
     return {why.kind == outcome_kind::refused ? exit_status::differs : exit_status::refused, sentence};
+}
+
+/// What to do about a setting that forbids an order; nothing where that depends.
+std::string running::remedy_for(outcome_kind finding, register_entry const& entry) const
+{
+    constexpr std::uint16_t freewheel = 1, by_modbus = 10, reference_by_modbus = 164, together = 1, off = 0;
+    std::optional<std::uint16_t> word;
+    bool moves = true; // after a motor may turn
+    if (finding == outcome_kind::unsupervised or finding == outcome_kind::runs_on_without_link) {
+        word = entry.code == "SLL" ? std::optional{freewheel} : std::nullopt;
+        moves = false;
+    } else if (finding == outcome_kind::other_channel) {
+        word = entry.code == "CD1"   ? std::optional{by_modbus}
+               : entry.code == "FR1" ? std::optional{reference_by_modbus}
+                                     : std::nullopt;
+    } else if (finding == outcome_kind::not_drive_profile) {
+        word = together;
+    } else if (finding == outcome_kind::restarts_by_itself) {
+        word = off;
+    }
+    return not word ? ""
+                    : "; `" +
+                          shown_command(line_, (moves ? "--write --allow-run write " : "--write write ") +
+                                                   std::string{entry.code} + '=' + text_of(entry, *word)) +
+                          "` changes that";
 }
 
 std::optional<motion_end> running::order()
@@ -252,7 +281,7 @@ std::string running::own_stop() const
     rtuwire::duration const timeout = motor_->supervision().period.timeout;
     std::string const seconds =
         timeout != rtuwire::duration{} ? " of " + amount_text(timeout.microseconds / 100'000, {1, 10}, "s") : "";
-    return "the motor stops when the drive's own time-out" + seconds + " is over; `" + stop_ +
+    return "the motor stops when the drive's own time-out" + seconds + " is over; `" + shown_command(line_, "stop") +
            "` stops it, and says so, where the drive hears that";
 }
 

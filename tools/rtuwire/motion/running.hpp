@@ -51,6 +51,7 @@ private:
     std::string stop(motion_end& end);
 
     motion_end refusal_of_check() const;
+    std::string remedy_for(rtuwire::altivar::outcome_kind finding, register_entry const& entry) const;
     motion_end order_lost() const;
     motion_end interrupted() const;
     std::string own_stop() const;
@@ -70,8 +71,7 @@ private:
     std::optional<clock::time_point> interrupted_at_{}; ///< by the first Ctrl-C
     int heeded_interrupts_{0};
     bool is_coasting_{false};
-    std::string reset_; ///< the command that resets a fault
-    std::string stop_;  ///< the one that stops the motor
+    line_choices line_; ///< for the commands that are shown
     asked_motion asked_;
     typed_lines typed_{};
 };
