@@ -110,6 +110,27 @@ TEST_CASE("defect: D24 a server that sleeps until its deadline hears the next re
     }
 }
 
+TEST_CASE("defect: D24 a request that silence ended is as old as that: a server drops it where its time is over")
+{
+    word_bank<1> bank{};
+    frame_bytes const request = framed({1, 100, 7}); // nothing but silence tells its end
+    for (std::uint64_t const pause : long_pauses) {
+        INFO("not called for " << pause << " us");
+        sleeper<server> it{server{unit_id{1}, office_line}, bank};
+        it.node.receive(request, it.now());
+        it.time += pause;
+        it.node.advance(it.now());
+        CHECK_FALSE(it.node.is_asked());
+        deadline const next = it.node.poll_deadline();
+        CHECK((not next or reached(it.now(), *next)));
+    }
+    sleeper<server> in_time{server{unit_id{1}, office_line}, bank};
+    in_time.node.receive(request, in_time.now());
+    in_time.time += 50'000;
+    in_time.node.advance(in_time.now());
+    CHECK(in_time.node.is_asked());
+}
+
 namespace {
 
 /// The port of a server; its clock is moved on by hand.

@@ -58,15 +58,12 @@ public:
         if (not line_.is_quiet and now >= line_.last + line_.times.silence) {
             line_.is_quiet = true;
         }
-        if (phase_ != phase::listening and now >= until_) {
-            if (phase_ == phase::transmitting) {
-                phase_ = phase::listening;
-                line_.at = receiver::state::unheard;
-            } else {
-                drop();
-            }
+        if (phase_ == phase::transmitting and now >= until_) {
+            phase_ = phase::listening;
+            line_.at = receiver::state::unheard;
         }
         end_by_silence(0, now);
+        drop_overdue(now); // what the silence has ended, too
     }
 
     void serve(time now)
@@ -188,6 +185,13 @@ private:
         } else if (phase_ == phase::listening) {
             is_open_end_ = false; // the byte belongs to the frame, which is refused
             line_.damage();
+        }
+    }
+
+    void drop_overdue(time now)
+    {
+        if ((phase_ == phase::asked or phase_ == phase::responding) and now >= until_) {
+            drop();
         }
     }
 

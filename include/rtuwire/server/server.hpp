@@ -192,11 +192,11 @@ public:
     /// for `frame_end` since the last byte; a `sent` after that does no harm.
     constexpr void advance(instant now) noexcept
     {
-        end_overdue(now);
         framer_.advance(now);
         if (phase_ == phase::listening) {
             take_frame();
         }
+        end_overdue(now); // also what has just been taken: the silence that ended it may be an hour ago
     }
 
     /// Calls `advance`; then executes the waiting request on the registers and prepares the response. A broadcast is
@@ -328,10 +328,6 @@ private:
     constexpr void end_overdue(instant now) noexcept
     {
         if (phase_ != phase::listening and reached(framer_.within_reach_of_line(now), until_)) {
-            if (phase_ == phase::transmitting) {
-                framer_.resynchronise();
-                phase_ = phase::listening;
-            }
             drop_request();
         }
     }
