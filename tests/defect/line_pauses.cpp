@@ -126,3 +126,30 @@ TEST_CASE("defect: D24 a server whose response never left hears again after any 
         CHECK(has_answered);
     }
 }
+
+TEST_CASE("defect: D24 a server executes no request from before a pause, whatever else is reported first")
+{
+    for (std::uint64_t const pause : long_pauses) {
+        for (bool const is_sent : {false, true}) {
+            INFO(pause / second << " s, then " << (is_sent ? "an end of sending" : "a damaged byte"));
+            std::uint64_t time = 1'000'000;
+            server unit{unit_id{1}, office_line};
+            word_bank<1> bank{};
+            unit.serve(bank, shown(time));
+            unit.serve(bank, shown(time += 100'000));
+            unit.receive(byte_view{write_of(1, 0, 7)}, shown(time));
+            unit.advance(shown(time += 10'000)); // the line is quiet
+            REQUIRE(unit.is_asked());
+            time += pause;
+            if (is_sent) {
+                unit.sent(shown(time));
+            } else {
+                unit.receive_error(shown(time));
+            }
+            unit.serve(bank, shown(time));
+            CHECK(bank.get(0) == 0);
+            deadline const next = unit.poll_deadline();
+            CHECK((not next or *next - shown(time) <= office_line.frame_end()));
+        }
+    }
+}

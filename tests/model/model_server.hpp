@@ -40,6 +40,7 @@ public:
 
     void sent(time now)
     {
+        drop_overdue(now);
         line_.note_activity(now);
         if (phase_ == phase::transmitting) {
             phase_ = phase::listening;

@@ -184,6 +184,7 @@ public:
             phase_ = phase::listening;
             pass_sent(now);
         } else {
+            end_overdue(now); // behind a later activity its limit could come to lie ahead again
             framer_.note_activity(now);
         }
     }
