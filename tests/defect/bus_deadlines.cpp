@@ -99,4 +99,50 @@ TEST_CASE("who is to come by again is called at once, also behind a request that
     CHECK((next and reached(now, *next)));
 }
 
+/// What a link names as its deadline where the one that asked is gone and another visits, so long after the last byte.
+template <typename Link, typename Visit> deadline woken_after(duration quiet, duration held, Visit visit)
+{
+    constexpr retry_policy patient{.busy_pause = longest_duration};
+    Link link{office_line};
+    steady first{1};
+    steady other{2};
+    instant now{0xFFFF'0000};
+    link.advance(now);
+    now = now + second;
+    link.advance(now);
+    visit(link, 0, first, now, patient);
+    CHECK(not link.poll_transmit().empty());
+    link.sent(now);
+    link.receive(framed({1, 0x83, 6}), now); // busy: it pauses
+    now = now + second;
+    link.advance(now);
+    visit(link, 1, other, now, patient);
+    now = now + duration{quiet.microseconds - second.microseconds};
+    link.advance(now); // the pause is over: it waits
+    link.hold(unit_id{3}, now + held);
+    visit(link, 1, other, now, patient);
+    deadline const next = link.poll_deadline();
+    return next ? deadline{instant{next->microseconds - now.microseconds}} : next;
+}
+
+TEST_CASE("defect: D23 who is to come by again is called at once, however long the line was quiet")
+{
+    auto const on_client = [](client& link, std::size_t, steady& who, instant now, retry_policy const& with) {
+        link.converse(who, now, with);
+    };
+    auto const on_bus = [](bus<2>& link, std::size_t slot, steady& who, instant now, retry_policy const& with) {
+        link.set(slot, {.with = with});
+        link.converse(slot, who, now);
+    };
+    for (duration const quiet : {longest_duration, duration{longest_duration.microseconds + 100'000'000U}}) {
+        for (duration const held : {milliseconds(1), milliseconds(60'000), milliseconds(1'800'000)}) {
+            INFO("quiet for " << quiet.microseconds << " us, another unit held for " << held.microseconds << " us");
+            for (deadline const& next :
+                 {woken_after<client>(quiet, held, on_client), woken_after<bus<2>>(quiet, held, on_bus)}) {
+                CHECK((next and reached(instant{0}, *next)));
+            }
+        }
+    }
+}
+
 } // namespace

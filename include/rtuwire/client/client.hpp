@@ -121,7 +121,7 @@ public:
     /// The same, for a caller that collects several.
     constexpr void add_to(earliest& next) const noexcept
     {
-        transaction_.add_to(next, reservation_.is_held());
+        transaction_.add_to(next, reservation_.is_held(), instant{seen_.microseconds - 1U});
         orders_.add_to(next);
     }
 

@@ -200,16 +200,16 @@ public:
         return request();
     }
 
-    /// When the next pass has something to do.
-    constexpr void add_to(earliest& next, bool is_reserved) const noexcept
+    /// When the next pass has something to do. `seen`: the latest `advance`.
+    constexpr void add_to(earliest& next, bool is_reserved, instant seen) const noexcept
     {
         // A stop for which the line is reserved may cut the request as soon as the line is silent.
         framer().add_to(next, phase_ == phase::awaiting and not is_reserved);
         quarantine_.add_to(next);
         if (is_woken_ or is_under_way(phase_)) {
-            // After `wake`, a time that has come already: a request that waits then has seen the line fall silent.
+            // After `wake`, a time that has come already. Not the latest activity: that may be an hour ago.
             bool const is_past = is_woken_ and phase_ == phase::waiting;
-            next.add(is_past ? framer().last_activity() : deadline_);
+            next.add(is_past ? seen : deadline_);
         }
     }
 
