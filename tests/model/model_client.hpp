@@ -48,13 +48,14 @@ public:
         }
         bool const is_start = line_.is_quiet;
         end_by_silence(chunk.size(), now);
+        bool const is_held = debts_.covers(chunk[0]); // 26: what these bytes end may hold a unit from here on
         hear(now);
         std::size_t const back = take_echo(chunk, now);
         std::size_t strays = 0;
         for (std::size_t i = back; i < chunk.size(); ++i) {
             strays += take(chunk[i], now) ? 0U : 1U;
         }
-        note_strays(strays, is_start, chunk[0], strays == chunk.size());
+        note_strays(strays, is_start and strays == chunk.size(), chunk[0], is_held);
     }
 
     void receive_error(time now)
@@ -649,13 +650,13 @@ private:
         phase_ = phase::settled;
     }
 
-    void note_strays(std::size_t count, bool is_start, std::uint8_t first, bool is_first_stray)
+    void note_strays(std::size_t count, bool is_start, std::uint8_t first, bool is_held)
     {
         if (count == 0) {
             return;
         }
-        if (is_start and is_first_stray) {
-            is_late_ = first <= 247 and debts_.covers(first);
+        if (is_start) {
+            is_late_ = first <= 247 and is_held;
             if (is_late_) {
                 counted.note(a_late, first);
             }
