@@ -144,6 +144,7 @@ struct world : compare::schedule {
     rtuwire::bus<slots, rtuwire::observed_by<rtuwire::unit_statistics<rows>>> engine;
     model::bus second;
     std::vector<both> conversations{slots + 1};
+    std::optional<time> advanced{}; ///< the latest `advance`
 
     world(random_source& with, report& to, compare::setting const& as, model::options const& options,
           model::share const& share)
@@ -195,6 +196,14 @@ struct world : compare::schedule {
             check();
         }
     }
+    void advance()
+    {
+        step("advance");
+        engine.advance(clock.at(now));
+        second.advance(now);
+        advanced = now;
+        check();
+    }
     void pass_time()
     {
         std::optional<time> const until = next_of(second.poll_deadline());
@@ -206,6 +215,12 @@ struct world : compare::schedule {
         case 3:
             if (not until and may_sleep) {
                 now += time{roll.below(11'000)} * 1'000'000; // nothing is due for hours
+            } else if (roll.chance(5) and advanced and now - *advanced < 1'000'000 and
+                       std::max(how.response_timeout, how.late_response) < 10'000'000) {
+                // The program is stopped, whatever is due, but no whole turn, and what comes meanwhile is lost.
+                now += time{roll.below(1'000) + 60 * roll.any<unsigned>({0, 20, 36, 50, 54})} * 1'000'000;
+                line.to_come.clear();
+                advance();
             }
             break;
         default:
@@ -351,10 +366,7 @@ struct world : compare::schedule {
             interfere();
         }
         if (roll.chance(97)) {
-            step("advance");
-            engine.advance(clock.at(now));
-            second.advance(now);
-            check();
+            advance();
         }
         if (roll.chance(conversations[first].second.settled() ? 10 : 95)) {
             converse(first);

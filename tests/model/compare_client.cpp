@@ -30,6 +30,7 @@ template <typename Engine> struct world : compare::schedule {
     Engine other_engine; ///< of another line, where nothing ever leaves
     model::client other_second;
     std::vector<both> conversations{slots};
+    std::optional<time> advanced{}; ///< the latest `advance`
     bool is_late{false}; ///< stopped, and not advanced since: times in force may lie further apart than the rules hold
     bool is_rested{
         false}; ///< nothing was due for hours; the same, where times of minutes begin before the next `advance`
@@ -81,6 +82,15 @@ template <typename Engine> struct world : compare::schedule {
     {
         return one and other ? std::min(*one, *other) : (one ? one : other);
     }
+    void advance()
+    {
+        step("advance");
+        engine.advance(clock.at(now));
+        second.advance(now);
+        advanced = now;
+        is_late = is_rested = false;
+        check();
+    }
     void pass_time()
     {
         auto const next = second.poll_deadline();
@@ -100,6 +110,12 @@ template <typename Engine> struct world : compare::schedule {
             if (roll.chance(8) and std::max(how.response_timeout, how.late_response) < 10'000'000) {
                 now += time{roll.below(1'000)} * 1'000'000; // the program is stopped, whatever is due
                 is_late = true;
+                // For longer than the counter tells, but no whole turn, and what came meanwhile is lost.
+                if (roll.chance(50) and advanced and now - *advanced < 1'001'000'000) {
+                    now += time{roll.any<unsigned>({20, 36, 50, 54})} * 60'000'000;
+                    line.to_come.clear();
+                    advance();
+                }
             }
             break;
         default:
@@ -226,11 +242,7 @@ template <typename Engine> struct world : compare::schedule {
             interfere();
         }
         if (roll.chance(96) or is_rested) {
-            step("advance");
-            engine.advance(clock.at(now));
-            second.advance(now);
-            is_late = is_rested = false;
-            check();
+            advance();
         }
         for (std::size_t i = 0; i < slots and not told.failed(); ++i) {
             if (conversations[i].second.settled() and roll.chance(15)) {

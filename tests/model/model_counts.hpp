@@ -56,7 +56,8 @@ public:
             each_of(unit, [&](counts& to) { ++to.by_exception[row]; });
         }
         if (what == an_exception or what == a_reply) {
-            each_of(unit, [&](counts& to) { to.worst_latency = std::max(to.worst_latency, latency); });
+            time const shown = static_cast<std::int32_t>(latency); // by the clock
+            each_of(unit, [&](counts& to) { to.worst_latency = std::max(to.worst_latency, shown); });
         }
     }
 
