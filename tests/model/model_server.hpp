@@ -21,6 +21,9 @@ public:
 
     void receive(bytes const& chunk, time now)
     {
+        if (phase_ == phase::transmitting and not chunk.empty()) {
+            return damage(now, false);
+        }
         if (not hear(chunk.size(), now)) {
             return;
         }
@@ -40,8 +43,12 @@ public:
 
     void sent(time now)
     {
-        drop_overdue(now);
-        line_.note_activity(now);
+        if (phase_ != phase::transmitting) {
+            end_overdue(now);
+        }
+        if (line_.is_quiet or not is_long(now - line_.last)) { // else, by the clock, it was before the latest byte
+            line_.note_activity(now);
+        }
         if (phase_ == phase::transmitting) {
             phase_ = phase::listening;
             line_.begin();
@@ -64,7 +71,7 @@ public:
             line_.at = receiver::state::unheard;
         }
         end_by_silence(0, now);
-        drop_overdue(now); // what the silence has ended, too
+        end_overdue(now); // what the silence has ended, too
     }
 
     void serve(time now)
@@ -176,22 +183,29 @@ private:
 
     void damage(time now, bool is_overrun)
     {
+        bool const was_listening = phase_ == phase::listening;
+        if (is_long(now - line_.last)) {
+            end_overdue(now);
+        }
         end_by_silence(1, now, false);
         line_.note_activity(now);
         if (is_overrun) {
             ++cpt[8];
         }
-        if (phase_ == phase::asked or phase_ == phase::responding) {
+        if (not was_listening) {
             line_.at = receiver::state::unheard; // bytes behind it are ignored
-        } else if (phase_ == phase::listening) {
+        } else {
             is_open_end_ = false; // the byte belongs to the frame, which is refused
             line_.damage();
         }
     }
 
-    void drop_overdue(time now)
+    /// Whether a time limit that was over before such a pause looks as if it lay ahead behind it.
+    static bool is_long(time pause) { return static_cast<std::int32_t>(pause) < 0; }
+
+    void end_overdue(time now)
     {
-        if ((phase_ == phase::asked or phase_ == phase::responding) and now >= until_) {
+        if (phase_ != phase::listening and now >= until_) {
             drop();
         }
     }
