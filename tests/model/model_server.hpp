@@ -89,9 +89,8 @@ public:
             if (is_restart and not is_everyone) {
                 cpt.fill(0);
                 is_listening_only_ = false;
-            } else {
-                ++cpt[5];
             }
+            ++cpt[5]; // 1 behind a restart, which is not answered
             phase_ = phase::listening;
             return;
         }
