@@ -25,8 +25,8 @@ struct sendings {
         allowed = limited(allowed + leaving + limited(length));
         ++unanswered;
     }
-    /// How long the response that came at `now` took.
-    time taken(time now) const { return std::min(now - first, allowed); }
+    /// How long the response that came at `now` took, as the clock shows it.
+    time taken(time now) const { return std::min<time>(static_cast<std::uint32_t>(now - first), allowed); }
     void answered() { unanswered -= unanswered > 0 ? 1 : 0; }
 };
 
