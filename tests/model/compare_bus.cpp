@@ -145,6 +145,8 @@ struct world : compare::schedule {
     model::bus second;
     std::vector<both> conversations{slots + 1};
     std::optional<time> advanced{}; ///< the latest `advance`
+    bool is_rested{false}; ///< nothing was due for hours: what begins before the next `advance` may end more than 71
+                           ///< minutes after the one before
 
     world(random_source& with, report& to, compare::setting const& as, model::options const& options,
           model::share const& share)
@@ -202,6 +204,7 @@ struct world : compare::schedule {
         engine.advance(clock.at(now));
         second.advance(now);
         advanced = now;
+        is_rested = false;
         check();
     }
     void pass_time()
@@ -215,6 +218,7 @@ struct world : compare::schedule {
         case 3:
             if (not until and may_sleep) {
                 now += time{roll.below(11'000)} * 1'000'000; // nothing is due for hours
+                is_rested = true;
             } else if (roll.chance(5) and advanced and now - *advanced < 1'000'000 and
                        std::max(how.response_timeout, how.late_response) < 10'000'000) {
                 // The program is stopped, whatever is due, but no whole turn, and what comes meanwhile is lost.
@@ -365,7 +369,7 @@ struct world : compare::schedule {
         if (roll.chance(10)) {
             interfere();
         }
-        if (roll.chance(97)) {
+        if (roll.chance(97) or is_rested) {
             advance();
         }
         if (roll.chance(conversations[first].second.settled() ? 10 : 95)) {

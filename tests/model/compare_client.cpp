@@ -32,8 +32,8 @@ template <typename Engine> struct world : compare::schedule {
     std::vector<both> conversations{slots};
     std::optional<time> advanced{}; ///< the latest `advance`
     bool is_late{false}; ///< stopped, and not advanced since: times in force may lie further apart than the rules hold
-    bool is_rested{
-        false}; ///< nothing was due for hours; the same, where times of minutes begin before the next `advance`
+    bool is_rested{false}; ///< nothing was due for hours: what begins before the next `advance` may end more than 71
+                           ///< minutes after the one before
 
     world(random_source& with, report& to, compare::setting const& as, model::options const& options)
         : compare::schedule{with, to, as, options, 10}, engine{compare::timing(as), compare::library(options)},
@@ -103,7 +103,7 @@ template <typename Engine> struct world : compare::schedule {
         case 4:
             if (not until and not second.is_woken()) {
                 now += time{roll.below(11'000)} * 1'000'000; // nothing is due for hours
-                is_rested = std::max(how.response_timeout, how.late_response) >= 10'000'000;
+                is_rested = true;
             }
             break;
         case 5:
@@ -154,7 +154,8 @@ template <typename Engine> struct world : compare::schedule {
         case 2: {
             auto const unit = static_cast<std::uint8_t>(1 + roll.below(compare::manual_unit::units));
             time const end =
-                now + (roll.chance(5) and not is_late ? model::longest : time{roll.below(400'000)} - 20'000);
+                now + (roll.chance(5) and not is_late and not is_rested ? model::longest
+                                                                        : time{roll.below(400'000)} - 20'000);
             told.step("%lld hold %d until %lld", static_cast<long long>(now), unit, static_cast<long long>(end));
             engine.hold(*rtuwire::unit_id::checked(unit), clock.at(end));
             second.hold(unit, end);
