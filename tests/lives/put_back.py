@@ -85,8 +85,9 @@ DEFECTS = [
     Defect("D28 a cycle goes on behind a sleep longer than the drive's time-out", [
         ("altivar/cyclic/cyclic.hpp", "if (is_heard_ and not is_asking_ and since_heard_ > drive_timeout()) {",
          "if (is_heard_ and is_asking_ and since_heard_ > drive_timeout()) {"),
-        ("client/orders.hpp", "own.last_fault = counts ? ++count_ : own.last_fault;",
-         "static_cast<void>(counts);"),
+        ("client/orders.hpp", """            own.last_fault = ++count_;
+            leave(own, now);
+""", ""),
     ], {*MOVED, *POWER}, 2),
     Defect("D29 a direct start reads the command before the status", [
         (DIRECT, "read(may_run_ ? stage::confirming : stage::looking_again, layout().eta)",
