@@ -110,15 +110,12 @@ public:
         : port_{its_port}, client_{its_line, its_options}, write_limit_{time_to_write(its_line, its_options)}
     {}
 
-    /// For needs with a `timing`.
-    explicit blocking_client(Port& its_port) noexcept requires(told_by<Needs>::is_fixed)
-        : port_{its_port}, write_limit_{time_to_write(*Needs.timing, Needs.options)}
-    {}
-
-    /// With the times that suit the device, as the port tells them now: `its_port` has been opened before.
+    /// With the times that suit the device, as the port tells them now: `its_port` has been opened before. With needs that have a
+    /// `timing`, with that and their options.
     explicit blocking_client(Port& its_port, client_options const& its_options = {}) noexcept
-        requires(timed_port<Port> and not told_by<Needs>::is_fixed)
-        : blocking_client{its_port, its_port.timing(), its_options}
+        requires(timed_port<Port> or told_by<Needs>::is_fixed)
+        : port_{its_port}, client_{made_for(its_port, its_options)},
+          write_limit_{time_to_write(client_.line(), told_by<Needs>::is_fixed ? Needs.options : its_options)}
     {}
 
     /// Sends one request and waits for its outcome. The response is a view of this client's memory, valid until the
@@ -177,6 +174,15 @@ public:
     }
 
 private:
+    static engine made_for(Port& its_port, client_options const& its_options) noexcept
+    {
+        if constexpr (told_by<Needs>::is_fixed) {
+            return engine{};
+        } else {
+            return engine{its_port.timing(), its_options};
+        }
+    }
+
     /// A conversation that stops motors, by a word that it sends whatever else fails, and that ends by its own limit.
     template <typename Conversation>
     static constexpr bool has_to_stop =
