@@ -399,3 +399,22 @@ TEST_CASE("a conversation that does not say when it goes on is looked at again w
     CHECK(port.clock - before >= milliseconds(30));
     CHECK(port.clock - before < milliseconds(31) + timing.t3_5());
 }
+
+namespace {
+
+constexpr client_needs<public_functions, line_statistics> of_one_line{
+    .timing = timing, .options = {.response_timeout = milliseconds(60), .retries = 0}};
+
+} // namespace
+
+TEST_CASE("a blocking client whose needs have a timing is made of its port alone, and counts")
+{
+    scripted_port port = responding(response_1234);
+    blocking_client<scripted_port, of_one_line> line{port};
+    CHECK(line.ask(unit_id{1}, read_holding_registers{3201, 1}));
+    instant const before = port.clock;
+    CHECK(line.ask(unit_id{1}, read_holding_registers{3201, 1}).error() == errc::timed_out); // nobody answers any more
+    CHECK(port.clock - before < milliseconds(100));
+    CHECK(line.statistics().line()[line_event::request] == 2);
+    CHECK(line.statistics().line()[line_event::reply] == 1);
+}
