@@ -74,11 +74,7 @@ private:
 class host_deadline {
 public:
     /// Implicit: whoever waits takes it, and is given an instant.
-    host_deadline(instant until) noexcept
-    {
-        std::int64_t const seen = clock_looks::latest();
-        at_ = seen + static_cast<std::int32_t>(until.microseconds - static_cast<std::uint32_t>(seen));
-    }
+    host_deadline(instant until) noexcept : at_{nearest(until, clock_looks::latest())} {}
 
     /// The time left now; zero when it has passed.
     [[nodiscard]] duration left() const noexcept
@@ -88,6 +84,12 @@ public:
     }
 
 private:
+    /// The time that looks like this instant and is nearest to when a clock was seen.
+    static constexpr std::int64_t nearest(instant at, std::int64_t seen) noexcept
+    {
+        return seen + static_cast<std::int32_t>(at.microseconds - static_cast<std::uint32_t>(seen));
+    }
+
     std::int64_t at_; ///< in microseconds
 };
 
