@@ -381,28 +381,36 @@ TEST_CASE("rule 41: where only the repetition of a request is answered, behind t
 {
     constexpr client_options repeating{
         .response_timeout = milliseconds(100), .turnaround = milliseconds(20), .late_response = {}, .retries = 1};
-    command_desk<2> it{repeating};
-    hand_commander one{3, 5};
-    REQUIRE(it.runs(one) == errc::none);
-    series poll{[](unsigned) { return read_of(3, 3'201); }};
-    it.pass(4'950'000);
-    it.link.converse(poll, it.now());
-    REQUIRE(it.leaves());
-    it.pass(110'000);
-    it.link.converse(poll, it.now());
-    it.pass(5'000);
-    it.link.converse(poll, it.now());
-    REQUIRE(it.leaves()); // the first one may not have reached it
-    it.hear(response_to(it.left));
-    it.link.converse(poll, it.now());
-    CHECK_FALSE(one.is_in_force());
-    for (unsigned answered = 1; answered < 3; ++answered) { // a commander might look at its power
-        CHECK_FALSE(it.is_lost(3));
-        it.pass(300'000);
+    // An order that was given since, and whose word was not sent yet, holds it no more than the one that is over.
+    for (bool const is_ordered_anew : {false, true}) {
+        command_desk<2> it{repeating};
+        hand_commander one{3, 5};
+        hand_commander another{3, 5};
+        REQUIRE(it.runs(one) == errc::none);
+        series poll{[](unsigned) { return read_of(3, 3'201); }};
+        it.pass(4'950'000);
         it.link.converse(poll, it.now());
         REQUIRE(it.leaves());
+        it.pass(110'000);
+        it.link.converse(poll, it.now());
+        it.pass(5'000);
+        it.link.converse(poll, it.now());
+        REQUIRE(it.leaves()); // the first one may not have reached it
         it.hear(response_to(it.left));
         it.link.converse(poll, it.now());
+        CHECK_FALSE(one.is_in_force());
+        if (is_ordered_anew) {
+            another.note_order_to_run();
+            it.see(another);
+        }
+        for (unsigned answered = 1; answered < 3; ++answered) { // a commander might look at its power
+            CHECK_FALSE(it.is_lost(3));
+            it.pass(300'000);
+            it.link.converse(poll, it.now());
+            REQUIRE(it.leaves());
+            it.hear(response_to(it.left));
+            it.link.converse(poll, it.now());
+        }
+        CHECK(it.is_lost(3));
     }
-    CHECK(it.is_lost(3));
 }

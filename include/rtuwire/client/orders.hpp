@@ -9,13 +9,15 @@
 // stop of its unit, than its last loss, than a fault that a conversation read, or than another order to run.
 //
 // Stops. A stop holds its unit from its start to its end: no other conversation commands it meanwhile. One that is
-// destroyed before its end goes on holding it until another stop of the unit has ended, or `release`. Where there is no
-// place for its unit it holds all units without a place, and every such stop sends its requests: the client does not
-// know whose unit is held.
+// destroyed before its end goes on holding it until another stop of the unit has ended, or `release`; once it has left out
+// its visits for 0.5 s it counts as given up, and refuses no other's words that stop. Where there is no place for its unit it
+// holds all units without a place, and every such stop sends its requests: the client does not know whose unit is held.
 //
 // Losses. A *loss* is a missing response, beyond those that its commander tolerates, of a unit that is ordered or that a
 // stop holds: another controller may have ordered it, or this one before it was switched off. So is, while a stop of all
-// units is broadcast, an ordered unit that no stop of its own follows: nobody would see whether it heard. Then, for 2 s at
+// units is broadcast, an ordered unit that no stop of its own follows: nobody would see whether it heard. So is an ordered
+// unit that nobody's order or stop holds any more, because its stop was given up, or because its order is over and the motor
+// may run all the same: the reads of others alone would keep it running. Then, for 2 s at
 // most, only stop requests go to that unit. After that it gets no request of any conversation, until the drive's own
 // time-out and 1 s more have passed since the last of them: it has stopped by itself if it can. A stop that begins
 // meanwhile has 2 s for its requests, from the first one on. A response to one of them ends the loss; the order stays
@@ -46,8 +48,8 @@ inline constexpr duration stop_words_after_loss = milliseconds(2'000);
 inline constexpr std::uint16_t longest_absence = 8;
 inline constexpr std::uint8_t most_passes_missed = 4;
 
-/// After so many answers to others than commanders an ordered unit is lost that nobody's order or stop holds: a commander's
-/// look may still show that it has no power.
+/// An ordered unit that nobody's order or stop holds is lost behind so many answers to others than commanders: before, a
+/// commander's look may still show that it has no power.
 inline constexpr std::uint8_t most_answers = 3;
 
 /// Of a unit whose type is not the declared one: the longest time-out of any drive, and 1 s more.
@@ -475,7 +477,6 @@ private:
         who.takes_over_ = false;
         if (own != nullptr) {
             own->last_order = who.stamp_;
-            own->answers_left = own->holder == 0 ? std::uint8_t{0} : own->answers_left;
             own->heard = own->is_doubtful ? now : own->heard;
         }
     }
@@ -507,6 +508,7 @@ private:
             }
             own->heard = own->is_ordered ? own->heard : asked_;
             own->is_ordered = true;
+            own->answers_left = 0;
             own->tolerated = tolerated;
         }
     }
