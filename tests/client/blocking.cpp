@@ -404,6 +404,32 @@ namespace {
 
 constexpr client_needs<public_functions, line_statistics> of_one_line{
     .timing = timing, .options = {.response_timeout = milliseconds(60), .retries = 0}};
+constexpr client_needs<> of_one_motor{.timing = timing, .motors = 1};
+
+struct port_with_times : scripted_port {
+    line_timing timing() const { return {19'200, character_format::even_8_1}; }
+};
+
+template <typename Port, auto const& Needs, typename... Arguments>
+constexpr bool is_made_of = std::is_constructible_v<blocking_client<Port, Needs>, Port&, Arguments...>;
+
+// A port that tells no times is given some; needs that have a timing have their options, too.
+static_assert(is_made_of<port_with_times, host_needs> and is_made_of<port_with_times, host_needs, client_options>);
+static_assert(is_made_of<port_with_times, host_needs, line_timing, client_options>);
+static_assert(not is_made_of<scripted_port, host_needs> and not is_made_of<scripted_port, host_needs, client_options>);
+static_assert(is_made_of<scripted_port, host_needs, line_timing>);
+static_assert(is_made_of<scripted_port, of_one_line> and is_made_of<port_with_times, of_one_line>);
+static_assert(not is_made_of<port_with_times, of_one_line, client_options>);
+static_assert(not is_made_of<port_with_times, of_one_line, line_timing>);
+
+template <auto const& Needs>
+constexpr bool tells_orders = requires(blocking_client<scripted_port, Needs> line, unit_id unit)
+{
+    line.is_ordered(unit);
+    line.release(unit);
+    line.release_all();
+};
+static_assert(tells_orders<of_one_motor> and tells_orders<host_needs> and not tells_orders<of_one_line>);
 
 } // namespace
 

@@ -112,10 +112,12 @@ public:
 
     /// With the times that suit the device, as the port tells them now: `its_port` has been opened before. With needs that have a
     /// `timing`, with that and their options.
-    explicit blocking_client(Port& its_port, client_options const& its_options = {}) noexcept
-        requires(timed_port<Port> or told_by<Needs>::is_fixed)
-        : port_{its_port}, client_{made_for(its_port, its_options)},
-          write_limit_{time_to_write(client_.line(), told_by<Needs>::is_fixed ? Needs.options : its_options)}
+    explicit blocking_client(Port& its_port) noexcept requires(timed_port<Port> or told_by<Needs>::is_fixed)
+        : port_{its_port}, client_{made_for(its_port)}, write_limit_{time_to_write(client_.line(), Needs.options)}
+    {}
+    blocking_client(Port& its_port, client_options const& its_options) noexcept
+        requires(timed_port<Port> and not told_by<Needs>::is_fixed)
+        : blocking_client{its_port, its_port.timing(), its_options}
     {}
 
     /// Sends one request and waits for its outcome. The response is a view of this client's memory, valid until the
@@ -152,12 +154,12 @@ public:
     [[nodiscard]] bool has_seen_echo() const noexcept { return client_.has_seen_echo(); }
 
     /// Which motors this client ordered to run, and the end of a stop's hold that was given up: see the client's and the bus's.
-    [[nodiscard]] bool is_ordered(unit_id unit) const noexcept
+    [[nodiscard]] bool is_ordered(unit_id unit) const noexcept requires(Needs.motors != 0)
     {
         return client_.motor_orders().is_ordered(unit.byte());
     }
-    void release(unit_id unit) noexcept { client_.release(unit); }
-    void release_all() noexcept { client_.release_all(); }
+    void release(unit_id unit) noexcept requires(Needs.motors != 0) { client_.release(unit); }
+    void release_all() noexcept requires(Needs.motors != 0) { client_.release_all(); }
 
     /// Runs a conversation until it is settled, and returns its `outcome()`; where it has none, its `reason()`; where it
     /// has neither, a `result<void>`. Of a conversation without a name, whose response would end with the statement, only
@@ -174,12 +176,12 @@ public:
     }
 
 private:
-    static engine made_for(Port& its_port, client_options const& its_options) noexcept
+    static engine made_for(Port& its_port) noexcept
     {
         if constexpr (told_by<Needs>::is_fixed) {
             return engine{};
         } else {
-            return engine{its_port.timing(), its_options};
+            return engine{its_port.timing()};
         }
     }
 

@@ -44,7 +44,7 @@ template <typename Functions = public_functions, typename Observer = no_statisti
     /// from its response.
     std::size_t request_room{8};
     /// For so many units the client keeps apart until when each gets no new request because its response is outstanding; where
-    /// it are more, the last place stands for all. At least 1.
+    /// there are more, the last place stands for all of them. At least 1.
     std::size_t quarantine_places{1};
     /// How many units it may order to run their motors at once; 0 for one that commands none.
     std::size_t motors{0};
@@ -78,7 +78,7 @@ template <auto const& Needs> struct told_by {
 
     /// The line and the options as constants; a part of one is no template argument.
     struct constant_line {
-        static constexpr line_timing value = Needs.timing.value_or(line_timing{19'200, character_format::even_8_1});
+        static constexpr line_timing value = *Needs.timing;
         [[nodiscard]] static constexpr line_timing const& get() noexcept { return value; }
     };
     struct constant_options {
