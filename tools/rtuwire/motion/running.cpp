@@ -3,9 +3,12 @@
 #include "motion/running.hpp"
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <utility>
+
+#include <rtuwire/altivar/atv320.hpp>
 
 #include "../support/emergency_stop.hpp"
 #include "catalog/value_text.hpp"
@@ -31,6 +34,28 @@ constexpr seconds unreached_limit{3};   ///< the library sends words that stop f
 constexpr seconds unfollowed_limit{30}; ///< in which the motor gets no slower
 
 std::string words_of_kind(outcome_kind kind) { return std::string{std::string_view{name_of(kind)}}; }
+
+/// What a setting has to be for an order. All drives that have the register have this word.
+struct remedy {
+    template <auto const& R>
+    constexpr remedy(rtuwire::setting<R> value, bool may_turn) noexcept
+        : code{R.code}, word{value.word()}, moves{may_turn}
+    {}
+
+    std::string_view code;
+    std::uint16_t word;
+    bool moves; ///< behind it a motor may turn
+};
+
+namespace atv320 = rtuwire::altivar::atv320;
+
+constexpr std::array remedies{
+    remedy{rtuwire::setting<atv320::sll>{atv320::link_lost_reaction::yes}, false},
+    remedy{rtuwire::setting<atv320::cd1>{atv320::command_channel::mdb}, true},
+    remedy{rtuwire::setting<atv320::fr1>{atv320::reference_channel::mdb}, true},
+    remedy{rtuwire::setting<atv320::chcf>{atv320::channel_mode::sim}, true},
+    remedy{rtuwire::setting<atv320::atr>{atv320::no_yes::no}, true},
+};
 
 /// With the limit that refused a reference.
 std::string words_with_limit(rtuwire::altivar::reason const& why)
@@ -143,26 +168,15 @@ motion_end running::refusal_of_check() const
 /// What to do about a setting that forbids an order; nothing where that depends.
 std::string running::remedy_for(outcome_kind finding, register_entry const& entry) const
 {
-    constexpr std::uint16_t freewheel = 1, by_modbus = 10, reference_by_modbus = 164, together = 1, off = 0;
-    std::optional<std::uint16_t> word;
-    bool moves = true; // after a motor may turn
-    if (finding == outcome_kind::unsupervised or finding == outcome_kind::runs_on_without_link) {
-        word = entry.code == "SLL" ? std::optional{freewheel} : std::nullopt;
-        moves = false;
-    } else if (finding == outcome_kind::other_channel) {
-        word = entry.code == "CD1"   ? std::optional{by_modbus}
-               : entry.code == "FR1" ? std::optional{reference_by_modbus}
-                                     : std::nullopt;
-    } else if (finding == outcome_kind::not_drive_profile) {
-        word = together;
-    } else if (finding == outcome_kind::restarts_by_itself) {
-        word = off;
+    auto const found = std::find_if(remedies.begin(), remedies.end(),
+                                    [&entry](remedy const& each) { return each.code == entry.code; });
+    if (finding == outcome_kind::unknown_register or found == remedies.end()) {
+        return "";
     }
-    return not word ? ""
-                    : "; `" +
-                          shown_command(line_, (moves ? "--write --allow-run write " : "--write write ") +
-                                                   std::string{entry.code} + '=' + text_of(entry, *word)) +
-                          "` changes that";
+    return "; `" +
+           shown_command(line_, (found->moves ? "--write --allow-run write " : "--write write ") +
+                                    std::string{entry.code} + '=' + text_of(entry, found->word)) +
+           "` changes that";
 }
 
 std::optional<motion_end> running::order()
