@@ -39,13 +39,18 @@ def recoloured(picture):
     return re.sub(r"<text ", '<text fill="currentColor" ', picture)
 
 
+def merged(edges):
+    """One arrow between two states, with all its words."""
+    words = {}
+    for begin, end, cause in edges:
+        words.setdefault((begin, end), []).append(cause)
+    return [(begin, end, "\\n".join(causes)) for (begin, end), causes in words.items()]
+
+
 def joined(edges):
     """One arrow for all inputs that lead from a state to another; what changes nothing is left out."""
-    words = {}
-    for begin, cause, end in edges:
-        if begin != end:
-            words.setdefault((begin, end), []).append(cause.replace("_", " "))
-    return [(begin.replace("_", " "), end.replace("_", " "), "\\n".join(causes)) for (begin, end), causes in words.items()]
+    changes = ((begin, end, cause) for begin, cause, end in edges if begin != end)
+    return merged([word.replace("_", " ") for word in change] for change in changes)
 
 
 def embedded(build, name, picture, words):
@@ -84,14 +89,6 @@ def profile_table(facts):
         has = ("yes" if each in facts.transitions[drive] else "no" for drive in drives)
         lines.append("| " + " | ".join([*each, *has]) + " |")
     return "\n".join(lines)
-
-
-def merged(edges):
-    """One arrow between two states, with all its words."""
-    words = {}
-    for begin, end, cause in edges:
-        words.setdefault((begin, end), []).append(cause)
-    return [(begin, end, "\\n".join(causes)) for (begin, end), causes in words.items()]
 
 
 def pages(facts, build):

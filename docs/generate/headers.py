@@ -2,14 +2,11 @@
 # SPDX-License-Identifier: BSL-1.0
 """The headers as the reference shows them: the public names with all that they have, without the namespace of the build and
 without what is marked internal."""
-import pathlib
 import re
-import sys
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parents[1] / "tests" / "structure"))
-import declarations  # noqa: E402  (the reader that holds docs/names.md to the headers)
-import inherited  # noqa: E402
+import inherited
+
+import declarations  # noqa: I100  (the reader that holds docs/names.md to the headers, where `inherited` found it)
 
 INTERNAL = re.compile(r"\bInternal\b")
 INTERNAL_HEADER = re.compile(r"^// Internal\b", re.MULTILINE)

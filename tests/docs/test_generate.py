@@ -277,7 +277,6 @@ class Headers(unittest.TestCase):
         self.assertNotIn("struct c", out)
         self.assertEqual(out.count("\n"), text.count("\n"))
 
-
     def test_what_completes_an_internal_name_is_left_out(self):
         first = "#pragma once\nnamespace a {\n/// Internal.\ntemplate <typename T> inline constexpr int b = 1;\n} // namespace a\n"
         second = "#pragma once\nnamespace a {\ntemplate <> inline constexpr int b<int> = 2;\n/// Shown.\ntemplate <typename T> struct c {};\n}\n"
