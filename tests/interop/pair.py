@@ -16,18 +16,16 @@ import socket
 import subprocess
 import sys
 import tempfile
-import time
+
+from simulator import soon
 
 READY_LIMIT = 60
 CLIENT_LIMIT = 240
 
 
 def wait_until(is_so, what):
-    limit = time.monotonic() + READY_LIMIT
-    while not is_so():
-        if time.monotonic() > limit:
-            raise RuntimeError(what)
-        time.sleep(0.01)
+    if not soon(is_so, READY_LIMIT):
+        raise RuntimeError(what)
 
 
 def free_port():

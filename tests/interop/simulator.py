@@ -3,6 +3,7 @@
 """Runs `rtuwire simulate`, and says what others' tools need to know of the simulated drives."""
 import subprocess
 import sys
+import threading
 import time
 
 DRIVES = ("atv12", "atv28", "atv310", "atv310_2026", "atv320")
@@ -104,15 +105,24 @@ def asked(request):
         repetitions.note(answer)
 
 
+def soon(is_so, limit=60):
+    """Looks until it is so; whether it is. For what takes its time: looking must not change anything."""
+    end = time.monotonic() + limit
+    while not (found := is_so()) and time.monotonic() < end:
+        time.sleep(0.02)
+    return found
+
+
 class Checks:
-    """Prints each check as it is made, and those that failed once more at the end, where they are looked for."""
+    """Prints each check as it is made, in whichever thread, and those that failed once more at the end, where they are looked
+    for."""
 
     def __init__(self):
-        self.failed = []
+        self.failed, self.lock = [], threading.Lock()
 
     def __call__(self, is_right, what, detail=""):
-        print("ok  " if is_right else "FAIL", what, detail)
-        sys.stdout.flush()
+        with self.lock:
+            print("ok  " if is_right else "FAIL", what, detail, flush=True)
         if not is_right:
             self.failed.append(what)
 
@@ -123,12 +133,8 @@ class Checks:
             print("failed:", what)
         return 1 if self.failed else 0
 
-    def soon(self, is_right, what, limit=60):
-        """Looks until it is so. For what takes its time in a drive: looking must not change anything."""
-        end = time.monotonic() + limit
-        while not (is_so := is_right()) and time.monotonic() < end:
-            time.sleep(0.05)
-        self(is_so, what)
+    def soon(self, is_so, what, limit=60):
+        self(soon(is_so, limit), what)
 
 
 def runs(main):

@@ -10,21 +10,13 @@ import os
 import signal
 import subprocess
 
-from controller import LIMIT, UNIT, Drive, demo, own_group, runs, soon
+from controller import LIMIT, UNIT, Drive, closing, demo, runs, soon
 from frames import Line, are_frames, with_crc
 
 STANDARD = (0, 1, 2)
 FAILED = {"demo": 1, "simulate": 4}  # the status where standard output fails
 SEVERAL = 40  # bytes: five requests
 ETA = with_crc(bytes([UNIT, 3, 0x0C, 0x81, 0, 1]))
-
-
-def closing(numbers):
-    def before():
-        own_group()
-        for each in numbers:
-            os.close(each)
-    return before
 
 
 def uses_as_standard(process, device):

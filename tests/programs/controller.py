@@ -1,30 +1,65 @@
 # SPDX-FileCopyrightText: 2026 The rtuwire authors
 # SPDX-License-Identifier: BSL-1.0
 """Runs the demo as a process of its own against a drive of `simulate`, which tells what its motor does."""
+import fcntl
 import os
 import pathlib
 import signal
 import subprocess
 import sys
-import time
+import termios
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "interop"))
 
-from simulator import DRIVES, Registers, Simulator, runs  # noqa: E402,F401
+from simulator import DRIVES, Registers, Simulator, runs, soon  # noqa: E402,F401
 
 UNIT = 3
 TTO = 300  # in 0.1 s: the drive's own time-out comes too late to be taken for a stop by the program
 LIMIT = 60  # in seconds, for what has to happen
+SMALLEST_PIPE = 4096  # bytes
 
 DISABLED = "switch on disabled"
 RUNS = "operation enabled"
 
 
-def own_group():
-    """What a shell does for a command: a process group of its own, and the signals as they are by default."""
-    os.setpgid(0, 0)
-    for each in (signal.SIGHUP, signal.SIGINT, signal.SIGQUIT, signal.SIGTSTP, signal.SIGPIPE):
+def signals_by_default():
+    for each in (signal.SIGHUP, signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGTSTP, signal.SIGPIPE):
         signal.signal(each, signal.SIG_DFL)
+
+
+def own_group(*ignored):
+    """What a shell does for a command: a process group of its own, and the signals as they are by default but for some."""
+    os.setpgid(0, 0)
+    signals_by_default()
+    for each in ignored:
+        signal.signal(each, signal.SIG_IGN)
+
+
+def own_terminal(far):
+    """What a window does for a command that it is closed with."""
+    def before():
+        os.setsid()
+        fcntl.ioctl(far, termios.TIOCSCTTY, 0)
+        signals_by_default()
+
+    return before
+
+
+def closing(numbers):
+    """The same, without these descriptors."""
+    def before():
+        own_group()
+        for each in numbers:
+            os.close(each)
+
+    return before
+
+
+def full_pipe():
+    """The reader's end, and that of a writer which has to wait."""
+    reader, writer = os.pipe()
+    os.write(writer, bytes(fcntl.fcntl(writer, fcntl.F_SETPIPE_SZ, SMALLEST_PIPE)))
+    return reader, writer
 
 
 class Drive:
@@ -66,14 +101,6 @@ class Drive:
     def has_no_power(self):
         state, _, fault = self.shown()
         return state == DISABLED and fault == 0
-
-
-def soon(is_so, limit=LIMIT):
-    """Looks until it is so; whether it is."""
-    end = time.monotonic() + limit
-    while not (found := is_so()) and time.monotonic() < end:
-        time.sleep(0.02)
-    return found
 
 
 def demo(program, drive, *options, stdout=subprocess.PIPE, stderr=subprocess.PIPE, before=own_group):

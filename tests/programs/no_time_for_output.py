@@ -5,7 +5,6 @@
     python3 no_time_for_output.py SIMULATE DEMO DRIVE pipe|ctrl-s|stopped|asleep
     python3 no_time_for_output.py SIMULATE DEMO DRIVE simulate    the same for a full pipe of `simulate`
 """
-import fcntl
 import os
 import re
 import signal
@@ -13,22 +12,14 @@ import subprocess
 import threading
 import time
 
-from controller import TTO, UNIT, Drive, gone, own_group, runs, soon, turning
+from controller import TTO, UNIT, Drive, full_pipe, gone, own_group, runs, soon, turning
 from frames import Line, with_crc
 
-PAGE = 4096  # bytes: the smallest pipe
 PAUSE = 0.5  # s
 LONG_PAUSE = TTO / 10 / 3 + 0.5  # s, more than a third of the drive's time-out
 ETA = {"atv28": 458, "atv320": 3201}
 XOFF, XON = b"\x13", b"\x11"
 DROPPED = re.compile(rb"demo: (\d+) lines were dropped: the output is blocked")
-
-
-def full_pipe():
-    ends = os.pipe()
-    size = fcntl.fcntl(ends[1], fcntl.F_SETPIPE_SZ, PAGE)
-    os.write(ends[1], bytes(size))
-    return ends
 
 
 def nobody_reads(program, drive, check):
@@ -93,11 +84,7 @@ def it_is_stopped(program, drive, check, pause=PAUSE, **how):
 
 def it_is_not_told_that_it_was_stopped(program, drive, check):
     """As when the machine slept: only the clock tells."""
-    def deaf_to_cont():
-        own_group()
-        signal.signal(signal.SIGCONT, signal.SIG_IGN)
-
-    it_is_stopped(program, drive, check, LONG_PAUSE, before=deaf_to_cont)
+    it_is_stopped(program, drive, check, LONG_PAUSE, before=lambda: own_group(signal.SIGCONT))
 
 
 CASES = {"pipe": nobody_reads, "ctrl-s": somebody_presses_ctrl_s, "stopped": it_is_stopped,

@@ -8,16 +8,13 @@ before the program is gone.
 A way is a signal (HUP, TSTP...), or one of: head, full, terminal, nobody, twice. With the program `breaks` in place
 of the demo: throw, missing, deep.
 """
-import fcntl
 import os
-import pty
 import resource
 import signal
 import subprocess
 import tempfile
-import termios
 
-from controller import UNIT, Drive, demo, gone, own_group, runs, soon, turning
+from controller import UNIT, Drive, closing, demo, gone, own_group, own_terminal, runs, soon, turning
 
 DYING = ("ABRT", "SEGV", "BUS", "FPE", "ILL")  # too late for a ramp: the motor is left without power
 HEAD_LINES = 17  # the demo's output up to where the motor has turned for a second
@@ -64,13 +61,8 @@ def by_a_full_disk(program, drive, check):
 
 
 def by_its_terminal(program, drive, check):
-    near, far = pty.openpty()
-
-    def on_the_terminal():
-        os.setsid()
-        fcntl.ioctl(far, termios.TIOCSCTTY, 0)
-
-    process = demo(program, drive, stdout=far, stderr=far, before=on_the_terminal)
+    near, far = os.openpty()
+    process = demo(program, drive, stdout=far, stderr=far, before=own_terminal(far))
     os.close(far)
     check(soon(drive.turns), "the motor turns")
     os.close(near)
@@ -79,13 +71,8 @@ def by_its_terminal(program, drive, check):
 
 def with_nobody_listening(program, drive, check):
     for what, name in (("a full disk", "/dev/full"), ("nothing", None)):
-        def closed(is_closed=name is None):
-            own_group()
-            if is_closed:
-                os.close(1)
-
         with open(name or os.devnull, "wb") as out:
-            process = demo(program, drive, stdout=out, before=closed)
+            process = demo(program, drive, stdout=out, before=closing([] if name else [1]))
             turned = soon(lambda one=process: drive.turns() or one.poll() is not None) and drive.turns()
             gone(process, drive, check, 1)
         check(not turned, f"{what}: the motor never turns", drive.shown())

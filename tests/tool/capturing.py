@@ -11,10 +11,9 @@ import shutil
 import signal
 import subprocess
 import tempfile
-import time
 
 from line_between import LineBetween
-from support import DONE, LIMIT, Simulator, Tool, crc, runs, with_crc
+from support import DONE, LIMIT, Simulator, Tool, crc, runs, soon, with_crc
 
 UDP = ["-o", "mbrtu.udp.port:1502", "-o", "mbrtu.crc_verification:TRUE"]
 # To be asked to end is how a capture ends.
@@ -25,15 +24,6 @@ def shown_by_tshark(file):
     """Function, CRC, comment and payload of each packet; fails where the file is not whole."""
     return subprocess.run(["tshark", "-n", "-r", file, *UDP, "-T", "fields", "-e", "modbus.func_code", "-e", "frame.comment",
                            "-e", "udp.payload"], capture_output=True, text=True, check=False)
-
-
-def wait_for(is_so, seconds=LIMIT):
-    end = time.monotonic() + seconds
-    while not is_so():
-        if time.monotonic() > end:
-            return False
-        time.sleep(0.02)
-    return True
 
 
 def is_whole(data):
@@ -54,10 +44,10 @@ def ended_in_the_middle(tool, line, check):
         client.stdout.readline()
         process = tool.start("capture", "-o", file, port=line.tap_name)
         # The head of the file is there when it listens; it joins in the middle of a response.
-        check(wait_for(lambda: file.exists() and file.stat().st_size > 0), "the file begins")
+        check(soon(lambda: file.exists() and file.stat().st_size > 0), "the file begins")
         line.say_to_tap(with_crc(bytes.fromhex("070304001200340056"))[5:])
         line.is_tapped = True
-        check(wait_for(lambda: file.stat().st_size > 6_000), "and grows while the line talks")
+        check(soon(lambda: file.stat().st_size > 6_000), "and grows while the line talks")
         line.say_to_tap(bytes.fromhex("07030C"))  # a frame has begun
         process.send_signal(number)
         process.communicate(timeout=LIMIT)
@@ -112,7 +102,7 @@ def as_interface(tool, line, extcap, check):
         check(replay.status == DONE and len(found) == 40, "what Wireshark keeps of it is replayed", (kept, replay.errors))
         client.kill()
         client.communicate()
-        check(wait_for(lambda: not running(program)), "the program ends with tshark", running(program))
+        check(soon(lambda: not running(program)), "the program ends with tshark", running(program))
 
 
 def running(program):

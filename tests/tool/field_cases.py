@@ -4,8 +4,6 @@
 
     python3 field_cases.py TOOL PART
 """
-import os
-import select
 import socket
 import threading
 import time
@@ -35,12 +33,8 @@ class UnitOnLine(Line):
         super().__init__()
         self.unit = Unit(said)
 
-    def forward(self):
-        while True:
-            ready, _, _ = select.select([self.near, self.ends[0]], [], [])
-            if self.ends[0] in ready:
-                return
-            self.unit.take(os.read(self.near, 512), self.say)
+    def hear(self, data):
+        self.unit.take(data, self.say)
 
 
 class UnitOnTcp:

@@ -5,19 +5,14 @@
     python3 monitor.py TOOL SIMULATE screen|alarms|refused_state|keys|reads|ways_out|refusals
 """
 import os
-import pathlib
 import signal
 import statistics
 import subprocess
-import sys
 import time
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "interop"))
-
-from line_between import LineBetween  # noqa: E402
-from screen import Screen  # noqa: E402
-from simulator import Simulator, runs  # noqa: E402
-from support import LIMIT, Units  # noqa: E402
+from line_between import LineBetween
+from screen import Screen
+from support import LIMIT, Simulator, Units, runs
 
 KEYS = "q quit   up/down drive   p pause   +/- period   ? help"
 SIM = "sim:atv320:7,atv12:3,atv28:4"

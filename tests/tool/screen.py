@@ -7,13 +7,14 @@ import pathlib
 import pty
 import re
 import select
-import signal
 import struct
 import subprocess
 import termios
 import time
 
 import pyte
+
+from support import own_terminal
 
 LIMIT = 60.0  # s, for what has to happen
 KEPT_BY_NCURSES = pathlib.Path(__file__).resolve().parent / "kept_by_ncurses.txt"
@@ -36,13 +37,7 @@ class Screen:
         forms.pop("LINES", None)
         forms.pop("COLUMNS", None)
         self.process = subprocess.Popen(words, stdin=self.terminal, stdout=self.terminal, stderr=self.terminal,
-                                        env=forms, preexec_fn=self._own_terminal)
-
-    def _own_terminal(self):
-        os.setsid()
-        fcntl.ioctl(self.terminal, termios.TIOCSCTTY, 0)
-        for each in (signal.SIGHUP, signal.SIGINT, signal.SIGTERM):
-            signal.signal(each, signal.SIG_DFL)
+                                        env=forms, preexec_fn=own_terminal(self.terminal))
 
     def __enter__(self):
         return self

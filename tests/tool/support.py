@@ -7,6 +7,7 @@ import json
 import os
 import pathlib
 import select
+import signal
 import subprocess
 import sys
 import tempfile
@@ -16,8 +17,9 @@ HERE = pathlib.Path(__file__).resolve().parent
 for room in ("interop", "programs"):
     sys.path.insert(0, str(HERE.parent / room))
 
+from controller import own_group, own_terminal  # noqa: E402,F401
 from frames import CountedLine, Line, crc, with_crc  # noqa: E402,F401
-from simulator import DRIVES, Simulator, runs  # noqa: E402,F401
+from simulator import DRIVES, Simulator, runs, soon  # noqa: E402,F401
 
 LIMIT = 60  # s, for a command that ends by itself
 DONE, DIFFERS, USAGE, NO_ANSWER, PORT, REFUSED = range(6)
@@ -85,7 +87,7 @@ class Tool:
         """With a terminal for all three: what it shows. Each key is pressed when a text has been shown; a function is called,
         and returns the key."""
         near, far = os.openpty()
-        process = self.start(*words, port=port, stdin=far, stdout=far, stderr=far, text=False)
+        process = self.process = self.start(*words, port=port, stdin=far, stdout=far, stderr=far, text=False)
         os.close(far)
         text, waiting, end = b"", list(keys), time.monotonic() + LIMIT
         while time.monotonic() < end:
@@ -103,6 +105,11 @@ class Tool:
         os.close(near)
         return Ended(status, text.decode(), "")
 
+    def interrupt(self):
+        """As a key: Ctrl-C."""
+        self.process.send_signal(signal.SIGINT)
+        return ""
+
 
 class Units(Line):
     """with Units({7: {100: 5}}) as line: units with holding registers on a line of their own; `line.name` is its device.
@@ -116,22 +123,17 @@ class Units(Line):
         self.silence = (1.75e-3 if (bits_per_second or 0) > 19200 else 3.5 * self.character)
         self.waiting = b""
 
-    def forward(self):
-        while True:
-            ready, _, _ = select.select([self.near, self.ends[0]], [], [])
-            if self.ends[0] in ready:
-                return
-            data = os.read(self.near, 512)
-            began = time.monotonic()
-            self.heard += data
-            self.waiting += data
-            while request := self.next_request():
-                self.requests.append(request)
-                answer = self.answer(request)
-                if answer:
-                    end = began + self.character * (len(request) + len(answer)) + self.silence
-                    time.sleep(max(0.0, end - time.monotonic()))
-                    self.say(answer)
+    def hear(self, data):
+        began = time.monotonic()
+        super().hear(data)
+        self.waiting += data
+        while request := self.next_request():
+            self.requests.append(request)
+            answer = self.answer(request)
+            if answer:
+                end = began + self.character * (len(request) + len(answer)) + self.silence
+                time.sleep(max(0.0, end - time.monotonic()))
+                self.say(answer)
 
     def next_request(self):
         size = 8
