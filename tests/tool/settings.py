@@ -7,17 +7,18 @@
 import csv
 import json
 import os
+import queue
 import resource
 import signal
-import time
 
-from support import (DIFFERS, DONE, LIMIT, NO_ANSWER, PORT, REFUSED, USAGE, Simulator, Tool, Units, runs)
+from support import DIFFERS, DONE, LIMIT, NO_ANSWER, PORT, REFUSED, USAGE, Simulator, Tool, Units, runs
 
 # What the test's own unit holds, as an ATV12 has it: at rest, not commanded.
 AT_REST = {3201: 0x0040, 8501: 0, 3202: 0, 3103: 600, 3104: 500, 3105: 0, 9001: 30, 9002: 40, 8401: 1, 8423: 10, 8413: 164,
            7010: 1, 6005: 100, 11101: 0, 11410: 100, 11411: 150, 11412: 200, 3301: 4}
 NAMES = {9001: "ACC", 9002: "DEC", 11410: "SP2", 11411: "SP3", 11412: "SP4", 3104: "HSP", 8423: "CD1", 7010: "SLL",
          3301: "SPN"}
+READS = (3, 43)  # functions
 
 
 def registers_of_drive(tool, **words):
@@ -33,7 +34,7 @@ def how(line, *words, timeout=5):
 
 def writes(line):
     return [(int.from_bytes(each[2:4], "big"), int.from_bytes(each[4:6], "big"))
-            for each in line.requests if each[1] not in (3, 43)]
+            for each in line.requests if each[1] not in READS]
 
 
 def own_file(tool, name="wanted.json", drive="atv12", **words):
@@ -281,15 +282,25 @@ def check_cut(tool, check):
             check(ended.status == DONE and held == WANTED, f"cut after {left}: a second restore completes it", (ended, held))
 
 
+class Interrupting(Units):
+    """Presses Ctrl-C where the first write has come, before it answers that."""
+
+    def __init__(self, units):
+        self.waiting_for = queue.Queue()
+        super().__init__(units)
+
+    def answer(self, request):
+        if request[1] not in READS and len(writes(self)) == 1:
+            self.waiting_for.get().send_signal(signal.SIGINT)
+        return super().answer(request)
+
+
 def check_interrupt(tool, check):
     """Ctrl-C between two parameters: what was begun is ended, and told."""
     own_file(tool, "wanted.json", **WANTED)
-    with Units({7: registers_of_drive(tool)}, bits_per_second=9_600) as line:
+    with Interrupting({7: registers_of_drive(tool)}) as line:
         process = tool.start(*how(line), "--write", "--json", "restore", "wanted.json")
-        end = time.monotonic() + LIMIT
-        while not writes(line) and time.monotonic() < end:
-            time.sleep(0.002)
-        process.send_signal(signal.SIGINT)
+        line.waiting_for.put(process)
         output, errors = process.communicate(timeout=LIMIT)
         done = [row["register"] for row in map(json.loads, output.splitlines()) if row["outcome"] == "written and read back"]
         check(process.returncode == 130 and "signal" in errors, "its status is that of the signal", (process.returncode, errors))
@@ -298,9 +309,9 @@ def check_interrupt(tool, check):
         check(all(f"{line.name}\t7\t{code}\t" in log for code in done), "and noted", log)
 
 
-def check_terminal(program, tool, check):
+def check_terminal(tool, check):
     """A simulated drive as a whole: a backup, a change, back again; asked back on a terminal."""
-    with Simulator(program, "atv320:7") as device:
+    with Simulator(tool.program, "atv320:7") as device:
         words = ["--port", device, "--no-listen", "-u", "7"]
         check(tool.run(*words, "backup", "-o", "drive.json").status == DONE, "a backup")
         check(tool.run(*words, "--write", "write", "ACC=1.3s", "HSP=42Hz").status == DONE, "a change")
@@ -315,9 +326,9 @@ def check_terminal(program, tool, check):
         check(tool.run(*words, "compare", "drive.json").status == DONE, "and the drive is as it was")
 
 
-def check_steps(program, tool, check):
+def check_steps(tool, check):
     """What a ramp counts in is the drive's: a file in other steps changes no ramp, and a step alone none either."""
-    with Simulator(program, "atv320:7") as device:
+    with Simulator(tool.program, "atv320:7") as device:
         words = ["--port", device, "--no-listen", "-u", "7"]
         check(tool.run(*words, "backup", "-o", "before.json").status == DONE, "a backup of an ATV320")
 
@@ -362,9 +373,9 @@ def check_whole(tool, check):
     check(ended.status == USAGE and "ACC" in ended.errors and "from 0" in ended.errors, "-1 of an unsigned register", ended)
 
 
-def check_inputs(program, tool, check):
+def check_inputs(tool, check):
     """A drive that does not tell its inputs gets no channel, unless its user has looked at them."""
-    with Simulator(program, "atv310:7") as device:
+    with Simulator(tool.program, "atv310:7") as device:
         words = ["--port", device, "--no-listen", "-u", "7", "-d", "atv310", "--write", "--allow-run", "restore", "channel.json",
                  "--with-channels", "--with-inferred"]
         own_file(tool, "channel.json", drive="atv310", FR1=1)
@@ -376,18 +387,9 @@ def check_inputs(program, tool, check):
 
 def main(check, program):
     with Tool(program) as tool:
-        check_backup(tool, check)
-        check_file(tool, check)
-        check_wrong_drive(tool, check)
-        check_compare(tool, check)
-        check_restore(tool, check)
-        check_refusals(tool, check)
-        check_cut(tool, check)
-        check_interrupt(tool, check)
-        check_terminal(program, tool, check)
-        check_steps(program, tool, check)
-        check_whole(tool, check)
-        check_inputs(program, tool, check)
+        for part in (check_backup, check_file, check_wrong_drive, check_compare, check_restore, check_refusals, check_cut,
+                     check_interrupt, check_terminal, check_steps, check_whole, check_inputs):
+            part(tool, check)
 
 
 runs(main)
