@@ -65,16 +65,12 @@ def hears_another_master(drive, simulator, check):
 
 
 def is_lost_one_way(drive, simulator, check):
-    simulator.suffer(f"{UNIT} deaf")
-    check.soon(lambda: drive.word(drive.at.eta) is None, "deaf: no answer")
-    check(not drive.write(drive.at.acc, 44), "no answer to a write")
-    simulator.suffer(f"{UNIT} join")
-    check.soon(lambda: drive.word(drive.at.acc) == 30, "join: it was not executed")
-    simulator.suffer(f"{UNIT} mute")
-    check.soon(lambda: drive.word(drive.at.eta) is None, "mute: no answer")
-    check(not drive.write(drive.at.acc, 55), "no answer to a write")
-    simulator.suffer(f"{UNIT} join")
-    check.soon(lambda: drive.word(drive.at.acc) == 55, "join: it was executed")
+    for what, word, found in (("deaf", 44, 30), ("mute", 55, 55)):
+        simulator.suffer(f"{UNIT} {what}")
+        check.soon(lambda: drive.word(drive.at.eta) is None, f"{what}: no answer")
+        check(not drive.write(drive.at.acc, word), f"{what}: no answer to a write")
+        simulator.suffer(f"{UNIT} join")
+        check.soon(lambda held=found: drive.word(drive.at.acc) == held, f"join: {found}, as only mute takes {word}")
 
 
 def names_another_vendor(program, name, check):

@@ -207,11 +207,8 @@ def main(check, program):
             ended = tool.run(*words)
             is_named = ended.errors.startswith("rtuwire: ") and all(part in ended.errors for part in parts)
             check(ended.status == USAGE and not ended.output and is_named, f"{words} is refused", ended)
-        check_help(tool, check)
-        check_completion(tool, check)
-        check_configuration(tool, check)
-        check_times(tool, check)
-        check_stop(tool, check)
+        for part in (check_help, check_completion, check_configuration, check_times, check_stop):
+            part(tool, check)
 
 
 runs(main)

@@ -15,10 +15,6 @@ from support import DONE, LIMIT, NO_ANSWER, PORT, REFUSED, USAGE, Simulator, Too
 NAMES = ("--name", "fan=7:atv320", "--name", "pump=3:atv12")
 
 
-def told(check, what, is_right, detail=""):
-    check(is_right, what, detail)
-
-
 def traffic(tool, line, seconds="0.6s", unit=7):
     """Another client reads; what it said it read."""
     return tool.run("--no-listen", "-u", unit, "--json", *NAMES, "watch", "RFR", "LCR", "ACC", "--every", "0.1s", "--for",
@@ -51,18 +47,18 @@ def sniffs(tool, line, check):
             break
     status, _, _ = ended(process, line)
     good = [each for each in seen if each["verdict"] == "good" and each["unit"] == 7]
-    told(check, "sniff ends well", status == DONE, status)
-    told(check, "requests and responses take turns", [each["role"] for each in good] ==
-               ["request", "response"] * (len(good) // 2) and len(good) >= 20, [each["role"] for each in good])
+    check(status == DONE, "sniff ends well", status)
+    check([each["role"] for each in good] == ["request", "response"] * (len(good) // 2) and len(good) >= 20,
+          "requests and responses take turns", [each["role"] for each in good])
     texts = {each["text"] for each in good}
-    told(check, "requests are named", "read RFR, 3 registers" in texts and "read ACC" in texts, texts)
-    told(check, "values have their units", "RFR 0.0 Hz, FRH 0.0 Hz, LCR 0.0 A" in texts, texts)
-    told(check, "a request without a response is told", any(each["verdict"] == "unanswered" and each["unit"] == 9 and
-                                                            "no response to: read" in each["text"] for each in seen), seen[-3:])
-    told(check, "damaged bytes are told", any(each["verdict"] == "damaged" for each in seen), seen)
+    check("read RFR, 3 registers" in texts and "read ACC" in texts, "requests are named", texts)
+    check("RFR 0.0 Hz, FRH 0.0 Hz, LCR 0.0 A" in texts, "values have their units", texts)
+    check(any(each["verdict"] == "unanswered" and each["unit"] == 9 and "no response to: read" in each["text"] for each in seen),
+          "a request without a response is told", seen[-3:])
+    check(any(each["verdict"] == "damaged" for each in seen), "damaged bytes are told", seen)
     # On a busy machine some take longer.
     times = [each["ms"] for each in good if each["role"] == "response"]
-    told(check, "busy? Response times are those of a drive that answers at once", min(times) < 20, times)
+    check(min(times) < 20, "busy? Response times are those of a drive that answers at once", times)
 
 
 def captures(tool, line, check):
@@ -70,29 +66,28 @@ def captures(tool, line, check):
     process = listen(tool, line, "capture", "-o", file)
     traffic(tool, line, unit=3)
     status, output, errors = ended(process, line)
-    told(check, "capture ends well, and counts", status == DONE and not output and "frames" in errors, errors)
+    check(status == DONE and not output and "frames" in errors, "capture ends well, and counts", errors)
     first, second = (tool.run("--json", *NAMES, "replay", file) for _ in range(2))
-    told(check, "a replay says the same each time", first.output == second.output and first.status == DONE, first)
+    check(first.output == second.output and first.status == DONE, "a replay says the same each time", first)
     seen = first.objects()
     good = [each for each in seen if each["verdict"] == "good"]
-    told(check, "a replay pairs all", len(good) == len(seen) and len(good) >= 20, seen[:4])
-    told(check, "a replay names values", any("RFR 0.0 Hz" in each["text"] for each in good), good[:4])
+    check(len(good) == len(seen) and len(good) >= 20, "a replay pairs all", seen[:4])
+    check(any("RFR 0.0 Hz" in each["text"] for each in good), "a replay names values", good[:4])
     again = tool.place / "again.pcapng"
     again.write_bytes(file.read_bytes()[:-7])
     cut = tool.run("replay", again)
-    told(check, "a file that was cut short is told with its place",
-               cut.status == PORT and re.search(r"at byte \d+", cut.errors), cut)
+    check(cut.status == PORT and re.search(r"at byte \d+", cut.errors), "a file that was cut short is told with its place", cut)
     shown = subprocess.run(["tshark", "-r", file, "-o", "mbrtu.udp.port:1502", "-o", "mbrtu.crc_verification:TRUE", "-T",
                             "fields", "-e", "modbus.func_code", "-e", "_ws.col.Info"], capture_output=True, text=True)
     rows = shown.stdout.splitlines()
-    told(check, "Wireshark classifies every frame", len(rows) == len(good) and
-               all(row.split("\t")[0] and "Unable" not in row for row in rows), rows[:4])
+    check(len(rows) == len(good) and all(row.split("\t")[0] and "Unable" not in row for row in rows),
+          "Wireshark classifies every frame", rows[:4])
     figures = tool.run("--json", "timing", file).objects()
-    told(check, "timing counts what passed", figures[0]["frames"] == len(good) and figures[1]["unit"] == 3 and
-               figures[1]["requests"] == figures[1]["answered"] == len(good) // 2, figures)
+    check(figures[0]["frames"] == len(good) and figures[1]["unit"] == 3
+          and figures[1]["requests"] == figures[1]["answered"] == len(good) // 2,
+          "timing counts what passed", figures)
     people = tool.run("timing", file)
-    told(check, "timing shows people how long responses took", "below 1 " in people.output and "#" in people.output,
-               people)
+    check("below 1 " in people.output and "#" in people.output, "timing shows people how long responses took", people)
 
 
 def decides_again(tool, line, check):
@@ -107,8 +102,7 @@ def decides_again(tool, line, check):
     played = tool.run("--json", *NAMES, "replay", file).objects()
     same = [(each["role"], each["unit"], each["verdict"], each["text"], each["bytes"]) for each in played]
     kinds = {(each["role"], each["unit"], each["verdict"], each["text"], each["bytes"]) for each in live}
-    told(check, "the frames of the line and of its capture are told alike", same and set(same) == kinds,
-               set(same) ^ kinds)
+    check(same and set(same) == kinds, "the frames of the line and of its capture are told alike", set(same) ^ kinds)
 
 
 def refuses_to_speak(tool, line, check):
@@ -117,22 +111,21 @@ def refuses_to_speak(tool, line, check):
     line.is_tapped = True
     for command in (("scan",), ("-u", "7", "read", "3202")):
         found = tool.run(*command, port=line.tap_name)
-        told(check, f"{command[-1]} refuses a line in use and says who talks",
-                   found.status == REFUSED and "frames of a client and of unit 7" in found.errors and
-                   "--no-listen" in found.errors, found)
+        check(found.status == REFUSED and "frames of a client and of unit 7" in found.errors and "--no-listen" in found.errors,
+              f"{command[-1]} refuses a line in use and says who talks", found)
     speaking.kill()
     speaking.communicate()
 
 
 def silence(tool, line, check):
     found = tool.run("sniff", "--for", "0.2s", port=line.tap_name)
-    told(check, "a silent line is told by the status", found.status == NO_ANSWER and not found.output, found)
+    check(found.status == NO_ANSWER and not found.output, "a silent line is told by the status", found)
     found = tool.run("capture", "-o", tool.place / "nothing.pcapng", "--for", "0.2s", port=line.tap_name)
-    told(check, "capture says the same", found.status == NO_ANSWER and "0 frames" in found.errors, found)
+    check(found.status == NO_ANSWER and "0 frames" in found.errors, "capture says the same", found)
     found = tool.run("replay", "/nowhere.pcapng")
-    told(check, "a capture that is not there is named", found.status == PORT and "/nowhere.pcapng" in found.errors, found)
+    check(found.status == PORT and "/nowhere.pcapng" in found.errors, "a capture that is not there is named", found)
     found = tool.run("capture", "--as", "pcap", "-o", "x", port=line.tap_name)
-    told(check, "a form that is none is named", found.status == USAGE and "pcap" in found.errors, found)
+    check(found.status == USAGE and "pcap" in found.errors, "a form that is none is named", found)
 
 
 def main(check, program):

@@ -23,11 +23,12 @@ def shown_in(text):
     return SHOWN.findall(text.replace("\r\n", "\n"))
 
 
-def pasted(tool, command, limit=LIMIT):
-    """What a shell makes of it, where nobody has put the program into its PATH."""
-    done = subprocess.run(["sh", "-c", command], cwd=tool.place, env={**tool.environment, "PATH": "/usr/bin:/bin"}, check=False,
-                          stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=limit)
-    return done
+def pasted(tool, text):
+    """The commands that a text shows, and what a shell makes of the first, where nobody has put the program into its PATH."""
+    found = shown_in(text)
+    done = subprocess.run(["sh", "-c", found[0] if found else "false"], cwd=tool.place, check=False, stdin=subprocess.DEVNULL,
+                          env={**tool.environment, "PATH": "/usr/bin:/bin"}, capture_output=True, text=True, timeout=LIMIT)
+    return found, done
 
 
 def check_reset(tool, simulator, device, check):
@@ -39,10 +40,9 @@ def check_reset(tool, simulator, device, check):
         simulator.suffer(f"{UNIT} fault")
         check.soon(lambda: simulator.shown(UNIT)[0] == "fault", f"{what}: a fault")
         ended = tool.run("--port", device, *TIMES, *words, "--allow-run", "-y", "start", "--frequency", "9Hz")
-        found = shown_in(ended.errors)
-        check(ended.status == DIFFERS and len(found) == 1 and "OCF" in ended.errors, f"{what}: a start names the fault", ended)
         simulator.suffer(f"{UNIT} clear")
-        done = pasted(tool, found[0] if found else "false")
+        found, done = pasted(tool, ended.errors)
+        check(ended.status == DIFFERS and len(found) == 1 and "OCF" in ended.errors, f"{what}: a start names the fault", ended)
         check(done.returncode == DONE and "reset" in done.stdout, f"{what}: what it shows resets it", (found, done))
         check(simulator.shown(UNIT)[0] == "switch on disabled", f"{what}: it is reset", simulator.shown(UNIT))
 
@@ -55,9 +55,8 @@ def check_stop(tool, simulator, device, check):
             simulator.suffer(f"{UNIT} write 8501 {word}")
         check.soon(lambda: simulator.shown(UNIT)[0] == "operation enabled", f"{what}: it has power")
         ended = tool.run("--port", device, *TIMES, "-u", UNIT, "-d", "atv320", *words)
-        found = shown_in(ended.errors)
+        found, done = pasted(tool, ended.errors)
         check(ended.status == REFUSED and len(found) == 1, f"{what}: refused", ended)
-        done = pasted(tool, found[0] if found else "false")
         check(done.returncode == DONE and "stands" in done.stdout, f"{what}: what it shows stops it", (found, done))
         check(simulator.shown(UNIT)[0] == "switch on disabled", f"{what}: it stands", simulator.shown(UNIT))
 
@@ -71,9 +70,8 @@ def check_settings(tool, simulator, device, check):
         simulator.suffer(f"{UNIT} write 8401 {separate if code == 'FR1' else together}")
         simulator.suffer(f"{UNIT} write {address} {word}")
         ended = tool.run("--port", device, *TIMES, "-u", UNIT, "-d", "atv320", *start)
-        found = shown_in(ended.errors)
+        found, done = pasted(tool, ended.errors)
         check(ended.status == REFUSED and f"({code} is " in ended.errors and len(found) == 1, f"{code}={word}: a start is refused", ended)
-        done = pasted(tool, found[0] if found else "false")
         check(done.returncode == DONE, f"{code}={word}: what it shows is done", (found, done))
         ended = tool.run("--port", device, *TIMES, "-u", UNIT, "-d", "atv320", *start)
         check(ended.status == DONE, f"{code}={word}: and then it starts", ended)
@@ -85,10 +83,9 @@ def check_scan(tool, simulator, device, check):
     """A scan shows what resets a drive that it leaves; a scan that finds nobody, what to try next."""
     for rates in ([], ["--bauds", "9600,19200"]):
         ended = tool.run("--port", device, *TIMES, "scan", "--units", f"{UNIT}-{UNIT + 1}", *rates)
-        found = shown_in(ended.errors)
         simulator.suffer(f"{UNIT} fault")
         simulator.suffer(f"{UNIT} clear")
-        done = pasted(tool, found[0] if found else "false")
+        found, done = pasted(tool, ended.errors)
         check(done.returncode == DONE and "reset" in done.stdout, f"{rates}: what a scan shows resets the drive", (found, done))
         check(not rates or "-b " in found[0], f"{rates}: with the rate at which it was found", found)
     with Units({9: {3201: 0}}) as line:
@@ -97,8 +94,7 @@ def check_scan(tool, simulator, device, check):
         check(ended.status == NO_ANSWER and not ended.output, "nobody there: status 3", ended)
         for part in ("nobody answered", "4 addresses", "19200 8E1", "0.05 s", "powered", "A and B", "keypad"):
             check(part in said, f"nobody there: {part}", said)
-        found = shown_in(said)
-        done = pasted(tool, found[0] if found else "false")
+        found, done = pasted(tool, said)
         check(done.returncode == NO_ANSWER and "38400 8N1" in done.stderr and len(line.requests) == 28,
               "the next scan that it shows tries other rates and formats", (found, done, len(line.requests)))
         check(not shown_in(done.stderr), "and does not show itself", done.stderr)
@@ -123,8 +119,7 @@ def check_screens(tool, device, check):
 def check_quoting(tool, check):
     """Words that a shell would take apart."""
     ended = tool.run("--port", "/a b/it's $HOME", *TIMES, "-u", UNIT, "monitor")
-    found = shown_in(ended.errors)
-    done = pasted(tool, found[0] if found else "false")
+    found, done = pasted(tool, ended.errors)
     check(len(found) == 1 and done.returncode == PORT and "/a b/it's $HOME" in done.stderr, "a port with blanks and signs",
           (ended, found, done))
 

@@ -111,9 +111,9 @@ def check_unknown_units(tool, check):
                 check(tool.run(*how, "0x0263").objects()[0]["raw"] == 6, "the word that is named works")
 
 
-def check_faults(program, tool, check):
+def check_faults(tool, check):
     """The history: the last fault and those before, in words, with the state at each where the drive keeps it."""
-    simulator = Simulator(program, "atv320:7", "atv28:4")
+    simulator = Simulator(tool.program, "atv320:7", "atv28:4")
     with simulator as device:
         how = ["--no-listen", "--json"]
         rows = tool.run(*how, "-u", 7, "faults", port=device).objects()
@@ -162,8 +162,8 @@ def check_no_identity(tool, check):
               "a silent unit is asked once more, not for each register", (ended, line.requests))
 
 
-def check_ports(tool, check, program):
-    with Simulator(program, "atv12:3", vendor="Example GmbH") as device:
+def check_ports(tool, check):
+    with Simulator(tool.program, "atv12:3", vendor="Example GmbH") as device:
         found = tool.run("--port", device, "--listen", "0.05", "--json", "-u", 3, "identify").objects()[0]
         check(found["vendor"] == "Example GmbH" and found["drive"] == "atv12", "simulated drives for other programs", found)
     ended = tool.run("--port", "/dev/ttyUSB-not", "--listen", "0", "read", "1")
@@ -175,16 +175,11 @@ def check_ports(tool, check, program):
 
 def main(check, program):
     with Tool(program, CABINET) as tool:
-        check_forms(tool, check)
-        check_words(tool, check)
-        check_parameters(tool, check)
-        check_menu_numbers(tool, check)
-        check_faults(program, tool, check)
-        check_identity(tool, check)
+        for part in (check_forms, check_words, check_parameters, check_menu_numbers, check_faults, check_identity):
+            part(tool, check)
     with Tool(program) as tool:
-        check_ports(tool, check, program)
-        check_no_identity(tool, check)
-        check_unknown_units(tool, check)
+        for part in (check_ports, check_no_identity, check_unknown_units):
+            part(tool, check)
         with Units({1: dict.fromkeys(range(10), 3)}) as line:
             check(tool.run("--port", line.name, "--listen", "0.05", "identify").status != PORT, "a unit that says nothing")
 

@@ -11,7 +11,7 @@ import re
 import signal
 import time
 
-from support import DONE, LIMIT, NO_ANSWER, PORT, REFUSED, USAGE, CountedLine, Simulator, Tool, Units, runs, with_crc
+from support import DONE, LIMIT, NO_ANSWER, PORT, REFUSED, USAGE, CountedLine, Simulator, Tool, Units, runs, soon, with_crc
 
 THERE = {3: "atv12", 7: "atv320", 130: "atv310"}
 DRIVES = [f"{drive}:{unit}" for unit, drive in THERE.items()]
@@ -24,8 +24,8 @@ SHORT_TIMEOUT = 0.03  # s, on a machine with nothing else to do
 SHARE = 1.15  # of the time-outs alone, there
 
 
-def check_share(program, tool, check):
-    with Simulator(program, *DRIVES) as device:
+def check_share(tool, check):
+    with Simulator(tool.program, *DRIVES) as device:
         began = time.monotonic()
         ended = tool.run("--port", device, "--no-listen", "--timeout", SHORT_TIMEOUT, "--json", "scan")
         spent = time.monotonic() - began
@@ -34,8 +34,8 @@ def check_share(program, tool, check):
         check(spent < most, f"busy? The scan takes {spent:.2f} s, allowed {most:.2f} s")
 
 
-def check_whole_line(program, tool, check):
-    with Simulator(program, *DRIVES) as device:
+def check_whole_line(tool, check):
+    with Simulator(tool.program, *DRIVES) as device:
         how = ["--port", device, "--no-listen", "--timeout", TIMEOUT]
         ended = tool.run(*how, "--json", "scan", limit=2 * LIMIT)
         found = {row["unit"]: row["drive"] for row in ended.objects()}
@@ -53,8 +53,8 @@ def check_whole_line(program, tool, check):
               == [("9600", "8E1"), ("9600", "8N1"), ("19200", "8E1"), ("19200", "8N1")], "each bit rate and format", many)
 
 
-def check_resume(program, tool, check):
-    with Simulator(program, *DRIVES) as device, CountedLine(device) as line:
+def check_resume(tool, check):
+    with Simulator(tool.program, *DRIVES) as device, CountedLine(device) as line:
         words = ["--port", line.name, "--no-listen", "--timeout", TIMEOUT, "--json", "scan", "--units", "1-40,130", "--resume", "found"]
         process = tool.start(*words)
         first = process.stdout.readline()
@@ -161,8 +161,7 @@ def check_listening(tool, check):
         check(not line.heard, "nothing was sent", line.heard)
         began = time.monotonic()
         process = tool.start("--port", line.name, "--timeout", TIMEOUT, "scan", "--units", "1-3")
-        while not line.heard and time.monotonic() - began < LIMIT:
-            time.sleep(0.01)
+        soon(lambda: line.heard)
         check(time.monotonic() - began > 0.95, "it listens for a second before it speaks")
         process.communicate(timeout=LIMIT)
     with Units({9: {}}) as line:
@@ -183,9 +182,9 @@ LEFT = {
 }
 
 
-def check_left(program, tool, check):
+def check_left(tool, check):
     """Each drive that a scan finds is left to trip. It says which, after how long, and what resets it; which is done here."""
-    simulator = Simulator(program, *(f"{drive}:{unit}" for unit, (drive, _, _) in LEFT.items()))
+    simulator = Simulator(tool.program, *(f"{drive}:{unit}" for unit, (drive, _, _) in LEFT.items()))
     with simulator as device:
         for unit, (_, settings, _) in LEFT.items():
             for address, word in settings:
@@ -217,18 +216,13 @@ def check_left(program, tool, check):
     check(ended.status == DONE and not ended.errors, "nor of drives that end with the scan", ended)
 
 
+PARTS = {"": (check_whole_line, check_resume, check_damaged, check_listening), "share": (check_share,), "left": (check_left,)}
+
+
 def main(check, program, part=""):
     with Tool(program) as tool:
-        if part == "left":
-            check_left(program, tool, check)
-            return
-        if part == "share":
-            check_share(program, tool, check)
-            return
-        check_whole_line(program, tool, check)
-        check_resume(program, tool, check)
-        check_damaged(tool, check)
-        check_listening(tool, check)
+        for each in PARTS[part]:
+            each(tool, check)
 
 
 runs(main)

@@ -65,9 +65,9 @@ def check_silence(tool, check):
         check(ended.status == NO_ANSWER, "silent to the end: status 3", ended)
 
 
-def check_suspension(program, tool, check):
+def check_suspension(tool, check):
     """A watch that is suspended keeps nobody from the line, as from a stop; it is over when it goes on."""
-    with Simulator(program, "atv320:7") as device:
+    with Simulator(tool.program, "atv320:7") as device:
         how = ["--port", device, "--no-listen", "-u", 7]
         # A group of its own, in which a suspension is one.
         process = tool.start(*how, "--json", "watch", "RFR", "--every", "100ms", preexec_fn=lambda: os.setpgid(0, 0))
@@ -96,10 +96,8 @@ def check_share(tool, check):
 
 def main(check, program, part=""):
     with Tool(program) as tool:
-        for each in (check_share,) if part == "share" else (check_period, check_reader, check_silence):
+        for each in (check_share,) if part == "share" else (check_period, check_reader, check_silence, check_suspension):
             each(tool, check)
-        if part != "share":
-            check_suspension(program, tool, check)
 
 
 runs(main)
