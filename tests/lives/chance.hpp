@@ -281,6 +281,7 @@ private:
             break;
         case last_part::answers_get_lost: lose_all(false); break;
         case last_part::requests_get_lost: lose_all(true); break;
+        case last_part::motors_are_left: return leave_motors();
         case last_part::goes_on:
         case last_part::count: break;
         }
@@ -321,6 +322,84 @@ private:
         restore_all();
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
             base::begin_stop(i, i, base::any_way());
+        }
+    }
+
+    /// The user runs each motor, then gives up what holds it, or does not, and goes on reading.
+    void leave_motors()
+    {
+        restore_all();
+        for (std::size_t i = 0; i < how_.drives; ++i) {
+            chance_.below(2) == 0 ? base::begin_cycle(2 * i, i) : base::begin_start(2 * i, i);
+        }
+        base::pass(2'000'000);
+        for (std::size_t i = 0; i < how_.drives; ++i) {
+            base::run_in(2 * i);
+        }
+        base::pass(1'000'000 + chance_.below(2'000'000));
+        if (chance_.below(6) == 0) {
+            give_up_everyone();
+        }
+        bool is_watched = false;
+        for (std::size_t i = 0; i < how_.drives; ++i) {
+            is_watched = give_up(i) or is_watched;
+        }
+        read_on(is_watched);
+    }
+
+    void give_up_everyone()
+    {
+        counts_.note(event::stop_of_everyone_given_up);
+        base::stop_all();
+        base::pass(1 + chance_.below(200'000));
+        base::destroy_everyone();
+    }
+
+    /// Whether an order goes on.
+    bool give_up(std::size_t unit)
+    {
+        std::size_t const place = 2 * unit;
+        std::size_t const other = place + 1;
+        std::uint32_t const way = chance_.below(3);
+        if (way == 0) { // a stop beside it
+            counts_.note(event::stop_given_up);
+            base::begin_stop(other, unit, base::any_way());
+            base::pass(1 + chance_.below(200'000));
+            base::stay_away_or_destroy(other);
+        } else if (way == 1 and base::stops_in(place)) {
+            counts_.note(event::cycle_given_up);
+            base::pass(1 + chance_.below(200'000));
+            base::stay_away_or_destroy(place);
+        }
+        base::begin_poll(other, unit);
+        slots_[other].asks_again = true;
+        if (way == 2) {
+            slots_[other].pace = base::any_pace(unit);
+            how_.late_in_a_million = 200'000;
+            nodes_[unit]->lost.in_a_million = chance_.below(2) == 0 ? 100'000 : 0;
+            base::note_line(unit);
+        }
+        return way == 2;
+    }
+
+    /// Until the motors stand, or have to.
+    void read_on(bool is_rare)
+    {
+        moment longest = 0;
+        for (std::size_t i = 0; i < how_.drives; ++i) {
+            longest = std::max<moment>(longest, how_.drive[i].time_out_us());
+        }
+        moment const end = now_ + (is_rare ? 8 : 1) * longest + 16'000'000;
+        bool has_power = true;
+        while (now_ < end and not wrong_ and has_power) {
+            base::pass(100'000);
+            has_power = false;
+            for (std::size_t i = 0; i < how_.drives; ++i) {
+                has_power = has_power or nodes_[i]->law.has_power();
+                if (nodes_[i]->law.is_left() and nodes_[i]->law.has_power() and chance_.below(30) == 0) {
+                    base::order_and_leave(2 * i, i);
+                }
+            }
         }
     }
 

@@ -41,7 +41,7 @@ public:
         }
         note_reference(asked, is_reverse);
         bool const has_begun = orders_[place].is_there and orders_[place].has_begun;
-        orders_[place] = {true, has_begun, is_by_cycle, is_by_cycle, is_alone, now};
+        orders_[place] = {true, has_begun, is_by_cycle, is_by_cycle, is_alone, false, now};
         ordered_at_ = now;
     }
     /// The motor turns no slower than LSP.
@@ -68,6 +68,7 @@ public:
             note_reference(std::abs(drive_.frequency()), drive_.frequency() < 0);
         }
         is_orphan_ = false;
+        left_ = {};
         is_halting_ = is_halt;
         stopped_at_ = now;
     }
@@ -85,6 +86,14 @@ public:
             taken_at_ = has_order() ? taken_at_ : now;
         }
     }
+    /// The same, and no conversation stops the motor that it ran.
+    void note_order_over(std::size_t place, moment now)
+    {
+        note_end_of_order(place, now);
+        if (not has_order()) {
+            leave(now);
+        }
+    }
     /// Another conversation for this drive was made: from here on a look, or a word by function 06, may be its own.
     void note_company(std::size_t place)
     {
@@ -97,19 +106,35 @@ public:
     /// that; or a silence ended it, which stops no drive that does not supervise its link.
     bool outlives(std::size_t place) const { return ordered_at_ > orders_[place].at or not set_.is_supervised(); }
 
-    /// The user gave a conversation up before its end: what it ordered stays ordered, what it was to stop nobody stops.
-    void note_given_up(std::size_t place, bool was_stopping)
+    /// The user gave a conversation up before its end: what it ordered stays ordered, where its word that enables may have
+    /// been sent; what it was to stop nobody stops. `is_known`: the client had it before.
+    void note_given_up(std::size_t place, moment now, bool was_stopping, bool is_known)
     {
         if (was_stopping) {
             word_due_since_ = 0;
         }
-        if (orders_[place].is_there) {
-            detached_ = {true, true, false, true, true, std::max(detached_.at, orders_[place].at)};
-            orders_[place] = {};
-        } else if (was_stopping) {
-            is_orphan_ = true;
+        order const own = std::exchange(orders_[place], {});
+        if (own.is_there and (own.has_enabled or not is_known)) {
+            detached_ = {true, true, false, true, true, true, std::max(detached_.at, own.at)};
+        } else if (was_stopping or own.is_there) {
+            is_known and is_ordered_here_ ? leave(now) : void(is_orphan_ = true);
         }
     }
+    /// A stop of everyone was given up.
+    void note_left(moment now)
+    {
+        word_due_since_ = 0;
+        is_ordered_here_ ? leave(now) : void(is_orphan_ = true);
+    }
+    /// A conversation that commands nothing was answered.
+    void note_plain_response(moment now)
+    {
+        if (left_.since != 0 and now > left_.since + time_to_be_left and ++left_.answers == most_answers) {
+            left_.lost_at = now;
+        }
+    }
+    /// Whether it runs by this controller's order, and nobody's order or stop holds it any more.
+    bool is_left() const { return left_.since != 0 and not has_order(); }
     /// What was under way was cancelled: no loss is told by it.
     void note_cancel()
     {
@@ -122,6 +147,8 @@ public:
         orders_.fill({});
         detached_ = {};
         is_orphan_ = true;
+        is_ordered_here_ = false;
+        left_ = {};
         unanswered_ = 0;
         unheeded_ = 0;
         word_due_since_ = 0;
@@ -151,6 +178,7 @@ public:
         }
         // What takes time from one of these on begins now.
         taken_at_ = stopped_at_ = lost_at_ = now;
+        left_.since != 0 ? leave(now) : void();
         unheeded_ = 0;
         word_due_since_ = word_due_since_ != 0 ? now : 0;
         is_asleep_ = false;
@@ -177,7 +205,11 @@ public:
     void note_power_cycle(moment now)
     {
         cycled_at_ = now;
-        foreign_reference_at_ = 0; // it is gone
+        foreign_reference_at_ = 0;               // it is gone
+        if (is_enabling_ and unanswered_ != 0) { // and what it has just heard is done without one
+            note_reference(0, false);
+            note_reference(0, true);
+        }
     }
 
     // What is on the line.
@@ -234,6 +266,7 @@ public:
             was_asked_ = has_order() and (asked >= disturbed_at_ or is_too_late);
             is_halting_ = is_halting_ and not is_enabling;
             runs_for_another_ = runs_for_another_ and not is_enabling;
+            is_enabling ? note_enabled() : void();
             is_braking_ = word and keeps_power(*word, drive_.profile());
         }
         if (is_enabling and not may) {
@@ -343,7 +376,7 @@ public:
         }
         // What befell it behind its last look nobody can know.
         bool const is_known = number_of_orders() == 1 and orders_[place].is_alone and not is_foreign_ and asked != 0 and
-                              (disturbed_at_ == 0 or disturbed_at_ < looked_at_[0]);
+                              (disturbed_at_ == 0 or disturbed_at_ < looked_at_[0]) and unpowered_at_ <= looked_at_[0];
         return is_known and drive_.reference() != asked ? std::optional{breach::ran_otherwise} : std::nullopt;
     }
     /// A stop has ended: one that was carried out has sent something. `has_none`: another stop is under way, or it has no
@@ -379,10 +412,31 @@ private:
         bool is_there{false};
         bool has_begun{false}; ///< a write for it was answered; before that nobody can know what happened meanwhile
         bool is_by_cycle{false};
-        bool has_looked{false}; ///< its state was read for it
-        bool is_alone{false};   ///< else a look may have been somebody else's
+        bool has_looked{false};  ///< its state was read for it
+        bool is_alone{false};    ///< else a look may have been somebody else's
+        bool has_enabled{false}; ///< the drive heard a word that may be its own
         moment at{0};
     };
+
+    /// A motor that nobody's order or stop holds. Its unit counts as lost behind some responses to others than those who command.
+    struct left_motor {
+        moment since{0}; ///< 0: none
+        moment lost_at{0};
+        unsigned answers{0};
+    };
+    /// 0.5 s without a visit, and some passes; three responses. One more of each.
+    static constexpr moment time_to_be_left = 1'000'000;
+    static constexpr unsigned most_answers = 4;
+
+    void leave(moment now) { left_ = {now}; }
+    void note_enabled()
+    {
+        is_ordered_here_ = true;
+        left_ = {};
+        for (order& each : orders_) {
+            each.has_enabled = each.is_there;
+        }
+    }
 
     bool has_order() const
     {
@@ -434,11 +488,11 @@ private:
     }
     /// Whether the drive's reference is one of another master that this controller must know of: not one that the drive
     /// refused, and not one that was written behind a start's last look at it. In company the last look may be another
-    /// conversation's, and the one before that the start's.
+    /// conversation's, and the one before that the start's, and so may the last reference.
     bool holds_reference_of_another() const
     {
         auto const has_crossed = [this](moment look) {
-            return look > own_reference_at_ and foreign_reference_at_ >= look;
+            return (look > own_reference_at_ or not is_alone()) and foreign_reference_at_ >= look;
         };
         bool const did_cross =
             has_crossed(reference_seen_at_[0]) or (not is_alone() and has_crossed(reference_seen_at_[1]));
@@ -488,8 +542,11 @@ private:
     void lose_power(moment now)
     {
         bool const is_by_frame = last_heard_ + 400'000 > now;
+        unpowered_at_ = now;
         counts_.note(is_by_frame ? event::motor_stopped_by_order : event::motor_stopped_by_its_timeout);
         is_orphan_ = false;
+        is_ordered_here_ = false;
+        left_ = {};
         runs_for_another_ = false;
         was_counted_ = false;
     }
@@ -571,6 +628,11 @@ private:
             }
         }
         bool const is_excused = is_foreign_ or is_orphan_ or stands or died_at_ != 0;
+        if (is_left() and not is_excused) {
+            moment const at_last = left_.lost_at + words + 2 * retry_state() + by_itself;
+            bool const is_late = left_.lost_at != 0 and now > std::max(at_last, last_foreign_ + by_itself);
+            return is_late and is_watched ? std::optional{breach::left_to_reads} : std::nullopt;
+        }
         if (not has_order() and not is_excused) {
             bool const was_good = is_good_ and is_heard_since_good_ and last_missed_ < taken_at_;
             moment const at_once = taken_at_ + retry_state() + 1'500'000 + ramp();
@@ -588,6 +650,7 @@ private:
     tally& counts_;
     std::array<order, places> orders_{};
     order detached_{}; ///< of conversations that were given up
+    left_motor left_{};
     moment taken_at_{0};
     moment stopped_at_{0};
     moment ordered_at_{0}; ///< whatever became of it, since the last stop
@@ -609,6 +672,7 @@ private:
     moment last_missed_{0};
     moment word_due_since_{0};
     moment cycled_at_{0};
+    moment unpowered_at_{0};
     moment unheeded_since_{0};
     moment last_unheeded_{0};
     moment stop_begun_{0}; ///< of the latest stop of its own
@@ -621,8 +685,9 @@ private:
     bool is_good_{true};
     bool is_heard_since_good_{false};
     bool is_halting_{false};
-    bool is_orphan_{false};  ///< nobody is left who ordered it, or who was to stop it
-    bool is_foreign_{false}; ///< another master wrote to it since it stood, or since the last order
+    bool is_orphan_{false};       ///< nobody is left who ordered it, or who was to stop it
+    bool is_ordered_here_{false}; ///< it heard a word of this controller that enables, since it stood
+    bool is_foreign_{false};      ///< another master wrote to it since it stood, or since the last order
     bool was_foreign_{false};
     bool was_written_to_{false}; ///< by another master, ever
     bool runs_for_another_{false};

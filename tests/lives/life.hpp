@@ -26,6 +26,9 @@ struct slot {
     bool has_told{false}; ///< its end was looked at
     bool is_away{false};
     bool asks_again{false};
+    bool is_visited{false}; ///< since it was made, or its cycle stopped
+    moment pace{0};         ///< of a poll, from one request to the next
+    moment due{0};
     bool is_halt{false};
     asked_motion asked{}; ///< by a change of the reference
 };
@@ -270,6 +273,7 @@ private:
         } else {
             link_.converse(what, now);
         }
+        own.is_visited = true;
         hear(place, own, what);
     }
 
@@ -284,15 +288,40 @@ private:
                 law.note_end_of_order(place, now_);
             }
         } else if constexpr (std::is_same_v<Conversation, poll>) {
-            if (what.settled() and own.asks_again) {
-                what.again();
-            }
+            hear_poll(own, what);
         } else if (what.settled() and not own.has_told) {
             own.has_told = true;
             said_.say("place %zu is told: %d, error %d", place, static_cast<int>(what.reason().kind),
                       static_cast<int>(what.reason().error));
             hear_end(place, own, what);
+        } else if constexpr (is_start<Conversation>) {
+            if (own.has_told and law.has_order_of(place) and not what.running()) {
+                counts_.note(event::start_over_by_itself);
+                said_.say("the start in place %zu is over", place);
+                end_order(place, law);
+            }
         }
+    }
+
+    void hear_poll(slot& own, poll& what)
+    {
+        if (what.settled() and not own.has_told) {
+            own.has_told = true;
+            if (what.outcome()) {
+                of(own).law.note_plain_response(now_);
+            }
+        }
+        if (own.has_told and own.asks_again and now_ >= own.due) {
+            own.has_told = false;
+            own.due = now_ + own.pace;
+            what.again();
+        }
+    }
+
+    /// The motor may run by it until another order changes that; else nobody's order holds it.
+    void end_order(std::size_t place, judge& law)
+    {
+        law.outlives(place) ? law.note_given_up(place, now_, false, false) : law.note_order_over(place, now_);
     }
 
     template <typename Conversation> void hear_end(std::size_t place, slot& own, Conversation& what)
@@ -303,7 +332,8 @@ private:
             if (not what.running()) {
                 // The motor may run by it until another order, or a stop, changes that.
                 bool const was_done = is_done or what.reason().kind == a::outcome_kind::reference_limited;
-                was_done and law.outlives(place) ? law.note_given_up(place, false) : law.note_end_of_order(place, now_);
+                was_done and law.outlives(place) ? law.note_given_up(place, now_, false, false)
+                                                 : law.note_end_of_order(place, now_);
                 return;
             }
             accuse(law.told_to_run(own.began), own.unit);
@@ -511,6 +541,9 @@ private:
             std::visit([&](auto& all) { add_all_to(next, all); }, everyone_);
         }
         moment soon = end;
+        for (slot const& each : slots_) {
+            soon = is_awake() and each.has_told and each.due > now_ ? std::min(soon, each.due) : soon;
+        }
         for (auto const& each : nodes_) {
             next.add(each->drive->poll_deadline());
             has_power = has_power or each->law.has_power();

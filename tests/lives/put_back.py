@@ -21,9 +21,11 @@ from changed_headers import PROJECT, changed_copy, try_all  # noqa: E402
 RUNNER = "altivar/procedure/procedure_runner.hpp"
 DIRECT = "altivar/procedure/motion/direct_control.hpp"
 START = "altivar/procedure/motion/start.hpp"
+ORDERS = "client/orders.hpp"
 
 MOVED = {"a motor got power without an order", "a word that enables left"}
 POWER = {"power too long"}
+LEFT = {"power too long where"}
 
 
 class Defect(NamedTuple):
@@ -89,6 +91,8 @@ DEFECTS = [
             leave(own, now);
 """, ""),
     ], {*MOVED, *POWER}, 2),
+    Defect("A a stop that is given up before its end holds on", [
+        (ORDERS, "if (is_held and (is_over or", "if (false and is_held and (is_over or")], LEFT),
     Defect("D29 a direct start reads the command before the status", [
         (DIRECT, "read(may_run_ ? stage::confirming : stage::looking_again, layout().eta)",
          "(may_run_ ? read(stage::confirming, layout().eta) : read(stage::reading_command, layout().cmd))"),

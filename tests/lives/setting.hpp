@@ -23,6 +23,7 @@ enum class last_part : unsigned {
     everyone_is_stopped,
     answers_get_lost,
     requests_get_lost,
+    motors_are_left,
     goes_on,
     count,
 };

@@ -84,6 +84,9 @@ protected:
     {
         slot& own = slots_[place];
         bool const was_there = own.what.index() != 0;
+        if (own.is_away) {
+            return counts_.note(event::destroyed);
+        }
         bool is_over = own.has_told;
         bool is_commanding = true;
         std::visit(
@@ -92,7 +95,7 @@ protected:
                 is_commanding = is_start<type> or is_cyclic<type> or std::is_same_v<type, a::stop>;
             },
             own.what);
-        law_of(own.unit).note_given_up(place, is_commanding and not is_over);
+        law_of(own.unit).note_given_up(place, now_, is_commanding and not is_over, own.is_visited);
         if (was_there) {
             counts_.note(event::destroyed);
         }
@@ -121,6 +124,8 @@ protected:
         own.has_told = false;
         own.is_away = false;
         own.asks_again = false;
+        own.is_visited = false;
+        own.pace = own.due = 0;
         said_.now = now_;
         return what;
     }
@@ -227,12 +232,12 @@ protected:
             said_.now = now_;
             said_.say("place %zu is used again", place);
             what.again();
-            own.has_told = false;
+            own.has_told = own.is_visited = false;
             own.began = now_;
             law_of(own.unit).note_company(place);
         }
         if constexpr (is_start<Conversation>) {
-            law_of(own.unit).note_given_up(place, false); // the motor may run by the order before
+            law_of(own.unit).note_given_up(place, now_, false, false); // the motor may run by the order before
             note_order(place, own.asked, false);
         } else if constexpr (std::is_same_v<Conversation, a::stop>) {
             law_of(own.unit).note_stop(now_, own.is_halt);
@@ -304,6 +309,7 @@ protected:
         bool const is_halt = how == a::stop_by::halt and Device::layout.halt != 0;
         said_.say("stop of the cycle in place %zu, way %d", place, static_cast<int>(how));
         loop.stop(how);
+        slots_[place].is_visited = false;
         law_of(slots_[place].unit).note_stop(now_, is_halt);
     }
 
@@ -340,7 +346,19 @@ protected:
         std::uint16_t const what = chance_.below(2) == 0 ? profile.rfr : profile.lft;
         put(place, unit, poll{*unit_id::checked(set_of(unit).address), read_holding_registers{what, 1}});
         slots_[place].asks_again = chance_.below(3) != 0;
+        if (chance_.below(4) == 0) {
+            slots_[place].pace = any_pace(unit);
+        }
         said_.say("poll in place %zu: drive %u", place, set_of(unit).address);
+    }
+
+    /// Up to what keeps the drive's watchdog just fed.
+    moment any_pace(std::size_t unit)
+    {
+        counts_.note(event::polled_rarely);
+        moment const most = set_of(unit).time_out_us() * 98 / 100;
+        moment const margin = how_.options.response_timeout.microseconds + how_.options.late_response.microseconds;
+        return most - chance_.below(static_cast<std::uint32_t>(std::min(most, margin)));
     }
 
     void save_or_configure(std::size_t place, std::size_t unit)
@@ -387,6 +405,50 @@ protected:
         for (std::size_t i = 0; i < how_.drives; ++i) {
             is_one_left_out and i == 1 ? law_of(i).note_left_out(now_) : law_of(i).note_stop(now_, false);
         }
+    }
+
+    void destroy_everyone()
+    {
+        everyone_.template emplace<std::monostate>();
+        base::is_left_out_ = false;
+        for (std::size_t i = 0; i < how_.drives; ++i) {
+            law_of(i).note_left(now_);
+        }
+    }
+
+    /// Orders the cycle in a place to run.
+    void run_in(std::size_t place)
+    {
+        std::visit(
+            [&](auto& what) {
+                if constexpr (is_cyclic<std::decay_t<decltype(what)>>) {
+                    run(place, what);
+                }
+            },
+            slots_[place].what);
+    }
+    /// Stops the cycle in a place; whether there is one.
+    bool stops_in(std::size_t place)
+    {
+        return std::visit(
+            [&](auto& what) {
+                constexpr bool is_one = is_cyclic<std::decay_t<decltype(what)>>;
+                if constexpr (is_one) {
+                    stop_cycle(place, what, any_way());
+                }
+                return is_one;
+            },
+            slots_[place].what);
+    }
+    void stay_away_or_destroy(std::size_t place) { chance_.below(2) == 0 ? give_up_for_good(place) : destroy(place); }
+
+    /// Orders anew, and gives that up before its word has left.
+    void order_and_leave(std::size_t place, std::size_t unit)
+    {
+        counts_.note(event::ordered_and_left);
+        begin_start(place, unit);
+        base::pass(1 + chance_.below(20'000));
+        give_up_for_good(place);
     }
 
     void cancel(std::size_t place)
