@@ -43,7 +43,10 @@ private:
 struct clock {
     std::uint32_t start;
 
-    rtuwire::instant at(model::time time) const { return rtuwire::instant{start + static_cast<std::uint32_t>(time)}; }
+    rtuwire::instant at(model::microseconds now) const
+    {
+        return rtuwire::instant{start + static_cast<std::uint32_t>(now)};
+    }
 };
 
 inline rtuwire::byte_view view(model::bytes const& of) { return std::as_bytes(std::span{of}); }
@@ -55,11 +58,11 @@ inline model::bytes copy(rtuwire::byte_view of)
     }
     return out;
 }
-inline rtuwire::duration length(model::time of) { return rtuwire::microseconds(of); }
+inline rtuwire::duration length(model::microseconds of) { return rtuwire::microseconds(of); }
 
 /// A line of the library: of a microcontroller, of a host that ends a frame after `end`, or without a bit rate no wire.
-inline rtuwire::line_timing line_of(std::uint32_t bits, rtuwire::character_format format, model::time end,
-                                    std::optional<model::time> silence)
+inline rtuwire::line_timing line_of(std::uint32_t bits, rtuwire::character_format format, model::microseconds end,
+                                    std::optional<model::microseconds> silence)
 {
     auto const line = bits == 0 ? rtuwire::line_timing::without_wire(length(end))
                       : end > 0 ? rtuwire::line_timing::host(bits, format, length(end))
@@ -68,10 +71,10 @@ inline rtuwire::line_timing line_of(std::uint32_t bits, rtuwire::character_forma
 }
 
 /// A silence before sending, where it is not t3.5.
-inline std::optional<model::time> any_silence(random_source& roll)
+inline std::optional<model::microseconds> any_silence(random_source& roll)
 {
     return roll.chance(60) ? std::nullopt
-                           : std::optional{roll.any<model::time>({0, 0, 1, 700, 4'000, 60'000, 900'000})};
+                           : std::optional{roll.any<model::microseconds>({0, 0, 1, 700, 4'000, 60'000, 900'000})};
 }
 
 inline std::string hex(model::bytes const& of)

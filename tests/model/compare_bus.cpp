@@ -12,7 +12,7 @@ using compare::outcome;
 using compare::random_source;
 using compare::report;
 using model::bytes;
-using model::time;
+using model::microseconds;
 
 namespace {
 
@@ -22,9 +22,9 @@ constexpr std::size_t first = slots; ///< the place of the conversation that com
 
 /// Pauses between its requests, where `pause` is not zero.
 struct pacing {
-    time pause{0};
-    time due{0};
-    time seen{0};
+    microseconds pause{0};
+    microseconds due{0};
+    microseconds seen{0};
     bool is_waiting{false};
 };
 
@@ -33,7 +33,7 @@ struct pacing {
 struct plain : compare::engine_conversation {
     pacing pace{};
     compare::clock shown{0};
-    time const* now{nullptr};
+    microseconds const* now{nullptr};
     std::uint8_t own_unit{1};
 
     std::optional<rtuwire::request_frame> next()
@@ -103,14 +103,14 @@ struct model_conversation : model::bus_conversation {
         pace.due = pace.seen + pace.pause;
     }
     bool settled() const override { return says.is_settled; }
-    void advance(time now) override
+    void advance(microseconds now) override
     {
         pace.seen = now;
         if (now >= pace.due) {
             pace.is_waiting = false;
         }
     }
-    std::optional<time> poll_deadline() const override
+    std::optional<microseconds> poll_deadline() const override
     {
         return pace.is_waiting ? std::optional{pace.due} : std::nullopt;
     }
@@ -144,7 +144,7 @@ struct world : compare::schedule {
     rtuwire::bus<slots, rtuwire::observed_by<rtuwire::unit_statistics<rows>>> engine;
     model::bus second;
     std::vector<both> conversations{slots + 1};
-    std::optional<time> advanced{}; ///< the latest `advance`
+    std::optional<microseconds> advanced{}; ///< the latest `advance`
     bool is_rested{false}; ///< nothing was due for hours: what begins before the next `advance` may end more than 71
                            ///< minutes after the one before
 
@@ -190,7 +190,7 @@ struct world : compare::schedule {
     {
         while (has_event()) {
             auto const next = line.to_come.begin();
-            time const at = next->first;
+            microseconds const at = next->first;
             line_event const what = next->second;
             line.to_come.erase(next);
             happen(engine, second.inner, what, at);
@@ -209,7 +209,7 @@ struct world : compare::schedule {
     }
     void pass_time()
     {
-        std::optional<time> const until = next_of(second.poll_deadline());
+        std::optional<microseconds> const until = next_of(second.poll_deadline());
         bool const may_sleep = not second.inner.is_woken();
         switch (roll.below(14)) {
         case 0: break;
@@ -217,19 +217,19 @@ struct world : compare::schedule {
         case 2: now += roll.below(60'000); break;
         case 3:
             if (not until and may_sleep) {
-                now += time{roll.below(11'000)} * 1'000'000; // nothing is due for hours
+                now += microseconds{roll.below(11'000)} * 1'000'000; // nothing is due for hours
                 is_rested = true;
             } else if (roll.chance(5) and advanced and now - *advanced < 1'000'000 and
                        std::max(how.response_timeout, how.late_response) < 10'000'000) {
                 // The program is stopped, whatever is due, but no whole turn, and what comes meanwhile is lost.
-                now += time{roll.below(1'000) + 60 * roll.any<unsigned>({0, 20, 36, 50, 54})} * 1'000'000;
+                now += microseconds{roll.below(1'000) + 60 * roll.any<unsigned>({0, 20, 36, 50, 54})} * 1'000'000;
                 line.to_come.clear();
                 advance();
             }
             break;
         default:
             if (until and *until > now and may_sleep) {
-                now = std::max(now, *until + (roll.chance(85) ? 0 : time{roll.below(3)} - 1));
+                now = std::max(now, *until + (roll.chance(85) ? 0 : microseconds{roll.below(3)} - 1));
             }
         }
     }
@@ -262,7 +262,7 @@ struct world : compare::schedule {
         one.second.is_timed = roll.chance(40);
         one.second.pace.is_waiting = one.engine.pace.is_waiting = false;
         one.second.pace.pause = one.engine.pace.pause =
-            one.second.is_timed ? roll.any<time>({0, 20'000, 100'000, 1'000'000}) : 0;
+            one.second.is_timed ? roll.any<microseconds>({0, 20'000, 100'000, 1'000'000}) : 0;
         told.step("%lld begin %zu: %s, %zu requests%s%s, prompt %d, timed %d, pause %lld", static_cast<long long>(now),
                   index, compare::hex(what.requests[0]).c_str(), what.requests.size(),
                   what.is_endless ? " for ever" : "", what.may_be_repeated ? "" : " once", one.second.prompt_unit,
@@ -271,8 +271,8 @@ struct world : compare::schedule {
     void set(std::size_t index)
     {
         model::slot_options const as{.with = compare::any_retry_policy(roll, how.response_timeout),
-                                     .least_idle = roll.any<time>({0, 0, 5'000, 50'000, 700'000}),
-                                     .longest_gap = roll.any<time>({0, 0, 0, 300'000, 1'000'000, 5'000'000})};
+                                     .least_idle = roll.any<microseconds>({0, 0, 5'000, 50'000, 700'000}),
+                                     .longest_gap = roll.any<microseconds>({0, 0, 0, 300'000, 1'000'000, 5'000'000})};
         told.step("%lld set %zu: R %lld, retries %u, busy %u, idle %lld, gap %lld", static_cast<long long>(now), index,
                   static_cast<long long>(as.with.response_timeout), as.with.retries, as.with.busy_retries,
                   static_cast<long long>(as.least_idle), static_cast<long long>(as.longest_gap));
@@ -300,7 +300,7 @@ struct world : compare::schedule {
             break;
         case 2: {
             auto const unit = static_cast<std::uint8_t>(1 + roll.below(compare::manual_unit::units));
-            time const end = now + roll.below(400'000);
+            microseconds const end = now + roll.below(400'000);
             told.step("%lld hold %d until %lld", static_cast<long long>(now), unit, static_cast<long long>(end));
             engine.hold(*rtuwire::unit_id::checked(unit), clock.at(end));
             second.inner.hold(unit, end);

@@ -13,7 +13,7 @@ using compare::outcome;
 using compare::random_source;
 using compare::report;
 using model::bytes;
-using model::time;
+using model::microseconds;
 
 namespace {
 
@@ -30,7 +30,7 @@ template <typename Engine> struct world : compare::schedule {
     Engine other_engine; ///< of another line, where nothing ever leaves
     model::client other_second;
     std::vector<both> conversations{slots};
-    std::optional<time> advanced{}; ///< the latest `advance`
+    std::optional<microseconds> advanced{}; ///< the latest `advance`
     bool is_late{false}; ///< stopped, and not advanced since: times in force may lie further apart than the rules hold
     bool is_rested{false}; ///< nothing was due for hours: what begins before the next `advance` may end more than 71
                            ///< minutes after the one before
@@ -71,14 +71,14 @@ template <typename Engine> struct world : compare::schedule {
     {
         while (has_event()) {
             auto const first = line.to_come.begin();
-            time const at = roll.chance(70) ? first->first : roll.chance(80) ? now : now + roll.below(3'000);
+            microseconds const at = roll.chance(70) ? first->first : roll.chance(80) ? now : now + roll.below(3'000);
             line_event const what = first->second;
             line.to_come.erase(first);
             happen(engine, second, what, at);
             check();
         }
     }
-    static std::optional<time> earlier(std::optional<time> one, std::optional<time> other)
+    static std::optional<microseconds> earlier(std::optional<microseconds> one, std::optional<microseconds> other)
     {
         return one and other ? std::min(*one, *other) : (one ? one : other);
     }
@@ -94,7 +94,7 @@ template <typename Engine> struct world : compare::schedule {
     void pass_time()
     {
         auto const next = second.poll_deadline();
-        std::optional<time> const until = next_of(earlier(next, other_second.poll_deadline()));
+        std::optional<microseconds> const until = next_of(earlier(next, other_second.poll_deadline()));
         switch (roll.below(14)) {
         case 0: break;
         case 1: now += roll.below(3'000); break;
@@ -102,17 +102,17 @@ template <typename Engine> struct world : compare::schedule {
         case 3: now += roll.below(60'000); break;
         case 4:
             if (not until and not second.is_woken()) {
-                now += time{roll.below(11'000)} * 1'000'000; // nothing is due for hours
+                now += microseconds{roll.below(11'000)} * 1'000'000; // nothing is due for hours
                 is_rested = true;
             }
             break;
         case 5:
             if (roll.chance(8) and std::max(how.response_timeout, how.late_response) < 10'000'000) {
-                now += time{roll.below(1'000)} * 1'000'000; // the program is stopped, whatever is due
+                now += microseconds{roll.below(1'000)} * 1'000'000; // the program is stopped, whatever is due
                 is_late = true;
                 // For longer than the counter tells, but no whole turn, and what came meanwhile is lost.
                 if (roll.chance(50) and advanced and now - *advanced < 1'001'000'000) {
-                    now += time{roll.any<unsigned>({20, 36, 50, 54})} * 60'000'000;
+                    now += microseconds{roll.any<unsigned>({20, 36, 50, 54})} * 60'000'000;
                     line.to_come.clear();
                     advance();
                 }
@@ -120,7 +120,7 @@ template <typename Engine> struct world : compare::schedule {
             break;
         default:
             if (until and *until > now and not second.is_woken()) {
-                now = std::max(now, *until + (roll.chance(85) ? 0 : time{roll.below(3)} - 1));
+                now = std::max(now, *until + (roll.chance(85) ? 0 : microseconds{roll.below(3)} - 1));
             }
         }
     }
@@ -153,9 +153,9 @@ template <typename Engine> struct world : compare::schedule {
             break;
         case 2: {
             auto const unit = static_cast<std::uint8_t>(1 + roll.below(compare::manual_unit::units));
-            time const end =
+            microseconds const end =
                 now + (roll.chance(5) and not is_late and not is_rested ? model::longest
-                                                                        : time{roll.below(400'000)} - 20'000);
+                                                                        : microseconds{roll.below(400'000)} - 20'000);
             told.step("%lld hold %d until %lld", static_cast<long long>(now), unit, static_cast<long long>(end));
             engine.hold(*rtuwire::unit_id::checked(unit), clock.at(end));
             second.hold(unit, end);

@@ -12,7 +12,7 @@
 namespace compare {
 
 using model::bytes;
-using model::time;
+using model::microseconds;
 
 /// What a conversation was told.
 struct outcome {

@@ -11,7 +11,7 @@
 namespace compare {
 
 using model::bytes;
-using model::time;
+using model::microseconds;
 
 /// Something that happens on the line.
 struct line_event {
@@ -24,7 +24,7 @@ public:
     enum class habit { quick, slow, silent, faulty, busy };
     static constexpr std::uint8_t units = 6;
 
-    manual_unit(random_source& roll, model::line_times const& times, time response, bool is_echoing)
+    manual_unit(random_source& roll, model::line_times const& times, microseconds response, bool is_echoing)
         : roll_{roll}, times_{times}, response_{response}, is_echoing_{is_echoing}
     {
         bool const is_rush = roll.chance(3);
@@ -35,13 +35,13 @@ public:
         }
     }
 
-    std::multimap<time, line_event> to_come{};
+    std::multimap<microseconds, line_event> to_come{};
 
     /// A request leaves from `now` on.
-    void hear(bytes const& frame, time now)
+    void hear(bytes const& frame, microseconds now)
     {
-        time const end = now + times_.characters(frame.size());
-        time const told = end + (roll_.chance(20) ? roll_.below(3'000) : 0);
+        microseconds const end = now + times_.characters(frame.size());
+        microseconds const told = end + (roll_.chance(20) ? roll_.below(3'000) : 0);
         if (not roll_.chance(3)) {
             to_come.emplace(told, line_event{line_event::kind::sent});
         }
@@ -53,9 +53,9 @@ public:
         }
     }
     /// Something that nobody asked for.
-    void disturb(time now)
+    void disturb(microseconds now)
     {
-        time const at = now + roll_.below(20'000);
+        microseconds const at = now + roll_.below(20'000);
         switch (roll_.below(4)) {
         case 0: to_come.emplace(at, line_event{line_event::kind::damage}); break;
         case 1: say({roll_.byte()}, at); break;
@@ -72,7 +72,7 @@ public:
     }
 
 private:
-    void say(bytes const& what, time at)
+    void say(bytes const& what, microseconds at)
     {
         if (what.empty()) {
             return;
@@ -87,14 +87,14 @@ private:
                             line_event{line_event::kind::chunk, bytes(from, from + static_cast<std::ptrdiff_t>(part))});
             done += part;
             if (roll_.chance(12)) {
-                at += roll_.below(3) == 0 ? times_.frame_end + roll_.below(3) - 1 : time{roll_.below(6'000)};
+                at += roll_.below(3) == 0 ? times_.frame_end + roll_.below(3) - 1 : microseconds{roll_.below(6'000)};
             }
             if (roll_.chance(2)) {
                 to_come.emplace(at, line_event{line_event::kind::damage});
             }
         }
     }
-    void echo(bytes what, time now)
+    void echo(bytes what, microseconds now)
     {
         switch (roll_.below(10)) {
         case 0: what[roll_.below(what.size())] ^= 4; break;
@@ -104,7 +104,7 @@ private:
         }
         say(what, now + (roll_.chance(30) ? roll_.below(9'000) : 0));
     }
-    void response(bytes const& frame, time end)
+    void response(bytes const& frame, microseconds end)
     {
         habit const own = habits_[frame[0]];
         if (own == habit::silent and not roll_.chance(5)) {
@@ -119,9 +119,9 @@ private:
         if (roll_.chance(faults)) {
             said = spoilt(said, frame);
         }
-        time delay = roll_.chance(80) ? roll_.below(12'000) : -time{roll_.below(3'000)};
+        microseconds delay = roll_.chance(80) ? roll_.below(12'000) : -microseconds{roll_.below(3'000)};
         if (own == habit::slow) {
-            delay = static_cast<time>(static_cast<double>(response_) * 0.03 * (3 + roll_.below(98)));
+            delay = static_cast<microseconds>(static_cast<double>(response_) * 0.03 * (3 + roll_.below(98)));
         }
         last_response_ = said;
         say(said, end + delay);
@@ -241,7 +241,7 @@ private:
 
     random_source& roll_;
     model::line_times times_;
-    time response_;
+    microseconds response_;
     bool is_echoing_;
     habit habits_[units + 1];
     bytes last_response_{};

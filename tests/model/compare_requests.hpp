@@ -16,15 +16,16 @@ namespace compare {
 struct setting {
     std::uint32_t start;
     std::uint32_t bits;
-    time end;
-    time bits_by_character;
-    std::optional<time> silence; ///< before sending, where it is not t3.5
+    microseconds end;
+    microseconds bits_by_character;
+    std::optional<microseconds> silence; ///< before sending, where it is not t3.5
 };
 inline setting any_setting(random_source& roll)
 {
     return {roll.chance(70) ? 0U - 5'000'000U + roll.below(1'000) : static_cast<std::uint32_t>(roll.next()),
             roll.any<std::uint32_t>({4'800, 9'600, 19'200, 38'400, 115'200, 0}),
-            roll.any<time>({0, 0, 1'000, 8'000, 50'000}), roll.any<time>({11, 11, 10}), any_silence(roll)};
+            roll.any<microseconds>({0, 0, 1'000, 8'000, 50'000}), roll.any<microseconds>({11, 11, 10}),
+            any_silence(roll)};
 }
 inline rtuwire::line_timing timing(setting const& as)
 {
@@ -34,7 +35,7 @@ inline rtuwire::line_timing timing(setting const& as)
 }
 
 /// Between two sendings of one request lie less than 71 minutes: the longest time-out goes without repetitions.
-inline unsigned repetitions(time response, unsigned some) { return response == model::longest ? 0 : some; }
+inline unsigned repetitions(microseconds response, unsigned some) { return response == model::longest ? 0 : some; }
 
 /// Whether a request may wait so long that no unit should be held for long beside it.
 inline bool is_patient(model::options const& how) { return how.response_timeout > 40'000'000; }
@@ -42,10 +43,10 @@ inline bool is_patient(model::options const& how) { return how.response_timeout 
 inline model::options any_options(random_source& roll)
 {
     model::options how{.response_timeout = roll.chance(4)
-                                               ? roll.any<time>({0, 1, model::longest, model::longest / 8})
-                                               : 5'000 + time{roll.below(roll.chance(50) ? 60'000 : 1'000'000)},
-                       .turnaround = roll.any<time>({0, 100'000, 100'000, 20'000, 3'000'000}),
-                       .late_response = roll.any<time>({0, 200'000, 200'000, 30'000, model::longest}),
+                                               ? roll.any<microseconds>({0, 1, model::longest, model::longest / 8})
+                                               : 5'000 + microseconds{roll.below(roll.chance(50) ? 60'000 : 1'000'000)},
+                       .turnaround = roll.any<microseconds>({0, 100'000, 100'000, 20'000, 3'000'000}),
+                       .late_response = roll.any<microseconds>({0, 200'000, 200'000, 30'000, model::longest}),
                        .retries = roll.any<unsigned>({0, 1, 2, 2, 5, 255}),
                        .has_line_echo = roll.chance(20),
                        .max_leading_noise = roll.any<unsigned>({0, 0, 0, 1, 3}),
@@ -55,7 +56,7 @@ inline model::options any_options(random_source& roll)
                        .rows = 0};
     how.retries = repetitions(how.response_timeout, how.retries);
     if (is_patient(how)) { // times that are compared lie at most 35 minutes apart
-        how.late_response = std::min<time>(how.late_response, 200'000);
+        how.late_response = std::min<microseconds>(how.late_response, 200'000);
     }
     return how;
 }
@@ -68,14 +69,14 @@ inline rtuwire::client_options library(model::options const& of)
             .has_line_echo = of.has_line_echo,
             .max_leading_noise = static_cast<std::uint8_t>(of.max_leading_noise)};
 }
-inline model::retry_policy any_retry_policy(random_source& roll, time response)
+inline model::retry_policy any_retry_policy(random_source& roll, microseconds response)
 {
-    return {.response_timeout = roll.chance(70) ? response : 2'000 + time{roll.below(300'000)},
+    return {.response_timeout = roll.chance(70) ? response : 2'000 + microseconds{roll.below(300'000)},
             .retries = repetitions(response, roll.below(4)),
             .busy_retries = repetitions(response, roll.any<unsigned>({0, 1, 2, 9, 255})),
-            .busy_pause = roll.any<time>({0, 1'000, 10'000, 50'000, model::longest / 3, model::longest / 2,
-                                          model::longest / 2 - 1, model::longest / 9}),
-            .pause = roll.chance(70) ? 0 : roll.any<time>({1, 3'000, 40'000, 700'000})};
+            .busy_pause = roll.any<microseconds>({0, 1'000, 10'000, 50'000, model::longest / 3, model::longest / 2,
+                                                  model::longest / 2 - 1, model::longest / 9}),
+            .pause = roll.chance(70) ? 0 : roll.any<microseconds>({1, 3'000, 40'000, 700'000})};
 }
 inline rtuwire::retry_policy library(model::retry_policy const& of)
 {
@@ -187,8 +188,8 @@ inline void same_outcomes(report& told, std::vector<outcome> const& engine, std:
     told.difference = "outcomes: library " + text(engine) + "; model " + text(model);
 }
 /// A time that a woken engine names has come, and is no more exact than that, or its request ends at `ended`, ahead.
-inline void same_deadline(report& told, rtuwire::deadline engine, std::optional<time> model, bool is_woken, time ended,
-                          time now, clock const& shown)
+inline void same_deadline(report& told, rtuwire::deadline engine, std::optional<microseconds> model, bool is_woken,
+                          microseconds ended, microseconds now, clock const& shown)
 {
     if (is_woken and ended > now) {
         model = model ? std::min(*model, ended) : ended;

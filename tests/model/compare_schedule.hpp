@@ -19,7 +19,7 @@ struct schedule {
     model::line_times times;
     model::options how;
     manual_unit line;
-    time now{0};
+    microseconds now{0};
     std::vector<outcome> engines_outcomes{};
     std::vector<outcome> models_outcomes{};
 
@@ -47,7 +47,7 @@ struct schedule {
                   how.has_line_echo, how.max_leading_noise);
     }
     /// What the model says of itself, behind the step that led there; only where steps are written down.
-    void tell_state(std::optional<time> next, std::string const& state, bytes const& request)
+    void tell_state(std::optional<microseconds> next, std::string const& state, bytes const& request)
     {
         told.steps.back() += "  [next " + (next ? std::to_string(*next) : "never") + state + ", request " +
                              hex(request).substr(0, 24) + "]";
@@ -62,7 +62,7 @@ struct schedule {
     }
 
     template <typename Engine, typename Model>
-    void happen(Engine& engine, Model& second, line_event const& what, time at)
+    void happen(Engine& engine, Model& second, line_event const& what, microseconds at)
     {
         switch (what.what) {
         case line_event::kind::chunk:
@@ -86,12 +86,12 @@ struct schedule {
         return not line.to_come.empty() and line.to_come.begin()->first <= now and not told.failed();
     }
     /// When something has to be done, or the line does something.
-    std::optional<time> next_of(std::optional<time> deadline) const
+    std::optional<microseconds> next_of(std::optional<microseconds> deadline) const
     {
         if (line.to_come.empty()) {
             return deadline;
         }
-        time const event = line.to_come.begin()->first;
+        microseconds const event = line.to_come.begin()->first;
         return deadline ? std::min(*deadline, event) : event;
     }
 };

@@ -9,7 +9,7 @@
 using compare::random_source;
 using compare::report;
 using model::bytes;
-using model::time;
+using model::microseconds;
 
 namespace {
 
@@ -23,14 +23,14 @@ struct world {
     rtuwire::counting_server engine;
     rtuwire::word_bank<model::server::registers> bank{};
     model::server second;
-    time now{0};
+    microseconds now{0};
     bytes pending{};
     bytes last_foreign{};
     std::size_t leaving{0};
     bool is_late{false}; ///< stopped, and time did not pass for it since: no deadline is asked for
 
-    world(random_source& with, report& to, std::uint32_t start, std::uint32_t bits, time end,
-          std::optional<time> silence)
+    world(random_source& with, report& to, std::uint32_t start, std::uint32_t bits, microseconds end,
+          std::optional<microseconds> silence)
         : roll{with}, told{to}, clock{start}, times{bits, 11, end, silence},
           engine{rtuwire::unit_id{own_unit}, compare::line_of(bits, rtuwire::character_format::even_8_1, end, silence)},
           second{own_unit, times}
@@ -174,9 +174,9 @@ struct world {
         case 4: now += roll.below(200'000); break;
         case 5:
             if (not next and pending.empty()) {
-                now += time{roll.below(11'000)} * 1'000'000; // nothing is due for hours
-            } else if (roll.chance(10)) {                    // the program is stopped
-                now += time{roll.any<unsigned>({1, 36, 50, 71, 110, 142})} * 60'000'000;
+                now += microseconds{roll.below(11'000)} * 1'000'000; // nothing is due for hours
+            } else if (roll.chance(10)) {                            // the program is stopped
+                now += microseconds{roll.any<unsigned>({1, 36, 50, 71, 110, 142})} * 60'000'000;
                 is_late = true;
                 if (roll.chance(50)) {
                     advance();
@@ -185,7 +185,7 @@ struct world {
             break;
         default:
             if (next and *next > now and pending.empty()) {
-                now = std::max(now, *next + (roll.chance(80) ? 0 : time{roll.below(3)} - 1));
+                now = std::max(now, *next + (roll.chance(80) ? 0 : microseconds{roll.below(3)} - 1));
             }
         }
         if (pending.empty() and roll.chance(50)) {
@@ -261,7 +261,7 @@ int main(int argc, char** argv)
         std::uint32_t const start =
             roll.chance(70) ? 0U - roll.below(3'000'000) : static_cast<std::uint32_t>(roll.next());
         std::uint32_t const bits = roll.any<std::uint32_t>({4'800, 9'600, 19'200, 38'400, 115'200, 0});
-        time const end = roll.any<time>({0, 0, 1'000, 8'000, 50'000});
+        microseconds const end = roll.any<microseconds>({0, 0, 1'000, 8'000, 50'000});
         world{roll, told, start, bits, end, compare::any_silence(roll)}.run();
     });
 }

@@ -16,15 +16,15 @@ struct share {
 
 struct slot_options {
     retry_policy with;
-    time least_idle;
-    time longest_gap;
+    microseconds least_idle;
+    microseconds longest_gap;
 };
 
 /// A conversation that may pause by itself.
 struct bus_conversation : conversation {
     bool is_timed{false};
-    virtual void advance(time now) = 0;
-    virtual std::optional<time> poll_deadline() const = 0;
+    virtual void advance(microseconds now) = 0;
+    virtual std::optional<microseconds> poll_deadline() const = 0;
 };
 
 class bus {
@@ -36,7 +36,7 @@ public:
 
     void set(std::size_t index, slot_options const& as) { slots_[index].options = as; }
 
-    void advance(time now)
+    void advance(microseconds now)
     {
         inner.advance(now);
         is_urgent_ = false;
@@ -65,7 +65,7 @@ public:
         has_left_ = has_left_ and inner.is_visit_vain();
     }
 
-    void converse(std::size_t index, bus_conversation& who, time now)
+    void converse(std::size_t index, bus_conversation& who, microseconds now)
     {
         if (index >= slots_.size() or (is_idle_ and not who.is_timed)) {
             return;
@@ -91,7 +91,7 @@ public:
         happened();
     }
 
-    void run_urgent(bus_conversation& who, time now)
+    void run_urgent(bus_conversation& who, microseconds now)
     {
         if (who.is_timed or not who.settled()) {
             is_idle_ = false;
@@ -113,10 +113,10 @@ public:
 
     bool is_silent(std::size_t index) const { return is_silent(slots_[index]); }
 
-    std::optional<time> poll_deadline() const
+    std::optional<microseconds> poll_deadline() const
     {
         auto next = inner.poll_deadline();
-        auto const add = [&](time at) { next = next ? std::min(*next, at) : at; };
+        auto const add = [&](microseconds at) { next = next ? std::min(*next, at) : at; };
         for (slot const& each : slots_) {
             add(each.wake.value_or(never));
             add(each.is_resting ? each.not_before : never);
@@ -144,23 +144,23 @@ public:
     client inner;
 
 private:
-    static constexpr time never = std::numeric_limits<time>::max();
+    static constexpr microseconds never = std::numeric_limits<microseconds>::max();
 
     struct slot {
         slot_options options;
         std::uint8_t unit{0};
         unsigned failures{0};
         bool has_responded{false};
-        time not_before{0};
-        time last_request{0};
+        microseconds not_before{0};
+        microseconds last_request{0};
         bool is_resting{false};
         bool is_here{false};
         bool is_present{false};
-        std::optional<time> wake{};
+        std::optional<microseconds> wake{};
     };
 
     /// 42.
-    bool is_idle(time now)
+    bool is_idle(microseconds now)
     {
         bool const had_left = has_left_;
         has_left_ = inner.is_visit_vain();
@@ -179,14 +179,14 @@ private:
     {
         return of.failures >= (of.has_responded ? std::max(share_.silent_after, 1U) : 1U);
     }
-    static void wake_at(std::optional<time>& wake, std::optional<time> at, time now)
+    static void wake_at(std::optional<microseconds>& wake, std::optional<microseconds> at, microseconds now)
     {
         if (at and *at > now and (not wake or *at < *wake)) {
             wake = at;
         }
     }
 
-    void ask(std::size_t index, bus_conversation& who, time now)
+    void ask(std::size_t index, bus_conversation& who, microseconds now)
     {
         slot& own = slots_[index];
         retry_policy with = own.options.with;
@@ -207,10 +207,10 @@ private:
     }
 
     /// A time as the clock shows it, which wraps after 71.6 minutes.
-    static time on_clock(time length) { return static_cast<std::uint32_t>(length); }
+    static microseconds on_clock(microseconds length) { return static_cast<std::uint32_t>(length); }
 
     /// 28 and 29.
-    void note(slot& own, fault error, time now)
+    void note(slot& own, fault error, microseconds now)
     {
         if (error == cancelled or inner.unit() == 0) {
             return;
@@ -221,14 +221,15 @@ private:
             return;
         }
         ++own.failures;
-        time const cost = on_clock(now - asked_at_);
-        time const addend = std::min<time>((cost / share_.silent_share + 1) * (100 - share_.silent_share), 600'000'000);
-        time const left = is_put_off_ ? on_clock(put_off_until_ - asked_at_) : 0;
-        put_off_until_ = now + std::min<time>(left + addend, 1'800'000'000);
+        microseconds const cost = on_clock(now - asked_at_);
+        microseconds const addend =
+            std::min<microseconds>((cost / share_.silent_share + 1) * (100 - share_.silent_share), 600'000'000);
+        microseconds const left = is_put_off_ ? on_clock(put_off_until_ - asked_at_) : 0;
+        put_off_until_ = now + std::min<microseconds>(left + addend, 1'800'000'000);
         is_put_off_ = true;
     }
 
-    bool is_held_back(std::size_t index, time now)
+    bool is_held_back(std::size_t index, microseconds now)
     {
         slot& own = slots_[index];
         if (own.is_resting) {
@@ -260,9 +261,9 @@ private:
         return is_silent(each) and each.is_present and not each.is_resting and not inner.is_held(each.unit);
     }
     /// 31. However long ago the other was asked, as the clock shows it.
-    bool fits(std::size_t index, time now) const
+    bool fits(std::size_t index, microseconds now) const
     {
-        time const end = now + slots_[index].options.with.response_timeout + times_.characters(512);
+        microseconds const end = now + slots_[index].options.with.response_timeout + times_.characters(512);
         for (std::size_t i = 0; i < slots_.size(); ++i) {
             slot const& each = slots_[i];
             if (i == index or is_silent(each) or each.options.longest_gap == 0 or not each.is_present or
@@ -280,11 +281,11 @@ private:
     share share_;
     std::vector<slot> slots_;
     std::size_t last_probed_{0};
-    time asked_at_{0};
+    microseconds asked_at_{0};
     bool is_put_off_{false};
-    time put_off_until_{0};
+    microseconds put_off_until_{0};
     bool is_urgent_{false};
-    std::optional<time> urgent_wake_{};
+    std::optional<microseconds> urgent_wake_{};
     bool is_pass_{false};
     bool is_idle_{false};
     bool has_left_{false};  ///< at the latest `advance`, and nothing changed since

@@ -14,9 +14,9 @@
 namespace model {
 
 struct options {
-    time response_timeout;
-    time turnaround;
-    time late_response;
+    microseconds response_timeout;
+    microseconds turnaround;
+    microseconds late_response;
     unsigned retries;
     bool has_line_echo;
     unsigned max_leading_noise;
@@ -27,11 +27,11 @@ struct options {
 };
 
 struct retry_policy {
-    time response_timeout;
+    microseconds response_timeout;
     unsigned retries;
     unsigned busy_retries;
-    time busy_pause;
-    time pause;
+    microseconds busy_pause;
+    microseconds pause;
 };
 
 class client {
@@ -41,7 +41,7 @@ public:
     client(line_times const& times, options const& how) : counted{how.rows}, line_{times}, how_{how}, debts_{how.places}
     {}
 
-    void receive(bytes const& chunk, time now)
+    void receive(bytes const& chunk, microseconds now)
     {
         if (chunk.empty()) {
             return;
@@ -58,7 +58,7 @@ public:
         note_strays(strays, is_start and strays == chunk.size(), chunk[0], is_held);
     }
 
-    void receive_error(time now)
+    void receive_error(microseconds now)
     {
         bool const is_start = line_.is_quiet;
         end_by_silence(1, now);
@@ -75,7 +75,7 @@ public:
         static_cast<void>(is_start);
     }
 
-    void sent(time at)
+    void sent(microseconds at)
     {
         line_.note_activity(at);
         if (not is_leaving()) {
@@ -98,7 +98,7 @@ public:
         skips_left_ = how_.max_leading_noise;
     }
 
-    void advance(time now)
+    void advance(microseconds now)
     {
         is_woken_ = false;
         if (not line_.is_known) {
@@ -108,7 +108,7 @@ public:
             line_.is_quiet = true;
         }
         end_by_silence(0, now);
-        time const at = judged(now);
+        microseconds const at = judged(now);
         seen_ = now;
         if (phase_ == phase::handed_out) {
             phase_ = phase::transmitting;
@@ -125,7 +125,7 @@ public:
         }
     }
 
-    void cancel(time now)
+    void cancel(microseconds now)
     {
         if (is_leaving() or phase_ == phase::turnaround) {
             error_ = cancelled;
@@ -133,13 +133,13 @@ public:
             settle(cancelled, now);
         }
     }
-    void cancel(asker const& whose, time now)
+    void cancel(asker const& whose, microseconds now)
     {
         if (turns_.is_due(whose)) {
             cancel(now);
         }
     }
-    void hold(std::uint8_t which, time end) { debts_.hold(which, end); }
+    void hold(std::uint8_t which, microseconds end) { debts_.hold(which, end); }
     bool is_held(std::uint8_t which) const { return debts_.covers(which); }
 
     bytes poll_transmit()
@@ -155,14 +155,14 @@ public:
         return request_;
     }
 
-    void converse(conversation& who, time now) { converse(who, now, own_retry_policy()); }
-    void converse(conversation& who, time now, retry_policy const& with)
+    void converse(conversation& who, microseconds now) { converse(who, now, own_retry_policy()); }
+    void converse(conversation& who, microseconds now, retry_policy const& with)
     {
         deliver(who, now);
         ask(who, now, with);
     }
     /// The same as a conversation of another kind.
-    void converse(conversation& who, time now, retry_policy const& with, int prompt_unit)
+    void converse(conversation& who, microseconds now, retry_policy const& with, int prompt_unit)
     {
         std::swap(who.prompt_unit, prompt_unit);
         converse(who, now, with);
@@ -171,8 +171,8 @@ public:
     retry_policy own_retry_policy() const { return {how_.response_timeout, how_.retries, 3, 50'000, 0}; }
 
     /// What a conversation is told when it comes by; none where it is told nothing.
-    std::optional<fault> deliver(conversation& who, time now) { return deliver(who, not who.settled(), now); }
-    std::optional<fault> deliver(conversation& who, bool wants_turn, time now)
+    std::optional<fault> deliver(conversation& who, microseconds now) { return deliver(who, not who.settled(), now); }
+    std::optional<fault> deliver(conversation& who, bool wants_turn, microseconds now)
     {
         if (turns_.is_lost(who.whose, phase_ == phase::idle)) {
             who.whose.is_due = false;
@@ -191,7 +191,7 @@ public:
     }
 
     enum class turn { not_its, asked_nothing, taken };
-    turn ask(conversation& who, time now, retry_policy const& with)
+    turn ask(conversation& who, microseconds now, retry_policy const& with)
     {
         bool const is_last = turns_.is_last(who.whose);
         if (who.settled() and not is_last) {
@@ -227,10 +227,10 @@ public:
         return turn::taken;
     }
 
-    std::optional<time> poll_deadline() const
+    std::optional<microseconds> poll_deadline() const
     {
-        std::optional<time> next = debts_.next();
-        auto const add = [&](time at) { next = next ? std::min(*next, at) : at; };
+        std::optional<microseconds> next = debts_.next();
+        auto const add = [&](microseconds at) { next = next ? std::min(*next, at) : at; };
         if (line_.is_known) {
             if (not line_.is_quiet and phase_ != phase::awaiting) {
                 add(line_.last + line_.times.silence);
@@ -256,7 +256,7 @@ public:
     }
 
     /// When the request that is no more under way ended, or somebody was sent away since.
-    time ended_at() const { return is_under_way() ? 0 : ended_at_; }
+    microseconds ended_at() const { return is_under_way() ? 0 : ended_at_; }
 
     phase now_in() const { return phase_; }
     receiver const& line() const { return line_; }
@@ -264,13 +264,13 @@ public:
     /// For who reads a schedule.
     std::string state() const
     {
-        auto const number = [](char const* name, time of) { return std::string{name} + std::to_string(of); };
+        auto const number = [](char const* name, microseconds of) { return std::string{name} + std::to_string(of); };
         auto const held = debts_.next();
-        return number(", phase ", static_cast<time>(phase_)) + (line_.is_quiet ? " quiet" : " busy") +
-               number(" line ", static_cast<time>(line_.at)) + number(" until ", until_) +
-               number(" held until ", held.value_or(-1)) + number(" error ", static_cast<time>(error_)) +
+        return number(", phase ", static_cast<microseconds>(phase_)) + (line_.is_quiet ? " quiet" : " busy") +
+               number(" line ", static_cast<microseconds>(line_.at)) + number(" until ", until_) +
+               number(" held until ", held.value_or(-1)) + number(" error ", static_cast<microseconds>(error_)) +
                number(" unanswered ", sendings_.unanswered) + number(" from ", sendings_.first) +
-               number(" to ", sendings_.begun) + number(" echo ", static_cast<time>(echo_at_)) +
+               number(" to ", sendings_.begun) + number(" echo ", static_cast<microseconds>(echo_at_)) +
                (is_woken_ ? " woken" : "") + (turns_.others_wait ? " others" : "") + (is_held_back_ ? " back" : "");
     }
     bool is_asked_by(asker const& who) const { return turns_.is_due(who); }
@@ -283,11 +283,11 @@ public:
 private:
     /// When an `advance` finds times over: by the clock, or as of 35.8 minutes after the one before it. A time that began after a
     /// long pause, but before the `advance` that ends it, is over at the next one.
-    time judged(time now) const
+    microseconds judged(microseconds now) const
     {
-        constexpr time whole_turn = time{1} << 32;
-        constexpr time may_go_back = 1 << 16;
-        time const pause = (now - seen_.value_or(now)) % whole_turn;
+        constexpr microseconds whole_turn = microseconds{1} << 32;
+        constexpr microseconds may_go_back = 1 << 16;
+        microseconds const pause = (now - seen_.value_or(now)) % whole_turn;
         return pause < whole_turn / 2 or pause >= whole_turn - may_go_back
                    ? now
                    : now - (pause - (whole_turn / 2 - may_go_back));
@@ -299,9 +299,9 @@ private:
     }
     bool is_leaving() const { return phase_ == phase::handed_out or phase_ == phase::transmitting; }
     bool is_timed() const { return phase_ != phase::idle and phase_ != phase::settled and phase_ != phase::handed_out; }
-    time leaving_time() const { return limited_response() + line_.times.characters(request_.size()); }
-    time limited_response() const { return limited(with_.response_timeout); }
-    time response_time() const
+    microseconds leaving_time() const { return limited_response() + line_.times.characters(request_.size()); }
+    microseconds limited_response() const { return limited(with_.response_timeout); }
+    microseconds response_time() const
     {
         response_size const size = longest_response(request_);
         return limited(limited_response() + line_.times.characters(size.bytes) +
@@ -330,7 +330,7 @@ private:
         return longest_response(frame).bytes > room_beside(frame) ? buffer_too_small : none;
     }
 
-    void start(request_frame const& of, time now, retry_policy const& with)
+    void start(request_frame const& of, microseconds now, retry_policy const& with)
     {
         is_woken_ = false;
         request_ = of.frame;
@@ -350,7 +350,7 @@ private:
     }
     /// 2.
     void drop_unended() { line_.at = awaits_rest() ? receiver::state::between : line_.at; }
-    void wait(time now)
+    void wait(microseconds now)
     {
         drop_unended();
         echo_ = echo::over;
@@ -363,7 +363,7 @@ private:
         until_ = now + limited_response() + line_.times.silence;
     }
     /// 21, where no outcome is told.
-    void come_by(conversation& who, bool wants_turn, time now)
+    void come_by(conversation& who, bool wants_turn, microseconds now)
     {
         if (turns_.is_due(who.whose)) {
             if (phase_ == phase::waiting) {
@@ -394,7 +394,7 @@ private:
     }
 
     /// 5.
-    void leave_if_free(time now)
+    void leave_if_free(microseconds now)
     {
         if (line_.is_quiet and not debts_.covers(unit())) {
             phase_ = phase::ready;
@@ -403,7 +403,7 @@ private:
     }
 
     /// 22 and 23.
-    bool may_ask(conversation& who, bool is_prompt, time now)
+    bool may_ask(conversation& who, bool is_prompt, microseconds now)
     {
         if (not turns_.others_wait and (line_.is_quiet or not is_prompt)) {
             return true;
@@ -418,13 +418,13 @@ private:
         }
         return place == standing::is_next;
     }
-    void wake(time now)
+    void wake(microseconds now)
     {
         is_woken_ = true;
         ended_at_ = is_under_way() ? ended_at_ : now;
     }
 
-    void hear(time now)
+    void hear(microseconds now)
     {
         line_.note_activity(now);
         if (phase_ != phase::ready) {
@@ -437,7 +437,7 @@ private:
         }
     }
     /// 14 to 16: how many bytes of a chunk are the echo's, or a difference of one.
-    std::size_t take_echo(bytes const& chunk, time now)
+    std::size_t take_echo(bytes const& chunk, microseconds now)
     {
         if (echo_ != echo::open) {
             return 0;
@@ -479,7 +479,7 @@ private:
         }
         return may_answer ? 0 : same;
     }
-    void come_back(bool is_sure, time now)
+    void come_back(bool is_sure, microseconds now)
     {
         bool const is_news = not how_.has_line_echo and echoes_seen_ == 0 and phase_ != phase::turnaround;
         echoes_seen_ = is_sure ? std::min(echoes_seen_ + 1, 2U) : echoes_seen_;
@@ -493,7 +493,7 @@ private:
         }
     }
     /// Whether the byte belongs to something.
-    bool take(std::uint8_t byte, time now)
+    bool take(std::uint8_t byte, microseconds now)
     {
         if (phase_ != phase::awaiting) {
             return false;
@@ -512,7 +512,7 @@ private:
     }
 
     bool awaits_rest() const { return phase_ == phase::awaiting and line_.lacks_rest(); }
-    void end_by_silence(std::size_t count, time now)
+    void end_by_silence(std::size_t count, microseconds now)
     {
         if (line_.at == receiver::state::between or awaits_rest() or not line_.is_gap(count, now)) {
             return;
@@ -525,7 +525,7 @@ private:
     }
 
     /// 3, 9 and 25.
-    void judge(bool is_by_silence, time now)
+    void judge(bool is_by_silence, microseconds now)
     {
         if (error_ == collision) {
             return;
@@ -562,7 +562,7 @@ private:
             error_ = found;
         }
     }
-    void take_response(fault found, time now)
+    void take_response(fault found, microseconds now)
     {
         sendings_.answered();
         if ((found == 5 or found == 6) and busy_left_ > 0) {
@@ -580,15 +580,15 @@ private:
             response_.assign(line_.frame.begin() + 1, line_.frame.end() - 2);
         }
         if (sendings_.unanswered > 0) { // 18
-            debts_.hold(unit(), now + limited(with_.pause + static_cast<time>(sendings_.unanswered) *
+            debts_.hold(unit(), now + limited(with_.pause + static_cast<microseconds>(sendings_.unanswered) *
                                                                 limited(sendings_.taken(now) + how_.late_response)));
             sendings_ = {};
         }
         settle(found, now);
     }
-    void note_sending(time at) { sendings_.left(at, leaving_time(), response_time() + how_.late_response); }
+    void note_sending(microseconds at) { sendings_.left(at, leaving_time(), response_time() + how_.late_response); }
 
-    void time_out(time now)
+    void time_out(microseconds now)
     {
         if (phase_ == phase::waiting) {
             settle(bus_jam, now);
@@ -610,7 +610,7 @@ private:
         }
     }
     /// 7.
-    void stall(time now)
+    void stall(microseconds now)
     {
         if (unit() == 0) {
             phase_ = phase::turnaround;
@@ -622,7 +622,7 @@ private:
         settle(transmit_stalled, now);
     }
     /// 11.
-    void fail(fault why, time now)
+    void fail(fault why, microseconds now)
     {
         if (retries_left_ == 0) {
             settle(why, now);
@@ -632,7 +632,7 @@ private:
         error_ = none;
         wait(now);
     }
-    void settle(fault why, time now)
+    void settle(fault why, microseconds now)
     {
         drop_unended();
         echo_ = echo::over;
@@ -667,12 +667,12 @@ private:
     }
 
     receiver line_;
-    std::optional<time> seen_{}; ///< the latest `advance`
+    std::optional<microseconds> seen_{}; ///< the latest `advance`
     options how_;
     debts debts_;
     turns turns_{};
     phase phase_{phase::idle};
-    time until_{0};
+    microseconds until_{0};
     bytes request_{};
     bytes response_{};
     fault error_{none};
@@ -680,12 +680,12 @@ private:
     unsigned retries_left_{0};
     unsigned busy_left_{0};
     unsigned pauses_{0};
-    time pause_{0}; ///< the next one
+    microseconds pause_{0}; ///< the next one
     bool may_be_repeated_{true};
     bool was_sent_{false};
     sendings sendings_{};
-    time sent_at_{0};
-    time ended_at_{0};
+    microseconds sent_at_{0};
+    microseconds ended_at_{0};
     enum class echo { over, open, suspected, whole } echo_{echo::over};
     std::size_t echo_at_{0};
     unsigned echoes_seen_{0}; ///< 2: two or more

@@ -31,7 +31,7 @@ enum event : std::size_t {
 struct counts {
     std::array<unsigned, events> by_event{};
     std::array<unsigned, 12> by_exception{};
-    time worst_latency{0};
+    microseconds worst_latency{0};
 };
 
 /// The counts of the line, and of the first units asked.
@@ -47,7 +47,7 @@ public:
         each_of(unit, [&](counts& to) { ++to.by_event[what]; });
     }
     void note_line(event what) { ++line.by_event[what]; }
-    void note_frame(fault found, std::uint8_t unit, time latency)
+    void note_frame(fault found, std::uint8_t unit, microseconds latency)
     {
         event const what = event_of(found);
         note(what, unit);
@@ -56,7 +56,7 @@ public:
             each_of(unit, [&](counts& to) { ++to.by_exception[row]; });
         }
         if (what == an_exception or what == a_reply) {
-            time const shown = static_cast<std::int32_t>(latency); // by the clock
+            microseconds const shown = static_cast<std::int32_t>(latency); // by the clock
             each_of(unit, [&](counts& to) { to.worst_latency = std::max(to.worst_latency, shown); });
         }
     }

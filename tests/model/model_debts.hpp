@@ -10,12 +10,12 @@ namespace model {
 /// The sendings of one request.
 struct sendings {
     unsigned unanswered{0};
-    time first{0};   ///< when the first of them had left, since nothing was unanswered
-    time begun{0};   ///< rule 17's b
-    time allowed{0}; ///< rule 17's c
+    microseconds first{0};   ///< when the first of them had left, since nothing was unanswered
+    microseconds begun{0};   ///< rule 17's b
+    microseconds allowed{0}; ///< rule 17's c
 
     /// One that took at most `leaving` to leave, and whose response may take `length`.
-    void left(time at, time leaving, time length)
+    void left(microseconds at, microseconds leaving, microseconds length)
     {
         if (unanswered == 0) {
             first = begun = at;
@@ -26,7 +26,10 @@ struct sendings {
         ++unanswered;
     }
     /// How long the response that came at `now` took, as the clock shows it.
-    time taken(time now) const { return std::min<time>(static_cast<std::uint32_t>(now - first), allowed); }
+    microseconds taken(microseconds now) const
+    {
+        return std::min<microseconds>(static_cast<std::uint32_t>(now - first), allowed);
+    }
     void answered() { unanswered -= unanswered > 0 ? 1 : 0; }
 };
 
@@ -35,7 +38,7 @@ class debts {
 public:
     explicit debts(std::size_t places) : rows_(places) {}
 
-    void hold(std::uint8_t unit, time end)
+    void hold(std::uint8_t unit, microseconds end)
     {
         row* own = nullptr;
         for (row& each : rows_) {
@@ -67,7 +70,7 @@ public:
                });
     }
     /// Whether a time was over.
-    bool advance(time now)
+    bool advance(microseconds now)
     {
         bool ended = false;
         for (row& each : rows_) {
@@ -78,9 +81,9 @@ public:
         }
         return ended;
     }
-    std::optional<time> next() const
+    std::optional<microseconds> next() const
     {
-        std::optional<time> first;
+        std::optional<microseconds> first;
         for (row const& each : rows_) {
             if (each.holds != nobody and (not first or each.end < *first)) {
                 first = each.end;
@@ -94,7 +97,7 @@ private:
     struct row {
         whom holds{nobody};
         std::uint8_t unit{0};
-        time end{0};
+        microseconds end{0};
     };
     std::vector<row> rows_;
 };

@@ -14,11 +14,11 @@ namespace model {
 
 using bytes = std::vector<std::uint8_t>;
 /// Microseconds that never wrap.
-using time = std::int64_t;
+using microseconds = std::int64_t;
 
 /// Durations, and sums of them, stop here.
-inline constexpr time longest = 35LL * 60 * 1'000'000;
-constexpr time limited(time length) { return std::min(length, longest); }
+inline constexpr microseconds longest = 35LL * 60 * 1'000'000;
+constexpr microseconds limited(microseconds length) { return std::min(length, longest); }
 
 /// Causes, with the numbers that the errors of the library have.
 enum fault : int {
@@ -74,20 +74,21 @@ inline bytes with_crc(bytes frame)
 /// How long characters and silences last. Without a bit rate there is no wire: a character takes no time, and nothing has
 /// to be silent before sending; t3.5 is that of 19 200 bit/s.
 struct line_times {
-    time character;
-    time t3_5;
-    time frame_end;
-    time silence; ///< before sending
+    microseconds character;
+    microseconds t3_5;
+    microseconds frame_end;
+    microseconds silence; ///< before sending
 
-    line_times(time bits_per_second, time bits, time host_frame_end, std::optional<time> before_sending = {})
+    line_times(microseconds bits_per_second, microseconds bits, microseconds host_frame_end,
+               std::optional<microseconds> before_sending = {})
         : character{bits_per_second == 0 ? 0 : up(bits * 1'000'000, bits_per_second)},
           t3_5{bits_per_second > 19'200 ? 1750
                : bits_per_second == 0   ? up(7 * 11 * 1'000'000, 2 * 19'200)
                                         : up(7 * bits * 1'000'000, 2 * bits_per_second)},
           frame_end{std::max(t3_5, host_frame_end)}, silence{before_sending.value_or(bits_per_second == 0 ? 0 : t3_5)}
     {}
-    static time up(time dividend, time divisor) { return (dividend + divisor - 1) / divisor; }
-    time characters(std::size_t count) const { return character * static_cast<time>(count); }
+    static microseconds up(microseconds dividend, microseconds divisor) { return (dividend + divisor - 1) / divisor; }
+    microseconds characters(std::size_t count) const { return character * static_cast<microseconds>(count); }
 };
 
 /// The size that a frame's first bytes tell, if it is more than a frame can be as well; none where they do not tell it
@@ -189,21 +190,21 @@ struct receiver {
     fault error{none};
     bool is_known{false}; ///< the clock was seen
     bool is_quiet{false};
-    time last{0};
+    microseconds last{0};
 
     /// Whether silence of `length` lies before so many characters that were there at `now`.
-    bool is_gap(std::size_t count, time now) const
+    bool is_gap(std::size_t count, microseconds now) const
     {
         return is_known and now >= last + times.frame_end + times.characters(count);
     }
     /// 10: nothing has come for a while, whatever the silence before sending.
-    bool is_at_rest(time now) const { return is_quiet or now >= last + times.t3_5; }
+    bool is_at_rest(microseconds now) const { return is_quiet or now >= last + times.t3_5; }
     /// Without a wire silence does not end a response that lacks bytes while one is awaited.
     bool lacks_rest() const
     {
         return times.character == 0 and at == state::inside and error == none and lacks_bytes(frame);
     }
-    void note_activity(time now)
+    void note_activity(microseconds now)
     {
         last = is_known and not is_quiet ? std::max(last, now) : now;
         is_known = true;

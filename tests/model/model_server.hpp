@@ -14,12 +14,12 @@ namespace model {
 class server {
 public:
     enum class phase { listening, asked, responding, transmitting };
-    static constexpr time response_limit = 100'000;
+    static constexpr microseconds response_limit = 100'000;
     static constexpr std::size_t registers = 16;
 
     server(std::uint8_t unit, line_times const& times) : line_{times}, unit_{unit} {}
 
-    void receive(bytes const& chunk, time now)
+    void receive(bytes const& chunk, microseconds now)
     {
         if (phase_ == phase::transmitting and not chunk.empty()) {
             return damage(now, false);
@@ -38,10 +38,10 @@ public:
         }
     }
 
-    void receive_error(time now) { damage(now, false); }
-    void receive_overrun(time now) { damage(now, true); }
+    void receive_error(microseconds now) { damage(now, false); }
+    void receive_overrun(microseconds now) { damage(now, true); }
 
-    void sent(time now)
+    void sent(microseconds now)
     {
         if (phase_ != phase::transmitting) {
             end_overdue(now);
@@ -56,7 +56,7 @@ public:
         }
     }
 
-    void advance(time now)
+    void advance(microseconds now)
     {
         if (not line_.is_known) {
             line_.is_known = true;
@@ -74,7 +74,7 @@ public:
         end_overdue(now); // what the silence has ended, too
     }
 
-    void serve(time now)
+    void serve(microseconds now)
     {
         advance(now);
         if (phase_ != phase::asked) {
@@ -123,7 +123,7 @@ public:
         return response_;
     }
 
-    std::optional<time> poll_deadline() const
+    std::optional<microseconds> poll_deadline() const
     {
         if (phase_ == phase::listening) {
             if (not line_.is_known) {
@@ -134,13 +134,13 @@ public:
             }
             return line_.last + (is_open_end_ ? line_.times.t3_5 : line_.times.frame_end);
         }
-        time const quiet = line_.last + line_.times.silence;
+        microseconds const quiet = line_.last + line_.times.silence;
         return not line_.is_quiet ? std::min(quiet, until_) : until_;
     }
 
     bool is_asked() const { return phase_ == phase::asked; }
     phase now_in() const { return phase_; }
-    time until() const { return until_; }
+    microseconds until() const { return until_; }
     receiver const& line() const { return line_; }
 
     std::array<std::uint16_t, registers> words{};
@@ -149,12 +149,12 @@ public:
 
 private:
     /// Silence before so many characters at `now`, which ends what was begun.
-    void end_by_silence(std::size_t count, time now, bool is_kept = true)
+    void end_by_silence(std::size_t count, microseconds now, bool is_kept = true)
     {
         if (not line_.is_known or line_.at == receiver::state::between) {
             return;
         }
-        time const silence = is_open_end_ ? line_.times.t3_5 : line_.times.frame_end;
+        microseconds const silence = is_open_end_ ? line_.times.t3_5 : line_.times.frame_end;
         if (now < line_.last + silence + line_.times.characters(count)) {
             return;
         }
@@ -170,7 +170,7 @@ private:
         is_open_end_ = false;
     }
 
-    bool hear(std::size_t size, time now)
+    bool hear(std::size_t size, microseconds now)
     {
         if (size == 0) {
             return false;
@@ -180,7 +180,7 @@ private:
         return true;
     }
 
-    void damage(time now, bool is_overrun)
+    void damage(microseconds now, bool is_overrun)
     {
         bool const was_listening = phase_ == phase::listening;
         if (is_long(now - line_.last)) {
@@ -200,9 +200,9 @@ private:
     }
 
     /// Whether a time limit that was over before such a pause looks as if it lay ahead behind it.
-    static bool is_long(time pause) { return static_cast<std::int32_t>(pause) < 0; }
+    static bool is_long(microseconds pause) { return static_cast<std::int32_t>(pause) < 0; }
 
-    void end_overdue(time now)
+    void end_overdue(microseconds now)
     {
         if (phase_ != phase::listening and now >= until_) {
             drop();
@@ -217,7 +217,7 @@ private:
         phase_ = phase::listening;
     }
 
-    void take(std::uint8_t byte, time)
+    void take(std::uint8_t byte, microseconds)
     {
         if (line_.at == receiver::state::unheard) {
             return;
@@ -417,7 +417,7 @@ private:
     receiver line_;
     std::uint8_t unit_;
     phase phase_{phase::listening};
-    time until_{0};
+    microseconds until_{0};
     bytes request_{};
     bytes response_{};
     bool is_open_end_{false};

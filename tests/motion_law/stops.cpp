@@ -213,12 +213,12 @@ TEST_CASE("motion law: S34 a stop that is taken and not obeyed says so")
 TEST_CASE("motion law: L3 a halt of a drive whose profile is not known leaves no bit that may be RUN")
 {
     using device = atv320::device;
-    constexpr std::uint16_t io_profile = 3;
+    constexpr std::uint16_t by_io = 3;
     running<device> it;
     stop first{it.drive};
     REQUIRE(it.run(first));
     for (auto const& [address, word] :
-         {std::pair{atv320::chcf.address, io_profile}, std::pair{atv320::lfr.address, std::uint16_t{300}},
+         {std::pair{atv320::chcf.address, by_io}, std::pair{atv320::lfr.address, std::uint16_t{300}},
           std::pair{device::layout.cmd, std::uint16_t{1}}, std::pair{atv320::lfr.address, std::uint16_t{300}}}) {
         single_request told{it.drive.unit(), write_single_register{address, word}};
         REQUIRE(it.run(told));
