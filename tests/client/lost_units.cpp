@@ -360,6 +360,70 @@ TEST_CASE("rule 40: a stop of all units that is given up leaves each ordered uni
     CHECK(of.polls_in(silence - 200'000) == 0);
 }
 
+TEST_CASE("rule 40: reads keep no ordered unit running whose stop was released, or that was freed by a broadcast")
+{
+    enum class end { release, release_all, release_all_of_all, free_all };
+    for (end const way : {end::release, end::release_all, end::release_all_of_all, end::free_all}) {
+        CAPTURE(static_cast<int>(way));
+        left_alone of;
+        auto& orders = of.it.link.motor_orders();
+        if (way == end::release_all_of_all) {
+            hand_for_all all{9};
+            all.note_stop();
+            of.it.link.converse(all, of.it.now());
+        } else if (way != end::free_all) {
+            hand_commander stop{3};
+            stop.note_stop();
+            of.it.see(stop);
+        }
+        if (way == end::release) {
+            orders.release(3);
+        } else if (way == end::free_all) {
+            orders.note_all_freed();
+        } else {
+            orders.release_all();
+        }
+        CHECK(of.polls_in(1'000'000) == 3);
+        CHECK(of.it.is_lost(3));
+        CHECK_FALSE(of.one.is_in_force());
+    }
+}
+
+TEST_CASE("rule 40: a stop that comes by again behind a release, or behind an absence, keeps its unit from being lost")
+{
+    for (bool const is_for_all : {false, true}) {
+        for (bool const is_released : {false, true}) {
+            CAPTURE(is_for_all, is_released);
+            left_alone of;
+            hand_commander stop{3};
+            hand_for_all all{9};
+            auto const visit = [&] {
+                if (is_for_all) {
+                    of.it.link.converse(all, of.it.now());
+                } else {
+                    of.it.see(stop);
+                }
+            };
+            is_for_all ? all.note_stop() : stop.note_stop();
+            visit();
+            if (is_released) {
+                of.it.link.motor_orders().release_all();
+            } else {
+                of.it.pass(600'000);
+                for (unsigned pass = 0; pass < 4; ++pass) {
+                    of.it.pass(100);
+                }
+            }
+            visit();
+            for (unsigned pass = 0; pass < 10; ++pass) {
+                CHECK(of.asks());
+                visit();
+            }
+            CHECK_FALSE(of.it.is_lost(3));
+        }
+    }
+}
+
 TEST_CASE("rule 41: an order stands where each request left within the drive's time-out, however late its response")
 {
     left_alone of;

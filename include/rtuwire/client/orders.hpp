@@ -16,12 +16,12 @@
 // Losses. A *loss* is a missing response, beyond those that its commander tolerates, of a unit that is ordered or that a
 // stop holds: another controller may have ordered it, or this one before it was switched off. So is, while a stop of all
 // units is broadcast, an ordered unit that no stop of its own follows: nobody would see whether it heard. So is an ordered
-// unit that nobody's order or stop holds any more, because its stop was given up, or because its order is over and the motor
-// may run all the same: the reads of others alone would keep it running. Then, for 2 s at
-// most, only stop requests go to that unit. After that it gets no request of any conversation, until the drive's own
-// time-out and 1 s more have passed since the last of them: it has stopped by itself if it can. A stop that begins
-// meanwhile has 2 s for its requests, from the first one on. A response to one of them ends the loss; the order stays
-// cancelled.
+// unit that nobody's order or stop holds any more, because its stop was given up or released, because one broadcast of
+// `broadcast_freewheel` was all that it was told, or because its order is over and the motor may run all the same: the reads
+// of others alone would keep it running. Then, for 2 s at most, only stop requests go to that unit. After that it gets no
+// request of any conversation, until the drive's own time-out and 1 s more have passed since the last of them: it has
+// stopped by itself if it can. A stop that begins meanwhile has 2 s for its requests, from the first one on. A response to
+// one of them ends the loss; the order stays cancelled.
 // Internal: may change with any version.
 #pragma once
 
@@ -210,7 +210,8 @@ public:
         }
         bool is_known = true;
         who.is_doubtful_ = false;
-        for (unit_order const& each : places_) {
+        for (unit_order& each : places_) {
+            each.answers_left = who.is_stopping_ and each.holder == 0 ? std::uint8_t{0} : each.answers_left;
             bool const is_usual = each.confirmed != 0 and each.confirmed != other_meaning;
             is_known = is_known and (is_usual or not each.is_ordered);
             who.is_doubtful_ = who.is_doubtful_ or (each.is_doubtful and each.is_ordered);
@@ -218,8 +219,13 @@ public:
         who.confirmed_ = is_known ? 1 : 0;
     }
 
-    /// All units were sent a word that takes the power away, without a conversation that stops them.
-    constexpr void note_all_freed() noexcept { note_none_counts(); }
+    /// All units were sent a word that takes the power away, without a conversation that stops them. Nobody knows whether
+    /// they heard it.
+    constexpr void note_all_freed() noexcept
+    {
+        note_none_counts();
+        leave_all();
+    }
 
     /// Ends the hold of a stop that was given up: its unit can be commanded again. Where none holds it nothing changes: an
     /// order that is in force goes on.
@@ -234,7 +240,7 @@ public:
     {
         if (holder_of_all_ != 0) {
             holder_of_all_ = 0;
-            note_none_counts();
+            note_all_freed();
         }
         let_go(places_.others());
         for (unit_order& each : places_) {
@@ -587,6 +593,7 @@ private:
             own.unit = unit;
             own.holder = who.stamp_;
             own.held = hold::by_its_stop;
+            own.answers_left = 0;
         }
         if (own.holder == who.stamp_) {
             own.seen = step_of(now);
@@ -656,6 +663,7 @@ private:
         own.held = hold::by_its_stop;
         own.last_stop = ++count_;
         own.was_lost = false;
+        leave(own, own.on_line);
     }
     static constexpr void let_go_if_over(unit_order& own) noexcept
     {
@@ -729,6 +737,16 @@ private:
             return false;
         }
         return --passes_left == 0;
+    }
+
+    /// The units that no stop holds.
+    constexpr void leave_all() noexcept
+    {
+        for (unit_order& each : places_) {
+            if (each.holder == 0 and holder_of_all_ == 0) {
+                leave(each, each.on_line);
+            }
+        }
     }
 
     constexpr void lose(unit_order& own, instant now) noexcept

@@ -30,7 +30,9 @@ public:
 
 /// Removes the power from every motor whose drive has its control word where `Device` has it: one broadcast of "disable
 /// voltage". The motors coast. A line with ATV28 and later drives needs one of each. From the request on no order that
-/// this client gave before counts, of any unit: `running()` of a start is false. Whether a drive heard it nobody knows.
+/// this client gave before counts, of any unit: `running()` of a start is false. Whether a drive heard it nobody knows: one
+/// that was ordered to run gets no request, behind three responses to others than its commanders, until its own time-out has
+/// stopped it, unless a `stop` has shown that it stands.
 template <device_type Device> [[nodiscard]] constexpr auto broadcast_freewheel() noexcept
 {
     return freewheel_request{drive_check<Device>::layout.cmd};
