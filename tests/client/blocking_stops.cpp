@@ -24,13 +24,22 @@ namespace {
 using device = altivar::atv320::device;
 constexpr station<device> drive{unit_id{3}};
 
-/// A drive's port of which so many of the next reads or writes fail.
+/// A drive's port of which so many of the next reads or writes fail, and whose program is stopped in one of the next calls.
 struct failing_port : test::drive_port<device> {
     unsigned bad_reads{0};
     unsigned bad_writes{0};
     errc why{errc::device_failed};
     duration longest_write{};
+    unsigned calls_to_stop{0};
+    duration stop{};
 
+    instant now()
+    {
+        if (calls_to_stop != 0 and --calls_to_stop == 0) {
+            clock = clock + stop;
+        }
+        return clock;
+    }
     result<void> write(byte_view bytes, instant until)
     {
         duration const given = until - clock;
@@ -55,6 +64,9 @@ struct failing_port : test::drive_port<device> {
         far.advance(clock);
         return why;
     }
+
+    /// Whether the last frame that was sent is a word that stops.
+    bool says() const { return not sent.empty() and sent.back()[1] == std::byte{6}; }
 
     void wait(duration length)
     {
@@ -90,9 +102,7 @@ template <typename Stop> void check_blind(Stop&& stop)
     CHECK(it.port.clock - begin < milliseconds(1'500));
     it.port.wait(milliseconds(10'000));
     CHECK_FALSE(it.port.has_power());
-    REQUIRE_FALSE(it.port.sent.empty());
-    // The last frame is a word that stops.
-    CHECK(it.port.sent.back()[1] == std::byte{6});
+    CHECK(it.port.says());
 }
 
 } // namespace
@@ -121,6 +131,48 @@ TEST_CASE("a stop's word is sent where nothing can be read, and the port's error
     check_blind(altivar::stop{drive, stop_by::freewheel});
     check_blind(altivar::broadcast_stop{altivar::broadcast_stop_options{.freewheel = true}, drive});
     check_blind(altivar::broadcast_freewheel<device>());
+}
+
+/// The same where its program is stopped in one of the calls, too, or the first writes stall.
+template <typename Stop> void check_late(char const* name, Stop const& stop)
+{
+    INFO(name);
+    for (duration const pause : {milliseconds(1'100), milliseconds(34 * 60'000)}) {
+        for (unsigned call = 1; call <= 20; ++call) {
+            INFO("a pause of " << pause.microseconds << " us in call " << call);
+            running it;
+            it.port.bad_reads = for_ever;
+            it.port.calls_to_stop = call;
+            it.port.stop = pause;
+            Stop now = stop;
+            static_cast<void>(it.line.run(now));
+            CHECK(it.port.says());
+        }
+    }
+    for (unsigned const writes : {1U, 2U}) {
+        INFO(writes << " writes stall");
+        running it{{.response_timeout = milliseconds(700)}}; // for 2 s, a lost unit has words
+        it.port.why = errc::transmit_stalled;
+        it.port.bad_reads = for_ever;
+        it.port.bad_writes = writes;
+        Stop now = stop;
+        instant const begin = it.port.clock;
+        static_cast<void>(it.line.run(now));
+        INFO((it.port.clock - begin).microseconds << " us, bad writes left " << it.port.bad_writes << " sent "
+                                                  << it.port.sent.size());
+        CHECK(it.port.says());
+    }
+}
+
+TEST_CASE("defect: S1 a stop's word is sent where nothing can be read, however long its program was stopped or writes "
+          "stalled")
+{
+    using altivar::stop_begin;
+    check_late("stop{drive}", altivar::stop{drive});
+    check_late("stop{drive, stop_by::freewheel}", altivar::stop{drive, stop_by::freewheel});
+    check_late("stop{drive, stop_by::halt}", altivar::stop{drive, stop_by::halt});
+    check_late("look first", altivar::stop{drive, stop_by::ramp, milliseconds(3'000), stop_begin::look_first});
+    check_late("broadcast_stop{drive}", altivar::broadcast_stop{drive});
 }
 
 TEST_CASE("what stops nothing is not sent where the port's reads fail before it")

@@ -191,8 +191,8 @@ private:
         stops_a_unit<Conversation> or stops_by_broadcast<Conversation> or frees_all_units<Conversation>;
 
     /// Until it is settled; or `used_already`, or the error of the port. Where it has to stop, the port's reads end nothing
-    /// before the word that stops has left: so much is sent even where nothing can be read. Nor does a write that fails,
-    /// but for a device that is gone.
+    /// before the word that stops has left, or 1 s in which it was not written, without what the program was stopped for: so
+    /// much is sent even where nothing can be read. Nor does a write that fails, but for a device that is gone.
     template <conversation Conversation> errc run_to_end(Conversation& conversation)
     {
         static_assert(not endless_conversation<Conversation>,
@@ -202,9 +202,11 @@ private:
         }
         auto passed = drop_stale_input();
         bool has_to_say = has_to_stop<Conversation> and passed != errc::bus_jam;
-        instant const limit = port_.now() + longest_wait;
-        while (passed or (has_to_say and not reached(client_.judged_at(port_.now()), limit))) {
+        instant seen = port_.now();
+        duration spent{};
+        while (passed or (has_to_say and spent < longest_wait)) {
             instant const now = port_.now();
+            spent = spent + part_of(longest_wait, now - std::exchange(seen, now));
             client_.advance(now);
             client_.converse(conversation, now);
             if (conversation.settled() and not client_.is_asked_by(conversation)) {
@@ -212,6 +214,9 @@ private:
             }
             if (not client_.is_busy()) {
                 passed = wait_for(conversation, now);
+                if (not passed and longest_wait < spent * 2) {
+                    read_nothing(conversation);
+                }
                 continue;
             }
             bool const says_it = is_said(conversation);
@@ -227,7 +232,10 @@ private:
                 if (conversation.settled()) {
                     return errc::none;
                 }
-                passed = sent ? passed : result<void>{};
+                if (not sent) {
+                    passed = {};
+                    spent = {};
+                }
             }
         }
         give_up(conversation, port_.now());
@@ -243,6 +251,21 @@ private:
             return conversation.intent() == effect::stopping;
         } else {
             return false;
+        }
+    }
+
+    /// A stop that would read something before its next word goes on without it: what its unit owes may keep the read back for
+    /// longer than this client goes on.
+    template <typename Conversation> static constexpr void read_nothing(Conversation& conversation) noexcept
+    {
+        if constexpr (stops_by_broadcast<Conversation>) {
+            for (auto& each : conversation.stops()) {
+                read_nothing(each);
+            }
+        } else if constexpr (stops_a_unit<Conversation>) {
+            if (conversation.has_request() and conversation.intent() == effect::none) {
+                conversation.note_loss();
+            }
         }
     }
 
@@ -314,7 +337,6 @@ private:
         client_.advance(now);
         instant until = client_.is_quiet() ? now : *earlier(client_.poll_deadline(), now + client_.line().silence());
         duration const limit = write_limit_ < least_jam ? least_jam : write_limit_;
-        duration const longest_part{limit.microseconds / least_reads_of_a_jam};
         duration busy{};
         for (;;) {
             stale_input old{client_};
@@ -323,8 +345,7 @@ private:
                 return passed;
             }
             until = port_.now();
-            duration const part = until - std::exchange(now, until);
-            busy = busy + (part < longest_part ? part : longest_part);
+            busy = busy + part_of(limit, until - std::exchange(now, until));
             if (busy >= limit) {
                 return errc::bus_jam;
             }
@@ -334,6 +355,13 @@ private:
     /// For how long old input comes at least, and by how many reads, before it counts as one that never ends.
     static constexpr duration least_jam = milliseconds(100);
     static constexpr std::uint32_t least_reads_of_a_jam = 64;
+
+    /// What one read, or one pass, counts of a limit: the program may have been stopped for most of it.
+    static constexpr duration part_of(duration limit, duration passed) noexcept
+    {
+        duration const most{limit.microseconds / least_reads_of_a_jam};
+        return passed < most ? passed : most;
+    }
 
     /// A port has the response time-out to take a frame, but no more than the longest frame's own time on the line and 1 s.
     static constexpr duration time_to_write(line_timing const& line, client_options const& options) noexcept
