@@ -29,6 +29,7 @@ struct stopping_port {
     std::uint64_t clock{1'000'000};
     std::uint64_t stop_in_write{0};
     std::uint64_t longest_read{0};
+    unsigned good_reads{1'000}; ///< before they fail
 
     instant now() const { return instant{static_cast<std::uint32_t>(clock)}; }
     result<void> write(byte_view bytes, instant)
@@ -39,6 +40,10 @@ struct stopping_port {
     }
     result<byte_span> read(byte_span place, instant until)
     {
+        if (good_reads == 0) {
+            return errc::device_failed;
+        }
+        --good_reads;
         std::uint64_t const length = reached(now(), until) ? 0 : (until - now()).microseconds;
         longest_read = length > longest_read ? length : longest_read;
         clock += length + 10;
@@ -115,6 +120,26 @@ TEST_CASE("defect: S1 a waiting client waits no longer than it should, however l
             CHECK(line.run(conversation) == errc::timed_out);
             CHECK(port.longest_read <= 500'000);
             CHECK(port.clock - begin - pause < 2'000'000);
+        }
+    }
+}
+
+TEST_CASE("defect: S1 behind a request that failed, a waiting client waits no longer than it should, however long it "
+          "was unused")
+{
+    for (std::uint64_t const pause : pauses) {
+        for (std::uint64_t const unused : pauses) {
+            INFO(pause / minute << " minutes, then " << unused / minute);
+            stopping_port port;
+            port.stop_in_write = pause;
+            port.good_reads = 1;
+            blocking_client line{port, timing, {.response_timeout = milliseconds(300), .retries = 0}};
+            CHECK(line.ask(unit_id{1}, request).error() == errc::device_failed);
+            REQUIRE(port.stop_in_write == 0); // it was sent
+            port.clock += unused;
+            port.good_reads = 1'000;
+            CHECK(line.ask(unit_id{1}, request).error() == errc::timed_out);
+            CHECK(port.longest_read <= 2'000'000);
         }
     }
 }

@@ -275,12 +275,19 @@ private:
         return why == errc::transmit_stalled or why == errc::device_failed;
     }
 
+    /// Ends the request under way. The time of what its unit owes begins now, which may be an hour after the latest `advance`.
+    template <typename Conversation> void end_request(Conversation& conversation, instant now)
+    {
+        client_.advance(now);
+        client_.cancel(conversation, now);
+        client_.sent(now);
+    }
+
     /// Ends the request under way of a conversation that goes on: with the error of the port, for it may have left.
     template <typename Conversation> void fail(Conversation& conversation, errc why)
     {
         instant const now = port_.now();
-        client_.cancel(conversation, now);
-        client_.sent(now);
+        end_request(conversation, now);
         conversation.forget();
         conversation.accept(why);
     }
@@ -288,8 +295,7 @@ private:
     /// Ends the request under way: once the port has failed, nothing more is known of it.
     template <typename Conversation> void give_up(Conversation& conversation, instant now)
     {
-        client_.cancel(conversation, now);
-        client_.sent(now);
+        end_request(conversation, now);
         bool const is_asked = client_.is_asked_by(conversation);
         if (not client_.deliver(conversation, false, now) and is_asked) {
             conversation.forget();
