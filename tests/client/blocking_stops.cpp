@@ -4,7 +4,9 @@
 // by their own limit.
 #include <rtuwire/client/blocking.hpp>
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "support/catch.hpp"
 #include "support/drive_port.hpp"
@@ -30,6 +32,7 @@ struct failing_port : test::drive_port<device> {
     unsigned bad_writes{0};
     errc why{errc::device_failed};
     duration longest_write{};
+    bool has_stale{false};
     unsigned calls_to_stop{0};
     duration stop{};
 
@@ -56,6 +59,10 @@ struct failing_port : test::drive_port<device> {
     }
     result<byte_span> read(byte_span place, instant until)
     {
+        if (std::exchange(has_stale, false)) {
+            std::fill_n(place.begin(), 5, std::byte{3});
+            return place.first(5);
+        }
         if (bad_reads == 0) {
             return drive_port::read(place, until);
         }
@@ -173,6 +180,21 @@ TEST_CASE("defect: S1 a stop's word is sent where nothing can be read, however l
     check_late("stop{drive, stop_by::halt}", altivar::stop{drive, stop_by::halt});
     check_late("look first", altivar::stop{drive, stop_by::ramp, milliseconds(3'000), stop_begin::look_first});
     check_late("broadcast_stop{drive}", altivar::broadcast_stop{drive});
+}
+
+TEST_CASE("defect: S1 a broadcast that frees is sent behind a stale frame, however long its program was stopped")
+{
+    for (duration const pause : {milliseconds(300), milliseconds(2'000), milliseconds(34 * 60'000)}) {
+        for (unsigned call = 1; call <= 12; ++call) {
+            INFO("a pause of " << pause.microseconds << " us in call " << call);
+            running it{{.response_timeout = milliseconds(100)}};
+            it.port.has_stale = true;
+            it.port.calls_to_stop = call;
+            it.port.stop = pause;
+            CHECK(it.line.run(altivar::broadcast_freewheel<device>()).error() == errc::none);
+            CHECK(it.port.says());
+        }
+    }
 }
 
 TEST_CASE("what stops nothing is not sent where the port's reads fail before it")

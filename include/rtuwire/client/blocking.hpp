@@ -210,6 +210,13 @@ private:
             client_.advance(now);
             client_.converse(conversation, now);
             if (conversation.settled() and not client_.is_asked_by(conversation)) {
+                if constexpr (frees_all_units<Conversation>) {
+                    // The program was stopped while the line fell silent. Other stops are asked for no word before it has.
+                    if (has_to_say and client_.is_quiet() and conversation.outcome().error() == errc::bus_jam) {
+                        conversation.again();
+                        continue;
+                    }
+                }
                 return errc::none; // one visit more would take its outcome back
             }
             if (not client_.is_busy()) {
