@@ -6,6 +6,9 @@
 
 #include "support/catch.hpp"
 
+#include <rtuwire/altivar/atv320.hpp>
+#include <rtuwire/altivar/procedure/motion/broadcast_freewheel.hpp>
+
 using namespace rtuwire;
 using namespace rtuwire::test;
 
@@ -215,6 +218,20 @@ TEST_CASE("rule 41: while a unit is lost a broadcast waits, but for one that sto
     CHECK_FALSE(of.leaves(writer));
     of.it.pass(1);
     CHECK(of.leaves(writer));
+}
+
+TEST_CASE("rule 41: a broadcast that takes the power is sent while a unit is lost, and begins its silence anew")
+{
+    loss of;
+    of.it.pass(3'000'000);
+    auto all = altivar::broadcast_freewheel<altivar::atv320::device>();
+    std::uint64_t const last = of.it.time;
+    of.it.link.converse(all, of.it.now());
+    REQUIRE(of.it.leaves());
+    of.it.pass(100'000);
+    of.it.link.converse(all, of.it.now());
+    CHECK(all.outcome());
+    check_silence_until(of, unit_id{3}, last + silence);
 }
 
 TEST_CASE("rule 40: a stop of all units loses those that are ordered and not among its drives, while it broadcasts")

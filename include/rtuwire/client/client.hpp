@@ -519,7 +519,7 @@ private:
         if constexpr (commanding_conversation<Conversation> or stops_by_broadcast<Conversation>) {
             return conversation.intent();
         }
-        return effect::none;
+        return frees_all_units<Conversation> ? effect::stopping : effect::none;
     }
 
     template <typename Conversation>

@@ -219,11 +219,14 @@ public:
         who.confirmed_ = is_known ? 1 : 0;
     }
 
-    /// All units were sent a word that takes the power away, without a conversation that stops them. Nobody knows whether
-    /// they heard it.
+    /// All units are sent a word that takes the power away, without a conversation that stops them. Nobody knows whether they
+    /// heard it, and it may restart the time-out of a lost one.
     constexpr void note_all_freed() noexcept
     {
         note_none_counts();
+        for (unit_order& each : places_) {
+            each.silence_end = asked_ + each.silence;
+        }
         leave_all();
     }
 
@@ -240,7 +243,8 @@ public:
     {
         if (holder_of_all_ != 0) {
             holder_of_all_ = 0;
-            note_all_freed();
+            note_none_counts();
+            leave_all();
         }
         let_go(places_.others());
         for (unit_order& each : places_) {
