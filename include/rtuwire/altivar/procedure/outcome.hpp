@@ -34,7 +34,6 @@ enum class outcome_kind : std::uint8_t {
     local_control,         ///< the drive is commanded locally, at its keypad or terminals
     reference_limited,     ///< done, but the reference is outside LSP..HSP
     refused_while_running, ///< only a stopped drive accepts this
-    unsupported,           ///< this drive cannot do that
     misconfigured,         ///< the drive's scanner holds other words than are needed
     halted,                ///< the halt bit is set: only a start takes it away
     overwritten,           ///< the command or reference in the drive is not the one written last
@@ -89,7 +88,6 @@ struct [[nodiscard]] reason {
     case outcome_kind::local_control: return "the drive is in local control";
     case outcome_kind::reference_limited: return "the reference is outside the drive's limits";
     case outcome_kind::refused_while_running: return "only possible while the motor is stopped";
-    case outcome_kind::unsupported: return "this drive cannot do that";
     case outcome_kind::misconfigured: return "the drive's scanner holds other words";
     case outcome_kind::halted: return "the drive is halted";
     case outcome_kind::overwritten: return "another master commands the drive, or it lost its power";

@@ -6,7 +6,8 @@
 //
 // The control word that stops is sent before anything is read, and again after every status read until the state
 // confirms it: neither a lost frame nor an exception ends a stop, only its limit does. Only halt and DC injection read
-// the status first, because their words may start a drive that is "ready"; where that read fails they become the ramp.
+// the status first, because their words may start a drive that is "ready"; where that read fails, or the drive has no such
+// stop, they become the ramp.
 // A drive at rest is brought to "switch on disabled", where no late or foreign word can start it.
 //
 // No word rests on the type that its user declares: only 0000 stops all Altivars that have their control word at 8501.
@@ -108,6 +109,7 @@ private:
 /// | read of         | answer                           | next                                                       |
 /// |-----------------|----------------------------------|------------------------------------------------------------|
 /// | begin           |                                  | write the word; in place: read ETA                         |
+/// | begin           | no such stop of the drive        | write 0007                                                 |
 /// | ETA             | 1, 2                             | end: succeeded                                             |
 /// |                 | 3, 4                             | write 0000; after that: wait                               |
 /// |                 | 5, 6                             | read RFR                                                   |
@@ -170,7 +172,7 @@ protected:
     /// Whether the word of this stop is what was asked last, and the drive has confirmed none yet.
     [[nodiscard]] constexpr bool has_only_said_it() const noexcept { return asked_ == asked::word and not was_taken_; }
 
-    /// Nothing could be read: the word that needs no status read.
+    /// Nothing could be read, or the drive has no such stop: the word that needs no status read.
     constexpr action stop_blind() noexcept
     {
         if (detail::is_in_place(mode_)) {
@@ -186,7 +188,7 @@ private:
     constexpr action begin() noexcept
     {
         if (not detail::has_stop(layout(), mode_)) {
-            return end(outcome_kind::unsupported);
+            return stop_blind();
         }
         return looks_first() ? read_status() : stop_again();
     }
