@@ -108,8 +108,8 @@ TRICKS = (
          "return length + characters(count);"),)),
     Trick("a request copied backwards", "client/line/transaction.hpp", (
         ("        std::size_t i = frame.size();\n        do { // backwards: 8 bytes less\n            --i;\n"
-         "            place[i] = frame[i];\n        } while (i != 0);\n",
-         "        for (std::size_t i = 0; i < frame.size(); ++i) {\n            place[i] = frame[i];\n        }\n"),)),
+         "            memory_.bytes[i] = frame[i];\n        } while (i != 0);\n",
+         "        for (std::size_t i = 0; i < frame.size(); ++i) {\n            memory_.bytes[i] = frame[i];\n        }\n"),)),
     Trick("a response's view constructed anew", "ask/conversation.hpp", (
         ("return {pdu_.data(), pdu_.size()};", "return pdu_;"),)),
     Trick("the response time-out constructed anew", "client/client.hpp", (

@@ -7,7 +7,9 @@
 
 #include "support/proof.hpp"
 
+#include <rtuwire/core/constant.hpp>
 #include <rtuwire/rtu/frame_cutter.hpp>
+#include <rtuwire/rtu/line.hpp>
 
 using namespace rtuwire;
 
@@ -37,7 +39,7 @@ concept keeps_a_front = requires(Receiver receiver)
     receiver.receive_behind(1);
 };
 template <std::size_t Front>
-using receiver_behind = detail::frame_cutter<struct its_holder, direction::response, frame_place<Front>>;
+using receiver_behind = detail::frame_cutter<direction::response, frame_place<Front>, stored<line_timing>>;
 STATIC_CHECK(keeps_a_front<receiver_behind<1>>and keeps_a_front<receiver_behind<256>>);
 STATIC_CHECK(not keeps_a_front<receiver_behind<0>>);
 

@@ -3,7 +3,7 @@
 //
 // Internal: the framer of a server and a client, which take a frame at the byte that ends it. What silence does: when the
 // line was last active, whether it has been silent long enough to send since, and when silence ends a frame. What bytes
-// do: where in its holder's memory they are kept, and at which of them the length rule is due. The table of states stands in
+// do: where in the memory they are kept, and at which of them the length rule is due. The table of states stands in
 // rtu/framer.hpp.
 #pragma once
 
@@ -26,42 +26,57 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD::detail {
 
-/// Internal: a framer without its memory. `Holder` derives from it and holds the line's times, `line_`, and the
-/// memory, `bytes_`, behind all other members: small processors reach near members with short instructions. `Place` is the
-/// `frame_place`; the lengths of responses are known of `Functions`.
-template <typename Holder, direction Way, typename Place, typename Functions = public_functions> class frame_cutter {
+/// Internal: the times of a line, and memory for its frames.
+template <typename Line, std::size_t Size> struct line_memory {
+    explicit constexpr line_memory(line_timing const& its_timing) noexcept : line{its_timing} {}
+
+    /// For compile-time timing. Zero-initialised, so a `constinit` holder lives in .bss.
+    constexpr line_memory() noexcept requires is_constant<Line> : bytes{} {}
+
+    [[nodiscard]] constexpr line_timing const& timing() const noexcept { return line.get(); }
+
+    [[no_unique_address]] Line line{};
+    std::array<std::byte, Size> bytes; ///< written up to the frame's end
+};
+
+/// Internal: a framer without its memory, which its holder keeps behind all other members and hands to each call: small
+/// processors reach near members with short instructions. `Place` is the `frame_place`; the lengths of responses are known
+/// of `Functions`.
+template <direction Way, typename Place, typename Line, typename Functions = public_functions> class frame_cutter {
 public:
+    using memory = line_memory<Line, Place::memory>;
+
     constexpr frame_cutter() noexcept = default;
 
     /// Takes bytes that had arrived by `now`, in chunks of any size, up to the end of one frame; returns how
     /// many were taken. The bytes after that frame belong to the next call.
-    constexpr std::size_t receive(byte_view arrived, instant now) noexcept
+    constexpr std::size_t receive(memory& in, byte_view arrived, instant now) noexcept
     {
-        if (arrived.empty() or begin_chunk(arrived.size(), now)) {
+        if (arrived.empty() or begin_chunk(in, arrived.size(), now)) {
             return 0;
         }
         if (is_open_end()) {
             return takes_behind_open_end(arrived[0]) ? 1 : 0;
         }
-        return take_many(arrived.data(), arrived.size());
+        return take_many(in, arrived.data(), arrived.size());
     }
 
     /// The same of one byte. Returns whether it was taken.
-    constexpr bool receive(std::byte byte, instant now) noexcept
+    constexpr bool receive(memory& in, std::byte byte, instant now) noexcept
     {
-        if (begin_chunk(1, now)) {
+        if (begin_chunk(in, 1, now)) {
             return false;
         }
         if (is_open_end()) {
             return takes_behind_open_end(byte);
         }
-        static_cast<void>(push(byte));
+        static_cast<void>(push(in, byte));
         return true;
     }
 
     /// The second part of `receive`, after `begin_chunk`: takes bytes up to the end of one frame. Returns how many. Not
     /// inlined: a receiver that is given single bytes never calls it.
-    [[gnu::noinline]] constexpr std::size_t take_many(std::byte const* at, std::size_t count) noexcept
+    [[gnu::noinline]] constexpr std::size_t take_many(memory& in, std::byte const* at, std::size_t count) noexcept
     {
         if (state_ == state::synchronising) {
             return count;
@@ -71,14 +86,14 @@ public:
             look_ahead({at, count});
         }
         for (std::size_t left = count; left != 0;) {
-            std::size_t const taken = copy_to_look(at, left);
+            std::size_t const taken = copy_to_look(in, at, left);
             if (taken == 0) {
                 error_ = error_ == errc::none ? errc::frame_too_long : error_;
                 break;
             }
             at += taken;
             left -= taken;
-            if (end_ == rule_at_ and apply_length_rule()) {
+            if (end_ == rule_at_ and apply_length_rule(in)) {
                 return count - left;
             }
         }
@@ -86,7 +101,7 @@ public:
     }
 
     /// The second part of `receive`, after `begin_chunk`: takes one byte. Returns whether it was the last of a frame.
-    constexpr bool push(std::byte byte) noexcept
+    [[gnu::always_inline]] constexpr bool push(memory& in, std::byte byte) noexcept
     {
         if (state_ == state::synchronising) {
             return false;
@@ -100,17 +115,17 @@ public:
             }
             return false;
         }
-        storage()[end_++] = byte;
+        in.bytes[end_++] = byte;
         sum_.add(byte);
-        return end_ == rule_at_ and apply_length_rule();
+        return end_ == rule_at_ and apply_length_rule(in);
     }
 
     /// Reports a receive error (parity, framing, overrun): the frame that the damaged byte belongs to is
     /// refused even if its CRC is right. A frame that the silence before the byte ended, and that was not
     /// polled yet, is discarded.
-    constexpr void receive_error(instant now) noexcept
+    constexpr void receive_error(memory const& in, instant now) noexcept
     {
-        static_cast<void>(begin_chunk(1, now));
+        static_cast<void>(begin_chunk(in, 1, now));
         spoil();
     }
 
@@ -127,19 +142,22 @@ public:
     }
 
     /// Whether the bytes so far of the frame that is being received, all of them good, tell that more are to come.
-    [[nodiscard]] constexpr bool lacks_bytes() const noexcept { return error_ == errc::none and rule_at_ > end_; }
+    [[nodiscard]] constexpr bool lacks_bytes() const noexcept
+    {
+        return state_ == state::receiving and error_ == errc::none and rule_at_ > end_;
+    }
 
     /// Why the last frame is refused; none where it is good.
-    [[nodiscard]] constexpr errc verdict() const noexcept
+    [[nodiscard]] constexpr errc verdict(memory const& in) const noexcept
     {
-        return error_ != errc::none         ? error_
-               : size() < min_adu_size      ? errc::frame_too_short
-               : not sum_.is_right(bytes()) ? errc::crc_mismatch
-                                            : errc::none;
+        return error_ != errc::none           ? error_
+               : size() < min_adu_size        ? errc::frame_too_short
+               : not sum_.is_right(bytes(in)) ? errc::crc_mismatch
+                                              : errc::none;
     }
 
     /// The last frame, where the verdict is none.
-    [[nodiscard]] constexpr adu frame() const noexcept { return adu{bytes()}; }
+    [[nodiscard]] constexpr adu frame(memory const& in) const noexcept { return adu{bytes(in)}; }
 
     /// Records a request to another unit: the response of this unit and function may follow. Frames with
     /// these first two bytes (the function with or without 80) then end at the size by the request's rule or
@@ -160,65 +178,65 @@ public:
 
     /// Takes note of `bytes` bytes, one at least, that had arrived by `now`. Returns whether the silence before them
     /// ended a frame, whole or damaged, which must be polled before the first byte is taken.
-    constexpr bool begin_chunk(std::size_t bytes, instant now) noexcept
+    constexpr bool begin_chunk(memory const& in, std::size_t bytes, instant now) noexcept
     {
         // An unread frame is discarded, so receiving never stalls.
         if (state_ == state::done) {
             state_ = state::idle;
         }
         // The first byte of a chunk arrived earlier than the chunk was handed over.
-        instant const at = within_reach_of_line(now);
-        if (activity_ != activity::unknown and reached(at, last_ + end_silence() + line().characters(bytes))) {
-            on_silence();
+        instant const at = within_reach_of_line(in, now);
+        if (activity_ != activity::unknown and reached(at, last_ + end_silence(in) + in.timing().characters(bytes))) {
+            on_silence(in);
         }
         keep_activity(now, at);
         return state_ == state::done;
     }
 
     /// Applies the silence up to `now`. Must be called before the clock has run 35 minutes past a deadline.
-    constexpr void advance(instant now) noexcept
+    constexpr void advance(memory const& in, instant now) noexcept
     {
         if (activity_ == activity::unknown) {
             note_activity(now);
         }
-        instant const at = within_reach_of_line(now);
-        if (reached(at, last_ + line().silence())) {
+        instant const at = within_reach_of_line(in, now);
+        if (reached(at, last_ + in.timing().silence())) {
             activity_ = activity::quiet;
         }
-        if (ends_by_silence() and reached(at, last_ + end_silence())) {
-            on_silence();
+        if (ends_by_silence(in) and reached(at, last_ + end_silence(in))) {
+            on_silence(in);
         }
     }
 
     /// The time by which what was in force at the latest activity is judged `now`: that may be the end of a frame that is
     /// being sent.
-    [[nodiscard]] constexpr instant within_reach_of_line(instant now) const noexcept
+    [[nodiscard]] constexpr instant within_reach_of_line(memory const& in, instant now) const noexcept
     {
         constexpr duration latency = milliseconds(100); // of what sends it
-        return within_reach(last_, now, line().characters(max_adu_size) + latency);
+        return within_reach(last_, now, in.timing().characters(max_adu_size) + latency);
     }
 
     /// Adds the time when `advance` has something to do to the earliest of several. `awaits_bytes` leaves the silence
     /// before sending out: nothing is to be sent before more has arrived, or a time limit is over.
-    constexpr void add_to(earliest& next, bool awaits_bytes = false) const noexcept
+    constexpr void add_to(memory const& in, earliest& next, bool awaits_bytes = false) const noexcept
     {
         if (activity_ == activity::busy and not awaits_bytes) {
-            next.add(last_ + line().silence());
+            next.add(last_ + in.timing().silence());
         }
-        if (activity_ != activity::unknown and ends_by_silence()) {
-            next.add(last_ + end_silence());
+        if (activity_ != activity::unknown and ends_by_silence(in)) {
+            next.add(last_ + end_silence(in));
         }
     }
 
     /// The same for a receiver that has nothing to send: when silence ends the frame being received, or the bytes
     /// being ignored; between frames, when the line counts as quiet. A separate plain form, which is smaller
     /// (docs/size-notes.md).
-    [[nodiscard]] constexpr deadline poll_end_deadline() const noexcept
+    [[nodiscard]] constexpr deadline poll_end_deadline(memory const& in) const noexcept
     {
         if (activity_ == activity::unknown or not(waits_for_silence() or activity_ == activity::busy)) {
             return {};
         }
-        return last_ + (waits_for_silence() ? end_silence() : line().silence());
+        return last_ + (waits_for_silence() ? end_silence(in) : in.timing().silence());
     }
 
     /// Whether a frame ended, whole or damaged, once.
@@ -232,9 +250,9 @@ public:
     }
 
     /// Drops what is being received where silence does not end it.
-    constexpr void drop_unended() noexcept
+    constexpr void drop_unended(memory const& in) noexcept
     {
-        state_ = waits_for_silence() and not ends_by_silence() ? state::idle : state_;
+        state_ = waits_for_silence() and not ends_by_silence(in) ? state::idle : state_;
     }
 
     /// Drops what is being received: the next byte is the first of a frame.
@@ -265,20 +283,20 @@ public:
     [[nodiscard]] constexpr bool is_quiet() const noexcept { return activity_ == activity::quiet; }
 
     /// Whether nothing has come for t3.5, or for the silence before sending where that is shorter.
-    [[nodiscard]] constexpr bool is_at_rest(instant now) const noexcept
+    [[nodiscard]] constexpr bool is_at_rest(memory const& in, instant now) const noexcept
     {
-        return is_quiet() or reached(now, last_ + line().t3_5());
+        return is_quiet() or reached(now, last_ + in.timing().t3_5());
     }
 
     /// Whether the next byte would be the first of a frame.
     [[nodiscard]] constexpr bool is_at_start() const noexcept { return not waits_for_silence(); }
 
-    /// Whether something is being received that silence ends. On a host, where no wire may lose bytes, it does not while its
-    /// holder awaits the rest.
-    [[nodiscard]] constexpr bool ends_by_silence() const noexcept
+    /// Whether something is being received that silence ends. On a host, where no wire may lose bytes, it does not while a
+    /// response tells that more of it is to come: the time limit of its request ends that.
+    [[nodiscard]] constexpr bool ends_by_silence(memory const& in) const noexcept
     {
-        if constexpr (has_system) {
-            if (not line().has_wire() and static_cast<Holder const&>(*this).awaits_rest()) {
+        if constexpr (has_system and Place::has_front) {
+            if (not in.timing().has_wire() and lacks_bytes()) {
                 return false;
             }
         }
@@ -288,20 +306,15 @@ public:
     /// Whether bytes are ignored until the line has been silent.
     [[nodiscard]] constexpr bool ignores_bytes() const noexcept { return state_ == state::synchronising; }
 
-    [[nodiscard]] constexpr line_timing const& line() const noexcept
-    {
-        return static_cast<Holder const&>(*this).line_.get();
-    }
-
-    /// The memory of the frame, for a response written in its place.
-    [[nodiscard]] constexpr byte_span storage() noexcept { return static_cast<Holder&>(*this).bytes_; }
-    [[nodiscard]] constexpr byte_view storage() const noexcept { return static_cast<Holder const&>(*this).bytes_; }
-
-    /// Keeps the first `size` bytes of the memory, at most 256, free: later frames are received behind them.
+    /// Keeps the first `size` bytes of the memory, at most 256, free: later frames are received behind them. Of one that is
+    /// being received nothing is known from here on but that silence ends it.
     constexpr void receive_behind(std::size_t size) noexcept requires(Place::has_front)
     {
         place_.leave_room_for(size);
         end_ = place_.begin();
+        if constexpr (has_system) {
+            state_ = state_ == state::receiving ? state::synchronising : state_;
+        }
     }
 
     /// The largest frame that there is room for.
@@ -312,29 +325,32 @@ public:
     [[nodiscard]] constexpr bool matches_size_hint() const noexcept { return rule_at_ == 0 or rule_at_ == end_; }
 
     /// Whether the last frame had the smallest size, and began with this request's unit and function.
-    [[nodiscard]] constexpr bool looks_addressed_to(byte_view request) const noexcept
+    [[nodiscard]] constexpr bool looks_addressed_to(memory const& in, byte_view request) const noexcept
     {
-        std::byte const* const start = storage().data() + place_.begin();
+        std::byte const* const start = in.bytes.data() + place_.begin();
         return size() >= min_adu_size and start[0] == request[0] and (start[1] & std::byte{0x7F}) == request[1];
     }
 
     /// The bytes of the last frame, or of the one being received.
-    [[nodiscard]] constexpr byte_view bytes() const noexcept { return {storage().data() + place_.begin(), size()}; }
+    [[nodiscard]] constexpr byte_view bytes(memory const& in) const noexcept
+    {
+        return {in.bytes.data() + place_.begin(), size()};
+    }
 
     /// What has been received of a frame that has not ended.
-    [[nodiscard]] constexpr byte_view begun() const noexcept
+    [[nodiscard]] constexpr byte_view begun(memory const& in) const noexcept
     {
-        return state_ == state::receiving ? bytes() : byte_view{};
+        return state_ == state::receiving ? bytes(in) : byte_view{};
     }
 
     /// Whether the next byte may turn out to belong to the frame before it.
     [[nodiscard]] constexpr bool has_open_end() const noexcept { return is_open_end(); }
 
     /// Keeps the byte 00 that was taken behind an open end, where there is room.
-    constexpr void keep_zero() noexcept
+    constexpr void keep_zero(memory& in) noexcept
     {
         if (end_ < place_.memory) {
-            storage()[end_++] = std::byte{0};
+            in.bytes[end_++] = std::byte{0};
         }
     }
 
@@ -350,7 +366,10 @@ private:
     constexpr bool waits_for_silence() const noexcept { return state_ < state::idle; }
 
     /// The silence that ends what is being received.
-    constexpr duration end_silence() const noexcept { return is_open_end() ? line().t3_5() : line().frame_end(); }
+    constexpr duration end_silence(memory const& in) const noexcept
+    {
+        return is_open_end() ? in.timing().t3_5() : in.timing().frame_end();
+    }
 
     /// `at`: the time by which the latest activity is judged, which is `within_reach_of_line` of bytes that have come now.
     constexpr void keep_activity(instant now, instant at) noexcept
@@ -361,9 +380,9 @@ private:
         activity_ = activity::busy;
     }
 
-    constexpr void on_silence() noexcept
+    constexpr void on_silence(memory const& in) noexcept
     {
-        if (ends_by_silence()) {
+        if (ends_by_silence(in)) {
             state_ = state_ == state::synchronising ? state::idle : state::done;
         }
     }
@@ -401,23 +420,23 @@ private:
     }
 
     /// Copies bytes up to where the length rule is to be applied next. Returns how many; 0 where there is no room.
-    constexpr std::size_t copy_to_look(std::byte const* at, std::size_t count) noexcept
+    constexpr std::size_t copy_to_look(memory& in, std::byte const* at, std::size_t count) noexcept
     {
         std::size_t const room = bytes_to_look();
         count = count < room ? count : room;
-        sum_.copy(at, count, storage().data() + end_);
+        sum_.copy(at, count, in.bytes.data() + end_);
         end_ = static_cast<std::uint16_t>(end_ + count);
         return count;
     }
 
     /// Applies the length rule at the byte where it is due. Returns whether the frame ends here. Force-inlined,
     /// which is smaller (docs/size-notes.md).
-    [[gnu::always_inline]] constexpr bool apply_length_rule() noexcept
+    [[gnu::always_inline]] constexpr bool apply_length_rule(memory const& in) noexcept
     {
-        end_hint const told = others_.apply(bytes());
+        end_hint const told = others_.apply(bytes(in));
         // Past an end whose CRC is wrong only silence tells where the next frame starts.
         look_at(told.next);
-        if (not told.is_here or verdict() != errc::none) {
+        if (not told.is_here or error_ != errc::none or not sum_.is_right(bytes(in))) {
             return false;
         }
         sum_.note_right();
@@ -450,22 +469,6 @@ private:
     [[no_unique_address]] frame_sum<> sum_{};
     errc error_{errc::none};
     [[no_unique_address]] foreign_exchange<Way, Functions> others_{};
-};
-
-/// Internal: a frame cutter with its memory.
-template <direction Way, typename Line = stored<line_timing>>
-class frame_receiver : public frame_cutter<frame_receiver<Way, Line>, Way, frame_place<0>> {
-    friend frame_cutter<frame_receiver, Way, frame_place<0>>;
-
-public:
-    explicit constexpr frame_receiver(line_timing const& its_timing) noexcept : line_{its_timing} {}
-    constexpr frame_receiver() noexcept requires is_constant<Line> : bytes_{} {}
-
-private:
-    static constexpr bool awaits_rest() noexcept { return false; } ///< nothing but silence ends a frame without its end
-
-    [[no_unique_address]] Line line_{};
-    std::array<std::byte, frame_place<0>::memory> bytes_; ///< written up to the frame's end
 };
 
 } // namespace rtuwire::detail

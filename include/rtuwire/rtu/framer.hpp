@@ -19,6 +19,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include <rtuwire/core/bytes.hpp>
@@ -27,6 +28,7 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/frame_cutter.hpp>
+#include <rtuwire/rtu/frame_place.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/errc.hpp>
@@ -36,32 +38,35 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// Splits a stream of bytes into frames. Call `receive` with the bytes that arrived until all are taken, and
 /// `poll_frame` after each call; call `advance` when time has passed, at the latest at `poll_deadline`.
 /// Ignores everything until the line has been silent once.
-template <direction Way, typename Line = stored<line_timing>> class framer : private detail::frame_receiver<Way, Line> {
-    using receiver = detail::frame_receiver<Way, Line>;
+template <direction Way, typename Line = stored<line_timing>> class framer {
+    using cutter = detail::frame_cutter<Way, frame_place<0>, Line>;
 
 public:
-    explicit constexpr framer(line_timing const& timing) noexcept : receiver{timing} {}
+    explicit constexpr framer(line_timing const& timing) noexcept : memory_{timing} {}
 
     /// For compile-time timing. Zero-initialised, so a `constinit` framer lives in .bss.
-    constexpr framer() noexcept requires is_constant<Line> : receiver{} {}
+    constexpr framer() noexcept requires(is_constant<Line>) = default;
 
     /// Takes bytes that had arrived by `now`, in chunks of any size, up to the end of one frame; returns how
     /// many were taken. The bytes after that frame belong to the next call.
-    constexpr std::size_t receive(byte_view bytes, instant now) noexcept { return receiver::receive(bytes, now); }
+    constexpr std::size_t receive(byte_view bytes, instant now) noexcept
+    {
+        return cutter_.receive(memory_, bytes, now);
+    }
 
     /// Reports a receive error (parity, framing, overrun): the frame that the damaged byte belongs to is
     /// refused even if its CRC is right. A frame that the silence before the byte ended, and that was not
     /// polled yet, is discarded.
-    constexpr void receive_error(instant now) noexcept { receiver::receive_error(now); }
+    constexpr void receive_error(instant now) noexcept { cutter_.receive_error(memory_, now); }
 
     /// Applies the silence up to `now`. Must be called before the clock has run 35 minutes past a deadline.
-    constexpr void advance(instant now) noexcept { receiver::advance(now); }
+    constexpr void advance(instant now) noexcept { cutter_.advance(memory_, now); }
 
     /// When `advance` has something to do.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
         earliest next;
-        this->add_to(next);
+        cutter_.add_to(memory_, next);
         return next;
     }
 
@@ -70,49 +75,63 @@ public:
     /// response also `wrong_length`, where silence ended it at another size than its own bytes tell.
     [[nodiscard]] constexpr std::optional<result<adu>> poll_frame() noexcept
     {
-        if (not this->poll_end()) {
+        if (not cutter_.poll_end()) {
             return std::nullopt;
         }
-        errc const wrong = this->verdict();
+        errc const wrong = cutter_.verdict(memory_);
         if (wrong != errc::none) {
             return wrong;
         }
-        if (Way == direction::response and not this->matches_size_hint()) {
+        if (Way == direction::response and not cutter_.matches_size_hint()) {
             return errc::wrong_length;
         }
-        return this->frame();
+        return cutter_.frame(memory_);
     }
 
     /// Whether t3.5 of silence has passed, so that sending is allowed.
-    using receiver::is_quiet;
+    [[nodiscard]] constexpr bool is_quiet() const noexcept { return cutter_.is_quiet(); }
 
     /// Whether the next byte would be the first of a frame.
-    using receiver::is_at_start;
+    [[nodiscard]] constexpr bool is_at_start() const noexcept { return cutter_.is_at_start(); }
 
     /// When the last byte arrived, or the time of a later `note_activity`.
-    using receiver::last_activity;
+    [[nodiscard]] constexpr instant last_activity() const noexcept { return cutter_.last_activity(); }
 
     /// By when to judge what was in force then. Internal.
-    using receiver::within_reach_of_line;
+    [[nodiscard]] constexpr instant within_reach_of_line(instant now) const noexcept
+    {
+        return cutter_.within_reach_of_line(memory_, now);
+    }
 
     /// Records that the line was not silent at a time, and leaves the frame alone.
-    using receiver::note_activity;
+    constexpr void note_activity(instant now) noexcept { cutter_.note_activity(now); }
 
     /// Drops what is being received and takes the next byte as the first of a frame: for a line that the
     /// caller knows to be silent, because its own transmission just ended.
-    using receiver::restart;
+    constexpr void restart(instant now) noexcept { cutter_.restart(now); }
 
     /// Ignores everything until the line has been silent.
-    using receiver::resynchronise;
+    constexpr void resynchronise() noexcept { cutter_.resynchronise(); }
 
     /// Records a request to another unit, whose response may follow.
-    using receiver::note_foreign_request;
+    constexpr void note_foreign_request(std::uint8_t unit, std::uint8_t function) noexcept
+        requires(Way == direction::request)
+    {
+        cutter_.note_foreign_request(unit, function);
+    }
 
     /// Whether the last frame ended at the size of the response that `note_foreign_request` announced.
-    using receiver::is_foreign_response;
+    [[nodiscard]] constexpr bool is_foreign_response() const noexcept requires(Way == direction::request)
+    {
+        return cutter_.is_foreign_response();
+    }
 
     /// The timing of its line.
-    using receiver::line;
+    [[nodiscard]] constexpr line_timing const& line() const noexcept { return memory_.timing(); }
+
+private:
+    cutter cutter_{};
+    typename cutter::memory memory_;
 };
 
 } // namespace rtuwire

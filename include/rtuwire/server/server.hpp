@@ -27,9 +27,11 @@
 #include <optional>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/constant.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/frame_cutter.hpp>
+#include <rtuwire/rtu/frame_place.hpp>
 #include <rtuwire/rtu/line.hpp>
 #include <rtuwire/server/request.hpp>
 #include <rtuwire/server/respond.hpp>
@@ -76,6 +78,8 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// or at the time limit. The request was executed even then.
 /// Internal.
 template <typename Diagnostics, typename Functions = register_functions, typename Units = one_unit> class basic_server {
+    using cutter = detail::frame_cutter<direction::request, frame_place<0>, stored<line_timing>>;
+
 public:
     /// The same with other functions: `server::with<function_list<read_coils>>`; `public_functions` are all.
     template <typename Others> using with = basic_server<Diagnostics, Others>;
@@ -97,7 +101,7 @@ public:
     /// Listens as `unit`; the profile, and the objects in it, must outlive the server.
     constexpr basic_server(unit_id its_unit, line_timing const& its_timing, server_profile const& its_profile) noexcept
         requires(not Units::has_banks)
-        : units_{its_unit.byte()}, profile_{&its_profile}, framer_{its_timing}
+        : units_{its_unit.byte()}, profile_{&its_profile}, memory_{its_timing}
     {}
 
     /// Listens as `unit` with every function and the specification's limits, without identification.
@@ -110,7 +114,7 @@ public:
     /// Listens as these units, each of which has its bank: made by `for_units`.
     /// Internal.
     constexpr basic_server(line_timing const& its_timing, Units const& its_units) noexcept requires(Units::has_banks)
-        : units_{its_units}, profile_{&default_profile}, framer_{its_timing}
+        : units_{its_units}, profile_{&default_profile}, memory_{its_timing}
     {}
 
     /// Receives bytes that had arrived by `now`, in chunks of any size. Drops a request that waits for `serve`, or
@@ -125,7 +129,7 @@ public:
         while (not bytes.empty()) {
             drop_request();
             [[maybe_unused]] bool const was_open = framer_.has_open_end();
-            std::size_t const taken = framer_.receive(bytes, now);
+            std::size_t const taken = framer_.receive(memory_, bytes, now);
             pass_taken(bytes.first(taken), was_open, now);
             bytes = bytes.subspan(taken);
             take_frame();
@@ -143,7 +147,7 @@ public:
         for (bool is_taken = false; not is_taken;) {
             drop_request();
             [[maybe_unused]] bool const was_open = framer_.has_open_end();
-            is_taken = framer_.receive(byte, now);
+            is_taken = framer_.receive(memory_, byte, now);
             pass_taken({&byte, is_taken ? 1U : 0U}, was_open, now);
             take_frame();
         }
@@ -157,13 +161,13 @@ public:
     {
         if (phase_ == phase::listening) {
             pass_unpolled(now);
-            framer_.receive_error(now);
+            framer_.receive_error(memory_, now);
         } else {
             // After so long a pause the time limit would come to lie ahead again.
-            if (framer_.within_reach_of_line(now) != now) {
+            if (framer_.within_reach_of_line(memory_, now) != now) {
                 end_overdue(now);
             }
-            static_cast<void>(framer_.begin_chunk(1, now));
+            static_cast<void>(framer_.begin_chunk(memory_, 1, now));
             framer_.resynchronise();
         }
     }
@@ -193,7 +197,7 @@ public:
     /// for `frame_end` since the last byte; a `sent` after that does no harm.
     constexpr void advance(instant now) noexcept
     {
-        framer_.advance(now);
+        framer_.advance(memory_, now);
         if (phase_ == phase::listening) {
             take_frame();
         }
@@ -218,9 +222,9 @@ public:
         }
         phase_ = phase::transmitting;
         std::size_t const size = pdu_size_ + adu_overhead;
-        until_ = until_ + framer_.line().characters(size) + response_limit;
+        until_ = until_ + memory_.timing().characters(size) + response_limit;
         pass_leaving();
-        return {framer_.storage().data(), size};
+        return {memory_.bytes.data(), size};
     }
 
     /// When `advance` is due next. Listening: never before the first `advance`; with a frame begun, or while bytes are
@@ -230,9 +234,9 @@ public:
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
         if (phase_ == phase::listening) {
-            return framer_.poll_end_deadline();
+            return framer_.poll_end_deadline(memory_);
         }
-        instant const quiet = framer_.last_activity() + framer_.line().silence();
+        instant const quiet = framer_.last_activity() + memory_.timing().silence();
         return framer_.is_quiet() or reached(quiet, until_) ? until_ : quiet;
     }
 
@@ -271,13 +275,13 @@ private:
             return;
         }
         diagnostics_.note_request();
-        pdu_buffer pdu{framer_.storage().subspan(1).template first<max_pdu_size>(), pdu_size_};
+        pdu_buffer pdu{byte_span{memory_.bytes}.subspan(1).template first<max_pdu_size>(), pdu_size_};
         request_head const asked{static_cast<function_code>(to_u8(pdu.bytes[0])), is_broadcast_};
         bool const may_restart = asked.function == function_code::diagnostics and not asked.is_broadcast;
         if (diagnostics_.is_listen_only() and not may_restart) {
             pdu.size = 0;
         } else {
-            std::uint8_t const unit = to_u8(framer_.storage()[0]);
+            std::uint8_t const unit = to_u8(memory_.bytes[0]);
             diagnostics_.note_end(
                 asked.function, units_.template execute_on<Functions>(unit, asked, pdu, bank, *profile_, diagnostics_));
         }
@@ -287,14 +291,14 @@ private:
             return;
         }
         pdu_size_ = static_cast<std::uint8_t>(pdu.size);
-        static_cast<void>(append_crc(framer_.storage(), pdu.size));
+        static_cast<void>(append_crc(memory_.bytes, pdu.size));
         phase_ = phase::responding;
     }
 
     /// From a request to its end, or to where its response may leave.
     constexpr duration longest_silence() const noexcept
     {
-        line_timing const& line = framer_.line();
+        line_timing const& line = memory_.timing();
         return line.frame_end() < line.silence() ? line.silence() : line.frame_end();
     }
 
@@ -303,13 +307,13 @@ private:
         if (not framer_.poll_end()) {
             return;
         }
-        if (framer_.verdict() != errc::none) {
+        if (framer_.verdict(memory_) != errc::none) {
             diagnostics_.note_error();
             pass_damaged();
             return;
         }
         diagnostics_.note_message();
-        adu const heard = framer_.frame();
+        adu const heard = framer_.frame(memory_);
         pass_frame(heard);
         std::uint8_t expected = exception_bit; // no response
         if (not framer_.is_foreign_response() and not heard.is_exception()) {
@@ -328,7 +332,7 @@ private:
     /// Listens again where the time limit of what the server was doing is over. Judged by what the line did before `now`.
     constexpr void end_overdue(instant now) noexcept
     {
-        if (phase_ != phase::listening and reached(framer_.within_reach_of_line(now), until_)) {
+        if (phase_ != phase::listening and reached(framer_.within_reach_of_line(memory_, now), until_)) {
             drop_request();
         }
     }
@@ -360,7 +364,7 @@ private:
     [[gnu::always_inline]] constexpr void pass_damaged() noexcept
     {
         if constexpr (is_traced<Diagnostics>) {
-            diagnostics_.pass(framer_.bytes(), frame_role::unknown, frame_verdict::damaged);
+            diagnostics_.pass(framer_.bytes(memory_), frame_role::unknown, frame_verdict::damaged);
         }
     }
 
@@ -373,7 +377,7 @@ private:
             }
             diagnostics_.note_heard(now);
             if (was_open) {
-                framer_.keep_zero();
+                framer_.keep_zero(memory_);
             } else if (framer_.ignores_bytes()) {
                 diagnostics_.pass(bytes, frame_role::unknown, frame_verdict::stray);
             }
@@ -384,9 +388,9 @@ private:
     [[gnu::always_inline]] constexpr void pass_unpolled(instant now) noexcept
     {
         if constexpr (is_traced<Diagnostics>) {
-            if (framer_.begin_chunk(1, now)) {
-                bool const is_damaged = framer_.verdict() != errc::none;
-                diagnostics_.pass(framer_.bytes(), frame_role::unknown,
+            if (framer_.begin_chunk(memory_, 1, now)) {
+                bool const is_damaged = framer_.verdict(memory_) != errc::none;
+                diagnostics_.pass(framer_.bytes(memory_), frame_role::unknown,
                                   is_damaged ? frame_verdict::damaged : frame_verdict::stray);
             }
             diagnostics_.note_heard(now);
@@ -416,7 +420,7 @@ private:
 
     constexpr byte_view response_bytes() noexcept
     {
-        return byte_view{framer_.storage()}.first(std::size_t{pdu_size_} + adu_overhead);
+        return byte_view{memory_.bytes}.first(std::size_t{pdu_size_} + adu_overhead);
     }
 
     // Small first, as in the framer, and its memory last.
@@ -427,7 +431,8 @@ private:
     instant until_{0};         ///< when the phase ends by itself, unless it is listening
     server_profile const* profile_;
     [[no_unique_address]] Diagnostics diagnostics_{};
-    detail::frame_receiver<direction::request> framer_;
+    cutter framer_;
+    typename cutter::memory memory_;
 };
 
 /// A server whose function 08 is the loopback (sub-function 0) only, with functions 03, 06, 08, 16, 23 and 43.

@@ -70,35 +70,28 @@ struct refused_frame {
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
-/// Cuts the responses out of what a client receives.
-template <typename Holder, auto const& Needs>
-using response_cutter =
-    detail::frame_cutter<Holder, direction::response, frame_place<Needs.request_room, Needs.longest_frame>,
-                         typename told_by<Needs>::functions>;
-
 /// Runs a client's request under way; `basic_client` decides whose it is.
-template <auto const& Needs> class transaction : private response_cutter<transaction<Needs>, Needs> {
+template <auto const& Needs> class transaction {
     using phase = client_phase;
-    using cutter = response_cutter<transaction, Needs>;
     using Statistics = typename told_by<Needs>::observer;
     using Options = typename told_by<Needs>::options;
     using Line = typename told_by<Needs>::line;
     using Functions = typename told_by<Needs>::functions;
     using place = frame_place<Needs.request_room, Needs.longest_frame>;
-    friend cutter;
+    using cutter = detail::frame_cutter<direction::response, place, Line, Functions>;
 
 public:
     explicit constexpr transaction(line_timing const& its_timing, client_options const& its_options = {}) noexcept
-        : options_{its_options}, line_{its_timing}
+        : options_{its_options}, memory_{its_timing}
     {
         // Written before it is read. A constant has no part without a value; a microcontroller would call memset for it.
         if (std::is_constant_evaluated() or default_crc_form == crc_form::host) {
-            bytes_.fill(std::byte{0});
+            memory_.bytes.fill(std::byte{0});
         }
     }
 
     /// For a constant line and constant options. Zero-initialised, so a `constinit` client lives in .bss.
-    constexpr transaction() noexcept requires is_constant<Line> : bytes_{} {}
+    constexpr transaction() noexcept requires(is_constant<Line>) = default;
 
     /// Takes bytes that had arrived by `now`, in any chunking. While no response is awaited they are noise: dropped,
     /// but the line was not silent. A response that is passed in before `advance` has seen the time-out is in time.
@@ -112,7 +105,7 @@ public:
         std::size_t taken = take_echo(bytes, now);
         while (taken < bytes.size()) {
             if (phase_ == phase::awaiting and not may_skip()) {
-                taken += framer().take_many(bytes.data() + taken, bytes.size() - taken);
+                taken += framer_.take_many(memory_, bytes.data() + taken, bytes.size() - taken);
                 end_frame(now);
             } else if (take(bytes[taken], now)) {
                 ++taken;
@@ -142,7 +135,7 @@ public:
         } else if (may_skip()) {
             skip_noise();
         } else {
-            framer().spoil();
+            framer_.spoil();
         }
     }
 
@@ -150,10 +143,10 @@ public:
     constexpr void sent(instant at) noexcept
     {
         if (not is_leaving(phase_)) {
-            framer().note_activity(at);
+            framer_.note_activity(at);
             return;
         }
-        framer().restart(at);
+        framer_.restart(at);
         statistics_.note_asked(at);
         if constexpr (is_traced<Statistics>) {
             statistics_.pass_own(request(), frame_role::request, at);
@@ -173,7 +166,7 @@ public:
     [[gnu::always_inline]] constexpr bool advance(instant now, instant at) noexcept
     {
         is_woken_ = false;
-        framer().advance(now);
+        framer_.advance(memory_, now);
         retries_.advance(now, at);
         if (phase_ == phase::awaiting) {
             take_frame(now);
@@ -204,7 +197,7 @@ public:
     constexpr void add_to(earliest& next, bool is_reserved, instant seen) const noexcept
     {
         // A stop for which the line is reserved may cut the request as soon as the line is silent.
-        framer().add_to(next, phase_ == phase::awaiting and not is_reserved);
+        framer_.add_to(memory_, next, phase_ == phase::awaiting and not is_reserved);
         quarantine_.add_to(next);
         if (is_woken_ or is_under_way(phase_)) {
             // After `wake`, a time that has come already. Not the latest activity: that may be an hour ago.
@@ -229,7 +222,7 @@ public:
     [[nodiscard]] constexpr bool is_busy() const noexcept { return phase_ != phase::idle; }
 
     /// Whether the line has fallen silent since the last byte.
-    [[nodiscard]] constexpr bool is_quiet() const noexcept { return framer().is_quiet(); }
+    [[nodiscard]] constexpr bool is_quiet() const noexcept { return framer_.is_quiet(); }
 
     /// The unit of the last request; 0 for a broadcast.
     [[nodiscard]] constexpr std::uint8_t asked_unit() const noexcept { return unit_; }
@@ -239,10 +232,11 @@ public:
     [[nodiscard]] constexpr std::optional<refused_frame> refused() const noexcept
     {
         bool const has_failed = error_ != errc::none and not is_exception(error_) and not is_under_way(phase_);
-        if (not has_failed or not framer().begun().empty() or framer().bytes().empty() or judged() != error_) {
+        if (not has_failed or not framer_.begun(memory_).empty() or framer_.bytes(memory_).empty() or
+            judged() != error_) {
             return std::nullopt;
         }
-        return refused_frame{framer().bytes(), due_size<Functions>(request(), framer().bytes())};
+        return refused_frame{framer_.bytes(memory_), due_size<Functions>(request(), framer_.bytes(memory_))};
     }
 
     /// Sends no request of any conversation to a unit from here until `end`, at most 35 minutes away. A request that
@@ -258,7 +252,7 @@ public:
     [[nodiscard]] constexpr bool has_seen_echo() const noexcept { return echo_.is_known(); }
 
     /// The timing of its line.
-    [[nodiscard]] constexpr line_timing const& line() const noexcept { return framer().line(); }
+    [[nodiscard]] constexpr line_timing const& line() const noexcept { return memory_.timing(); }
 
     /// What was counted.
     [[nodiscard]] constexpr counted_by<Statistics>& statistics() noexcept { return statistics_; }
@@ -321,7 +315,7 @@ public:
         retries_.end_retries();
         bool const has_not_left = phase_ == phase::waiting or phase_ == phase::ready or phase_ == phase::pausing;
         // Between the lumps of a response its line may rest for longer than before a request: the frame is not over.
-        bool const is_arriving = phase_ == phase::awaiting and (not is_quiet() or framer().ends_by_silence());
+        bool const is_arriving = phase_ == phase::awaiting and (not is_quiet() or framer_.ends_by_silence(memory_));
         if (has_not_left ? may_drop or not retries_.is_first() : may_cut and not is_arriving) {
             cancel(now);
         }
@@ -344,7 +338,7 @@ public:
     {
         phase_ = phase::idle;
         return error_ != errc::none ? result<response>{error_}
-                                    : response{unit_ == 0 ? byte_view{} : framer().frame().pdu()};
+                                    : response{unit_ == 0 ? byte_view{} : framer_.frame(memory_).pdu()};
     }
 
     /// The next pass has something to do at once.
@@ -357,13 +351,6 @@ public:
     }
 
 private:
-    /// Cuts the response out of the bytes that arrive.
-    constexpr cutter& framer() noexcept { return *this; }
-    constexpr cutter const& framer() const noexcept { return *this; }
-
-    /// Whether a response tells that more of it is to come. The time limit of the request ends this.
-    constexpr bool awaits_rest() const noexcept { return phase_ == phase::awaiting and framer().lacks_bytes(); }
-
     // The request.
 
     /// Copies a request to the front of the memory. Errors: see `start`.
@@ -383,32 +370,31 @@ private:
         if (place::memory < max_adu_size and frame.size() > place::memory) {
             return errc::buffer_too_small;
         }
-        framer().receive_behind(frame.size());
+        framer_.receive_behind(frame.size());
         longest_ = longest_response<Functions>(frame);
-        if (longest_.size() > framer().room()) {
+        if (longest_.size() > framer_.room()) {
             return errc::buffer_too_small;
         }
-        byte_span const memory = framer().storage();
         std::size_t i = frame.size();
         do { // backwards: 8 bytes less
             --i;
-            memory[i] = frame[i];
+            memory_.bytes[i] = frame[i];
         } while (i != 0);
         size_ = static_cast<std::uint16_t>(frame.size());
         unit_ = to_u8(frame[0]);
         return errc::none;
     }
 
-    constexpr byte_view request() const noexcept { return {framer().storage().data(), size_}; }
+    constexpr byte_view request() const noexcept { return {memory_.bytes.data(), size_}; }
 
     /// How long the request takes to leave.
-    constexpr duration time_to_send() const noexcept { return framer().line().characters(size_); }
+    constexpr duration time_to_send() const noexcept { return memory_.timing().characters(size_); }
 
     /// How long the longest response takes on the line; with the silence that ends it, where only silence does.
     constexpr duration time_to_respond() const noexcept
     {
-        duration const silence = longest_.is_final() ? duration{} : framer().line().frame_end();
-        return framer().line().with_characters(silence, longest_.size());
+        duration const silence = longest_.is_final() ? duration{} : memory_.timing().frame_end();
+        return memory_.timing().with_characters(silence, longest_.size());
     }
 
     /// Constructed anew: GCC would read a constant's copy from memory.
@@ -429,7 +415,7 @@ private:
         }
         phase_ = phase::waiting;
         // Both fit: see `longest_duration`.
-        deadline_ = now + retries_.response_timeout() + framer().line().silence();
+        deadline_ = now + retries_.response_timeout() + memory_.timing().silence();
     }
 
     /// The transmitter has the time that the request takes, plus the response time-out.
@@ -458,7 +444,7 @@ private:
     {
         if (phase_ == phase::awaiting) {
             if (error_ == errc::none) {
-                bool const is_silent = framer().is_at_rest(now);
+                bool const is_silent = framer_.is_at_rest(memory_, now);
                 error_ = is_silent ? errc::timed_out : errc::bus_jam;
                 statistics_.note(is_silent ? line_event::timeout : line_event::jam, unit_);
             }
@@ -526,13 +512,13 @@ private:
     {
         end_echo();
         if constexpr (is_traced<Statistics>) {
-            byte_view const begun = phase_ == phase::awaiting ? framer().begun() : byte_view{};
+            byte_view const begun = phase_ == phase::awaiting ? framer_.begun(memory_) : byte_view{};
             if (not begun.empty()) {
                 statistics_.pass_stray(begun, true, to_u8(begun[0]) == unit_);
             }
         }
         if constexpr (has_system) {
-            framer().drop_unended();
+            framer_.drop_unended(memory_);
         }
     }
 
@@ -541,7 +527,7 @@ private:
     /// Bytes arrived by `now`: first takes the frame that the silence before them ended.
     constexpr void begin_chunk(std::size_t bytes, instant now) noexcept
     {
-        if (framer().begin_chunk(bytes, now) and phase_ == phase::awaiting) {
+        if (framer_.begin_chunk(memory_, bytes, now) and phase_ == phase::awaiting) {
             take_frame(now);
         }
         if constexpr (is_traced<Statistics>) {
@@ -561,14 +547,14 @@ private:
             skip_noise();
             trace({&byte, 1}, frame_role::unknown, frame_verdict::stray);
             echo_.suspect();
-        } else if (framer().push(byte)) {
+        } else if (framer_.push(memory_, byte)) {
             end_frame(now);
         }
         return true;
     }
 
     /// Whether a byte before the response may be skipped. Constant options that allow none leave no code of this.
-    constexpr bool may_skip() const noexcept { return noise_.is_left() and framer().is_at_start(); }
+    constexpr bool may_skip() const noexcept { return noise_.is_left() and framer_.is_at_start(); }
 
     constexpr void skip_noise() noexcept
     {
@@ -594,7 +580,7 @@ private:
     constexpr void end_frame(instant now) noexcept
     {
         if (echo_.is_open()) {
-            framer().go_on();
+            framer_.go_on();
         } else {
             take_frame(now);
         }
@@ -603,7 +589,7 @@ private:
     /// Takes a response that has ended, by its length or by silence, and judges it.
     constexpr void take_frame(instant now) noexcept
     {
-        if (not framer().poll_end()) {
+        if (not framer_.poll_end()) {
             return;
         }
         if (error_ == errc::collision) {
@@ -618,7 +604,7 @@ private:
         trace_frame(wrong);
         bool const is_response = event == line_event::reply or event == line_event::exception;
         bool const is_damaged =
-            event == line_event::crc and framer().looks_addressed_to(request()) and framer().matches_size_hint();
+            event == line_event::crc and framer_.looks_addressed_to(memory_, request()) and framer_.matches_size_hint();
         // While another unit's response is outstanding, a damaged one may be that: none of its bytes can be relied on.
         if (is_response or (is_damaged and quarantine_.is_empty())) {
             retries_.note_response();
@@ -650,11 +636,11 @@ private:
     /// What the frame that has ended is as a response to the request.
     [[gnu::always_inline]] constexpr errc judged() const noexcept
     {
-        errc wrong = framer().verdict();
+        errc wrong = framer_.verdict(memory_);
         if (wrong == errc::none) {
-            wrong = check_response<Functions>(request(), framer().frame());
+            wrong = check_response<Functions>(request(), framer_.frame(memory_));
         }
-        if (wrong == errc::none and not framer().matches_size_hint()) {
+        if (wrong == errc::none and not framer_.matches_size_hint()) {
             wrong = errc::wrong_length;
         }
         return wrong;
@@ -681,14 +667,14 @@ private:
             // What came behind the request as a whole may be the response to it; what came before `sent`, to an earlier one,
             // or to this one where `sent` is late. Neither shows what the line does.
             bool const is_mirrored = check_response<Functions>(request(), adu{request()}) != errc::line_echo;
-            bool const is_doubtful = is_mirrored and may_be_response and framer().begun().size() == before;
+            bool const is_doubtful = is_mirrored and may_be_response and framer_.begun(memory_).size() == before;
             if (is_doubtful and not echo_.is_known()) {
                 echo_.end();
                 return 0;
             }
             trace_echo(before + same, true);
             if (may_be_response) {
-                framer().drop_begun();
+                framer_.drop_begun();
             }
             if (not is_doubtful) {
                 note_echo(not is_mirrored, now);
@@ -698,7 +684,7 @@ private:
         if (not echo_.is_open()) {
             trace_echo(may_be_response ? before : before + same, false);
         }
-        if (phase_ != phase::awaiting or framer().begun().size() != before) {
+        if (phase_ != phase::awaiting or framer_.begun(memory_).size() != before) {
             echo_.suspect(); // what came while the request left is no response
         }
         if (expects and not echo_.is_open()) {
@@ -748,8 +734,8 @@ private:
     constexpr void trace_frame(errc wrong) noexcept
     {
         if constexpr (is_traced<Statistics>) {
-            byte_view const bytes = framer().bytes();
-            if (framer().verdict() != errc::none or not framer().matches_size_hint()) {
+            byte_view const bytes = framer_.bytes(memory_);
+            if (framer_.verdict(memory_) != errc::none or not framer_.matches_size_hint()) {
                 return trace(bytes, frame_role::unknown, frame_verdict::damaged);
             }
             frame_verdict verdict = frame_verdict::stray;
@@ -770,7 +756,7 @@ private:
     {
         if constexpr (is_traced<Statistics>) {
             bool const may_be_response = phase_ == phase::awaiting and not expects_echo() and not is_whole;
-            std::size_t const inside = may_be_response ? framer().begun().size() : 0;
+            std::size_t const inside = may_be_response ? framer_.begun(memory_).size() : 0;
             byte_view const bytes = request().first(inside < taken ? taken - inside : 0);
             if (expects_echo() or bytes.size() == size_) {
                 statistics_.pass_echo(bytes, frame_role::request);
@@ -783,22 +769,22 @@ private:
     // All zero at the start. In front of the frame, members of one byte that are used often first: small processors reach
     // what is near with short instructions, on a Cortex-M0+ a byte in the first 32 bytes. Members of classes have no `{}`,
     // for which GCC would first make zeros by a call of memset (docs/size-notes.md). No byte is left between the members.
+    [[no_unique_address]] cutter framer_; ///< cuts the response out of the bytes that arrive
     client_phase phase_{client_phase::idle};
     errc error_{errc::none};
     bool is_woken_{false};      ///< the next pass has something to do at once
     std::uint8_t unit_{0};      ///< that was asked last; 0 for everyone
     bool must_send_now_{false}; ///< the request must leave at once or not at all
+    [[no_unique_address]] line_echo echo_;
+    [[no_unique_address]] noise_allowance<Options> noise_{};
     [[no_unique_address]] retry_state retries_;
     std::uint16_t size_{0}; ///< of the request
     length_hint longest_{}; ///< of its responses; stored, which saves 57 instructions of a read
     instant deadline_{0};
     [[no_unique_address]] quarantine<Needs.quarantine_places> quarantine_{};
-    line_echo echo_;
-    [[no_unique_address]] noise_allowance<Options> noise_{};
     [[no_unique_address]] Options options_{};
     [[no_unique_address]] Statistics statistics_{};
-    [[no_unique_address]] Line line_{};
-    std::array<std::byte, place::memory> bytes_; ///< the request, and behind it its response
+    typename cutter::memory memory_; ///< its line; the request, and behind it its response
 };
 
 #pragma GCC diagnostic pop
