@@ -255,13 +255,13 @@ TEST_CASE("a unit that owes two responses is waited for alone")
 TEST_CASE("units beyond the table are counted for the line alone")
 {
     unit_statistics<1> counts;
-    counts.note(line_event::request, 1);
+    counts.on_event(line_event::request, 1);
     for (std::uint8_t const unit : {std::uint8_t{1}, std::uint8_t{2}}) {
-        counts.note(line_event::reply, unit);
-        counts.note_exception(errc::illegal_data_value, unit);
-        counts.note_asked(instant{7});
-        counts.note_response(instant{7} + milliseconds(unit), unit);
-        counts.note_stray(5, true, unit);
+        instant const then = instant{7} + milliseconds(unit);
+        counts.on_sent({}, frame_role::request, instant{7});
+        counts.on_response(line_event::reply, errc::none, unit, then);
+        counts.on_response(line_event::exception, errc::illegal_data_value, unit, then);
+        counts.on_stray("01 02 03 04 05"_hex, true, unit);
     }
     CHECK(counts.line()[line_event::late] == 2);
     CHECK((*counts.unit(1))[line_event::late] == 1);

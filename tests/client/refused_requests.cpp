@@ -143,13 +143,12 @@ TEST_CASE("two units that owe a response hold everybody back")
 TEST_CASE("statistics start again")
 {
     line_statistics counts;
-    counts.note(line_event::jam, 1);
-    counts.note_response(instant{0} + milliseconds(1), 1);
-    counts.note_exception(errc::illegal_function, 1);
-    counts.note_asked(instant{5});
+    counts.on_event(line_event::jam, 1);
+    counts.on_response(line_event::exception, errc::illegal_function, 1, instant{0} + milliseconds(1));
+    counts.on_sent({}, frame_role::request, instant{5});
     counts.reset();
     CHECK(counts.line()[line_event::jam] == 0);
     CHECK(counts.line().worst_latency == duration{});
-    counts.note_response(instant{9}, 1); // to the request that was under way
+    counts.on_response(line_event::reply, errc::none, 1, instant{9}); // to the request that was under way
     CHECK(counts.line().worst_latency == microseconds(4));
 }

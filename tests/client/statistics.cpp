@@ -166,12 +166,12 @@ PROOF("what looks like a unit's and is owed by none is noise", counts_noise_of_n
 constexpr bool has_room_for_two()
 {
     unit_statistics<2> counts;
-    counts.note(line_event::request, 3);
-    counts.note(line_event::request, 7);
-    counts.note(line_event::request, 9);
-    counts.note_exception(static_cast<errc>(0x7F), 7);
-    counts.note_exception(static_cast<errc>(12), 7);
-    counts.note_exception(static_cast<errc>(11), 7);
+    counts.on_event(line_event::request, 3);
+    counts.on_event(line_event::request, 7);
+    counts.on_event(line_event::request, 9);
+    for (int const code : {0x7F, 12, 11}) {
+        counts.on_response(line_event::exception, static_cast<errc>(code), 7, instant{0});
+    }
     bool const full = counts.unit(9) == nullptr and counts.line()[line_event::request] == 3;
     bool const other =
         counts.unit(7)->by_exception[0] == 2 and counts.unit(7)->by_exception[11] == 1 and counts.unit(4) == nullptr;

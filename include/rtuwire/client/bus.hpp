@@ -21,7 +21,8 @@
 #include <rtuwire/core/filled.hpp>
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
-#include <rtuwire/trace/tracing.hpp>
+#include <rtuwire/trace/observer.hpp>
+#include <rtuwire/trace/traced_frame.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/unit_id.hpp>
@@ -49,7 +50,6 @@ inline constexpr auto needs_of_bus = told_by<Needs>::template with<typename told
 template <std::size_t Slots, auto const& Needs = usual_needs> class bus {
     static_assert(Slots > 0 and Slots < 0xFF, "a bus has 1 to 254 slots");
     using needed = told_by<Needs>;
-    using Statistics = typename needed::observer;
     using stage = visit_stage;
 
 public:
@@ -116,7 +116,7 @@ public:
     [[nodiscard]] constexpr bool has_seen_echo() const noexcept { return client_.has_seen_echo(); }
     [[nodiscard]] constexpr byte_view poll_transmit() noexcept { return client_.poll_transmit(); }
     template <typename Sink>
-        requires is_traced_by<Statistics, Sink>
+        requires is_traced_by<typename needed::observer, Sink>
     constexpr void trace_to(Sink& frames) noexcept { client_.trace_to(frames); }
     [[nodiscard]] constexpr std::optional<refused_frame> refused() const noexcept { return client_.refused(); }
 
@@ -190,7 +190,7 @@ public:
     }
 
     /// What was counted, where counting was asked for.
-    [[nodiscard]] constexpr counted_by<Statistics> const& statistics() const noexcept { return client_.statistics(); }
+    [[nodiscard]] constexpr auto const& statistics() const noexcept { return client_.statistics(); }
 
     /// Whether a slot's unit counts as silent: see `bus_options`.
     [[nodiscard]] constexpr bool is_silent(std::size_t index) const noexcept

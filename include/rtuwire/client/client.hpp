@@ -27,7 +27,8 @@
 #include <rtuwire/core/time.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>
-#include <rtuwire/trace/tracing.hpp>
+#include <rtuwire/trace/observer.hpp>
+#include <rtuwire/trace/traced_frame.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/response.hpp>
 #include <rtuwire/wire/unit_id.hpp>
@@ -49,7 +50,7 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// `host_client` are names for the frequent ones.
 template <auto const& Needs> class basic_client {
     using needed = told_by<Needs>;
-    using Statistics = typename needed::observer;
+    using Observer = typename needed::observer;
     using Orders = std::conditional_t<Needs.motors == 0, no_orders, orders<Needs.motors>>;
 
 public:
@@ -136,16 +137,13 @@ public:
     [[nodiscard]] constexpr bool has_seen_echo() const noexcept { return transaction_.has_seen_echo(); }
 
     /// What was counted.
-    [[nodiscard]] constexpr counted_by<Statistics>& statistics() noexcept { return transaction_.statistics(); }
-    [[nodiscard]] constexpr counted_by<Statistics> const& statistics() const noexcept
-    {
-        return transaction_.statistics();
-    }
+    [[nodiscard]] constexpr auto& statistics() noexcept { return first_of(transaction_.observer()); }
+    [[nodiscard]] constexpr auto const& statistics() const noexcept { return first_of(transaction_.observer()); }
 
     /// Hands the frames that pass from here on to a sink, which must outlive the client. For a client `traced_by` it.
     template <typename Sink>
-        requires is_traced_by<Statistics, Sink>
-    constexpr void trace_to(Sink& frames) noexcept { transaction_.statistics_to_trace().trace_to(frames); }
+        requires is_traced_by<Observer, Sink>
+    constexpr void trace_to(Sink& frames) noexcept { transaction_.observer().trace_to(frames); }
 
     // The request under way.
 

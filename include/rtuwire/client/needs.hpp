@@ -15,7 +15,7 @@
 #include <rtuwire/core/constant.hpp>
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/rtu/line.hpp>
-#include <rtuwire/trace/tracing.hpp>
+#include <rtuwire/trace/observer.hpp>
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/limits.hpp>
@@ -24,12 +24,12 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// What a client needs. `Functions`: those that it asks, each by the type of its request; other requests are refused with
 /// `invalid_function`, and where a conversation's type tells what it asks, by the compiler. With all public functions, the
-/// default, it also asks those of one's own. `Observer`: what it counts, `line_statistics` or `unit_statistics<Units>`.
+/// default, it also asks those of one's own. `Observer`: what it counts by, `line_statistics` or `unit_statistics<Units>`.
 ///
 ///     inline constexpr client_needs<function_list<read_holding_registers, write_single_register>> panel{
 ///         .timing = line_timing{19'200, character_format::even_8_1}, .longest_frame = 64};
 ///     constinit basic_client<panel> link;
-template <typename Functions = public_functions, typename Observer = no_statistics> struct client_needs {
+template <typename Functions = public_functions, typename Observer = no_observer> struct client_needs {
     using functions = Functions;
     using observer = Observer;
 
@@ -115,7 +115,8 @@ template <typename Functions, typename Conversation> [[nodiscard]] consteval boo
 /// The same needs, with a sink that takes the frames.
 /// Internal.
 template <auto const& Needs, typename Sink>
-inline constexpr auto traced_needs = told_by<Needs>::template with<tracing<Sink, typename told_by<Needs>::observer>>(
-    Needs.quarantine_places, Needs.motors);
+inline constexpr auto traced_needs =
+    told_by<Needs>::template with<observers<typename told_by<Needs>::observer, tracing<Sink>>>(Needs.quarantine_places,
+                                                                                               Needs.motors);
 
 } // namespace rtuwire

@@ -6,6 +6,7 @@
 
 #include <rtuwire/client/client.hpp>
 #include <rtuwire/core/version.hpp>
+#include <rtuwire/trace/observer.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
@@ -25,12 +26,12 @@ inline constexpr client_needs<public_functions, Observer> fixed_needs{
 ///     constexpr line_timing timing{19'200, character_format::even_8_1}; // outside of functions
 ///     constinit static_client<timing> link;
 template <line_timing const& Timing, client_options const& Options = default_client_options,
-          typename Statistics = no_statistics>
-using static_client = basic_client<fixed_needs<Timing, Options, Statistics, 0>>;
+          typename Observer = no_observer>
+using static_client = basic_client<fixed_needs<Timing, Options, Observer, 0>>;
 
 /// The same for conversations that command the motors of up to `Units` units: see `drive_client`.
 template <line_timing const& Timing, std::size_t Units = 1, client_options const& Options = default_client_options,
-          typename Statistics = no_statistics>
-using static_drive_client = basic_client<fixed_needs<Timing, Options, Statistics, Units>>;
+          typename Observer = no_observer>
+using static_drive_client = basic_client<fixed_needs<Timing, Options, Observer, Units>>;
 
 } // namespace rtuwire

@@ -37,7 +37,8 @@
 #include <rtuwire/server/respond.hpp>
 #include <rtuwire/server/serial_diagnostics.hpp>
 #include <rtuwire/server/units.hpp>
-#include <rtuwire/trace/tracing.hpp>
+#include <rtuwire/trace/observer.hpp>
+#include <rtuwire/trace/traced_frame.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/limits.hpp>
@@ -77,16 +78,18 @@ namespace rtuwire::inline RTUWIRE_BUILD {
 /// since the last byte, damaged or not; it is dropped if an undamaged byte arrives before `poll_transmit` returns it,
 /// or at the time limit. The request was executed even then.
 /// Internal.
-template <typename Diagnostics, typename Functions = register_functions, typename Units = one_unit> class basic_server {
+template <typename Diagnostics, typename Functions = register_functions, typename Units = one_unit,
+          typename Observer = no_observer>
+class basic_server {
     using cutter = detail::frame_cutter<direction::request, frame_place<0>, stored<line_timing>>;
 
 public:
     /// The same with other functions: `server::with<function_list<read_coils>>`; `public_functions` are all.
-    template <typename Others> using with = basic_server<Diagnostics, Others>;
+    template <typename Others> using with = basic_server<Diagnostics, Others, one_unit, Observer>;
 
     /// The same, of which a sink takes the frames as they pass, from `trace_to(sink)` on:
     /// `server::traced_by<trace_ring<4096>>`. One of several units is `server::traced_by<Sink>::for_units(...)`.
-    template <frame_sink Sink> using traced_by = basic_server<tracing<Sink, Diagnostics>, Functions>;
+    template <frame_sink Sink> using traced_by = basic_server<Diagnostics, Functions, one_unit, tracing<Sink>>;
 
     /// A server of several unit addresses, each with a bank of its own, that have one line and one frame's memory in
     /// common: `auto node = server::for_units(timing, bank_at{unit_id{3}, io}, bank_at{unit_id{4}, meter})`. It is
@@ -95,7 +98,7 @@ public:
     [[nodiscard]] static constexpr auto for_units(line_timing const& timing, Banks&&... banks) noexcept
     {
         using units = unit_set<unit_entry<Banks>...>;
-        return basic_server<Diagnostics, Functions, units>{timing, units{unit_entry<Banks>{banks}...}};
+        return basic_server<Diagnostics, Functions, units, Observer>{timing, units{unit_entry<Banks>{banks}...}};
     }
 
     /// Listens as `unit`; the profile, and the objects in it, must outlive the server.
@@ -252,8 +255,8 @@ public:
 
     /// Hands the frames that pass from here on to a sink, which must outlive the server. For a server `traced_by` it.
     template <typename Sink>
-        requires is_traced_by<Diagnostics, Sink>
-    constexpr void trace_to(Sink& frames) noexcept { diagnostics_.trace_to(frames); }
+        requires is_traced_by<Observer, Sink>
+    constexpr void trace_to(Sink& frames) noexcept { observer_.trace_to(frames); }
 
     /// How long after its request, and the silence that may have ended that, the sending of a response may start; and
     /// how long after its last character `sent` may be called. Later its client may have timed out, and take the
@@ -346,40 +349,40 @@ private:
         phase_ = phase::listening;
     }
 
-    // What a server that is traced tells of the frames that pass; in any other these functions are empty.
+    // What an observer is told of the frames that pass; without one these functions are empty.
 
     /// Traces an undamaged frame.
     [[gnu::always_inline]] constexpr void pass_frame(adu const& heard) noexcept
     {
-        if constexpr (is_traced<Diagnostics>) {
+        if constexpr (is_observed<Observer>) {
             bool const is_response = framer_.is_foreign_response() or heard.is_exception();
             bool const is_ours = units_.contains(heard.unit()) or heard.unit() == 0;
             frame_verdict const ours = is_response ? frame_verdict::stray : frame_verdict::good;
-            diagnostics_.pass(heard.bytes(), is_response ? frame_role::response : frame_role::request,
-                              is_ours ? ours : frame_verdict::foreign);
+            observer_.on_bytes(heard.bytes(), is_response ? frame_role::response : frame_role::request,
+                               is_ours ? ours : frame_verdict::foreign);
         }
     }
 
     /// Traces a damaged one.
     [[gnu::always_inline]] constexpr void pass_damaged() noexcept
     {
-        if constexpr (is_traced<Diagnostics>) {
-            diagnostics_.pass(framer_.bytes(memory_), frame_role::unknown, frame_verdict::damaged);
+        if constexpr (is_observed<Observer>) {
+            observer_.on_bytes(framer_.bytes(memory_), frame_role::unknown, frame_verdict::damaged);
         }
     }
 
     /// Bytes were taken: traces those that the framer ignored; gives a frame whose end was open its last byte.
     [[gnu::always_inline]] constexpr void pass_taken(byte_view bytes, bool was_open, instant now) noexcept
     {
-        if constexpr (is_traced<Diagnostics>) {
+        if constexpr (is_observed<Observer>) {
             if (bytes.empty()) {
                 return;
             }
-            diagnostics_.note_heard(now);
+            observer_.on_arrival(now);
             if (was_open) {
                 framer_.keep_zero(memory_);
             } else if (framer_.ignores_bytes()) {
-                diagnostics_.pass(bytes, frame_role::unknown, frame_verdict::stray);
+                observer_.on_bytes(bytes, frame_role::unknown, frame_verdict::stray);
             }
         }
     }
@@ -387,34 +390,34 @@ private:
     /// Traces a frame that silence ended before a damaged byte, and that is dropped with it.
     [[gnu::always_inline]] constexpr void pass_unpolled(instant now) noexcept
     {
-        if constexpr (is_traced<Diagnostics>) {
+        if constexpr (is_observed<Observer>) {
             if (framer_.begin_chunk(memory_, 1, now)) {
                 bool const is_damaged = framer_.verdict(memory_) != errc::none;
-                diagnostics_.pass(framer_.bytes(memory_), frame_role::unknown,
-                                  is_damaged ? frame_verdict::damaged : frame_verdict::stray);
+                observer_.on_bytes(framer_.bytes(memory_), frame_role::unknown,
+                                   is_damaged ? frame_verdict::damaged : frame_verdict::stray);
             }
-            diagnostics_.note_heard(now);
+            observer_.on_arrival(now);
         }
     }
 
     /// A response begins to leave; bytes arrive while it does; it has left.
     [[gnu::always_inline]] constexpr void pass_leaving() noexcept
     {
-        if constexpr (is_traced<Diagnostics>) {
-            diagnostics_.note_leaving();
+        if constexpr (is_observed<Observer>) {
+            observer_.on_leaving();
         }
     }
     [[gnu::always_inline]] constexpr void pass_while_leaving(byte_view bytes, instant now) noexcept
     {
-        if constexpr (is_traced<Diagnostics>) {
-            diagnostics_.note_heard(now);
-            diagnostics_.pass_while_leaving(bytes, response_bytes(), frame_role::response);
+        if constexpr (is_observed<Observer>) {
+            observer_.on_arrival(now);
+            observer_.on_arrival_while_leaving(bytes, response_bytes(), frame_role::response);
         }
     }
     [[gnu::always_inline]] constexpr void pass_sent(instant now) noexcept
     {
-        if constexpr (is_traced<Diagnostics>) {
-            diagnostics_.pass_own(response_bytes(), frame_role::response, now);
+        if constexpr (is_observed<Observer>) {
+            observer_.on_sent(response_bytes(), frame_role::response, now);
         }
     }
 
@@ -431,6 +434,7 @@ private:
     instant until_{0};         ///< when the phase ends by itself, unless it is listening
     server_profile const* profile_;
     [[no_unique_address]] Diagnostics diagnostics_{};
+    [[no_unique_address]] Observer observer_{};
     cutter framer_;
     typename cutter::memory memory_;
 };

@@ -21,7 +21,6 @@
 #include <rtuwire/client/line/retry_state.hpp>
 #include <rtuwire/client/needs.hpp>
 #include <rtuwire/client/options.hpp>
-#include <rtuwire/client/statistics.hpp>
 #include <rtuwire/core/bytes.hpp>
 #include <rtuwire/core/constant.hpp>
 #include <rtuwire/core/result.hpp>
@@ -30,7 +29,8 @@
 #include <rtuwire/rtu/frame_cutter.hpp>
 #include <rtuwire/rtu/frame_place.hpp>
 #include <rtuwire/rtu/line.hpp>
-#include <rtuwire/trace/tracing.hpp>
+#include <rtuwire/trace/observer.hpp>
+#include <rtuwire/trace/traced_frame.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/response.hpp>
@@ -73,7 +73,7 @@ struct refused_frame {
 /// Runs a client's request under way; `basic_client` decides whose it is.
 template <auto const& Needs> class transaction {
     using phase = client_phase;
-    using Statistics = typename told_by<Needs>::observer;
+    using Observer = typename told_by<Needs>::observer;
     using Options = typename told_by<Needs>::options;
     using Line = typename told_by<Needs>::line;
     using Functions = typename told_by<Needs>::functions;
@@ -147,10 +147,7 @@ public:
             return;
         }
         framer_.restart(at);
-        statistics_.note_asked(at);
-        if constexpr (is_traced<Statistics>) {
-            statistics_.pass_own(request(), frame_role::request, at);
-        }
+        observer_.on_sent(request(), frame_role::request, at);
         noise_.begin(options().max_leading_noise);
         if (unit_ == 0) {
             return turn_around(at);
@@ -187,7 +184,7 @@ public:
         if (phase_ != phase::ready) {
             return {};
         }
-        statistics_.note(retries_.is_first() ? line_event::request : line_event::repetition, unit_);
+        observer_.on_event(retries_.is_first() ? line_event::request : line_event::repetition, unit_);
         phase_ = phase::handed_out;
         echo_.begin();
         return request();
@@ -254,12 +251,9 @@ public:
     /// The timing of its line.
     [[nodiscard]] constexpr line_timing const& line() const noexcept { return memory_.timing(); }
 
-    /// What was counted.
-    [[nodiscard]] constexpr counted_by<Statistics>& statistics() noexcept { return statistics_; }
-    [[nodiscard]] constexpr counted_by<Statistics> const& statistics() const noexcept { return statistics_; }
-
-    /// Where the frames go that pass.
-    constexpr Statistics& statistics_to_trace() noexcept { return statistics_; }
+    /// Who is told what happens on the line.
+    [[nodiscard]] constexpr Observer& observer() noexcept { return observer_; }
+    [[nodiscard]] constexpr Observer const& observer() const noexcept { return observer_; }
 
     [[nodiscard]] constexpr client_options const& options() const noexcept { return options_.get(); }
 
@@ -446,7 +440,7 @@ private:
             if (error_ == errc::none) {
                 bool const is_silent = framer_.is_at_rest(memory_, now);
                 error_ = is_silent ? errc::timed_out : errc::bus_jam;
-                statistics_.note(is_silent ? line_event::timeout : line_event::jam, unit_);
+                observer_.on_event(is_silent ? line_event::timeout : line_event::jam, unit_);
             }
             attempt_failed(now);
         } else if (phase_ == phase::pausing) {
@@ -511,10 +505,10 @@ private:
     constexpr void leave_begun() noexcept
     {
         end_echo();
-        if constexpr (is_traced<Statistics>) {
+        if constexpr (is_observed<Observer>) {
             byte_view const begun = phase_ == phase::awaiting ? framer_.begun(memory_) : byte_view{};
             if (not begun.empty()) {
-                statistics_.pass_stray(begun, true, to_u8(begun[0]) == unit_);
+                observer_.on_response_cut(begun, to_u8(begun[0]) == unit_);
             }
         }
         if constexpr (has_system) {
@@ -530,9 +524,7 @@ private:
         if (framer_.begin_chunk(memory_, bytes, now) and phase_ == phase::awaiting) {
             take_frame(now);
         }
-        if constexpr (is_traced<Statistics>) {
-            statistics_.note_heard(now);
-        }
+        observer_.on_arrival(now);
     }
 
     /// Takes a byte of a response or before it; returns false where none is expected. Inlined, it would save 2 % of the
@@ -545,7 +537,7 @@ private:
         // Bytes before the unit's address are skipped, as far as `max_leading_noise` allows.
         if (may_skip() and to_u8(byte) != unit_) {
             skip_noise();
-            trace({&byte, 1}, frame_role::unknown, frame_verdict::stray);
+            observer_.on_bytes({&byte, 1}, frame_role::unknown, frame_verdict::stray);
             echo_.suspect();
         } else if (framer_.push(memory_, byte)) {
             end_frame(now);
@@ -559,7 +551,7 @@ private:
     constexpr void skip_noise() noexcept
     {
         noise_.take();
-        statistics_.note(line_event::noise, unit_);
+        observer_.on_event(line_event::noise, unit_);
     }
 
     /// Counts bytes that nobody expected, one at least.
@@ -568,10 +560,7 @@ private:
         constexpr std::uint8_t highest_unit = 247;
         std::uint8_t const first = to_u8(bytes[0]);
         bool const is_late = is_start and first <= highest_unit and quarantine_.covers(first);
-        statistics_.note_stray(bytes.size(), is_start, is_late ? first : std::uint8_t{0});
-        if constexpr (is_traced<Statistics>) {
-            statistics_.pass_stray(bytes, is_start, is_late);
-        }
+        observer_.on_stray(bytes, is_start, is_late ? first : std::uint8_t{0});
         on_line_activity(now);
     }
 
@@ -593,15 +582,15 @@ private:
             return;
         }
         if (error_ == errc::collision) {
-            return trace_frame(errc::collision);
+            return tell_frame(errc::collision);
         }
         if (echo_.is_open() and not expects_echo()) {
             end_echo(); // silence has ended a beginning of it
         }
         errc const wrong = judged();
         line_event const event = event_of(wrong);
-        note_frame(statistics_, event, wrong, unit_, now);
-        trace_frame(wrong);
+        tell_frame(wrong);
+        observer_.on_response(event, wrong, unit_, now);
         bool const is_response = event == line_event::reply or event == line_event::exception;
         bool const is_damaged =
             event == line_event::crc and framer_.looks_addressed_to(memory_, request()) and framer_.matches_size_hint();
@@ -672,7 +661,7 @@ private:
                 echo_.end();
                 return 0;
             }
-            trace_echo(before + same, true);
+            tell_echo(before + same, true);
             if (may_be_response) {
                 framer_.drop_begun();
             }
@@ -682,14 +671,14 @@ private:
             return same;
         }
         if (not echo_.is_open()) {
-            trace_echo(may_be_response ? before : before + same, false);
+            tell_echo(may_be_response ? before : before + same, false);
         }
         if (phase_ != phase::awaiting or framer_.begun(memory_).size() != before) {
             echo_.suspect(); // what came while the request left is no response
         }
         if (expects and not echo_.is_open()) {
-            trace(bytes.subspan(same, 1), frame_role::unknown, frame_verdict::damaged);
-            statistics_.note(line_event::collision, unit_);
+            observer_.on_bytes(bytes.subspan(same, 1), frame_role::unknown, frame_verdict::damaged);
+            observer_.on_event(line_event::collision, unit_);
             error_ = error_ == errc::none ? errc::collision : error_;
             echo_.doubt();
             return same + 1;
@@ -706,7 +695,7 @@ private:
             echo_.note_seen();
         }
         if (is_news) {
-            statistics_.note(line_event::mismatch, unit_);
+            observer_.on_event(line_event::mismatch, unit_);
             error_ = errc::line_echo;
             if (phase_ == phase::awaiting) {
                 settle(errc::line_echo, now);
@@ -717,51 +706,36 @@ private:
     /// No more of an echo is awaited.
     constexpr void end_echo() noexcept
     {
-        trace_echo(echo_.taken(), false);
+        tell_echo(echo_.taken(), false);
         echo_.end();
     }
 
-    // What a client that is traced tells of the bytes that arrive; in any other these functions are empty.
+    // What an observer is told of the bytes that arrive; without one these functions are empty.
 
-    constexpr void trace(byte_view bytes, frame_role role, frame_verdict verdict) noexcept
+    /// Tells of a frame that ended while a response was awaited, by what was found in it.
+    constexpr void tell_frame(errc found) noexcept
     {
-        if constexpr (is_traced<Statistics>) {
-            statistics_.pass(bytes, role, verdict);
-        }
-    }
-
-    /// A frame that arrived while a response was awaited, by the error that was found in it.
-    constexpr void trace_frame(errc wrong) noexcept
-    {
-        if constexpr (is_traced<Statistics>) {
+        if constexpr (is_observed<Observer>) {
             byte_view const bytes = framer_.bytes(memory_);
-            if (framer_.verdict(memory_) != errc::none or not framer_.matches_size_hint()) {
-                return trace(bytes, frame_role::unknown, frame_verdict::damaged);
-            }
-            frame_verdict verdict = frame_verdict::stray;
-            if (wrong == errc::none or is_exception(wrong)) {
-                verdict = frame_verdict::good;
-            } else if (wrong == errc::wrong_unit) {
-                verdict = quarantine_.covers(to_u8(bytes[0])) ? frame_verdict::late : frame_verdict::foreign;
-            } else if (wrong == errc::line_echo) {
-                verdict = frame_verdict::echo;
-            }
-            trace(bytes, frame_role::response, verdict);
+            bool const is_whole = framer_.verdict(memory_) == errc::none and framer_.matches_size_hint();
+            bool const is_owed = is_whole and quarantine_.covers(to_u8(bytes[0]));
+            observer_.on_bytes(bytes, is_whole ? frame_role::response : frame_role::unknown,
+                               verdict_on_response(found, is_whole, is_owed));
         }
     }
 
-    /// What has come back of the request, or looked like it. Of a part, what may be a response is left to that; on a line
+    /// Tells what has come back of the request, or looked like it. Of a part, what may be a response is left to that; on a line
     /// that is not known to echo, a part is none.
-    constexpr void trace_echo(std::size_t taken, bool is_whole) noexcept
+    constexpr void tell_echo(std::size_t taken, bool is_whole) noexcept
     {
-        if constexpr (is_traced<Statistics>) {
+        if constexpr (is_observed<Observer>) {
             bool const may_be_response = phase_ == phase::awaiting and not expects_echo() and not is_whole;
             std::size_t const inside = may_be_response ? framer_.begun(memory_).size() : 0;
             byte_view const bytes = request().first(inside < taken ? taken - inside : 0);
             if (expects_echo() or bytes.size() == size_) {
-                statistics_.pass_echo(bytes, frame_role::request);
+                observer_.on_echo(bytes, frame_role::request);
             } else {
-                trace(bytes, frame_role::unknown, frame_verdict::stray);
+                observer_.on_bytes(bytes, frame_role::unknown, frame_verdict::stray);
             }
         }
     }
@@ -783,7 +757,7 @@ private:
     instant deadline_{0};
     [[no_unique_address]] quarantine<Needs.quarantine_places> quarantine_{};
     [[no_unique_address]] Options options_{};
-    [[no_unique_address]] Statistics statistics_{};
+    [[no_unique_address]] Observer observer_{};
     typename cutter::memory memory_; ///< its line; the request, and behind it its response
 };
 
