@@ -70,7 +70,7 @@ TRICKS = (
     inlining("inline", "client/line/transaction.hpp", "constexpr bool advance("),
     inlining("inline", "client/line/transaction.hpp", "constexpr result<response> take_outcome("),
     inlining("inline", "client/line/transaction.hpp", "constexpr void wake("),
-    inlining("inline", "client/line/transaction.hpp", "constexpr errc keep("),
+    inlining("inline", "client/line/retry_state.hpp", "constexpr errc keep("),
     inlining("inline", "client/line/quarantine.hpp", "constexpr bool covers("),
     inlining("not inline", "client/turns.hpp", "constexpr void renew("),
     inlining("not inline", "altivar/procedure/motion/order_procedure.hpp", "constexpr void plan_rest("),
@@ -106,10 +106,10 @@ TRICKS = (
     Trick("characters added without a check", "rtu/line.hpp", (
         ("return duration{length.microseconds + characters(count).microseconds};",
          "return length + characters(count);"),)),
-    Trick("a request copied backwards", "client/line/transaction.hpp", (
+    Trick("a request copied backwards", "client/line/retry_state.hpp", (
         ("        std::size_t i = frame.size();\n        do { // backwards: 8 bytes less\n            --i;\n"
-         "            memory_.bytes[i] = frame[i];\n        } while (i != 0);\n",
-         "        for (std::size_t i = 0; i < frame.size(); ++i) {\n            memory_.bytes[i] = frame[i];\n        }\n"),)),
+         "            in.bytes[i] = frame[i];\n        } while (i != 0);\n",
+         "        for (std::size_t i = 0; i < frame.size(); ++i) {\n            in.bytes[i] = frame[i];\n        }\n"),)),
     Trick("a response's view constructed anew", "ask/conversation.hpp", (
         ("return {pdu_.data(), pdu_.size()};", "return pdu_;"),)),
     Trick("the response time-out constructed anew", "client/client.hpp", (

@@ -55,6 +55,23 @@ using public_functions =
 /// Their codes.
 inline constexpr function_set all_functions = public_functions::codes;
 
+/// Whether a frame can be a request of one of these functions; of all public functions also one of one's own. Errors:
+/// `frame_too_short`, `frame_too_long`, `invalid_function`.
+/// Internal.
+template <typename Functions> [[nodiscard, gnu::always_inline]] constexpr errc check_request(byte_view frame) noexcept
+{
+    if (frame.size() < min_adu_size) {
+        return errc::frame_too_short;
+    }
+    if (frame.size() > max_adu_size) {
+        return errc::frame_too_long;
+    }
+    if constexpr (not std::is_same_v<Functions, public_functions>) {
+        return is_among(Functions{}, to_u8(frame[1])) ? errc::none : errc::invalid_function;
+    }
+    return errc::none;
+}
+
 /// What a function with this code says of a response, where it knows more of it than the client compares.
 /// Internal.
 template <typename... Functions>

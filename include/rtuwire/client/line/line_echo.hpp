@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// The echo of a transmission on a line that gives back what is sent.
+// What may come before a response: the echo of the transmission, on a line that gives back what is sent; noise.
 // Internal: may change with any version.
 #pragma once
 
@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/constant.hpp>
 #include <rtuwire/core/version.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -70,6 +71,25 @@ private:
 
     std::uint16_t next_{0}; ///< the next byte's number, from 1; 0 where none is expected
     std::uint8_t seen_{0};
+};
+
+/// How many bytes of noise may still be skipped before a response; constant options that allow none take no memory.
+template <typename Options> class noise_allowance {
+public:
+    constexpr void begin(std::uint8_t most) noexcept { left_ = most; }
+    [[nodiscard]] constexpr bool is_left() const noexcept { return left_ != 0; }
+    constexpr void take() noexcept { --left_; }
+
+private:
+    std::uint8_t left_{0};
+};
+template <typename Options>
+    requires(is_constant<Options>and Options::get().max_leading_noise == 0)
+class noise_allowance<Options> {
+public:
+    static constexpr void begin(std::uint8_t) noexcept {}
+    [[nodiscard]] static constexpr bool is_left() noexcept { return false; }
+    static constexpr void take() noexcept {}
 };
 
 } // namespace rtuwire

@@ -37,25 +37,6 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// How many bytes of noise may still be skipped before a response; constant options that allow none take no memory.
-template <typename Options> class noise_allowance {
-public:
-    constexpr void begin(std::uint8_t most) noexcept { left_ = most; }
-    [[nodiscard]] constexpr bool is_left() const noexcept { return left_ != 0; }
-    constexpr void take() noexcept { --left_; }
-
-private:
-    std::uint8_t left_{0};
-};
-template <typename Options>
-    requires(is_constant<Options>and Options::get().max_leading_noise == 0)
-class noise_allowance<Options> {
-public:
-    static constexpr void begin(std::uint8_t) noexcept {}
-    [[nodiscard]] static constexpr bool is_left() noexcept { return false; }
-    static constexpr void take() noexcept {}
-};
-
 /// A frame that was refused as the response to a request.
 struct refused_frame {
     byte_view bytes;
@@ -93,8 +74,8 @@ public:
     /// For a constant line and constant options. Zero-initialised, so a `constinit` client lives in .bss.
     constexpr transaction() noexcept requires(is_constant<Line>) = default;
 
-    /// Takes bytes that had arrived by `now`, in any chunking. While no response is awaited they are noise: dropped,
-    /// but the line was not silent. A response that is passed in before `advance` has seen the time-out is in time.
+    // The line: what `basic_client` says of it is not said again.
+
     constexpr void receive(byte_view const& bytes, instant now) noexcept
     {
         if (bytes.empty()) {
@@ -115,8 +96,6 @@ public:
         }
     }
 
-    /// The same of one byte, for a receiver that hands over each as it arrives: a program that calls only this has no code
-    /// for chunks.
     constexpr void receive(std::same_as<std::byte> auto byte, instant now) noexcept
     {
         bool const is_start = is_quiet();
@@ -126,7 +105,6 @@ public:
         }
     }
 
-    /// Reports a receive error (parity, framing, overrun).
     constexpr void receive_error(instant now) noexcept
     {
         begin_chunk(1, now);
@@ -139,7 +117,6 @@ public:
         }
     }
 
-    /// Notes that the last stop bit of what `poll_transmit` returned has left at `at`, or will have left by then.
     constexpr void sent(instant at) noexcept
     {
         if (not is_leaving(phase_)) {
@@ -149,7 +126,7 @@ public:
         framer_.restart(at);
         observer_.on_sent(request(), frame_role::request, at);
         noise_.begin(options().max_leading_noise);
-        if (unit_ == 0) {
+        if (unit() == 0) {
             return turn_around(at);
         }
         phase_ = phase::awaiting;
@@ -177,14 +154,12 @@ public:
         return quarantine_.advance(at);
     }
 
-    /// The bytes to send now, each request and repetition once; empty when there is nothing to send. They are the
-    /// client's own, and unchanged until `sent`.
     [[nodiscard]] constexpr byte_view poll_transmit() noexcept
     {
         if (phase_ != phase::ready) {
             return {};
         }
-        observer_.on_event(retries_.is_first() ? line_event::request : line_event::repetition, unit_);
+        observer_.on_event(retries_.is_first() ? line_event::request : line_event::repetition, unit());
         phase_ = phase::handed_out;
         echo_.begin();
         return request();
@@ -203,9 +178,6 @@ public:
         }
     }
 
-    /// Gives up the request under way, of whichever conversation; its outcome is `cancelled`. A write may have taken
-    /// effect all the same. A frame that is leaving leaves whole, and a broadcast gets its turnaround; the outcome
-    /// comes then.
     constexpr void cancel(instant now) noexcept
     {
         if (is_leaving(phase_) or phase_ == phase::turnaround) {
@@ -215,17 +187,11 @@ public:
         }
     }
 
-    /// Whether a request is under way or its outcome not taken yet.
     [[nodiscard]] constexpr bool is_busy() const noexcept { return phase_ != phase::idle; }
-
-    /// Whether the line has fallen silent since the last byte.
     [[nodiscard]] constexpr bool is_quiet() const noexcept { return framer_.is_quiet(); }
+    [[nodiscard]] constexpr std::uint8_t asked_unit() const noexcept { return request_.unit(); }
+    [[nodiscard]] constexpr client_phase phase_now() const noexcept { return phase_; }
 
-    /// The unit of the last request; 0 for a broadcast.
-    [[nodiscard]] constexpr std::uint8_t asked_unit() const noexcept { return unit_; }
-
-    /// The frame for which the last request failed, with `wrong_length`, `crc_mismatch` and the like; nothing where it was
-    /// no frame, or where more has arrived behind it. Valid until bytes are taken or the next request begins.
     [[nodiscard]] constexpr std::optional<refused_frame> refused() const noexcept
     {
         bool const has_failed = error_ != errc::none and not is_exception(error_) and not is_under_way(phase_);
@@ -236,40 +202,25 @@ public:
         return refused_frame{framer_.bytes(memory_), due_size<Functions>(request(), framer_.bytes(memory_))};
     }
 
-    /// Sends no request of any conversation to a unit from here until `end`, at most 35 minutes away. A request that
-    /// is leaving or waits for its response is not ended. The latest of several ends counts.
     constexpr void hold(unit_id unit, instant end) noexcept { quarantine_.begin(unit.byte(), end); }
-
-    /// Whether no new request goes to a unit now: its response is outstanding, or `hold` says so.
-    [[nodiscard]] constexpr bool is_held(unit_id unit) const noexcept { return is_held(unit.byte()); }
     [[nodiscard]] constexpr bool is_held(std::uint8_t unit) const noexcept { return quarantine_.covers(unit); }
-
-    /// Whether the line has given back what was sent, and echoes are taken out by themselves: `client_options::has_line_echo`
-    /// says how.
     [[nodiscard]] constexpr bool has_seen_echo() const noexcept { return echo_.is_known(); }
-
-    /// The timing of its line.
     [[nodiscard]] constexpr line_timing const& line() const noexcept { return memory_.timing(); }
-
-    /// Who is told what happens on the line.
+    [[nodiscard]] constexpr client_options const& options() const noexcept { return options_.get(); }
     [[nodiscard]] constexpr Observer& observer() noexcept { return observer_; }
     [[nodiscard]] constexpr Observer const& observer() const noexcept { return observer_; }
 
-    [[nodiscard]] constexpr client_options const& options() const noexcept { return options_.get(); }
+    // The request under way.
 
-    [[nodiscard]] constexpr client_phase phase_now() const noexcept { return phase_; }
-
-    /// Takes a request: copies its frame to the front of the memory. Errors: `frame_too_short`, `frame_too_long`;
-    /// `invalid_function` of one that is not among those of the client; `buffer_too_small` where the request and its response
-    /// do not fit together.
+    /// Takes a request: copies its frame to the front of the memory. Errors: those of `kept_request::keep`.
     constexpr errc start(request_frame const& asked, instant now, retry_policy const& with) noexcept
     {
-        if (errc const wrong = keep(asked.frame()); wrong != errc::none) {
+        if (errc const wrong = request_.keep(asked.frame(), framer_, memory_); wrong != errc::none) {
             return wrong;
         }
         must_send_now_ = not asked.may_be_repeated();
         is_woken_ = false;
-        retries_.begin(with, asked.may_be_repeated() and unit_ != 0);
+        retries_.begin(with, asked.may_be_repeated() and unit() != 0);
         wait_for_silence(now);
         if (is_quiet()) {
             get_ready(now);
@@ -291,7 +242,7 @@ public:
         if (phase_ != phase::waiting) {
             return phase_ == phase::settled;
         }
-        return is_quiet() and (is_of_stop or not quarantine_.covers(unit_));
+        return is_quiet() and (is_of_stop or not quarantine_.covers(unit()));
     }
 
     /// Gives up a request that waits for its asker.
@@ -332,7 +283,7 @@ public:
     {
         phase_ = phase::idle;
         return error_ != errc::none ? result<response>{error_}
-                                    : response{unit_ == 0 ? byte_view{} : framer_.frame(memory_).pdu()};
+                                    : response{unit() == 0 ? byte_view{} : framer_.frame(memory_).pdu()};
     }
 
     /// The next pass has something to do at once.
@@ -347,49 +298,8 @@ public:
 private:
     // The request.
 
-    /// Copies a request to the front of the memory. Errors: see `start`.
-    [[gnu::always_inline]] constexpr errc keep(byte_view frame) noexcept
-    {
-        if (frame.size() < min_adu_size) {
-            return errc::frame_too_short;
-        }
-        if (frame.size() > max_adu_size) {
-            return errc::frame_too_long;
-        }
-        if constexpr (not std::is_same_v<Functions, public_functions>) {
-            if (not is_among(Functions{}, to_u8(frame[1]))) {
-                return errc::invalid_function;
-            }
-        }
-        if (place::memory < max_adu_size and frame.size() > place::memory) {
-            return errc::buffer_too_small;
-        }
-        framer_.receive_behind(frame.size());
-        longest_ = longest_response<Functions>(frame);
-        if (longest_.size() > framer_.room()) {
-            return errc::buffer_too_small;
-        }
-        std::size_t i = frame.size();
-        do { // backwards: 8 bytes less
-            --i;
-            memory_.bytes[i] = frame[i];
-        } while (i != 0);
-        size_ = static_cast<std::uint16_t>(frame.size());
-        unit_ = to_u8(frame[0]);
-        return errc::none;
-    }
-
-    constexpr byte_view request() const noexcept { return {memory_.bytes.data(), size_}; }
-
-    /// How long the request takes to leave.
-    constexpr duration time_to_send() const noexcept { return memory_.timing().characters(size_); }
-
-    /// How long the longest response takes on the line; with the silence that ends it, where only silence does.
-    constexpr duration time_to_respond() const noexcept
-    {
-        duration const silence = longest_.is_final() ? duration{} : memory_.timing().frame_end();
-        return memory_.timing().with_characters(silence, longest_.size());
-    }
+    constexpr std::uint8_t unit() const noexcept { return request_.unit(); }
+    constexpr byte_view request() const noexcept { return request_.bytes(memory_); }
 
     /// Constructed anew: GCC would read a constant's copy from memory.
     constexpr duration late_response() const noexcept { return options().late_response; }
@@ -415,14 +325,14 @@ private:
     /// The transmitter has the time that the request takes, plus the response time-out.
     [[gnu::noinline]] constexpr void limit_sending(instant now) noexcept
     {
-        deadline_ = now + retries_.response_timeout() + time_to_send();
+        deadline_ = now + retries_.response_timeout() + request_.time_to_send(line());
     }
 
     /// The request left once more. Returns how long its response may take, up to its last byte.
     constexpr duration note_sent(instant at) noexcept
     {
-        duration const limit = retries_.response_timeout() + time_to_respond();
-        retries_.note_sent(at, time_to_send(), limit + late_response());
+        duration const limit = retries_.response_timeout() + request_.time_to_respond(line());
+        retries_.note_sent(at, request_.time_to_send(line()), limit + late_response());
         return limit;
     }
 
@@ -440,7 +350,7 @@ private:
             if (error_ == errc::none) {
                 bool const is_silent = framer_.is_at_rest(memory_, now);
                 error_ = is_silent ? errc::timed_out : errc::bus_jam;
-                observer_.on_event(is_silent ? line_event::timeout : line_event::jam, unit_);
+                observer_.on_event(is_silent ? line_event::timeout : line_event::jam, unit());
             }
             attempt_failed(now);
         } else if (phase_ == phase::pausing) {
@@ -450,7 +360,7 @@ private:
                 error_ = phase_ == phase::waiting ? errc::bus_jam : errc::transmit_stalled;
             }
             if (is_leaving(phase_)) { // it may have left just now
-                if (unit_ == 0) {
+                if (unit() == 0) {
                     return turn_around(now);
                 }
                 static_cast<void>(note_sent(now));
@@ -490,10 +400,10 @@ private:
         leave_begun();
         error_ = error;
         bool const owes = retries_.unanswered() != 0;
-        if (owes or (retries_.pause() != duration{} and unit_ != 0)) {
+        if (owes or (retries_.pause() != duration{} and unit() != 0)) {
             bool const has_response = not owes or error_ == errc::none or is_exception(error_);
             duration const late = late_response();
-            quarantine_.begin(unit_,
+            quarantine_.begin(unit(),
                               has_response ? now + retries_.all_that_follow(now, late) : retries_.owed_until(now));
         }
         phase_ = phase::settled;
@@ -508,7 +418,7 @@ private:
         if constexpr (is_observed<Observer>) {
             byte_view const begun = phase_ == phase::awaiting ? framer_.begun(memory_) : byte_view{};
             if (not begun.empty()) {
-                observer_.on_response_cut(begun, to_u8(begun[0]) == unit_);
+                observer_.on_response_cut(begun, to_u8(begun[0]) == unit());
             }
         }
         if constexpr (has_system) {
@@ -535,7 +445,7 @@ private:
             return false;
         }
         // Bytes before the unit's address are skipped, as far as `max_leading_noise` allows.
-        if (may_skip() and to_u8(byte) != unit_) {
+        if (may_skip() and to_u8(byte) != unit()) {
             skip_noise();
             observer_.on_bytes({&byte, 1}, frame_role::unknown, frame_verdict::stray);
             echo_.suspect();
@@ -551,7 +461,7 @@ private:
     constexpr void skip_noise() noexcept
     {
         noise_.take();
-        observer_.on_event(line_event::noise, unit_);
+        observer_.on_event(line_event::noise, unit());
     }
 
     /// Counts bytes that nobody expected, one at least.
@@ -590,7 +500,7 @@ private:
         errc const wrong = judged();
         line_event const event = event_of(wrong);
         tell_frame(wrong);
-        observer_.on_response(event, wrong, unit_, now);
+        observer_.on_response(event, wrong, unit(), now);
         bool const is_response = event == line_event::reply or event == line_event::exception;
         bool const is_damaged =
             event == line_event::crc and framer_.looks_addressed_to(memory_, request()) and framer_.matches_size_hint();
@@ -678,7 +588,7 @@ private:
         }
         if (expects and not echo_.is_open()) {
             observer_.on_bytes(bytes.subspan(same, 1), frame_role::unknown, frame_verdict::damaged);
-            observer_.on_event(line_event::collision, unit_);
+            observer_.on_event(line_event::collision, unit());
             error_ = error_ == errc::none ? errc::collision : error_;
             echo_.doubt();
             return same + 1;
@@ -695,7 +605,7 @@ private:
             echo_.note_seen();
         }
         if (is_news) {
-            observer_.on_event(line_event::mismatch, unit_);
+            observer_.on_event(line_event::mismatch, unit());
             error_ = errc::line_echo;
             if (phase_ == phase::awaiting) {
                 settle(errc::line_echo, now);
@@ -732,7 +642,7 @@ private:
             bool const may_be_response = phase_ == phase::awaiting and not expects_echo() and not is_whole;
             std::size_t const inside = may_be_response ? framer_.begun(memory_).size() : 0;
             byte_view const bytes = request().first(inside < taken ? taken - inside : 0);
-            if (expects_echo() or bytes.size() == size_) {
+            if (expects_echo() or bytes.size() == request().size()) {
                 observer_.on_echo(bytes, frame_role::request);
             } else {
                 observer_.on_bytes(bytes, frame_role::unknown, frame_verdict::stray);
@@ -747,13 +657,11 @@ private:
     client_phase phase_{client_phase::idle};
     errc error_{errc::none};
     bool is_woken_{false};      ///< the next pass has something to do at once
-    std::uint8_t unit_{0};      ///< that was asked last; 0 for everyone
     bool must_send_now_{false}; ///< the request must leave at once or not at all
     [[no_unique_address]] line_echo echo_;
     [[no_unique_address]] noise_allowance<Options> noise_{};
     [[no_unique_address]] retry_state retries_;
-    std::uint16_t size_{0}; ///< of the request
-    length_hint longest_{}; ///< of its responses; stored, which saves 57 instructions of a read
+    [[no_unique_address]] kept_request<Functions> request_;
     instant deadline_{0};
     [[no_unique_address]] quarantine<Needs.quarantine_places> quarantine_{};
     [[no_unique_address]] Options options_{};
