@@ -8,6 +8,7 @@
 #include <rtuwire/client.hpp>
 #include <rtuwire/drives.hpp>
 #include <rtuwire/frames.hpp>
+#include <rtuwire/serial_line.hpp>
 #include <rtuwire/server.hpp>
 #include <rtuwire/sim.hpp>
 #include <rtuwire/trace.hpp>

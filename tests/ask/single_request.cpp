@@ -6,6 +6,7 @@
 #include "support/proof.hpp"
 
 #include <rtuwire/core/hex.hpp>
+#include <rtuwire/serial_line.hpp>
 #include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/raw.hpp>
 

@@ -10,6 +10,8 @@
 
 #include "support/catch.hpp"
 
+#include <rtuwire/serial_line.hpp>
+
 using namespace rtuwire;
 using namespace rtuwire::test;
 

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include <rtuwire/serial_line.hpp>
 #include <rtuwire/wire/functions.hpp>
 
 namespace rtuwire::test {

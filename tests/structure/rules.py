@@ -34,6 +34,8 @@ UMBRELLA = "rtuwire.hpp"
 # A thousand registers, which only a program that asks for them compiles, and what is done with all of them: these rooms,
 # and the doors to them.
 APART = re.compile(r"altivar/(parameters/|maintenance/|\w+_parameters\.hpp$)|maintenance\.hpp$")
+# Functions that only a program reads that asks for them: behind none of these doors.
+ASKED_FOR, DOORS_WITHOUT = "wire/serial_line/", ("client.hpp", "frames.hpp")
 # The doors of the port need an operating system, or the streams that come with one.
 OPERATING_SYSTEM, DOORS_OF_THE_PORT = "port", {"port.hpp", "print.hpp"}
 
@@ -181,6 +183,10 @@ def umbrella(tree):
             yield f"{UMBRELLA}: includes {header}, which needs an operating system"
         if APART.match(header):
             yield f"{UMBRELLA}: includes {header}, which has too many registers for every program"
+    for door in DOORS_WITHOUT:
+        for header in sorted(tree.reached(door)):
+            if header.startswith(ASKED_FOR):
+                yield f"{door}: includes {header}, which a program asks for by serial_line.hpp"
 
 
 def build(tree):

@@ -28,9 +28,11 @@ struct request {
     using response = answer;
     static constexpr frame_rules rules{1};
 };
-template <typename Words = register_view> struct ask {
+template <typename Words> struct ask {
+    using response = ask<>;
     static constexpr frame_rules rules{2};
 };
+struct row { static constexpr frame_rules rules{3}; };
 }
 """
 

@@ -117,6 +117,9 @@ class Others(unittest.TestCase):
         self.assertEqual(count(rtuwire="", port="port/a.hpp", port__a=""), 0)
         self.assertEqual(count(rtuwire="", altivar__parameters__a="", altivar__atv1_parameters=""), 0)
         self.assertEqual(count(rtuwire="altivar/parameters/a.hpp", altivar__parameters__a=""), 1)
+        functions = {"rtuwire": "wire/serial_line/a.hpp wire/b.hpp", "wire__serial_line__a": ""}
+        self.assertEqual(count(**functions, wire__b=""), 0)
+        self.assertEqual(count(**functions, client="wire/b.hpp", wire__b="wire/serial_line/a.hpp"), 2)
 
     def test_form(self):
         def count(text):

@@ -7,6 +7,7 @@
 // Beside this header: fuzz targets have no folder of tests to search.
 #include "type_list.hpp"
 
+#include <rtuwire/serial_line.hpp>
 #include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/raw.hpp>
 

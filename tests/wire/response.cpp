@@ -13,6 +13,11 @@
 #include <rtuwire/core/hex.hpp>
 #include <rtuwire/wire/exchange.hpp>
 #include <rtuwire/wire/registers.hpp>
+#include <rtuwire/wire/serial_line/device_identification.hpp>
+#include <rtuwire/wire/serial_line/diagnostics.hpp>
+#include <rtuwire/wire/serial_line/fifo_queue.hpp>
+#include <rtuwire/wire/serial_line/file_records.hpp>
+#include <rtuwire/wire/serial_line/unit_report.hpp>
 
 using namespace rtuwire;
 using rtuwire::test::verdict;

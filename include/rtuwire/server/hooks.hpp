@@ -28,6 +28,7 @@
 #include <rtuwire/table/register.hpp>
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/functions.hpp>
+#include <rtuwire/wire/serial_line/file_records.hpp>
 #include <rtuwire/wire/views.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {

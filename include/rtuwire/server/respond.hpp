@@ -21,7 +21,11 @@
 #include <rtuwire/wire/errc.hpp>
 #include <rtuwire/wire/functions.hpp>
 #include <rtuwire/wire/limits.hpp>
+#include <rtuwire/wire/serial_line/device_identification.hpp>
 #include <rtuwire/wire/serial_line/diagnostics.hpp>
+#include <rtuwire/wire/serial_line/fifo_queue.hpp>
+#include <rtuwire/wire/serial_line/file_records.hpp>
+#include <rtuwire/wire/serial_line/unit_report.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 

@@ -20,20 +20,17 @@
 #include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/mask_write.hpp>
 #include <rtuwire/wire/registers.hpp>
-#include <rtuwire/wire/serial_line/device_identification.hpp>
-#include <rtuwire/wire/serial_line/diagnostics.hpp>
-#include <rtuwire/wire/serial_line/fifo_queue.hpp>
-#include <rtuwire/wire/serial_line/file_records.hpp>
-#include <rtuwire/wire/serial_line/unit_report.hpp>
+#include <rtuwire/wire/serial_line_rules.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Functions, each by the type of its request.
 template <typename... Functions> struct function_list {
-    static constexpr function_set codes{Functions::code...};
+    static constexpr function_set codes{function_row<Functions>::code...};
 
     /// Whether a function is in the list.
-    template <typename Function> static constexpr bool contains = ((Functions::code == Function::code) or ...);
+    template <typename Function>
+    static constexpr bool contains = ((function_row<Functions>::code == function_row<Function>::code) or ...);
 };
 
 /// Whether a list has a function with this code.
@@ -41,7 +38,7 @@ template <typename... Functions> struct function_list {
 template <typename... Functions>
 [[nodiscard]] constexpr bool is_among(function_list<Functions...>, std::uint8_t code) noexcept
 {
-    return ((code == to_u8(Functions::code)) or ...);
+    return ((code == to_u8(function_row<Functions>::code)) or ...);
 }
 
 /// The public functions (AP 6).
@@ -80,9 +77,9 @@ template <typename... Functions>
 {
     errc found = errc::none;
     auto const ask = [&]<typename Function>(std::type_identity<Function>) {
-        if constexpr (checks_response<Function>) {
-            if (is_pdu_of(request_pdu, Function::code)) {
-                found = Function::check_response(request_pdu, response_pdu);
+        if constexpr (checks_response<function_row<Function>>) {
+            if (is_pdu_of(request_pdu, function_row<Function>::code)) {
+                found = function_row<Function>::check_response(request_pdu, response_pdu);
             }
         }
     };
@@ -115,7 +112,7 @@ namespace length_rules {
 
 inline constexpr std::size_t in_table = 25;
 
-template <typename Function> inline constexpr bool is_in_table = to_u8(Function::code) < in_table;
+template <typename Function> inline constexpr bool is_in_table = to_u8(function_row<Function>::code) < in_table;
 
 template <typename... Functions>
 [[nodiscard]] consteval std::array<std::uint8_t, in_table> table_of(function_list<Functions...>,
@@ -127,7 +124,7 @@ template <typename... Functions>
             rules[to_u8(code)] = of.*way;
         }
     };
-    (put(Functions::code, Functions::rules), ...);
+    (put(function_row<Functions>::code, function_row<Functions>::rules), ...);
     return rules;
 }
 
@@ -141,8 +138,8 @@ template <typename... Functions>
 {
     bool const is_exception = (wire_code & exception_bit) != 0;
     std::uint8_t rule = is_exception and not asks ? sized(length_rule::fixed, exception_adu_size) : std::uint8_t{0};
-    ((rule = not is_in_table<Functions> and wire_code == to_u8(Functions::code)
-                 ? (asks ? Functions::rules.request : Functions::rules.response)
+    ((rule = not is_in_table<Functions> and wire_code == to_u8(function_row<Functions>::code)
+                 ? (asks ? function_row<Functions>::rules.request : function_row<Functions>::rules.response)
                  : rule),
      ...);
     return rule;
@@ -160,7 +157,7 @@ template <typename Functions> [[nodiscard]] constexpr std::uint8_t of(direction 
 
 template <typename Function>
 inline constexpr bool
-    has_own = static_cast<length_rule>(Function::rules.response& length_rule_bits) == length_rule::own;
+    has_own = static_cast<length_rule>(function_row<Function>::rules.response& length_rule_bits) == length_rule::own;
 
 /// What the one function says of its size that has a rule of its own; of several, the one with this code.
 template <typename First, typename... Others>
@@ -169,8 +166,8 @@ template <typename First, typename... Others>
 {
     if constexpr (has_own<First>) {
         bool const is_only = not(has_own<Others> or ...);
-        if (is_only or First::code == static_cast<function_code>(to_u8(adu[1]))) {
-            return First::length(dir, adu);
+        if (is_only or function_row<First>::code == static_cast<function_code>(to_u8(adu[1]))) {
+            return function_row<First>::length(dir, adu);
         }
     }
     if constexpr (sizeof...(Others) > 0) {

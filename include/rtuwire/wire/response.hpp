@@ -22,7 +22,8 @@ template <typename... Functions>
 {
     std::array<answer_rule, length_rules::in_table> answers{};
     ((length_rules::is_in_table<Functions>
-          ? static_cast<void>(answers[to_u8(Functions::code) % length_rules::in_table] = Functions::rules.answers)
+          ? static_cast<void>(answers[to_u8(function_row<Functions>::code) % length_rules::in_table] =
+                                  function_row<Functions>::rules.answers)
           : static_cast<void>(0)),
      ...);
     return answers;
@@ -36,8 +37,9 @@ template <typename... Functions>
 [[nodiscard]] constexpr answer_rule answer_of_others(function_list<Functions...>, std::uint8_t code) noexcept
 {
     answer_rule rule = answer_rule::unknown;
-    ((rule = not length_rules::is_in_table<Functions> and code == to_u8(Functions::code) ? Functions::rules.answers
-                                                                                         : rule),
+    ((rule = not length_rules::is_in_table<Functions> and code == to_u8(function_row<Functions>::code)
+                 ? function_row<Functions>::rules.answers
+                 : rule),
      ...);
     return rule;
 }
@@ -72,8 +74,8 @@ template <typename... Functions>
 {
     std::size_t found = 0;
     auto const ask = [&]<typename Function>(std::type_identity<Function>) {
-        if constexpr (Function::rules.answers == answer_rule::partly) {
-            found = code == to_u8(Function::code) ? Function::repeated(request_pdu) : found;
+        if constexpr (function_row<Function>::rules.answers == answer_rule::partly) {
+            found = code == to_u8(function_row<Function>::code) ? function_row<Function>::repeated(request_pdu) : found;
         }
     };
     (ask(std::type_identity<Functions>{}), ...);
@@ -87,9 +89,12 @@ template <typename... Functions>
 [[nodiscard]] consteval std::size_t shortest_checked(function_list<Functions...>, std::size_t usual) noexcept
 {
     std::size_t shortest = usual;
-    ((shortest = Functions::rules.answers == answer_rule::own and Functions::max_size < shortest ? Functions::max_size
-                                                                                                 : shortest),
-     ...);
+    auto const ask = [&]<typename Function>(std::type_identity<Function>) {
+        if constexpr (function_row<Function>::rules.answers == answer_rule::own) {
+            shortest = function_row<Function>::max_size < shortest ? function_row<Function>::max_size : shortest;
+        }
+    };
+    (ask(std::type_identity<Functions>{}), ...);
     return shortest;
 }
 
@@ -103,10 +108,11 @@ template <typename... Functions>
     constexpr std::size_t usual = 4;
     constexpr bool is_usual = shortest_checked(function_list<Functions...>{}, usual) == usual;
     auto const ask = [&]<typename Function>(std::type_identity<Function>) {
-        if constexpr (Function::rules.answers == answer_rule::own) {
-            constexpr std::size_t least = Function::max_size < usual ? Function::max_size : usual;
-            if (code == to_u8(Function::code) and (is_usual or request_pdu.size() >= least)) {
-                found = Function::check_response(request_pdu, response_pdu);
+        if constexpr (function_row<Function>::rules.answers == answer_rule::own) {
+            constexpr std::size_t least =
+                function_row<Function>::max_size < usual ? function_row<Function>::max_size : usual;
+            if (code == to_u8(function_row<Function>::code) and (is_usual or request_pdu.size() >= least)) {
+                found = function_row<Function>::check_response(request_pdu, response_pdu);
             }
         }
     };
@@ -123,8 +129,8 @@ template <typename... Functions>
     auto const ask = [&]<typename Function>(std::type_identity<Function>) {
         if constexpr (length_rules::has_own<Function>) {
             bool const is_only = (int{length_rules::has_own<Functions>} + ...) == 1;
-            bool const is_it = is_only or to_u8(request_adu[1]) == to_u8(Function::code);
-            tells = is_it ? Function::tells_end(request_adu) : tells;
+            bool const is_it = is_only or to_u8(request_adu[1]) == to_u8(function_row<Function>::code);
+            tells = is_it ? function_row<Function>::tells_end(request_adu) : tells;
         }
     };
     (ask(std::type_identity<Functions>{}), ...);
@@ -139,8 +145,9 @@ template <typename... Functions>
 {
     std::size_t size = max_adu_size;
     auto const ask = [&]<typename Function>(std::type_identity<Function>) {
-        if constexpr (requires { Function::longest_response(request_adu); }) {
-            size = code == to_u8(Function::code) ? Function::longest_response(request_adu) : size;
+        if constexpr (requires { function_row<Function>::longest_response(request_adu); }) {
+            size = code == to_u8(function_row<Function>::code) ? function_row<Function>::longest_response(request_adu)
+                                                               : size;
         }
     };
     (ask(std::type_identity<Functions>{}), ...);

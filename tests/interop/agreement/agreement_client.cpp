@@ -8,6 +8,7 @@
 
 #include <rtuwire/client/blocking.hpp>
 #include <rtuwire/port/posix_serial.hpp>
+#include <rtuwire/serial_line.hpp>
 #include <rtuwire/wire/errc_name.hpp>
 #include <rtuwire/wire/functions.hpp>
 

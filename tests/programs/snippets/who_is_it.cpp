@@ -6,6 +6,7 @@
 
 #include <rtuwire/client.hpp>
 #include <rtuwire/port.hpp>
+#include <rtuwire/serial_line.hpp>
 
 using namespace rtuwire;
 

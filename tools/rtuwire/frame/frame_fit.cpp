@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "frame/frame_fit.hpp"
 
+#include <rtuwire/serial_line.hpp>
+
 namespace tool {
 
 namespace {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <rtuwire/frames.hpp>
+#include <rtuwire/serial_line.hpp>
 
 namespace tool {
 

@@ -11,47 +11,28 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/function.hpp>
+#include <rtuwire/wire/serial_line_rules.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// Which objects are requested.
-enum class identification_access : std::uint8_t { basic = 1, regular = 2, extended = 3, single = 4 };
+enum class identification_access : std::uint8_t {
+    basic = 1,
+    regular = 2,
+    extended = 3,
+    single = identification_row::single_access
+};
 
 /// The objects every device has.
 inline constexpr std::uint8_t vendor_name = 0x00;
 inline constexpr std::uint8_t product_code = 0x01;
 inline constexpr std::uint8_t major_minor_revision = 0x02;
 
-/// The type byte of read device identification within function 43.
-/// Internal.
-inline constexpr std::uint8_t identification_mei_type = 0x0E;
-
-/// How many objects (number, length and text of each) these bytes hold; 0 where the last one is incomplete or
-/// the numbers do not rise.
-/// Internal.
-[[nodiscard]] constexpr std::size_t objects_in(byte_view bytes) noexcept
-{
-    std::byte const* at = bytes.data();
-    std::size_t left = bytes.size();
-    std::size_t count = 0;
-    int last = -1;
-    while (left > 0) {
-        if (left < 2 or left - 2 < to_u8(at[1]) or to_u8(at[0]) <= last) {
-            return 0;
-        }
-        last = to_u8(at[0]);
-        left -= 2U + to_u8(at[1]);
-        at += 2U + to_u8(at[1]);
-        ++count;
-    }
-    return count;
-}
-
 /// One page of a device's identification; a view of the received bytes. Objects are visited with
 /// `first()` and `after()`.
 struct device_identification {
     static constexpr std::size_t max_size = max_pdu_size;
-    static constexpr std::size_t head_size = 7;
+    static constexpr std::size_t head_size = identification_row::head;
 
     /// One object: its number and its text, not terminated.
     struct object {
@@ -71,7 +52,8 @@ struct device_identification {
         if (size() > max_size) {
             return errc::frame_too_long;
         }
-        return is_count(objects_in(list), count) ? errc::none : errc::malformed;
+        std::size_t const found = objects_in(list);
+        return found > 0 and found == count ? errc::none : errc::malformed;
     }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return head_size + list.size(); }
     constexpr void write(byte_writer& out) const noexcept
@@ -124,17 +106,7 @@ struct device_identification {
     /// when the object count and the bytes disagree or the numbers do not rise, or none.
     [[nodiscard]] static constexpr errc check_page(byte_view pdu) noexcept
     {
-        if (not is_pdu_of(pdu, function_code::encapsulated_interface)) {
-            return errc::wrong_function;
-        }
-        if (pdu.size() < head_size) {
-            return errc::wrong_length;
-        }
-        std::uint8_t const more = to_u8(pdu[4]);
-        std::size_t const count = objects_in(pdu.subspan(head_size));
-        bool const is_legal = to_u8(pdu[1]) == identification_mei_type and (more == 0x00 or more == 0xFF) and
-                              is_count(count, to_u8(pdu[6]));
-        return is_legal ? errc::none : errc::malformed;
+        return identification_row::check_page(pdu);
     }
 
     /// Reads a PDU. Errors: those of `check_page`.
@@ -159,19 +131,14 @@ private:
         }
         return Object{to_u8(bytes[0]), bytes.subspan(2, to_u8(bytes[1]))};
     }
-
-    static constexpr bool is_count(std::size_t found, std::uint8_t told) noexcept
-    {
-        return found > 0 and found == told;
-    }
 };
 
 /// Requests the identification of one unit, from one object on.
 struct read_device_identification {
     using response = device_identification;
-    static constexpr function_code code = function_code::encapsulated_interface;
-    static constexpr frame_rules rules{sized(length_rule::own), sized(length_rule::own), answer_rule::own};
-    static constexpr std::size_t max_size = 4;
+    static constexpr function_code code = function_row<read_device_identification>::code;
+    static constexpr frame_rules rules = function_row<read_device_identification>::rules;
+    static constexpr std::size_t max_size = identification_row::max_size;
 
     identification_access access{identification_access::basic};
     std::uint8_t object{vendor_name};
@@ -187,61 +154,6 @@ struct read_device_identification {
         out.u8(identification_mei_type);
         out.u8(static_cast<std::uint32_t>(access));
         out.u8(object);
-    }
-
-    /// The size of an ADU: a request is fixed, a response is walked object by object; known for type 14 only.
-    /// Internal.
-    [[nodiscard, gnu::always_inline]] static constexpr raw_length length(direction dir, byte_view adu) noexcept
-    {
-        constexpr std::size_t mei_at = 2;
-        constexpr std::size_t count_at = 7;
-        if (adu.size() <= mei_at) {
-            return {mei_at + 1, false};
-        }
-        if (to_u8(adu[mei_at]) != identification_mei_type) {
-            return {};
-        }
-        if (dir == direction::request) {
-            return {7, true};
-        }
-        if (adu.size() <= count_at) {
-            return {count_at + 1, false};
-        }
-        std::size_t left = to_u8(adu[count_at]);
-        std::size_t end = count_at + 1;
-        while (left > 0 and end + 2 <= adu.size()) {
-            end += 2U + to_u8(adu[end + 1]);
-            --left;
-        }
-        // Two bytes follow: the CRC, or the head of the next object.
-        return {end + 2, left == 0};
-    }
-
-    /// Whether the response to a request of 4 bytes or more, an ADU, tells its own size.
-    /// Internal.
-    [[nodiscard]] static constexpr bool tells_end(byte_view request_adu) noexcept
-    {
-        return to_u8(request_adu[2]) == identification_mei_type;
-    }
-
-    /// Compares a page with its request of 4 bytes or more.
-    /// Internal.
-    [[nodiscard]] static constexpr errc check_response(byte_view request_pdu, byte_view response_pdu) noexcept
-    {
-        constexpr std::size_t count_at = 6;
-        constexpr std::size_t first_id_at = device_identification::head_size;
-        if (to_u8(request_pdu[1]) != identification_mei_type) {
-            return errc::none;
-        }
-        if (errc const wrong = device_identification::check_page(response_pdu); wrong != errc::none) {
-            return wrong;
-        }
-        // A stream may start at another object than the one requested; a single object is the one requested.
-        bool const is_single = to_u8(request_pdu[2]) == static_cast<std::uint8_t>(identification_access::single);
-        bool const is_other =
-            request_pdu[2] != response_pdu[2] or
-            (is_single and (to_u8(response_pdu[count_at]) != 1 or response_pdu[first_id_at] != request_pdu[3]));
-        return is_other ? errc::response_mismatch : errc::none;
     }
 
     /// Reads a PDU. Errors: `wrong_function` (another type within function 43 too), `wrong_length`,

@@ -10,45 +10,17 @@
 #include <rtuwire/wire/adu.hpp>
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/pdu_fields.hpp>
+#include <rtuwire/wire/serial_line_rules.hpp>
 #include <rtuwire/wire/views.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
-/// The sub-functions of AP 6.8.1.
-enum class subfunction : std::uint16_t {
-    return_query_data = 0x00,
-    restart_communications = 0x01,
-    return_diagnostic_register = 0x02,
-    change_ascii_delimiter = 0x03,
-    force_listen_only = 0x04,
-    clear_counters = 0x0A,
-    bus_message_count = 0x0B,
-    bus_communication_error_count = 0x0C,
-    bus_exception_error_count = 0x0D,
-    server_message_count = 0x0E,
-    server_no_response_count = 0x0F,
-    server_nak_count = 0x10,
-    server_busy_count = 0x11,
-    bus_character_overrun_count = 0x12,
-    clear_overrun_counter = 0x14,
-};
-
-/// Whether the data of a normal response are those of its request (AP 6.8.1); the others count or report.
-/// Internal.
-[[nodiscard]] constexpr bool repeats_data(subfunction what) noexcept
-{
-    return what == subfunction::return_query_data or what == subfunction::restart_communications or
-           what == subfunction::change_ascii_delimiter or what == subfunction::clear_counters or
-           what == subfunction::clear_overrun_counter;
-}
-
 /// A diagnostics request or its response. Made of a block, it owns that block; made of a view, its words are
 /// stored elsewhere.
-template <typename Words = register_view> struct diagnostics {
+template <typename Words> struct diagnostics {
     using response = diagnostics<>;
-    static constexpr function_code code = function_code::diagnostics;
-    static constexpr frame_rules rules{sized(length_rule::subfunction, 8), sized(length_rule::subfunction, 8),
-                                       answer_rule::partly};
+    static constexpr function_code code = function_row<diagnostics<>>::code;
+    static constexpr frame_rules rules = function_row<diagnostics<>>::rules;
     static constexpr std::size_t max_words = 125;
     static constexpr std::size_t max_size = 3U + bytes_at_most<Words, max_words>;
 
@@ -68,13 +40,6 @@ template <typename Words = register_view> struct diagnostics {
         out.u8(to_u8(function_code::diagnostics));
         out.u16(static_cast<std::uint32_t>(what));
         out.bytes(data.bytes());
-    }
-
-    /// How many bytes of a request of 4 or more its response repeats.
-    /// Internal.
-    [[nodiscard]] static constexpr std::size_t repeated(byte_view request_pdu) noexcept
-    {
-        return repeats_data(static_cast<subfunction>(u16_at(request_pdu, 1))) ? request_pdu.size() : 3;
     }
 
     /// Reads a PDU. Errors: `wrong_function`, `wrong_length`, `invalid_quantity`.
@@ -137,9 +102,8 @@ struct get_comm_event_counter_response {
 /// Asks one unit how many requests it has executed; exceptions and requests of this function do not count.
 struct get_comm_event_counter {
     using response = get_comm_event_counter_response;
-    static constexpr function_code code = function_code::get_comm_event_counter;
-    static constexpr frame_rules rules{sized(length_rule::fixed, 4), sized(length_rule::fixed, 8),
-                                       answer_rule::nothing};
+    static constexpr function_code code = function_row<get_comm_event_counter>::code;
+    static constexpr frame_rules rules = function_row<get_comm_event_counter>::rules;
     static constexpr std::size_t max_size = 1;
 
     [[nodiscard]] constexpr errc check() const noexcept { return errc::none; }
@@ -223,9 +187,8 @@ struct get_comm_event_log_response {
 /// Asks one unit for its counters and the log of what happened on its line.
 struct get_comm_event_log {
     using response = get_comm_event_log_response;
-    static constexpr function_code code = function_code::get_comm_event_log;
-    static constexpr frame_rules rules{sized(length_rule::fixed, 4), sized(length_rule::byte_count, 5),
-                                       answer_rule::nothing};
+    static constexpr function_code code = function_row<get_comm_event_log>::code;
+    static constexpr frame_rules rules = function_row<get_comm_event_log>::rules;
     static constexpr std::size_t max_size = 1;
 
     [[nodiscard]] constexpr errc check() const noexcept { return errc::none; }

@@ -7,13 +7,14 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/pdu_fields.hpp>
+#include <rtuwire/wire/serial_line_rules.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
 /// The response to function 24: the registers that the queue holds, up to 31.
 struct read_fifo_queue_response {
     static constexpr function_code code = function_code::read_fifo_queue;
-    static constexpr std::size_t most = 31;
+    static constexpr std::size_t most = fifo_queue_row::most;
     static constexpr std::size_t max_size = 5 + 2 * most;
 
     /// In wire order; after decoding, a view of the received bytes.
@@ -50,9 +51,8 @@ struct read_fifo_queue_response {
 /// Reads a queue of one unit.
 struct read_fifo_queue {
     using response = read_fifo_queue_response;
-    static constexpr function_code code = function_code::read_fifo_queue;
-    static constexpr frame_rules rules{sized(length_rule::fixed, 6), sized(length_rule::word_count, 6),
-                                       answer_rule::nothing};
+    static constexpr function_code code = function_row<read_fifo_queue>::code;
+    static constexpr frame_rules rules = function_row<read_fifo_queue>::rules;
     static constexpr std::size_t max_size = 3;
 
     std::uint16_t address; ///< of the queue's pointer
@@ -76,9 +76,9 @@ struct read_fifo_queue {
 
     /// Whether a response's byte count and queue count agree, and no more than 31 registers came.
     /// Internal.
-    [[nodiscard]] static constexpr errc check_response(byte_view, byte_view response_pdu) noexcept
+    [[nodiscard]] static constexpr errc check_response(byte_view request_pdu, byte_view response_pdu) noexcept
     {
-        return response::decode(response_pdu) ? errc::none : errc::wrong_length;
+        return function_row<read_fifo_queue>::check_response(request_pdu, response_pdu);
     }
 
     /// Whether a bank has what this function serves.

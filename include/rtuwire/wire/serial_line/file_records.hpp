@@ -19,6 +19,7 @@
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/limits.hpp>
 #include <rtuwire/wire/pdu_fields.hpp>
+#include <rtuwire/wire/serial_line_rules.hpp>
 #include <rtuwire/wire/views.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
@@ -41,14 +42,6 @@ struct file_run {
 
     friend constexpr bool operator==(file_run const&, file_run const&) = default;
 };
-
-/// The byte in front of each run.
-/// Internal.
-inline constexpr std::uint8_t file_reference = 6;
-
-/// A run's head: reference, file, record, count.
-/// Internal.
-inline constexpr std::size_t file_run_size = 7;
 
 /// Reads a run's head; the caller has checked that its bytes are there.
 /// Internal.
@@ -276,11 +269,10 @@ private:
 
 /// Reads records of one unit's files: `read_file_record{file_run{.file = 4, .record = 1, .count = 2}}`, or with several
 /// runs, one after the other.
-template <typename Runs = file_runs> struct read_file_record {
+template <typename Runs> struct read_file_record {
     using response = read_file_record_response;
-    static constexpr function_code code = function_code::read_file_record;
-    static constexpr frame_rules rules{sized(length_rule::byte_count, 5), sized(length_rule::byte_count, 5),
-                                       answer_rule::nothing};
+    static constexpr function_code code = function_row<read_file_record<>>::code;
+    static constexpr frame_rules rules = function_row<read_file_record<>>::rules;
     static constexpr std::size_t most_runs = 35;
     static constexpr std::size_t max_size = 2 + most_runs * file_run_size;
 
@@ -310,29 +302,11 @@ template <typename Runs = file_runs> struct read_file_record {
         }
     }
 
-    /// The size of the longest response to a request, both ADUs: known of one run.
-    /// Internal.
-    [[nodiscard]] static constexpr std::size_t longest_response(byte_view request_adu) noexcept
-    {
-        constexpr std::size_t with_one_run = 12, count_at = 8, most = 121;
-        std::size_t const count = request_adu.size() == with_one_run ? u16_at(request_adu, count_at) : most + 1;
-        return count <= most ? 7 + 2 * count : max_adu_size;
-    }
-
     /// Whether a response has the records of each run of its request.
     /// Internal.
     [[nodiscard]] static constexpr errc check_response(byte_view request_pdu, byte_view response_pdu) noexcept
     {
-        std::size_t at = 2;
-        for (std::size_t i = 2; i + file_run_size <= request_pdu.size(); i += file_run_size) {
-            std::size_t const size = 1U + std::size_t{2} * u16_at(request_pdu, i + 5);
-            if (response_pdu.size() < at + 1 + size or to_u8(response_pdu[at]) != size or
-                to_u8(response_pdu[at + 1]) != file_reference) {
-                return errc::response_mismatch;
-            }
-            at += 1 + size;
-        }
-        return response_pdu.size() == at and at == 2U + to_u8(response_pdu[1]) ? errc::none : errc::wrong_length;
+        return function_row<read_file_record<>>::check_response(request_pdu, response_pdu);
     }
 
     /// Whether a bank has what this function serves.
@@ -424,11 +398,10 @@ struct file_writes {
 
 /// Writes records of a file of one unit or of all; the response repeats them. Made of a block, it owns that block; made
 /// of a view, its words are stored elsewhere.
-template <typename Words = register_view> struct write_file_record {
+template <typename Words> struct write_file_record {
     using response = file_writes;
-    static constexpr function_code code = function_code::write_file_record;
-    static constexpr frame_rules rules{sized(length_rule::byte_count, 5), sized(length_rule::byte_count, 5),
-                                       answer_rule::whole};
+    static constexpr function_code code = function_row<write_file_record<>>::code;
+    static constexpr frame_rules rules = function_row<write_file_record<>>::rules;
     static constexpr std::size_t most = 122;
     static constexpr std::size_t max_size = 2U + file_run_size + bytes_at_most<Words, most>;
     static constexpr bool may_be_broadcast = true;

@@ -8,6 +8,7 @@
 #include <rtuwire/core/version.hpp>
 #include <rtuwire/wire/function.hpp>
 #include <rtuwire/wire/pdu_fields.hpp>
+#include <rtuwire/wire/serial_line_rules.hpp>
 
 namespace rtuwire::inline RTUWIRE_BUILD {
 
@@ -42,9 +43,8 @@ struct read_exception_status_response {
 /// Reads the eight exception status outputs of one unit, whose meaning its maker gives.
 struct read_exception_status {
     using response = read_exception_status_response;
-    static constexpr function_code code = function_code::read_exception_status;
-    static constexpr frame_rules rules{sized(length_rule::fixed, 4), sized(length_rule::fixed, 5),
-                                       answer_rule::nothing};
+    static constexpr function_code code = function_row<read_exception_status>::code;
+    static constexpr frame_rules rules = function_row<read_exception_status>::rules;
     static constexpr std::size_t max_size = 1;
 
     [[nodiscard]] constexpr errc check() const noexcept { return errc::none; }
@@ -104,9 +104,8 @@ struct report_server_id_response {
 /// Asks one unit what it is, and whether it runs.
 struct report_server_id {
     using response = report_server_id_response;
-    static constexpr function_code code = function_code::report_server_id;
-    static constexpr frame_rules rules{sized(length_rule::fixed, 4), sized(length_rule::byte_count, 5),
-                                       answer_rule::nothing};
+    static constexpr function_code code = function_row<report_server_id>::code;
+    static constexpr frame_rules rules = function_row<report_server_id>::rules;
     static constexpr std::size_t max_size = 1;
 
     [[nodiscard]] constexpr errc check() const noexcept { return errc::none; }

@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: 2026 The rtuwire authors
+// SPDX-License-Identifier: BSL-1.0
+//
+// What the length rules and the check of responses know of the functions of wire/serial_line/: their rows of the table in
+// wire/functions.hpp, without their classes, which only a program reads that uses them. Apart from the table for these
+// classes, which take their rows from here.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <rtuwire/core/bytes.hpp>
+#include <rtuwire/core/version.hpp>
+#include <rtuwire/wire/errc.hpp>
+#include <rtuwire/wire/function.hpp>
+#include <rtuwire/wire/limits.hpp>
+#include <rtuwire/wire/views.hpp>
+
+namespace rtuwire::inline RTUWIRE_BUILD {
+
+class file_runs;
+struct read_exception_status;
+template <typename Words = register_view> struct diagnostics;
+struct get_comm_event_counter;
+struct get_comm_event_log;
+struct report_server_id;
+template <typename Runs = file_runs> struct read_file_record;
+template <typename Words = register_view> struct write_file_record;
+struct read_fifo_queue;
+struct read_device_identification;
+
+/// Where a function's row stands: in the class of its request, or here.
+/// Internal.
+template <typename Function> struct function_row_of {
+    using type = Function;
+};
+/// Internal.
+template <typename Function> using function_row = typename function_row_of<Function>::type;
+
+/// The code and the rules of a function.
+/// Internal.
+template <function_code Code, std::uint8_t Request, std::uint8_t Response, answer_rule Answers> struct plain_row {
+    static constexpr function_code code = Code;
+    static constexpr frame_rules rules{Request, Response, Answers};
+};
+
+template <> struct function_row_of<read_exception_status> {
+    using type = plain_row<function_code::read_exception_status, sized(length_rule::fixed, 4),
+                           sized(length_rule::fixed, 5), answer_rule::nothing>;
+};
+template <> struct function_row_of<get_comm_event_counter> {
+    using type = plain_row<function_code::get_comm_event_counter, sized(length_rule::fixed, 4),
+                           sized(length_rule::fixed, 8), answer_rule::nothing>;
+};
+template <> struct function_row_of<get_comm_event_log> {
+    using type = plain_row<function_code::get_comm_event_log, sized(length_rule::fixed, 4),
+                           sized(length_rule::byte_count, 5), answer_rule::nothing>;
+};
+template <> struct function_row_of<report_server_id> {
+    using type = plain_row<function_code::report_server_id, sized(length_rule::fixed, 4),
+                           sized(length_rule::byte_count, 5), answer_rule::nothing>;
+};
+template <typename Words> struct function_row_of<write_file_record<Words>> {
+    using type = plain_row<function_code::write_file_record, sized(length_rule::byte_count, 5),
+                           sized(length_rule::byte_count, 5), answer_rule::whole>;
+};
+
+/// The sub-functions of AP 6.8.1.
+enum class subfunction : std::uint16_t {
+    return_query_data = 0x00,
+    restart_communications = 0x01,
+    return_diagnostic_register = 0x02,
+    change_ascii_delimiter = 0x03,
+    force_listen_only = 0x04,
+    clear_counters = 0x0A,
+    bus_message_count = 0x0B,
+    bus_communication_error_count = 0x0C,
+    bus_exception_error_count = 0x0D,
+    server_message_count = 0x0E,
+    server_no_response_count = 0x0F,
+    server_nak_count = 0x10,
+    server_busy_count = 0x11,
+    bus_character_overrun_count = 0x12,
+    clear_overrun_counter = 0x14,
+};
+
+/// Whether the data of a normal response are those of its request (AP 6.8.1); the others count or report.
+/// Internal.
+[[nodiscard]] constexpr bool repeats_data(subfunction what) noexcept
+{
+    return what == subfunction::return_query_data or what == subfunction::restart_communications or
+           what == subfunction::change_ascii_delimiter or what == subfunction::clear_counters or
+           what == subfunction::clear_overrun_counter;
+}
+
+/// Function 08.
+/// Internal.
+struct diagnostics_row : plain_row<function_code::diagnostics, sized(length_rule::subfunction, 8),
+                                   sized(length_rule::subfunction, 8), answer_rule::partly> {
+    /// How many bytes of a request of 4 or more its response repeats.
+    [[nodiscard]] static constexpr std::size_t repeated(byte_view request_pdu) noexcept
+    {
+        return repeats_data(static_cast<subfunction>(u16_at(request_pdu, 1))) ? request_pdu.size() : 3;
+    }
+};
+template <typename Words> struct function_row_of<diagnostics<Words>> {
+    using type = diagnostics_row;
+};
+
+/// The byte in front of each run of records of a file, and a run's head: reference, file, record, count.
+/// Internal.
+inline constexpr std::uint8_t file_reference = 6;
+/// Internal.
+inline constexpr std::size_t file_run_size = 7;
+
+/// Function 20.
+/// Internal.
+struct file_read_row : plain_row<function_code::read_file_record, sized(length_rule::byte_count, 5),
+                                 sized(length_rule::byte_count, 5), answer_rule::nothing> {
+    /// The size of the longest response to a request, both ADUs: known of one run.
+    [[nodiscard]] static constexpr std::size_t longest_response(byte_view request_adu) noexcept
+    {
+        constexpr std::size_t with_one_run = 12, count_at = 8, most = 121;
+        std::size_t const count = request_adu.size() == with_one_run ? u16_at(request_adu, count_at) : most + 1;
+        return count <= most ? 7 + 2 * count : max_adu_size;
+    }
+
+    /// Whether a response has the records of each run of its request.
+    [[nodiscard]] static constexpr errc check_response(byte_view request_pdu, byte_view response_pdu) noexcept
+    {
+        std::size_t at = 2;
+        for (std::size_t i = 2; i + file_run_size <= request_pdu.size(); i += file_run_size) {
+            std::size_t const size = 1U + std::size_t{2} * u16_at(request_pdu, i + 5);
+            if (response_pdu.size() < at + 1 + size or to_u8(response_pdu[at]) != size or
+                to_u8(response_pdu[at + 1]) != file_reference) {
+                return errc::response_mismatch;
+            }
+            at += 1 + size;
+        }
+        return response_pdu.size() == at and at == 2U + to_u8(response_pdu[1]) ? errc::none : errc::wrong_length;
+    }
+};
+template <typename Runs> struct function_row_of<read_file_record<Runs>> {
+    using type = file_read_row;
+};
+
+/// Function 24.
+/// Internal.
+struct fifo_queue_row : plain_row<function_code::read_fifo_queue, sized(length_rule::fixed, 6),
+                                  sized(length_rule::word_count, 6), answer_rule::nothing> {
+    static constexpr std::size_t head = 5, most = 31;
+
+    /// Whether a response's byte count and queue count agree with its size, and no more than 31 registers came.
+    [[nodiscard]] static constexpr errc check_response(byte_view, byte_view response_pdu) noexcept
+    {
+        std::size_t const size = response_pdu.size();
+        bool const agrees = is_pdu_of(response_pdu, code) and size >= head and size == 3U + u16_at(response_pdu, 1) and
+                            size == head + std::size_t{2} * u16_at(response_pdu, 3) and size <= head + 2 * most;
+        return agrees ? errc::none : errc::wrong_length;
+    }
+};
+template <> struct function_row_of<read_fifo_queue> {
+    using type = fifo_queue_row;
+};
+
+/// The type byte of read device identification within function 43.
+/// Internal.
+inline constexpr std::uint8_t identification_mei_type = 0x0E;
+
+/// How many objects (number, length and text of each) these bytes hold; 0 where the last one is incomplete or
+/// the numbers do not rise.
+/// Internal.
+[[nodiscard]] constexpr std::size_t objects_in(byte_view bytes) noexcept
+{
+    std::byte const* at = bytes.data();
+    std::size_t left = bytes.size();
+    std::size_t count = 0;
+    int last = -1;
+    while (left > 0) {
+        if (left < 2 or left - 2 < to_u8(at[1]) or to_u8(at[0]) <= last) {
+            return 0;
+        }
+        last = to_u8(at[0]);
+        left -= 2U + to_u8(at[1]);
+        at += 2U + to_u8(at[1]);
+        ++count;
+    }
+    return count;
+}
+
+/// Function 43, of type 14.
+/// Internal.
+struct identification_row : plain_row<function_code::encapsulated_interface, sized(length_rule::own),
+                                      sized(length_rule::own), answer_rule::own> {
+    static constexpr std::size_t max_size = 4;           ///< of a request
+    static constexpr std::size_t count_at = 6, head = 7; ///< of a page
+    static constexpr std::uint8_t single_access = 4;
+
+    /// The size of an ADU: a request is fixed, a response is walked object by object; known for type 14 only.
+    [[nodiscard, gnu::always_inline]] static constexpr raw_length length(direction dir, byte_view adu) noexcept
+    {
+        constexpr std::size_t mei_at = 2;
+        constexpr std::size_t count_in_adu = count_at + 1;
+        if (adu.size() <= mei_at) {
+            return {mei_at + 1, false};
+        }
+        if (to_u8(adu[mei_at]) != identification_mei_type) {
+            return {};
+        }
+        if (dir == direction::request) {
+            return {7, true};
+        }
+        if (adu.size() <= count_in_adu) {
+            return {count_in_adu + 1, false};
+        }
+        std::size_t left = to_u8(adu[count_in_adu]);
+        std::size_t end = count_in_adu + 1;
+        while (left > 0 and end + 2 <= adu.size()) {
+            end += 2U + to_u8(adu[end + 1]);
+            --left;
+        }
+        // Two bytes follow: the CRC, or the head of the next object.
+        return {end + 2, left == 0};
+    }
+
+    /// Whether the response to a request of 4 bytes or more, an ADU, tells its own size.
+    [[nodiscard]] static constexpr bool tells_end(byte_view request_adu) noexcept
+    {
+        return to_u8(request_adu[2]) == identification_mei_type;
+    }
+
+    /// Whether a PDU is a page: see `device_identification::check_page`.
+    [[nodiscard]] static constexpr errc check_page(byte_view pdu) noexcept
+    {
+        if (not is_pdu_of(pdu, code)) {
+            return errc::wrong_function;
+        }
+        if (pdu.size() < head) {
+            return errc::wrong_length;
+        }
+        std::uint8_t const more = to_u8(pdu[4]);
+        std::size_t const count = objects_in(pdu.subspan(head));
+        bool const is_legal = to_u8(pdu[1]) == identification_mei_type and (more == 0x00 or more == 0xFF) and
+                              count > 0 and count == to_u8(pdu[count_at]);
+        return is_legal ? errc::none : errc::malformed;
+    }
+
+    /// Compares a page with its request of 4 bytes or more.
+    [[nodiscard]] static constexpr errc check_response(byte_view request_pdu, byte_view response_pdu) noexcept
+    {
+        if (to_u8(request_pdu[1]) != identification_mei_type) {
+            return errc::none;
+        }
+        if (errc const wrong = check_page(response_pdu); wrong != errc::none) {
+            return wrong;
+        }
+        // A stream may start at another object than the one requested; a single object is the one requested.
+        bool const is_single = to_u8(request_pdu[2]) == single_access;
+        bool const is_other =
+            request_pdu[2] != response_pdu[2] or
+            (is_single and (to_u8(response_pdu[count_at]) != 1 or response_pdu[head] != request_pdu[3]));
+        return is_other ? errc::response_mismatch : errc::none;
+    }
+};
+template <> struct function_row_of<read_device_identification> {
+    using type = identification_row;
+};
+
+} // namespace rtuwire
