@@ -68,6 +68,10 @@ enum class event : unsigned {
     slept_for_minutes,
     slept_while_a_cycle_ran,
     clock_wrap,
+    run_stop,
+    port_reads_failed,
+    port_writes_failed,
+    program_stopped_in_a_call,
     motor_ran,
     motor_stopped_by_order,
     motor_stopped_by_its_timeout,
@@ -137,6 +141,10 @@ inline constexpr std::array<char const*, event_count> event_names{
     "sleeps of the controller, 1 to 110 minutes",
     "sleeps in which a cycle lost its order",
     "wraps of the clock",
+    "stops that a blocking client ran",
+    "ports whose reads fail",
+    "ports whose writes fail",
+    "programs that are stopped in a call of their port",
     "motors that began to run",
     "motors that lost power by a frame",
     "motors that lost power by themselves",
@@ -162,6 +170,7 @@ enum class breach : unsigned {
     beyond_limits,
     stopped_late,
     deaf,
+    waited_longer,
     count,
 };
 
@@ -184,6 +193,7 @@ inline constexpr std::array<char const*, breach_count> breach_names{
     "a reference beyond the drive's limits that was taken",
     "a stop whose word, and its look, were not sent at once",
     "a unit that hears and never responds",
+    "a wait of a blocking client that lasted longer than a moment",
 };
 
 /// All that was counted.

@@ -21,7 +21,7 @@ from changed_headers import PROJECT, changed_copy, try_all  # noqa: E402
 RUNNER = "altivar/procedure/procedure_runner.hpp"
 DIRECT = "altivar/procedure/motion/direct_control.hpp"
 START = "altivar/procedure/motion/start.hpp"
-ORDERS = "client/orders.hpp"
+ORDERS, BLOCKING = "client/orders.hpp", "client/blocking.hpp"
 
 MOVED = {"a motor got power without an order", "a word that enables left"}
 POWER = {"power too long"}
@@ -93,6 +93,15 @@ DEFECTS = [
     ], {*MOVED, *POWER}, 2),
     Defect("A a stop that is given up before its end holds on", [
         (ORDERS, "if (is_held and (is_over or", "if (false and is_held and (is_over or")], LEFT),
+    Defect("C a time that is over for half the counter lies ahead: a pass that waits", [
+        (BLOCKING, "engine.judged_at(now));\n    return receive_from(port, engine, place, *earlier",
+         "now);\n    return receive_from(port, engine, place, *earlier")], {"a wait of a blocking client"}),
+    Defect("D a pause of the program is a line that is jammed", [
+        (BLOCKING, "part_of(limit, until - std::exchange(now, until))", "(until - std::exchange(now, until))")], {"a stop whose word"}),
+    Defect("E a read that fails ends a stop before its word", [
+        (BLOCKING, "has_to_stop<Conversation> and passed != errc::bus_jam;", "false;")], {"a stop whose word"}),
+    Defect("a pause of the program ends a stop before its word", [
+        (BLOCKING, "part_of(longest_wait, now - std::exchange(seen, now))", "(now - std::exchange(seen, now))")], {"a stop whose word"}),
     Defect("D29 a direct start reads the command before the status", [
         (DIRECT, "read(may_run_ ? stage::confirming : stage::looking_again, layout().eta)",
          "(may_run_ ? read(stage::confirming, layout().eta) : read(stage::reading_command, layout().cmd))"),

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <vector>
 
+#include "lives/blocking_life.hpp"
 #include "lives/chance.hpp"
 
 using namespace rtuwire;
@@ -31,15 +32,20 @@ bool live(std::uint32_t seed, tally& counts, bool prints)
     counts.unsupervised += how.is_unsupervised ? 1 : 0;
     if (prints) {
         std::printf("seed %u: %s, %u bit/s, response time-out %.0f ms, %u retries%s\n", seed,
-                    how.is_bus ? "bus" : "client", how.bits_per_second,
-                    double(how.options.response_timeout.microseconds) / 1e3, unsigned{how.options.retries},
-                    how.is_unsupervised ? ", unsupervised" : "");
+                    how.is_blocking ? "blocking client"
+                    : how.is_bus    ? "bus"
+                                    : "client",
+                    how.bits_per_second, double(how.options.response_timeout.microseconds) / 1e3,
+                    unsigned{how.options.retries}, how.is_unsupervised ? ", unsupervised" : "");
         for (std::size_t i = 0; i < how.drives; ++i) {
             drive_setting const& set = how.drive[i];
             std::printf("  drive %u: model %u, SLL %u, time-out %.1f s, ramp %.1f s\n", unsigned{set.address},
                         static_cast<unsigned>(set.which), unsigned{set.sll}, double(set.time_out_us()) / 1e6,
                         set.ramp / 10.0);
         }
+    }
+    if (how.is_blocking) {
+        return std::make_unique<blocking_life>(how, counts, prints)->live();
     }
     return how.is_bus ? live<life_bus>(how, counts, prints) : live<life_client>(how, counts, prints);
 }

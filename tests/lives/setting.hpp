@@ -31,6 +31,7 @@ enum class last_part : unsigned {
 struct life_setting {
     std::uint32_t seed{0};
     bool is_bus{true};
+    bool is_blocking{false};     ///< a client that waits, of one drive
     bool is_unsupervised{false}; ///< one of its drives is: only with the risk accepted
     bool is_event_driven{false}; ///< its drives sleep by their deadlines while the controller does
     std::size_t drives{1};
@@ -91,6 +92,8 @@ inline life_setting setting_of(std::uint32_t seed)
     how.moments = 6 + chance.below(12);
     how.is_event_driven = chance.below(2) == 0;
     how.end = static_cast<last_part>(chance.below(static_cast<std::uint32_t>(last_part::count)));
+    how.is_blocking = chance.below(8) == 0;
+    how.drives = how.is_blocking ? 1 : how.drives;
     return how;
 }
 
