@@ -4,6 +4,7 @@
 
     /usr/bin/python3 bench/size/sizes.py            a table; fails where a figure grew by over 2 % since reached.json
     /usr/bin/python3 bench/size/sizes.py --update   writes reached.json anew
+    /usr/bin/python3 bench/size/sizes.py NAME...    these images alone
 
 baseline.json stays: the bar is how much some images may gain over it.
 
@@ -35,7 +36,8 @@ RISCV = "rv32imc"
 RISCV_GCC = "riscv64-unknown-elf-g++"
 NAMES = ("server_frames", "server", "server_all", "client_frames", "client_encoding", "client",
          "client_counting", "client_counting_fixed", "client_traced", "typed_read",
-         "monitor", "two_conversations", "two_conversations_four", "bus", "text",
+         "monitor", "two_conversations", "two_conversations_four", "bus",
+         "one_procedure", "two_procedures", "four_procedures", "six_procedures", "text",
          "crc_bitwise", "crc_nibble_table", "crc_byte_table")
 # What this library wants to need at most: flash on a Cortex-M0+, RAM of an engine with its frame.
 BARS = {"server_frames": 1000, "server_all": 3600, "client_frames": 1250, "text": 500}
@@ -107,12 +109,12 @@ def empty_of(name):
     return "empty_frames" if is_plain else "empty"
 
 
-def measure(cpu):
+def measure(cpu, names):
     with tempfile.TemporaryDirectory() as folder:
         place = pathlib.Path(folder)
         empty = {name: sections_of(build(place, cpu, name))[0] for name in ("empty", "empty_frames")}
         rows = {}
-        for name in NAMES:
+        for name in names:
             text, data, bss = sections_of(build(place, cpu, name))
             graph = (place / f"{name}.ci").read_text(encoding="utf-8")
             rows[name] = {"flash": text + data - empty[empty_of(name)], "data": data, "bss": bss,
@@ -171,15 +173,16 @@ def growths(before, now, path=()):
 
 def main(options):
     cpus = CPUS + ((RISCV,) if shutil.which(RISCV_GCC) else ())
-    found = {cpu: measure(cpu) for cpu in cpus}
-    found["RAM"] = engines()
+    chosen = [name for name in NAMES if name in options]
+    found = {cpu: measure(cpu, chosen or NAMES) for cpu in cpus}
+    found["RAM"] = {} if chosen else engines()
     before = json.loads(BASELINE.read_text(encoding="utf-8"))
     if RISCV not in cpus:
         print(f"{RISCV}: no {RISCV_GCC}, not measured")
     for cpu in cpus:
         show(cpu, found[cpu], before.get(cpu, {}))
     show_engines(found["RAM"])
-    if "--update" in options:
+    if "--update" in options and not chosen:
         REACHED.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
         return 0
     grown = list(growths(json.loads(REACHED.read_text(encoding="utf-8")), found))
