@@ -50,6 +50,9 @@ ALLOWED_GROWTH = 0.02
 # Functions of the library, and those of the images that call into it: not `main`, which holds the frame.
 POLL_PATH = re.compile(r"(^|:)_ZNK?7rtuwire|5board4pass|_16answer|9response_to")
 
+# The steps of procedures are called through a pointer by this function alone, where it was not inlined.
+STEP, STEPPER = re.compile(r"procedure_runner\S*4stepERN"), re.compile(r"22procedure_conversation4step\S*5eventE$")
+
 
 def arm_headers():
     """Where the Arm toolchain has the headers of C++ and C, most of them the same for any 32-bit processor."""
@@ -85,14 +88,30 @@ def sections_of(elf):
     return int(text), int(data), int(bss)
 
 
-def stack_of(graph):
-    """The deepest chain in a call graph as GCC writes it."""
+def taken_in(made):
+    """The functions whose addresses an object file has as data: those that a call through a pointer may reach."""
+    listing = subprocess.check_output(["arm-none-eabi-readelf", "--relocs", "--wide", made], text=True)
+    taken, is_data = set(), False
+    for row in listing.splitlines():
+        if found := re.match(r"Relocation section '([^']*)'", row):
+            is_data = re.match(r"\.rela?\.(rodata|data)", found[1]) is not None
+        elif is_data and (found := re.search(r" R_(?:ARM_ABS32|RISCV_32) +\w+ +([\w.]+)", row)):
+            taken.add(found[1])
+    return taken
+
+
+def stack_of(graph, taken):
+    """The deepest chain in a call graph as GCC writes it; a call through a pointer may reach each function of `taken`."""
     own, calls = {}, {}
     for title, label in re.findall(r'node: \{ title: "([^"]*)" label: "([^"]*)"', graph):
         found = re.search(r"(\d+) bytes", label)
         own[title] = int(found[1]) if found else 0
     for caller, callee in re.findall(r'sourcename: "([^"]*)" targetname: "([^"]*)"', graph):
         calls.setdefault(caller, set()).add(callee)
+    reached = {title for title in own if title.rpartition(":")[2] in taken}
+    steps = set(filter(STEP.search, reached)) if any(map(STEPPER.search, own)) else set()
+    for caller in [caller for caller, called in calls.items() if "__indirect_call" in called]:
+        calls[caller] |= reached if STEPPER.search(caller) else reached - steps
 
     def deepest(title, seen=()):
         if title in seen:
@@ -118,7 +137,7 @@ def measure(cpu, names):
             text, data, bss = sections_of(build(place, cpu, name))
             graph = (place / f"{name}.ci").read_text(encoding="utf-8")
             rows[name] = {"flash": text + data - empty[empty_of(name)], "data": data, "bss": bss,
-                          "stack": stack_of(graph)}
+                          "stack": stack_of(graph, taken_in(place / f"{name}.o"))}
         return rows
 
 
