@@ -16,8 +16,9 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
-/// What happened.
-struct event {
+/// What happened. Two words, which go in two registers.
+class event {
+public:
     enum class kind : std::uint8_t {
         begun,
         word_read,  ///< `word` is what was read
@@ -26,10 +27,21 @@ struct event {
         pause_over, ///< the pause that was requested has passed
         late,       ///< the time limit has passed; the last request was not sent, and one more is allowed
     };
-    kind what;
-    std::uint16_t word{0};
-    errc error{errc::none};
-    std::uint16_t second{0}; ///< the word behind it, where two were to be read
+
+    /// `second` is the word behind it, where two were to be read.
+    constexpr event(kind what = kind::begun, std::uint16_t word = 0, errc error = errc::none,
+                    std::uint16_t second = 0) noexcept
+        : bits_{static_cast<std::uint64_t>(what) | static_cast<std::uint64_t>(word) << 16U |
+                static_cast<std::uint64_t>(error) << 32U | static_cast<std::uint64_t>(second) << 48U}
+    {}
+
+    [[nodiscard]] constexpr kind what() const noexcept { return static_cast<kind>(bits_ & 0xFFU); }
+    [[nodiscard]] constexpr std::uint16_t word() const noexcept { return static_cast<std::uint16_t>(bits_ >> 16U); }
+    [[nodiscard]] constexpr errc error() const noexcept { return static_cast<errc>(bits_ >> 32U & 0xFFU); }
+    [[nodiscard]] constexpr std::uint16_t second() const noexcept { return static_cast<std::uint16_t>(bits_ >> 48U); }
+
+private:
+    std::uint64_t bits_;
 };
 
 enum class action_kind : std::uint8_t { read, write, pause, end };

@@ -237,7 +237,7 @@ TEST_CASE("a check that finds a reason against an order names the register and i
                 static_cast<void>(it.step(answers[i].what));
                 CHECK(it.report().finding == end);
                 CHECK(it.report().address == registers[row]);
-                CHECK(it.report().word == answers[i].what.word);
+                CHECK(it.report().word == answers[i].what.word());
             }
         }
     }
@@ -268,7 +268,7 @@ TEST_CASE("a check knows what the control words mean from CHCF and DOTD")
     auto const of = [&](event mode, event disable) {
         way const together{begun, word(1), word(120), mode, word(164), word(0), word(0), disable, remote};
         way const apart{begun, word(1), word(120), mode, word(10), word(164), word(0), word(0), disable, remote};
-        bool const is_together = mode.what == event::kind::word_read and mode.word == 1;
+        bool const is_together = mode.what() == event::kind::word_read and mode.word() == 1;
         return meaning(with_risk(layout, &risks::accept_unknown_registers), is_together ? together : apart);
     };
     CHECK(of(word(1), word(1)) == word_meaning::cia402);

@@ -205,13 +205,14 @@ private:
 
     constexpr void on_write(event what, bool was_sent) noexcept
     {
-        return what.what == event::kind::written ? self().on_written() : self().on_write_failed(what.error, was_sent);
+        return what.what() == event::kind::written ? self().on_written()
+                                                   : self().on_write_failed(what.error(), was_sent);
     }
 
     constexpr void on_read_back(event what) noexcept
     {
-        return what.what == event::kind::word_read ? self().on_read_back(what.word)
-                                                   : self().on_no_read_back(what.error);
+        return what.what() == event::kind::word_read ? self().on_read_back(what.word())
+                                                     : self().on_no_read_back(what.error());
     }
 
     identity_check identity_;

@@ -53,10 +53,10 @@ public:
                        ? end(outcome_kind::succeeded)
                        : next;
         }
-        if (what.what == event::kind::word_read) {
-            return judge(what.word);
+        if (what.what() == event::kind::word_read) {
+            return judge(what.word());
         }
-        return what.what == event::kind::failed ? end(what.error) : end(outcome_kind::aborted);
+        return what.what() == event::kind::failed ? end(what.error()) : end(outcome_kind::aborted);
     }
 
 private:

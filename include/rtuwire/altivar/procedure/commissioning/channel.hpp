@@ -116,12 +116,12 @@ public:
         if (stage_ == stage::looking) {
             return check_rest(what);
         }
-        switch (what.what) {
+        switch (what.what()) {
         case event::kind::begun: return compare_next(0);
-        case event::kind::word_read: return on_response(what.word);
+        case event::kind::word_read: return on_response(what.word());
         case event::kind::written: return after_write();
         case event::kind::pause_over: return close({outcome_kind::succeeded});
-        case event::kind::failed: return go_without(what.error);
+        case event::kind::failed: return go_without(what.error());
         case event::kind::late: break;
         }
         return close({outcome_kind::aborted, errc::timed_out});

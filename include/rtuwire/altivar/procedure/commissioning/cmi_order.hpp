@@ -51,11 +51,11 @@ public:
         if (stage_ == stage::looking) {
             return check_rest(what);
         }
-        switch (what.what) {
-        case event::kind::word_read: return on_response(what.word);
+        switch (what.what()) {
+        case event::kind::word_read: return on_response(what.word());
         case event::kind::written: return after_write();
         case event::kind::pause_over: return after_wait();
-        case event::kind::failed: return go_without(what.error);
+        case event::kind::failed: return go_without(what.error());
         case event::kind::begun:
         case event::kind::late: break;
         }

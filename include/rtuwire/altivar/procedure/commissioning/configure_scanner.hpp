@@ -59,11 +59,11 @@ public:
 
     constexpr action step(event what) noexcept
     {
-        switch (what.what) {
+        switch (what.what()) {
         case event::kind::begun: return to_read(layout().eta);
-        case event::kind::word_read: return stands(note(what.word)) ? write_slot() : end_running();
+        case event::kind::word_read: return stands(note(what.word())) ? write_slot() : end_running();
         case event::kind::written: ++at_; return write_slot();
-        case event::kind::failed: return end(what.error);
+        case event::kind::failed: return end(what.error());
         case event::kind::late:
         case event::kind::pause_over: break;
         }

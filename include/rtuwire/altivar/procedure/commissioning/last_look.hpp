@@ -54,14 +54,14 @@ public:
     constexpr action step(event what) noexcept
     {
         switch (stage_) {
-        case stage::looking: return what.what == event::kind::word_read ? judge(what.word) : go_without(what);
-        case stage::reading_fault: return trip(what.what == event::kind::word_read ? what.word : std::uint16_t{0});
+        case stage::looking: return what.what() == event::kind::word_read ? judge(what.word()) : go_without(what);
+        case stage::reading_fault: return trip(what.what() == event::kind::word_read ? what.word() : std::uint16_t{0});
         case stage::cutting: break;
         }
-        if (what.what == event::kind::late) {
+        if (what.what() == event::kind::late) {
             return cut();
         }
-        so_.error = so_.error == errc::none ? what.error : so_.error;
+        so_.error = so_.error == errc::none ? what.error() : so_.error;
         return end_as(so_);
     }
 
@@ -95,9 +95,9 @@ private:
     constexpr action go_without(event what) noexcept
     {
         if (so_.kind == outcome_kind::succeeded) {
-            bool const is_late = what.what == event::kind::late;
-            so_.kind = is_late ? outcome_kind::aborted : kind_for(what.error);
-            so_.error = is_late ? errc::timed_out : what.error;
+            bool const is_late = what.what() == event::kind::late;
+            so_.kind = is_late ? outcome_kind::aborted : kind_for(what.error());
+            so_.error = is_late ? errc::timed_out : what.error();
         }
         return cut();
     }

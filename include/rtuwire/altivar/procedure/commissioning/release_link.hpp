@@ -55,15 +55,15 @@ public:
         if (stage_ == stage::looking) {
             return check_rest(what);
         }
-        bool const is_late = what.what == event::kind::late and not last_.is_cutting();
+        bool const is_late = what.what() == event::kind::late and not last_.is_cutting();
         if (stage_ == stage::closing or (stage_ == stage::confirming and not is_late)) {
             return see(what);
         }
-        switch (what.what) {
+        switch (what.what()) {
         case event::kind::written: return to_pause(status_period);
         case event::kind::pause_over: return look_last(stage::confirming, {outcome_kind::succeeded});
-        case event::kind::word_read: return judge_source(what.word);
-        case event::kind::failed: return look_last(stage::closing, {kind_for(what.error), what.error});
+        case event::kind::word_read: return judge_source(what.word());
+        case event::kind::failed: return look_last(stage::closing, {kind_for(what.error()), what.error()});
         case event::kind::begun:
         case event::kind::late: break;
         }

@@ -40,12 +40,12 @@ public:
 
     constexpr action step(event what) noexcept
     {
-        switch (what.what) {
+        switch (what.what()) {
         case event::kind::begun: return to_read(layout().eta);
-        case event::kind::word_read: return on_response(what.word);
+        case event::kind::word_read: return on_response(what.word());
         case event::kind::written: return after_write();
         case event::kind::pause_over: return layout().shows_eeprom_access ? to_read(layout().eti) : take_back();
-        case event::kind::failed: return abort(kind_for(what.error), what.error);
+        case event::kind::failed: return abort(kind_for(what.error()), what.error());
         case event::kind::late: break;
         }
         return end_late();

@@ -61,10 +61,10 @@ public:
 
     constexpr action step(event what) noexcept
     {
-        switch (what.what) {
+        switch (what.what()) {
         case event::kind::begun: return ask(asked::status, layout().eta);
-        case event::kind::word_read: return on_response(what.word);
-        case event::kind::failed: return go_without(what.error);
+        case event::kind::word_read: return on_response(what.word());
+        case event::kind::failed: return go_without(what.error());
         case event::kind::written:
         case event::kind::pause_over:
         case event::kind::late: break;

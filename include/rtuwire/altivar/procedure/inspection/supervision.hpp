@@ -69,10 +69,10 @@ public:
 
     constexpr action step(event what) noexcept
     {
-        switch (what.what) {
+        switch (what.what()) {
         case event::kind::begun: return is_known_ ? end(report_.finding) : ask();
-        case event::kind::word_read: has_read_ = true; return go_on(judge(what.word), what.word);
-        case event::kind::failed: return go_without(what.error);
+        case event::kind::word_read: has_read_ = true; return go_on(judge(what.word()), what.word());
+        case event::kind::failed: return go_without(what.error());
         case event::kind::written:
         case event::kind::pause_over:
         case event::kind::late: break;

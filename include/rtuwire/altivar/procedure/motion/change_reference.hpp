@@ -68,12 +68,12 @@ public:
 
     constexpr action step(event what) noexcept
     {
-        switch (what.what) {
+        switch (what.what()) {
         case event::kind::begun: return ask(asked::status, layout().eta);
         case event::kind::pause_over: return ask(asked::status, layout().eta);
-        case event::kind::word_read: return on_response(what.word);
+        case event::kind::word_read: return on_response(what.word());
         case event::kind::written: is_written_ = true; return to_pause(status_period);
-        case event::kind::failed: return is_exception(what.error) ? go_without(what.error) : end(what.error);
+        case event::kind::failed: return is_exception(what.error()) ? go_without(what.error()) : end(what.error());
         case event::kind::late: break;
         }
         return asked_ == asked::fault ? end_in_fault(0)

@@ -116,15 +116,15 @@ public:
         if (stage_ == stage::aborting) {
             return come_to_rest(what);
         }
-        if (stage_ == stage::examining and what.what != event::kind::late) {
-            return clear_behind(examine(what, reference_, true), what.word);
+        if (stage_ == stage::examining and what.what() != event::kind::late) {
+            return clear_behind(examine(what, reference_, true), what.word());
         }
-        switch (what.what) {
+        switch (what.what()) {
         case event::kind::begun: return read(stage::meeting, layout().eta);
-        case event::kind::word_read: return stage_ == stage::meeting ? meet(what) : on_response(what.word);
+        case event::kind::word_read: return stage_ == stage::meeting ? meet(what) : on_response(what.word());
         case event::kind::written: return after_write();
         case event::kind::pause_over: return read(stage::confirming, layout().eta);
-        case event::kind::failed: return look_again_or_abort(what.error);
+        case event::kind::failed: return look_again_or_abort(what.error());
         case event::kind::late: break;
         }
         if (stage_ == stage::reading_fault) {
@@ -165,12 +165,12 @@ private:
     constexpr action meet(event what) noexcept
     {
         stage_ = stage::examining;
-        static_cast<void>(is_key_pressed(what.word));
-        cia402::state const at = note(what.word);
+        static_cast<void>(is_key_pressed(what.word()));
+        cia402::state const at = note(what.word());
         if (cia402::has_power(at) and not cia402::is_in_fault(at)) {
             return end_running(); // whoever stops it meanwhile
         }
-        return clear_behind(examine({event::kind::begun}, reference_, true), what.word);
+        return clear_behind(examine({event::kind::begun}, reference_, true), what.word());
     }
 
     /// `status` is a status word once the check has ended.

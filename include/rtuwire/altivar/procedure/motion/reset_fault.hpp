@@ -43,13 +43,13 @@ public:
 
     constexpr action step(event what) noexcept
     {
-        switch (what.what) {
+        switch (what.what()) {
         case event::kind::begun:
         case event::kind::pause_over: return to_read(layout().eta);
         case event::kind::word_read:
-            return stage_ == stage::reading_fault ? end_in_fault(what.word) : judge_status(what.word);
+            return stage_ == stage::reading_fault ? end_in_fault(what.word()) : judge_status(what.word());
         case event::kind::written: return after_write();
-        case event::kind::failed: return go_without(what.error);
+        case event::kind::failed: return go_without(what.error());
         case event::kind::late: break;
         }
         return end_late();

@@ -166,15 +166,16 @@ public:
         if (is_contradictory_) {
             return end(outcome_kind::contradictory);
         }
-        if (stage_ == stage::examining and what.what != event::kind::late) {
-            return next_step_after_check(examine(what, reference_, is_at_rest()), what.word);
+        if (stage_ == stage::examining and what.what() != event::kind::late) {
+            return next_step_after_check(examine(what, reference_, is_at_rest()), what.word());
         }
-        switch (what.what) {
+        switch (what.what()) {
         case event::kind::begun: return to_read(layout().eta);
         case event::kind::pause_over: return read_status();
-        case event::kind::word_read: return stage_ == stage::meeting ? meet(what) : on_response(what.word, what.second);
+        case event::kind::word_read:
+            return stage_ == stage::meeting ? meet(what) : on_response(what.word(), what.second());
         case event::kind::written: return after_write();
-        case event::kind::failed: return go_on(what.error);
+        case event::kind::failed: return go_on(what.error());
         case event::kind::late: break;
         }
         if (stage_ == stage::reading_fault) {
@@ -192,9 +193,9 @@ private:
     constexpr action meet(event what) noexcept
     {
         stage_ = stage::examining;
-        static_cast<void>(is_key_pressed(what.word));
-        last_ = cia402::decode(what.word);
-        return next_step_after_check(examine({event::kind::begun}, reference_, is_at_rest()), what.word);
+        static_cast<void>(is_key_pressed(what.word()));
+        last_ = cia402::decode(what.word());
+        return next_step_after_check(examine({event::kind::begun}, reference_, is_at_rest()), what.word());
     }
 
     /// Whether the motor did not turn when the drive was met; in a quick stop it is about to stand.

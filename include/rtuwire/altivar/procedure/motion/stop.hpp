@@ -141,12 +141,12 @@ public:
 
     constexpr action step(event what) noexcept
     {
-        switch (what.what) {
+        switch (what.what()) {
         case event::kind::begun: return begin();
         case event::kind::pause_over: return detail::is_in_place(mode_) ? read_status() : stop_again();
-        case event::kind::word_read: return on_response(what.word);
+        case event::kind::word_read: return on_response(what.word());
         case event::kind::written: return after_write();
-        case event::kind::failed: return go_on(what.error);
+        case event::kind::failed: return go_on(what.error());
         case event::kind::late: break;
         }
         // A stop that has only read until now sends the word that needs no status read; so does one whose word keeps the
@@ -382,13 +382,13 @@ public:
     {
         switch (stage_) {
         case stage::elsewhere:
-            return what.what == event::kind::late ? go_elsewhere() : end(outcome_kind::other_family, what.error);
+            return what.what() == event::kind::late ? go_elsewhere() : end(outcome_kind::other_family, what.error());
         case stage::usual: break;
         }
-        if (what.what == event::kind::begun and is_doubtful()) {
+        if (what.what() == event::kind::begun and is_doubtful()) {
             return stop_blind(); // nothing that a halt could read of the status tells what its word means
         }
-        bool const has_no_such_word = what.what == event::kind::failed and what.error == errc::illegal_data_address;
+        bool const has_no_such_word = what.what() == event::kind::failed and what.error() == errc::illegal_data_address;
         return has_no_such_word and has_only_said_it() and layout().other_cmd != 0 ? go_elsewhere()
                                                                                    : stop_procedure::step(what);
     }
