@@ -209,13 +209,7 @@ private:
 
     template <std::size_t> friend class orders;
 
-    std::uint32_t counted_by_{0};      ///< the number of the client whose count the next two are
-    std::uint32_t stamp_{0};           ///< when the last order or stop was given, in the client's count; 0: never
-    std::uint32_t seen_{0};            ///< the client's count at the last visit
-    std::uint32_t ordered_behind_{0};  ///< what the client had counted where it was begun anew; 0: it was not
-    unit_order const* known_{nullptr}; ///< what the client knows of its unit, since the last visit
-    std::uint16_t read_meaning_of_{0};
-    std::uint16_t confirmed_{0};
+    // Small processors reach bytes with short instructions only where they are near.
     bool is_doubtful_{false};
     bool says_run_{false};
     bool was_rearranged_{false};
@@ -231,6 +225,13 @@ private:
     bool is_silenced_{false};
     bool is_overruled_{false};
     bool is_unit_ordered_{false};
+    std::uint16_t read_meaning_of_{0};
+    std::uint16_t confirmed_{0};
+    std::uint32_t counted_by_{0};      ///< the number of the client whose count the next two are
+    std::uint32_t stamp_{0};           ///< when the last order or stop was given, in the client's count; 0: never
+    std::uint32_t seen_{0};            ///< the client's count at the last visit
+    std::uint32_t ordered_behind_{0};  ///< what the client had counted where it was begun anew; 0: it was not
+    unit_order const* known_{nullptr}; ///< what the client knows of its unit, since the last visit
 };
 
 /// A conversation that commands the motor of one unit: it declares `urgency::stop_of_unit`. `intent` gives the effect

@@ -455,7 +455,7 @@ private:
     }
 
     /// A request to a silent unit has no retries.
-    constexpr retry_policy own_retry_policy(slot const& own) const noexcept
+    [[gnu::noinline]] constexpr retry_policy own_retry_policy(slot const& own) const noexcept
     {
         retry_policy with = own.options.with;
         with.retries = is_silent(own) ? std::uint8_t{0} : with.retries;

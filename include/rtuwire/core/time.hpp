@@ -162,7 +162,12 @@ struct instant {
 
 /// Keeps a time that is over, by `at`, from looking as if it lay ahead some day. `at` is `within_reach` of the last call.
 /// Internal.
-constexpr void keep_over(instant& end, instant now, instant at) noexcept { end = reached(at, end) ? now : end; }
+constexpr void keep_over(instant& end, instant now, instant at) noexcept
+{
+    if (reached(at, end)) {
+        end = now;
+    }
+}
 
 /// When something has to happen next, or never.
 using deadline = std::optional<instant>;
