@@ -73,7 +73,6 @@ TRICKS = (
     inlining("inline", "client/line/retry_state.hpp", "constexpr errc keep("),
     inlining("inline", "client/line/quarantine.hpp", "constexpr bool covers("),
     inlining("not inline", "client/turns.hpp", "constexpr void renew("),
-    inlining("not inline", "altivar/procedure/motion/order_procedure.hpp", "constexpr void plan_rest("),
     Trick("words of a bank taken from a writer at once", "server/banks.hpp", (
         ("        std::byte* at = out.take(2 * count);\n        if (at == nullptr) {\n"
          "            return errc::server_device_failure;\n        }\n", ""),

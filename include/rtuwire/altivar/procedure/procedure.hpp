@@ -118,7 +118,11 @@ public:
     constexpr action yield() noexcept { return end(outcome_kind::overruled); }
 
     /// It goes on although it had ended.
-    constexpr void forget_end() noexcept { reason_.kind = outcome_kind::pending; }
+    constexpr void forget_end() noexcept
+    {
+        reason_.kind = outcome_kind::pending;
+        reason_.fault = 0;
+    }
 
     /// What the status read showed of the motor's power; what was read of CHCF, as for `commander::note_meaning`; whether the
     /// status showed a fault. Each call clears what it returns.

@@ -14,8 +14,8 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
-/// The base of the procedures that order a drive to run.
-class order_procedure : public procedure {
+/// The base of the procedures that order a drive to run. Each is a stop as well, which begins where the order is withdrawn.
+class order_procedure : public stop_procedure {
 public:
     static constexpr bool is_order = true;
     static constexpr bool follows_order = true;
@@ -24,6 +24,7 @@ public:
     static constexpr duration grace{milliseconds(30'000)};
 
     [[nodiscard]] constexpr supervision_report const& report() const noexcept { return check_.report(); }
+    using procedure::give_up; // as an order, not as its stop
     [[nodiscard]] constexpr duration drive_timeout() const noexcept { return check_.drive_timeout(); }
     [[nodiscard]] constexpr bool takes_back() const noexcept { return kind_ != outcome_kind::pending; }
 
@@ -31,23 +32,23 @@ protected:
     [[nodiscard]] constexpr supervision_procedure check_anew() const noexcept { return check_.anew(); }
 
     constexpr order_procedure(drive_layout const& layout, supervision_procedure const& check) noexcept
-        : procedure{layout}, check_{check}, rest_{layout, stop_by::freewheel}
+        : stop_procedure{layout, stop_by::freewheel}, check_{check}
     {}
 
     /// Continues the check. Where the drive is ready after it, the last word read was a status word. A motor at rest gets no
     /// reference that its limits forbid: that ends the order as soon as they are read.
-    constexpr action examine(event what, reference_write asked, bool is_at_rest) noexcept
+    constexpr action examine(event what, reference_write wanted, bool is_at_rest) noexcept
     {
         action const next = run_inside(check_, what);
-        outcome_kind const found = is_at_rest ? limits().judge(asked, true) : outcome_kind::succeeded;
+        outcome_kind const found = is_at_rest ? limits().judge(wanted, true) : outcome_kind::succeeded;
         bool const goes_on = found == outcome_kind::succeeded or reason().kind != outcome_kind::pending;
         return goes_on ? next : end_beyond(found, limits().named_by(found));
     }
     /// Begins the check again, of a motor at rest.
-    constexpr action examine_anew(reference_write asked) noexcept
+    constexpr action examine_anew(reference_write wanted) noexcept
     {
         check_.restart();
-        return examine({event::kind::begun}, asked, true);
+        return examine({event::kind::begun}, wanted, true);
     }
     [[nodiscard]] constexpr bool is_ready() const noexcept
     {
@@ -84,26 +85,22 @@ protected:
     {
         kind_ = kind;
         error_ = error;
-        plan_rest(mode);
-        return rest_.step({event::kind::begun}); // never ends the procedure
+        note_state(cia402::state::unknown);
+        plan(mode);
+        return stop_procedure::step({event::kind::begun}); // never ends the procedure
     }
     constexpr action come_to_rest(event what) noexcept
     {
-        action const next = rest_.step(what);
-        note_readings_of(rest_);
+        action const next = stop_procedure::step(what);
         if (what_of(next) != action_kind::end) {
             return next;
         }
-        note_state(rest_.reason().state);
+        forget_end();
         return finish(kind_, error_);
     }
 
 private:
-    /// Not inlined: its stack space is free again when the stop begins.
-    [[gnu::noinline]] constexpr void plan_rest(stop_by mode) noexcept { rest_ = stop_procedure{layout(), mode}; }
-
     supervision_procedure check_;
-    stop_procedure rest_;
     std::uint16_t fault_{0};
     outcome_kind kind_{outcome_kind::pending};
     errc error_{errc::none};

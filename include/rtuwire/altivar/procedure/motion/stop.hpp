@@ -133,8 +133,6 @@ private:
 /// Internal.
 class stop_procedure : public procedure {
 public:
-    static constexpr bool is_stop = true;
-
     constexpr stop_procedure(drive_layout const& layout, stop_by mode) noexcept
         : procedure{layout}, ordered_{mode}, mode_{mode}
     {}
@@ -168,6 +166,9 @@ protected:
     /// The one that was ordered, and what has become of it.
     [[nodiscard]] constexpr stop_by ordered() const noexcept { return ordered_; }
     [[nodiscard]] constexpr stop_by mode() const noexcept { return mode_; }
+
+    /// Of a stop that was made before its kind is known.
+    constexpr void plan(stop_by mode) noexcept { mode_ = mode; }
 
     /// Whether the word of this stop is what was asked last, and the drive has confirmed none yet.
     [[nodiscard]] constexpr bool has_only_said_it() const noexcept { return asked_ == asked::word and not was_taken_; }
@@ -356,6 +357,8 @@ private:
 /// Internal.
 class ordered_stop_procedure : public stop_procedure {
 public:
+    static constexpr bool is_stop = true;
+
     constexpr ordered_stop_procedure(drive_layout const& layout, stop_by mode,
                                      stop_begin begin = stop_begin::at_once) noexcept
         : stop_procedure{layout, mode}, begin_{begin}
