@@ -37,16 +37,12 @@ class Defect(NamedTuple):
 
 DEFECTS = [
     Defect("D18 a stop that is used again says done and sends nothing", [
-        (RUNNER, """        *this = procedure_runner{unit_, procedure_.anew(), limit_};
-        if constexpr (Script::follows_order) {
-            this->begin_anew(former);
-        } else {
-            this->replace(former);
-        }
+        (RUNNER, """        procedure_ = procedure_.anew();
+        this->begin_again();
 """, ""),
     ], {"a stop that was done", "a stop whose word"}),
     Defect("D19 a start runs behind a stop of the same client", [
-        (RUNNER, "return is_done() and this->is_order_in_force(unit_);", "return is_done();"),
+        (RUNNER, "return is_done() and is_order_in_force(unit_);", "return is_done();"),
     ], {"a start that says that the motor runs"}),
     Defect("D20 a reference of 0 in reverse is one forward", [
         ("altivar/device/reference.hpp", "has_no_other ? ~unsigned{word} : 0U - word", "0U - word"),

@@ -142,6 +142,8 @@ protected:
         return is_doubtful_ ? confirmed_ : std::uint16_t{0};
     }
     [[nodiscard]] constexpr bool is_doubtful() const noexcept { return is_doubtful_; }
+    /// The same whether it may have been or not.
+    [[nodiscard]] constexpr std::uint16_t last_confirmed() const noexcept { return confirmed_; }
 
     /// A stop request that may not be sent now counts as `none`: no other conversation waits for it.
     [[nodiscard]] constexpr effect effect_now(effect what) const noexcept
@@ -264,13 +266,48 @@ concept may_write_meaning = not requires
     requires T::keeps_meaning;
 };
 
-/// A conversation that stops a unit by its user's order. `take_other_family` tells once that the unit refuses its type's
-/// control word.
+/// A conversation that may stop a unit by its user's order: `is_stop` tells whether it does. `take_other_family` tells once
+/// that the unit refuses its type's control word.
 template <typename T>
-concept stops_a_unit = commanding_conversation<T> and requires(T& conversation)
+concept may_be_stop = commanding_conversation<T> and requires(T& conversation)
 {
+    {
+        conversation.is_stop()
+        } -> std::same_as<bool>;
     conversation.take_other_family();
 };
+
+/// A conversation that clients visit as a base of it, which it names, so that they have one code for all that derive from
+/// that. One that hides a function or a property which it has from there is visited as itself.
+template <typename T>
+concept visited_as_base =
+    std::derived_from<T, typename T::visited_as> and not std::same_as<T, typename T::visited_as> and requires
+{
+    requires std::same_as<decltype(&T::next), decltype(&T::visited_as::next)>;
+    requires std::same_as<decltype(&T::accept), decltype(&T::visited_as::accept)>;
+    requires std::same_as<decltype(&T::settled), decltype(&T::visited_as::settled)>;
+    requires std::same_as<decltype(&T::advance), decltype(&T::visited_as::advance)>;
+    requires std::same_as<decltype(&T::poll_deadline), decltype(&T::visited_as::poll_deadline)>;
+    requires std::same_as<decltype(&T::unit), decltype(&T::visited_as::unit)>;
+    requires std::same_as<decltype(&T::intent), decltype(&T::visited_as::intent)>;
+    requires std::same_as<decltype(&T::limited), decltype(&T::visited_as::limited)>;
+    requires std::same_as<decltype(&T::note_loss), decltype(&T::visited_as::note_loss)>;
+    requires std::same_as<decltype(&T::drive_timeout), decltype(&T::visited_as::drive_timeout)>;
+    requires std::same_as<decltype(&T::is_stop), decltype(&T::visited_as::is_stop)>;
+    requires std::same_as<decltype(&T::take_other_family), decltype(&T::visited_as::take_other_family)>;
+    requires& T::properties == &T::visited_as::properties;
+    requires& T::asks == &T::visited_as::asks;
+};
+
+/// A conversation in the form in which clients visit it.
+template <typename T> [[nodiscard]] constexpr auto& as_visited(T& conversation) noexcept
+{
+    if constexpr (visited_as_base<T>) {
+        return static_cast<typename T::visited_as&>(conversation);
+    } else {
+        return conversation;
+    }
+}
 
 /// A conversation that stops all units of a line: it declares `urgency::stop_of_all`. It stops them by broadcasts
 /// first, while `is_urgent`, then one by one, by the commanders that `stops` gives. `may_cut` tells whether a unit's

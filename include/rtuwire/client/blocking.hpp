@@ -185,10 +185,15 @@ private:
         }
     }
 
-    /// A conversation that stops motors, by a word that it sends whatever else fails, and that ends by its own limit.
-    template <typename Conversation>
-    static constexpr bool has_to_stop =
-        stops_a_unit<Conversation> or stops_by_broadcast<Conversation> or frees_all_units<Conversation>;
+    /// Whether a conversation stops motors, by a word that it sends whatever else fails, and ends by its own limit.
+    template <typename Conversation> static constexpr bool has_to_stop(Conversation const& conversation) noexcept
+    {
+        if constexpr (may_be_stop<Conversation>) {
+            return conversation.is_stop();
+        } else {
+            return stops_by_broadcast<Conversation> or frees_all_units<Conversation>;
+        }
+    }
 
     /// Until it is settled; or `used_already`, or the error of the port. Where it has to stop, the port's reads end nothing
     /// before the word that stops has left, or 1 s in which it was not written, without what the program was stopped for: so
@@ -201,7 +206,7 @@ private:
             return errc::used_already;
         }
         auto passed = drop_stale_input();
-        bool has_to_say = has_to_stop<Conversation> and passed != errc::bus_jam;
+        bool has_to_say = has_to_stop(conversation) and passed != errc::bus_jam;
         instant seen = port_.now();
         duration spent{};
         while (passed or (has_to_say and spent < longest_wait)) {
@@ -233,7 +238,7 @@ private:
                 sent ? receive_within_pass(client_, port_, input_, now + longest_wait) : result<void>{sent.error()};
             has_to_say = has_to_say and not(has_left and says_it) and (sent or is_passing(sent.error()));
             bool const goes_on =
-                sent ? has_to_say and has_left : has_to_stop<Conversation> and is_passing(sent.error());
+                sent ? has_to_say and has_left : has_to_stop(conversation) and is_passing(sent.error());
             if (not passed and goes_on) {
                 fail(conversation, passed.error());
                 if (conversation.settled()) {
@@ -254,8 +259,8 @@ private:
     {
         if constexpr (frees_all_units<Conversation>) {
             return true;
-        } else if constexpr (has_to_stop<Conversation>) {
-            return conversation.intent() == effect::stopping;
+        } else if constexpr (may_be_stop<Conversation> or stops_by_broadcast<Conversation>) {
+            return has_to_stop(conversation) and conversation.intent() == effect::stopping;
         } else {
             return false;
         }
@@ -269,8 +274,8 @@ private:
             for (auto& each : conversation.stops()) {
                 read_nothing(each);
             }
-        } else if constexpr (stops_a_unit<Conversation>) {
-            if (conversation.has_request() and conversation.intent() == effect::none) {
+        } else if constexpr (may_be_stop<Conversation>) {
+            if (conversation.is_stop() and conversation.has_request() and conversation.intent() == effect::none) {
                 conversation.note_loss();
             }
         }

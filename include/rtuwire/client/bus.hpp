@@ -139,7 +139,7 @@ public:
             }
         }
         if (index < Slots) {
-            visit(index, conversation, now);
+            visit(index, as_visited(conversation), now);
         }
     }
 
@@ -152,10 +152,11 @@ public:
     /// The same for a conversation that comes before all slots, such as a stop of all units. Call it before
     /// `converse`; while it is not settled, and for a `stops_by_broadcast` one while it `is_urgent`, the slots send
     /// nothing.
-    template <conversation Conversation> constexpr void run_urgent(Conversation& conversation, instant now) noexcept
+    template <conversation Conversation> constexpr void run_urgent(Conversation& who, instant now) noexcept
     {
         static_assert(not endless_conversation<Conversation>,
                       "this conversation never ends: no slot would ask behind it");
+        auto& conversation = as_visited(who);
         is_idle_ = false;
         stays_awake_ = stays_awake_ or stays_awake<Conversation> or not conversation.settled();
         static_cast<void>(client_.deliver(conversation, not conversation.settled(), now));

@@ -214,8 +214,9 @@ public:
 
     /// The same, with a `retry_policy` for this conversation's unit.
     template <conversation Conversation>
-    constexpr void converse(Conversation& conversation, instant now, retry_policy const& with) noexcept
+    constexpr void converse(Conversation& who, instant now, retry_policy const& with) noexcept
     {
+        auto& conversation = as_visited(who);
         static_cast<void>(deliver(conversation, not conversation.settled(), now));
         command(conversation, now);
         static_cast<void>(ask(conversation, now, with));
@@ -253,8 +254,10 @@ public:
     template <conversation Conversation>
     constexpr void command(Conversation& conversation, instant now, bool may_ask = true) noexcept
     {
-        if constexpr (Orders::is_kept and stops_a_unit<Conversation>) {
-            orders_.tell(conversation, conversation.unit().byte()); // its first word depends on it
+        if constexpr (Orders::is_kept and may_be_stop<Conversation>) {
+            if (conversation.is_stop()) {
+                orders_.tell(conversation, conversation.unit().byte()); // its first word depends on it
+            }
         }
         advance_conversation(conversation, now);
         if constexpr (commanding_conversation<Conversation> or stops_by_broadcast<Conversation>) {
@@ -489,7 +492,7 @@ private:
         if (orders_.visit(conversation, unit, now)) {
             conversation.note_loss();
         }
-        if constexpr (stops_a_unit<Conversation>) {
+        if constexpr (may_be_stop<Conversation>) {
             if (conversation.take_other_family()) {
                 orders_.leave_alone(unit, now);
             }
@@ -503,7 +506,7 @@ private:
         for (auto& each : conversation.stops()) {
             static_assert(commanding_conversation<std::remove_reference_t<decltype(each)>>,
                           "each stop of a conversation that stops all units commands one of them");
-            visit(each, now);
+            visit(as_visited(each), now);
         }
         if (conversation.is_urgent()) {
             orders_.lose_all_but_its_own(conversation, now);
@@ -537,7 +540,7 @@ private:
         } else if constexpr (stops_by_broadcast<Conversation>) {
             for (auto& each : conversation.stops()) {
                 if (each.unit().byte() == asked_unit()) {
-                    note_asked(each, what);
+                    note_asked(as_visited(each), what);
                 }
             }
         } else if constexpr (Orders::is_kept and frees_all_units<Conversation>) {

@@ -18,6 +18,7 @@
 #include <rtuwire/altivar/procedure/motion/reset_fault.hpp>
 #include <rtuwire/altivar/procedure/motion/start.hpp>
 #include <rtuwire/altivar/procedure/motion/stop.hpp>
+#include <rtuwire/client/client.hpp>
 
 using namespace rtuwire;
 using namespace rtuwire::altivar;
@@ -226,5 +227,39 @@ PROOF("what has asked nothing names no register", names_no_register_before_it_as
 STATIC_CHECK(channel_settings<atv320::device>{}.words()[0].word == 0);
 
 STATIC_CHECK(reason{}.fault == 0 and reason{}.error == errc::none);
+
+// Clients have one code for all procedures, and visit a class that hides a function of theirs as itself.
+STATIC_CHECK(visited_as_base<start>and visited_as_base<stop>and visited_as_base<procedure_runner<reset_procedure>>);
+STATIC_CHECK(not visited_as_base<procedure_conversation>);
+struct with_own_properties : stop {
+    static constexpr conversation_properties properties = stop::properties;
+};
+STATIC_CHECK(not visited_as_base<with_own_properties>);
+struct counting_stop : stop {
+    using stop::stop;
+    unsigned outcomes{0};
+
+    constexpr void accept(result<response> const& outcome) noexcept
+    {
+        ++outcomes;
+        stop::accept(outcome);
+    }
+};
+constexpr bool hears_of_its_outcome()
+{
+    counting_stop conversation{drive};
+    drive_client<> link{line_timing{19'200, character_format::even_8_1}};
+    instant now = start_time;
+    for (unsigned i = 0; i < 40 and conversation.outcomes == 0; ++i) {
+        link.advance(now);
+        link.converse(conversation, now);
+        if (not link.poll_transmit().empty()) {
+            link.sent(now);
+        }
+        now = now + milliseconds(500);
+    }
+    return conversation.outcomes == 1;
+}
+PROOF("a class that hides a function of its procedure gets its calls", hears_of_its_outcome)
 
 } // namespace

@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    enum class stage : std::uint8_t { none, under_way, known, in_vain };
+    enum class stage : std::uint32_t { none, under_way, known, in_vain };
 
     constexpr bool is_first() const noexcept { return is_ordered_ and not has_said_; }
 
@@ -106,7 +106,7 @@ public:
     static constexpr bool follows_order = false;
 
     /// Whether it is already withdrawing its own command.
-    [[nodiscard]] static constexpr bool takes_back() noexcept { return false; }
+    [[nodiscard]] constexpr bool takes_back() const noexcept { return takes_back_; }
 
     /// Whether it stops its drive by the user's order, and holds the drive until it ends.
     static constexpr bool is_stop = false;
@@ -144,6 +144,9 @@ public:
 
     /// How long the drive keeps running without any request.
     [[nodiscard]] constexpr duration drive_timeout() const noexcept { return layout_->longest_silence; }
+
+    /// Where the drive is known to take the words of all stops as such; told before each step.
+    constexpr void note_known(bool is_known) noexcept { is_known_ = is_known; }
 
     /// Ends a procedure that asks for further actions after its limit.
     constexpr action give_up() noexcept { return end(outcome_kind::aborted); }
@@ -203,7 +206,10 @@ protected:
         return reason_.state;
     }
 
+    /// Whether the drive is known to take the words of all stops as such.
+    [[nodiscard]] constexpr bool is_known() const noexcept { return is_known_; }
     constexpr void note_state(cia402::state at) noexcept { reason_.state = at; }
+    constexpr void note_taking_back() noexcept { takes_back_ = true; }
 
     /// Takes over what a procedure inside this one has read.
     constexpr void note_readings_of(procedure& inner) noexcept
@@ -259,6 +265,8 @@ private:
     power_seen power_seen_{power_seen::nothing};
     bool has_read_fault_{false};
     std::uint16_t read_meaning_{0};
+    bool takes_back_{false};
+    bool is_known_{false};
 };
 
 } // namespace rtuwire::altivar

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The rtuwire authors
 // SPDX-License-Identifier: BSL-1.0
 //
-// Runs a procedure as a conversation with one unit: single reads and writes, pauses, and a time limit.
+// Runs a procedure as a conversation with one unit: single reads and writes, pauses, and a time limit. One runner for all:
+// a further procedure costs a program its own steps, and nothing of this.
 // Internal: may change with any version.
 #pragma once
 
@@ -9,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include <rtuwire/altivar/procedure/procedure.hpp>
 #include <rtuwire/ask/conversation.hpp>
@@ -19,14 +21,37 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
-/// The conversation of a procedure. It ends at its limit, counted from the first `advance`; or later by the procedure's
-/// grace, or at the end of the one request that is then under way or still has to be sent to leave the drive safe. A stop
-/// does not end before its control word has left.
-template <typename Script> class procedure_runner : public commander {
-    /// Whether it may send a control word that stops, other than 0000.
-    static constexpr bool says_stop = Script::is_stop or Script::is_order or Script::gives_way_to_order;
+class procedure_conversation;
 
+/// What a stop has besides: whether it reads what its words mean before it begins, where that was or was not known before;
+/// whether its word keeps the power of a motor; its end where it asks for more after its limit.
+struct stop_kind {
+    bool (*looks_first)(procedure const&, bool was_known) noexcept;
+    bool (*keeps_power)(procedure const&) noexcept;
+    action (*give_up)(procedure&) noexcept;
+};
+
+/// In what a procedure differs from others, for the runner of all: `procedure` says what each of these is. A program without
+/// a stop has none of the code of one.
+struct procedure_kind {
+    procedure& (*procedure_of)(procedure_conversation&) noexcept;
+    action (*step)(procedure&, event) noexcept;
+    duration (*drive_timeout)(procedure const&) noexcept;
+    stop_kind const* stop; ///< null: it is none
+    duration grace;
+    bool is_order;
+    bool follows_order;
+    bool gives_way_to_order;
+};
+
+/// The conversation of any procedure, which `procedure_runner` holds behind it. It ends at its limit, counted from the first
+/// `advance`; or later by the procedure's grace, or at the end of the one request that is then under way or still has to be
+/// sent to leave the drive safe. A stop does not end before its control word has left.
+class procedure_conversation : public commander {
 public:
+    /// For clients: all procedures are visited alike.
+    using visited_as = procedure_conversation;
+
     /// Each action says whether its request may be repeated.
     static constexpr conversation_properties properties{.urgency = urgency::stop_of_unit,
                                                         .freshness = freshness::when_free};
@@ -34,72 +59,50 @@ public:
 
     static constexpr bool keeps_meaning = true;
 
-    constexpr procedure_runner(unit_id its_unit, Script const& procedure, duration its_limit) noexcept
-        : procedure_{procedure}, limit_{its_limit}, unit_{its_unit}
-    {}
-
-    /// Begins anew, as it was made: its limit counts from the next `advance`. One under way is given up first, as if it
-    /// had been destroyed. An order to move the motor is given by this call, and a stop that begins before the next visit ends
-    /// it; the client that it visited last must not have been destroyed, unless another one is in its place.
-    constexpr void again() noexcept
-    {
-        commander const former{*this};
-        *this = procedure_runner{unit_, procedure_.anew(), limit_};
-        if constexpr (Script::follows_order) {
-            this->begin_anew(former);
-        } else {
-            this->replace(former);
-        }
-    }
-
     /// Processes the time: starts the clock, ends pauses, and ends the conversation at its limit.
     constexpr void advance(instant now) noexcept
     {
-        instant const at = has_begun_ ? within_reach(now_, now) : now;
+        instant const at = stage_ == stage::made ? now : within_reach(now_, now);
         now_ = now;
-        if constexpr (Script::is_stop) {
-            procedure_.note_confirmed(known_word());
-        }
-        if (not has_begun_) {
-            has_begun_ = true;
+        tell_known();
+        if (stage_ == stage::made) {
+            stage_ = stage::waiting;
             late_at_ = now + limit_;
-            if constexpr (Script::is_stop) {
-                this->note_stop();
-            } else if constexpr (Script::is_order) {
-                this->note_order_to_run();
+            if (is_stop()) {
+                note_stop();
+            } else if (kind_->is_order) {
+                note_order_to_run();
             } else {
-                this->note_order();
+                note_order();
             }
             begin();
         }
         keep_over(late_at_, now, at);
-        if (settled() or is_asking_) {
+        if (stage_ != stage::waiting) {
             return;
         }
         if (is_looking()) {
             bool const is_over = (has_length() and reached(at, pause_end_)) or (has_limit() and reached(now, late_at_));
             return is_over ? end_look(0) : void();
         }
-        if (Script::follows_order and this->is_overruled() and not procedure_.takes_back()) {
-            return take(procedure_.yield());
-        }
-        if (Script::gives_way_to_order and effect_of(action_) == effect::stopping and this->is_unit_ordered()) {
-            return take(procedure_.yield());
+        bool const is_overtaken = kind_->follows_order and is_overruled() and not own().takes_back();
+        bool const gives_way =
+            kind_->gives_way_to_order and effect_of(action_) == effect::stopping and is_unit_ordered();
+        if (is_overtaken or gives_way) {
+            return yield();
         }
         if (has_to_look()) {
             return begin_look();
         }
         if (has_limit() and reached(now, late_at_)) {
-            is_late_ = was_warned_ or Script::grace.microseconds == 0;
-            was_warned_ = true;
-            late_at_ = now + Script::grace;
-            if (is_late_ or not procedure_.takes_back()) { // else it uses its grace for that
-                take(procedure_.step({event::kind::late}));
+            bool const is_last = left_ == time_left::grace or kind_->grace.microseconds == 0;
+            left_ = is_last ? time_left::none : time_left::grace;
+            late_at_ = now + kind_->grace;
+            if (is_last or not own().takes_back()) { // else it uses its grace for that
+                step(event::kind::late);
             }
         } else if (has_length() and reached(at, pause_end_)) {
-            bool const is_pause = what_of(action_) == action_kind::pause;
-            take(procedure_.step(is_pause ? event{event::kind::pause_over}
-                                          : event{event::kind::failed, 0, errc::bus_jam}));
+            what_of(action_) == action_kind::pause ? step(event::kind::pause_over) : fail(errc::bus_jam);
         }
     }
 
@@ -108,14 +111,14 @@ public:
     /// For the client: what the next request does to the motor, and when a unit counts as lost.
     [[nodiscard]] constexpr effect intent() const noexcept
     {
-        return is_looking() ? effect::none : this->effect_now(effect_of(action_));
+        return is_looking() ? effect::none : effect_now(effect_of(action_));
     }
-    [[nodiscard]] constexpr duration drive_timeout() const noexcept { return procedure_.drive_timeout(); }
+    [[nodiscard]] constexpr duration drive_timeout() const noexcept { return kind_->drive_timeout(own()); }
     [[nodiscard]] static constexpr std::uint8_t tolerated_misses() noexcept { return 1; }
 
     constexpr void note_loss() noexcept
     {
-        has_lost_ = has_begun_ and not settled();
+        has_lost_ = stage_ == stage::waiting or stage_ == stage::asking;
         heed_loss();
     }
 
@@ -125,24 +128,22 @@ public:
             begin_look(); // it was heard of only now that what was read counts no more
             return std::nullopt;
         }
-        if constexpr (Script::is_stop) {
-            if (this->was_stopped()) {
-                this->heed_stop();
-                if (procedure_.keeps_power()) {
-                    take(procedure_.step({event::kind::failed, 0, errc::overruled}));
-                }
+        if (is_stop() and was_stopped()) {
+            heed_stop();
+            if (kind_->stop->keeps_power(own())) {
+                fail(errc::overruled);
             }
         }
         if (not has_request()) {
             return std::nullopt;
         }
-        is_asking_ = true;
-        this->note_command(is_command_to_run());
+        stage_ = stage::asking;
+        note_command(is_command_to_run());
         if (is_looking()) {
             return request_frame{frame_, repetition::never};
         }
         if (effect_of(action_) == effect::stopping) {
-            if (procedure_.is_harmful(word_of(action_), look_.allows_word(counts(known_word())))) {
+            if (own().is_harmful(word_of(action_), look_.allows_word(is_known()))) {
                 action_ = to_stop(address_of(action_), 0);
                 make_frame();
             }
@@ -154,59 +155,38 @@ public:
     }
 
     /// For the client: how long the response may take. A look of a stop ends when its time is over.
-    [[nodiscard]] constexpr duration limited(duration timeout) const noexcept requires(says_stop)
+    [[nodiscard]] constexpr duration limited(duration timeout) const noexcept
     {
         duration const rest = pause_end_ - now_;
         return is_looking() and has_length() and rest < timeout ? rest : timeout;
     }
 
-    /// From here on what was read of its words counts for the first one until the unit is lost, however long ago that was: of a
-    /// stop that continues what broadcasts have begun.
-    constexpr void count_old_readings(bool counts) noexcept requires(Script::is_stop) { counts_old_ = counts; }
-
-    /// Where a drive of the declared type has its control word, and where one of the other family has it.
-    [[nodiscard]] constexpr drive_layout const& layout() const noexcept requires(Script::is_stop)
-    {
-        return procedure_.layout();
-    }
-
-    /// Whether only 0000 is known to stop the drive, as far as this client has read.
-    [[nodiscard]] constexpr bool may_run_on_a_stop() noexcept requires(Script::is_stop)
-    {
-        procedure_.note_confirmed(known_word());
-        return procedure_.may_run_on_a_stop();
-    }
-
-    /// For the client: whether a stop has just found that the unit is of another family.
-    constexpr bool take_other_family() noexcept requires(Script::is_stop)
-    {
-        bool const is_new = is_other_family_;
-        is_other_family_ = false;
-        return is_new;
-    }
+    /// For the client: whether it stops its unit by the user's order; and whether such a stop has just found that the unit is
+    /// of another family.
+    [[nodiscard]] constexpr bool is_stop() const noexcept { return kind_->stop != nullptr; }
+    constexpr bool take_other_family() noexcept { return std::exchange(is_other_family_, false); }
 
     /// Whether there is a request to send.
     [[nodiscard]] constexpr bool has_request() const noexcept
     {
-        return has_begun_ and
-               (is_looking() or what_of(action_) == action_kind::read or what_of(action_) == action_kind::write);
+        return is_looking() or what_of(action_) == action_kind::read or what_of(action_) == action_kind::write;
     }
 
     constexpr void accept(result<response> const& outcome) noexcept
     {
-        is_asking_ = false;
-        if (settled()) {
+        if (stage_ == stage::made or stage_ == stage::ended) {
             return;
         }
+        stage_ = stage::waiting;
         if (is_looking()) {
-            end_look(meaning_in(outcome, procedure_.control_word()));
+            end_look(meaning_in(outcome, own().control_word()));
             return heed_loss();
         }
         if (effect_of(action_) == effect::stopping and outcome.error() != errc::cancelled) {
             look_.note_word(); // else it never left
         }
-        take(outcome.error() == errc::overruled ? procedure_.yield() : procedure_.step(event_of(outcome)));
-        if (Script::follows_order and settled() and is_done()) {
+        go_on(event_of(outcome));
+        if (kind_->follows_order and settled() and is_done()) {
             heed_end_of_order();
         }
         heed_loss();
@@ -215,11 +195,12 @@ public:
     /// When `advance` has something to do; nothing while a request is under way.
     [[nodiscard]] constexpr deadline poll_deadline() const noexcept
     {
-        if (settled() or is_asking_ or not has_begun_) {
+        if (stage_ != stage::waiting) {
             return {};
         }
         earliest next;
-        if (not is_late_ and not(has_to_say() and reached(now_, late_at_))) { // else it waits for more than that
+        if (left_ < time_left::none and
+            not(has_to_say() and reached(now_, late_at_))) { // else it waits for more than that
             next.add(late_at_);
         }
         if (has_length()) {
@@ -229,99 +210,124 @@ public:
     }
 
     /// Whether the procedure has ended.
-    [[nodiscard]] constexpr bool settled() const noexcept
-    {
-        return has_begun_ and what_of(action_) == action_kind::end;
-    }
+    [[nodiscard]] constexpr bool settled() const noexcept { return stage_ == stage::ended; }
 
     /// How it ended; `pending` until it is settled. To be read in the pass in which it settles: from the next visit on it
     /// is `used_already`.
     [[nodiscard]] constexpr altivar::reason reason() const noexcept
     {
-        return this->is_used_already() ? altivar::reason{outcome_kind::used_already}
-               : settled()             ? procedure_.reason()
-                                       : altivar::reason{};
+        return is_used_already() ? altivar::reason{outcome_kind::used_already}
+               : settled()       ? own().reason()
+                                 : altivar::reason{};
     }
 
     /// Whether it ended with success.
     [[nodiscard]] constexpr bool succeeded() const noexcept { return reason().kind == outcome_kind::succeeded; }
 
 protected:
-    /// Of an order to run: whether it was carried out, and still counts.
-    [[nodiscard]] constexpr bool has_done_its_order() const noexcept
+    constexpr procedure_conversation(procedure_kind const& kind, unit_id its_unit, duration its_limit) noexcept
+        : kind_{&kind}, limit_{its_limit}, unit_{its_unit}, look_{kind.stop != nullptr}
+    {}
+    /// The procedure goes with it.
+    constexpr procedure_conversation(procedure_conversation const&) noexcept = default;
+    constexpr procedure_conversation& operator=(procedure_conversation const&) noexcept = default;
+
+    /// Begins anew, as it was made, behind its procedure.
+    constexpr void begin_again() noexcept
     {
-        return is_done() and this->is_order_in_force(unit_);
+        commander const former{*this};
+        *this = procedure_conversation{*kind_, unit_, limit_};
+        if (kind_->follows_order) {
+            begin_anew(former);
+        } else {
+            replace(former);
+        }
     }
 
-    [[nodiscard]] constexpr Script const& told() const noexcept { return procedure_; }
+    /// Of an order to run: whether it was carried out, and still counts.
+    [[nodiscard]] constexpr bool has_done_its_order() const noexcept { return is_done() and is_order_in_force(unit_); }
+
+    /// Of a stop: from here on what was read of its words counts for the first one until the unit is lost, however long ago that
+    /// was, as it continues what broadcasts have begun.
+    constexpr void count_old_readings(bool counts) noexcept { counts_old_ = counts; }
+
+    constexpr void tell_known() noexcept { own().note_known(is_known()); }
 
 private:
+    enum class stage : std::uint32_t { made, waiting, asking, ended };
+
+    /// Until its limit: enough. Behind it: the procedure's grace, then none but for one request, which may be given already.
+    enum class time_left : std::uint32_t { enough, grace, none, none_one_given };
+
+    constexpr procedure& own() noexcept { return kind_->procedure_of(*this); }
+    constexpr procedure const& own() const noexcept { return const_cast<procedure_conversation*>(this)->own(); }
+
+    constexpr void step(event what) noexcept { take(kind_->step(own(), what)); }
+    [[gnu::noinline]] constexpr void step(event::kind what) noexcept { step(event{what}); }
+    [[gnu::noinline]] constexpr void fail(errc error) noexcept { step({event::kind::failed, 0, error}); }
+    /// The same; or the drive belongs to a stop that came later.
+    constexpr void go_on(event what) noexcept { what.error() == errc::overruled ? yield() : step(what); }
+    [[gnu::noinline]] constexpr void yield() noexcept { take(own().yield()); }
+
     constexpr bool is_done() const noexcept
     {
-        outcome_kind const how = procedure_.reason().kind;
+        outcome_kind const how = own().reason().kind;
         return how == outcome_kind::succeeded or how == outcome_kind::reference_limited;
     }
     constexpr bool is_command_to_run() const noexcept
     {
         constexpr std::uint16_t run = cia402::word_of(cia402::command::enable_operation);
-        return effect_of(action_) == effect::enabling and address_of(action_) == procedure_.control_word() and
+        return effect_of(action_) == effect::enabling and address_of(action_) == own().control_word() and
                (word_of(action_) & run) == run;
     }
-    constexpr bool is_looking() const noexcept { return says_stop and look_.is_under_way(); }
+    constexpr bool is_looking() const noexcept { return look_.is_under_way(); }
 
     /// Whether the control word to send stops only a drive in its drive profile, and that has to be read.
     [[gnu::noinline]] constexpr bool has_to_look() const noexcept
     {
-        return says_stop and effect_of(action_) == effect::stopping and word_of(action_) != 0 and
-               look_.is_due(counts(known_word()), was_confirmed_at()) and procedure_.may_have_io() and
-               procedure_.chcf() != 0;
+        return effect_of(action_) == effect::stopping and word_of(action_) != 0 and
+               look_.is_due(is_known(), was_known()) and own().may_have_io() and own().chcf() != 0;
     }
-    constexpr bool was_confirmed_at() const noexcept { return not counts_old() and counts(this->was_confirmed()); }
-    constexpr bool counts_old() const noexcept { return Script::is_stop and counts_old_; }
-    constexpr std::uint16_t known_word() const noexcept
-    {
-        return counts_old() and this->confirmed() == 0 ? this->was_confirmed() : this->confirmed();
-    }
-    constexpr bool counts(std::uint16_t confirmed) const noexcept { return confirmed == procedure_.control_word(); }
+    /// Whether the drive is known to take the words of all stops as such; whether it was, and may have lost its power since.
+    constexpr bool is_known() const noexcept { return is_its_word(last_confirmed()) and not has_doubt(); }
+    constexpr bool was_known() const noexcept { return is_its_word(last_confirmed()) and has_doubt(); }
+    constexpr bool has_doubt() const noexcept { return is_doubtful() and not counts_old_; }
+    constexpr bool is_its_word(std::uint16_t address) const noexcept { return address == own().control_word(); }
 
     constexpr void begin() noexcept
     {
-        if constexpr (Script::is_stop) {
-            if (procedure_.looks_first(was_confirmed_at())) {
-                return begin_look();
-            }
+        if (is_stop() and kind_->stop->looks_first(own(), was_known())) {
+            return begin_look();
         }
-        take(procedure_.step({event::kind::begun}));
+        step(event::kind::begun);
     }
 
     constexpr void begin_look() noexcept
     {
         look_.begin();
         pause_end_ = now_ + longest_look_of_a_stop;
-        make_frame(false, procedure_.chcf(), 1);
+        make_frame(false, own().chcf(), 1);
     }
 
     /// Begins, or sends the control word: the one meant where it is known to be that, else 0000.
     constexpr void end_look(std::uint16_t meaning) noexcept
     {
-        look_.end(counts(meaning));
-        this->note_meaning(meaning);
+        look_.end(is_its_word(meaning));
+        note_meaning(meaning);
         if (effect_of(action_) == effect::stopping) {
             return make_frame();
         }
-        if constexpr (Script::is_stop) {
-            procedure_.note_confirmed(known_word());
-        }
-        take(procedure_.step({event::kind::begun}));
+        tell_known();
+        step(event::kind::begun);
     }
 
     /// It was done, by what was read before its order came to an end: that has failed. A start withdraws its commands, for a
     /// drive that does not supervise its link runs on.
     constexpr void heed_end_of_order() noexcept
     {
-        if (errc const why = this->end_of_order(unit_); why != errc::none) {
-            procedure_.forget_end();
-            take(why == errc::overruled ? procedure_.yield() : procedure_.step({event::kind::failed, 0, why}));
+        if (errc const why = end_of_order(unit_); why != errc::none) {
+            own().forget_end();
+            go_on({event::kind::failed, 0, why});
         }
     }
 
@@ -329,7 +335,7 @@ private:
     /// itself. So it fails now.
     constexpr void heed_loss() noexcept
     {
-        if (not has_lost_ or is_asking_) {
+        if (not has_lost_ or stage_ == stage::asking) {
             return;
         }
         has_lost_ = false;
@@ -337,19 +343,19 @@ private:
             return end_look(0);
         }
         if (not settled() and effect_of(action_) != effect::stopping) {
-            take(procedure_.step({event::kind::failed, 0, errc::unit_lost}));
+            fail(errc::unit_lost);
         }
     }
 
     /// Whether a stop's control word was never sent.
-    constexpr bool has_to_say() const noexcept { return Script::is_stop and not look_.has_said(); }
+    constexpr bool has_to_say() const noexcept { return is_stop() and not look_.has_said(); }
 
     /// Whether the time limit is ahead, or over and not taken notice of. It ends no stop that has to say its word: only what such
     /// a one reads before.
     constexpr bool has_limit() const noexcept
     {
         bool const reads = is_looking() or what_of(action_) == action_kind::read;
-        return not is_late_ and (reads or not has_to_say());
+        return left_ < time_left::none and (reads or not has_to_say());
     }
 
     /// Whether the action is a pause, or a request that may wait only for a limited time. Before its first word a stop looks
@@ -382,19 +388,23 @@ private:
     {
         // After the limit one request is allowed, and no pause.
         bool const is_request = what_of(next) == action_kind::read or what_of(next) == action_kind::write;
-        if (is_late_ and not has_to_say() and (what_of(next) == action_kind::pause or (is_request and was_granted_))) {
-            next = procedure_.give_up();
+        bool const is_late = left_ >= time_left::none;
+        if (is_late and not has_to_say() and
+            (what_of(next) == action_kind::pause or (is_request and left_ == time_left::none_one_given))) {
+            next = is_stop() ? kind_->stop->give_up(own()) : own().give_up();
         }
-        was_granted_ = was_granted_ or (is_late_ and is_request);
-        this->note_power(procedure_.take_power());
-        if (procedure_.take_fault()) {
-            this->note_fault();
+        left_ = is_late and is_request ? time_left::none_one_given : left_;
+        procedure& read = own();
+        note_power(read.take_power());
+        if (read.take_fault()) {
+            note_fault();
         }
-        this->note_meaning(procedure_.take_meaning());
-        if (Script::is_stop and what_of(next) == action_kind::end) {
-            this->note_stop_over();
-            is_other_family_ = procedure_.reason().kind == outcome_kind::other_family;
+        note_meaning(read.take_meaning());
+        if (is_stop() and what_of(next) == action_kind::end) {
+            note_stop_over();
+            is_other_family_ = read.reason().kind == outcome_kind::other_family;
         }
+        stage_ = what_of(next) == action_kind::end ? stage::ended : stage::waiting;
         action_ = next;
         pause_end_ = now_ + length_of(next);
         if (is_request) {
@@ -423,23 +433,79 @@ private:
         append_crc(frame_, frame_.size() - adu_overhead);
     }
 
-    Script procedure_;
+    procedure_kind const* kind_;
     action action_{to_pause({})};
     duration limit_;
     instant now_{0};
     instant late_at_{0};
     instant pause_end_{0};
+    stage stage_{stage::made};
+    time_left left_{time_left::enough};
     std::array<std::byte, 8> frame_{};
     unit_id unit_;
-    bool has_begun_{false};
-    bool is_asking_{false};
     bool has_lost_{false};
-    bool is_late_{false};
-    bool was_warned_{false}; ///< the limit is over; only the procedure's grace is left
-    bool was_granted_{false};
     bool is_other_family_{false};
     bool counts_old_{false};
-    stop_look look_{Script::is_stop};
+    stop_look look_;
+};
+
+/// Those of a stop.
+template <typename Stop>
+inline constexpr stop_kind stop_functions{
+    [](procedure const& which, bool was_known) noexcept {
+        return static_cast<Stop const&>(which).looks_first(was_known);
+    },
+    [](procedure const& which) noexcept { return static_cast<Stop const&>(which).keeps_power(); },
+    [](procedure& which) noexcept { return static_cast<Stop&>(which).give_up(); }};
+
+/// A procedure with its conversation.
+template <typename Script> class procedure_runner : public procedure_conversation {
+public:
+    constexpr procedure_runner(unit_id its_unit, Script const& procedure, duration its_limit) noexcept
+        : procedure_conversation{kind, its_unit, its_limit}, procedure_{procedure}
+    {}
+
+    /// Begins anew, as it was made: its limit counts from the next `advance`. One under way is given up first, as if it
+    /// had been destroyed. An order to move the motor is given by this call, and a stop that begins before the next visit ends
+    /// it; the client that it visited last must not have been destroyed, unless another one is in its place.
+    constexpr void again() noexcept
+    {
+        procedure_ = procedure_.anew();
+        this->begin_again();
+    }
+
+protected:
+    [[nodiscard]] constexpr Script const& told() const noexcept { return procedure_; }
+
+private:
+    static constexpr procedure& procedure_of(procedure_conversation& which) noexcept
+    {
+        return static_cast<procedure_runner&>(which).procedure_;
+    }
+    static constexpr action step(procedure& which, event what) noexcept
+    {
+        return static_cast<Script&>(which).step(what);
+    }
+    static constexpr duration drive_timeout_of(procedure const& which) noexcept
+    {
+        return static_cast<Script const&>(which).drive_timeout();
+    }
+
+    static constexpr stop_kind const* stop_of() noexcept
+    {
+        if constexpr (Script::is_stop) {
+            return &stop_functions<Script>;
+        } else {
+            return nullptr;
+        }
+    }
+
+    static constexpr procedure_kind kind{&procedure_of,         &step,
+                                         &drive_timeout_of,     stop_of(),
+                                         Script::grace,         Script::is_order,
+                                         Script::follows_order, Script::gives_way_to_order};
+
+    Script procedure_;
 };
 
 } // namespace rtuwire::altivar

@@ -104,8 +104,6 @@ public:
         : procedure{layout}, wanted_{wanted}, options_{options}, look_{layout, options}, last_{layout, 0}
     {}
 
-    [[nodiscard]] constexpr bool takes_back() const noexcept { return stage_ == stage::closing; }
-
     [[nodiscard]] constexpr channel_procedure anew() const noexcept { return {layout(), wanted_, options_}; }
 
     constexpr action step(event what) noexcept
@@ -258,6 +256,7 @@ private:
             return end_as(so);
         }
         stage_ = stage::closing;
+        note_taking_back();
         return so.kind == outcome_kind::refused_while_running ? last_.begin_cut(reason().state)
                                                               : last_.begin(so, reason().state);
     }

@@ -48,8 +48,6 @@ public:
 
     [[nodiscard]] constexpr link_procedure anew() const noexcept { return {is_release_, look_.anew()}; }
 
-    [[nodiscard]] constexpr bool takes_back() const noexcept { return stage_ == stage::closing; }
-
     constexpr action step(event what) noexcept
     {
         if (stage_ == stage::looking) {
@@ -91,6 +89,9 @@ private:
     constexpr action look_last(stage next, altivar::reason const& so) noexcept
     {
         stage_ = next;
+        if (next == stage::closing) {
+            note_taking_back();
+        }
         last_ = last_look{layout(), link_activated};
         return last_.begin(so, reason().state);
     }

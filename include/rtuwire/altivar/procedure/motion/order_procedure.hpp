@@ -26,7 +26,6 @@ public:
     [[nodiscard]] constexpr supervision_report const& report() const noexcept { return check_.report(); }
     using procedure::give_up; // as an order, not as its stop
     [[nodiscard]] constexpr duration drive_timeout() const noexcept { return check_.drive_timeout(); }
-    [[nodiscard]] constexpr bool takes_back() const noexcept { return kind_ != outcome_kind::pending; }
 
 protected:
     [[nodiscard]] constexpr supervision_procedure check_anew() const noexcept { return check_.anew(); }
@@ -83,6 +82,7 @@ protected:
     /// Withdraws the commands sent, and ends with this outcome when the drive stands.
     constexpr action take_back(outcome_kind kind, errc error, stop_by mode) noexcept
     {
+        note_taking_back();
         kind_ = kind;
         error_ = error;
         note_state(cia402::state::unknown);

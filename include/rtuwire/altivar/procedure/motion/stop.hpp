@@ -364,19 +364,16 @@ public:
         : stop_procedure{layout, mode}, begin_{begin}
     {}
 
-    /// Where the drive is known to take the words of all stops as such; told before each step.
-    constexpr void note_confirmed(std::uint16_t address) noexcept { is_confirmed_ = address == layout().cmd; }
-
     /// Whether only 0000 is known to stop the drive: in an I/O profile the words of the other stops may run it.
     [[nodiscard]] constexpr bool may_run_on_a_stop() const noexcept
     {
-        return not is_confirmed_ and may_have_io_profile(layout());
+        return not is_known() and may_have_io_profile(layout());
     }
 
     /// Whether CHCF is read before it begins: where the user asked for that, or it was read before and may have changed.
-    [[nodiscard]] constexpr bool looks_first(bool was_confirmed) const noexcept
+    [[nodiscard]] constexpr bool looks_first(bool was_known) const noexcept
     {
-        return is_doubtful() and layout().safeguards.chcf != 0 and (was_confirmed or begin_ == stop_begin::look_first);
+        return is_doubtful() and layout().safeguards.chcf != 0 and (was_known or begin_ == stop_begin::look_first);
     }
 
     [[nodiscard]] constexpr ordered_stop_procedure anew() const noexcept { return {layout(), ordered(), begin_}; }
@@ -416,7 +413,6 @@ private:
 
     stop_begin begin_;
     stage stage_{stage::usual};
-    bool is_confirmed_{false};
 };
 
 /// Stops a drive; settles when it is in "switch on disabled", or for `halt` when the motor stands. A long ramp needs
@@ -444,6 +440,16 @@ public:
         : procedure_runner{its_drive.unit(), ordered_stop_procedure{drive_check<Device>::layout, its_mode, begin},
                            its_limit}
     {}
+
+    /// For a stop of all, of which this is a part: where a drive of the declared type has its control word, and where one of the
+    /// other family has it; whether only 0000 is known to stop it, as far as this client has read.
+    [[nodiscard]] constexpr drive_layout const& layout() const noexcept { return told().layout(); }
+    [[nodiscard]] constexpr bool may_run_on_a_stop() noexcept
+    {
+        tell_known();
+        return told().may_run_on_a_stop();
+    }
+    using procedure_conversation::count_old_readings;
 };
 
 } // namespace rtuwire::altivar
