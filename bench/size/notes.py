@@ -51,7 +51,7 @@ TRICKS = (
     inlining("inline", "core/time.hpp", "constexpr void add("),
     inlining("inline", "wire/response.hpp", "constexpr errc check_fields("),
     inlining("inline", "wire/response.hpp", "constexpr answer_rule answer_of("),
-    inlining("inline", "wire/serial_line/device_identification.hpp", "static constexpr raw_length length("),
+    inlining("inline", "wire/serial_line_rules.hpp", "static constexpr raw_length length("),
     inlining("inline", "wire/functions.hpp", "constexpr std::uint8_t of_others("),
     inlining("inline", "wire/functions.hpp", "constexpr raw_length own("),
     inlining("inline", "wire/functions.hpp", "constexpr raw_length length_by_rule("),
