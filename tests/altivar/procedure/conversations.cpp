@@ -192,6 +192,25 @@ TEST_CASE("a scanner is configured only while the motor stands")
     CHECK(it.end_of(configure_scanner<inputs, outputs>{it.drive}).kind == outcome_kind::refused_while_running);
 }
 
+TEST_CASE("of what a start writes only the word that runs the motor is its command to run")
+{
+    test::all_drives::for_each([]<typename Device>() {
+        pair<Device> it;
+        start go{it.drive, 1.5_Hz}; // 15, a word that would run the motor at another address
+        unsigned others = 0, commands = 0;
+        it.disturb([&](test::frame_bytes& frame, bool is_request) {
+            if (is_request and frame[1] == std::byte{6}) {
+                bool const is_control = u16_at(byte_view{frame}, 2) == Device::layout.cmd;
+                bool const runs = is_control and (u16_at(byte_view{frame}, 4) & 15U) == 15U;
+                CHECK(go.says_run() == runs);
+                ++(runs ? commands : others);
+            }
+        });
+        REQUIRE(it.run(go));
+        CHECK((commands > 0 and others > 2));
+    });
+}
+
 TEST_CASE("a start that fails half way takes its command back")
 {
     pair<atv12::device> it;

@@ -287,6 +287,18 @@ TEST_CASE("a state that nobody knows is looked at again")
     CHECK(u16_at(starting.conversation.next()->frame(), 2) == atv320::lfr.address);
 }
 
+TEST_CASE("an outcome that a procedure did not ask for, before its first visit or behind its end, changes nothing")
+{
+    by_hand<reset_fault> it{reset_fault{drive}};
+    it.conversation.accept(errc::timed_out);
+    it.hear_word(0x0250); // in no fault: it begins all the same
+    REQUIRE(it.conversation.succeeded());
+    for (errc const told : {errc::none, errc::timed_out, errc::overruled}) {
+        it.conversation.accept(told == errc::none ? result<response>{nothing} : result<response>{told});
+        CHECK((it.conversation.succeeded() and not it.conversation.has_request()));
+    }
+}
+
 TEST_CASE("a conversation that is late has no deadline, and is not late twice")
 {
     by_hand<reset_fault> it{reset_fault{drive, milliseconds(120)}};
