@@ -23,6 +23,7 @@ struct hand_commander : commander {
     effect wanted{effect::none};
     repetition again{repetition::never};
     bool has_request{false};
+    bool goes_on{false}; ///< behind its next outcome
     std::uint8_t tolerates{0};
     duration timeout{milliseconds(5'000)}; ///< of its drive
     std::optional<errc> told{};            ///< its last outcome
@@ -57,7 +58,7 @@ struct hand_commander : commander {
         told = outcome.error();
         has_request = false;
     }
-    bool settled() const { return not has_request; }
+    bool settled() const { return not has_request and not goes_on; }
     void note_loss() { ++losses; }
     duration drive_timeout() const { return timeout; }
     bool is_in_force() const { return is_order_in_force(unit()); }

@@ -406,6 +406,42 @@ TEST_CASE("rule 40: reads keep no ordered unit running whose stop was released, 
     }
 }
 
+TEST_CASE("rule 40: reads keep no motor running whose order another one replaced that sent no word")
+{
+    left_alone of;
+    hand_commander other{3};
+    other.note_order_to_run();
+    other.goes_on = true;
+    for (unsigned pass = 0; pass < 20; ++pass) { // it looks at the drive
+        of.it.see(other);
+        CHECK(of.asks());
+    }
+    CHECK_FALSE(of.it.is_lost(3));
+    SECTION("it enables the unit, and holds it")
+    {
+        REQUIRE(of.it.does(other, effect::enabling) == errc::none);
+        other.goes_on = false;
+        CHECK(of.polls_in(1'000'000) > 20);
+        CHECK_FALSE(of.it.is_lost(3));
+    }
+    SECTION("it ends, and comes by")
+    {
+        other.goes_on = false;
+        unsigned polls = 0;
+        for (unsigned pass = 0; pass < 20; ++pass) {
+            of.it.see(other);
+            polls += of.asks() ? 1U : 0U;
+        }
+        CHECK(polls == 2); // behind one that was answered since it went on
+        CHECK(of.it.is_lost(3));
+    }
+    SECTION("it is gone")
+    {
+        CHECK(of.polls_in(1'000'000) == 2);
+        CHECK(of.it.is_lost(3));
+    }
+}
+
 TEST_CASE("rule 40: a stop that comes by again behind a release, or behind an absence, keeps its unit from being lost")
 {
     for (bool const is_for_all : {false, true}) {

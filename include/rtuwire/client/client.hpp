@@ -492,6 +492,9 @@ private:
         if (orders_.visit(conversation, unit, now)) {
             conversation.note_loss();
         }
+        if (not conversation.settled()) {
+            orders_.note_under_way(conversation, unit);
+        }
         if constexpr (may_be_stop<Conversation>) {
             if (conversation.take_other_family()) {
                 orders_.leave_alone(unit, now);

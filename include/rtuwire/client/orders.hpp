@@ -17,11 +17,11 @@
 // stop holds: another controller may have ordered it, or this one before it was switched off. So is, while a stop of all
 // units is broadcast, an ordered unit that no stop of its own follows: nobody would see whether it heard. So is an ordered
 // unit that nobody's order or stop holds any more, because its stop was given up or released, because one broadcast of
-// `broadcast_freewheel` was all that it was told, or because its order is over and the motor may run all the same: the reads
-// of others alone would keep it running. Then, for 2 s at most, only stop requests go to that unit. After that it gets no
-// request of any conversation, until the drive's own time-out and 1 s more have passed since the last of them: it has
-// stopped by itself if it can. A stop that begins meanwhile has 2 s for its requests, from the first one on. A response to
-// one of them ends the loss; the order stays cancelled.
+// `broadcast_freewheel` was all that it was told, because the order that replaced its own ended before it sent a word, or
+// because its order is over and the motor may run all the same: the reads of others alone would keep it running. Then, for
+// 2 s at most, only stop requests go to that unit. After that it gets no request of any conversation, until the drive's own
+// time-out and 1 s more have passed since the last of them: it has stopped by itself if it can. A stop that begins meanwhile
+// has 2 s for its requests, from the first one on. A response to one of them ends the loss; the order stays cancelled.
 // Internal: may change with any version.
 #pragma once
 
@@ -113,6 +113,17 @@ public:
         who.known_ = &own;
         tell(who, own);
         return is_lost;
+    }
+
+    /// A commander goes on behind its visit. Until its own order enables the unit, a motor that runs by the one before is held by
+    /// that.
+    constexpr void note_under_way(commander const& who, std::uint8_t unit) noexcept
+    {
+        unit_order* const own = places_.find(unit);
+        bool const is_left = own != nullptr and own->answers_left != 0 and own->last_order == who.stamp_;
+        if (is_left and not is_stopped_later(who, *own) and not is_older(who.stamp_, own->last_fault)) {
+            own->answers_left = most_answers;
+        }
     }
 
     /// Whether a request of this effect may be sent, apart from a silence: `overruled` where a stop came later than
@@ -487,6 +498,9 @@ private:
         who.takes_over_ = false;
         if (own != nullptr) {
             own->last_order = who.stamp_;
+            if (own->holder == 0 and own->answers_left == 0) {
+                leave(*own, own->on_line); // unless it enables the unit, too
+            }
             own->heard = own->is_doubtful ? now : own->heard;
         }
     }
