@@ -58,11 +58,23 @@ bool answers_at(any_port& port, std::uint32_t unit, std::uint16_t address)
     return response.has_value();
 }
 
-bool is_there(std::string const& path)
-{
-    struct stat info {};
-    return ::stat(path.c_str(), &info) == 0;
-}
+/// The far end of a simulated line. Its number may be given to another line at once.
+class far_end {
+public:
+    explicit far_end(std::string const& path) : path_{path} { is_known_ = ::stat(path_.c_str(), &seen_) == 0; }
+
+    bool is_there() const
+    {
+        struct stat now {};
+        bool const is_any = is_known_ and ::stat(path_.c_str(), &now) == 0;
+        return is_any and now.st_ctim.tv_sec == seen_.st_ctim.tv_sec and now.st_ctim.tv_nsec == seen_.st_ctim.tv_nsec;
+    }
+
+private:
+    std::string path_;
+    struct stat seen_ {};
+    bool is_known_{false};
+};
 
 /// A TCP port of this machine on which nobody listens.
 std::uint16_t free_port()
@@ -167,23 +179,24 @@ TEST_CASE("simulated drives fall silent when their port is closed, opened anew o
 {
     any_port port;
     REQUIRE(port.open(described("sim:atv320:7")));
-    std::string const first = port.device();
-    CHECK(is_there(first));
+    far_end const first{port.device()};
+    CHECK(first.is_there());
     REQUIRE(port.open(described("sim:atv12:3")));
+    CHECK_FALSE(first.is_there());
     CHECK(read_status(port, 3) == errc::none);
     CHECK(read_status(port, 7, milliseconds(50)) == errc::timed_out);
     any_port other{std::move(port)};
     CHECK(read_status(other, 3) == errc::none);
-    std::string const second = other.device();
+    far_end const second{other.device()};
     any_port third;
     REQUIRE(third.open(described("sim:atv28:5")));
-    std::string const replaced = third.device();
+    far_end const replaced{third.device()};
     third = std::move(other);
-    CHECK_FALSE(is_there(replaced));
+    CHECK_FALSE(replaced.is_there());
     CHECK(read_status(third, 3) == errc::none);
     other = std::move(third);
     other.close();
-    CHECK_FALSE(is_there(second));
+    CHECK_FALSE(second.is_there());
     CHECK_FALSE(other.is_open());
     CHECK_FALSE(other.is_simulated());
     CHECK(read_status(other, 3) == errc::device_not_open);
@@ -203,10 +216,11 @@ TEST_CASE("simulated drives end with their program, be it killed")
     char device[64]{};
     ssize_t const size = ::read(ends[0], device, sizeof device);
     CHECK(size > 0);
-    CHECK(is_there(device));
+    far_end const far{device};
+    CHECK(far.is_there());
     ::kill(program, SIGKILL);
     ::waitpid(program, nullptr, 0);
-    CHECK_FALSE(is_there(device));
+    CHECK_FALSE(far.is_there());
     ::close(ends[0]);
     ::close(ends[1]);
 }
