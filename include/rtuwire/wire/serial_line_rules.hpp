@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSL-1.0
 //
 // What the length rules and the check of responses know of the functions of wire/serial_line/: their rows of the table in
-// wire/functions.hpp, without their classes, which only a program reads that uses them. Apart from the table for these
-// classes, which take their rows from here.
+// wire/functions.hpp, without the classes of their requests, which only a program reads that uses them. The table and those
+// classes take the rows from here.
 #pragma once
 
 #include <cstddef>

@@ -24,13 +24,13 @@
 
 namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 
-/// How the motor comes to rest.
+/// How the motor comes to rest. Of one that the drive does not have the ramp takes the place, and the outcome says so.
 enum class stop_by : std::uint8_t {
     ramp,         ///< disable operation
     freewheel,    ///< disable voltage: no torque at once, the motor coasts
     quick_stop,   ///< the fast ramp
     halt,         ///< in the way that STT sets; stays in operation enabled with the halt bit set
-    dc_injection, ///< ATV28 only
+    dc_injection, ///< an ATV28 has it; others have halt
 };
 
 /// How a stop begins that is no freewheel, of a drive whose control words this client has not read to mean what they do in
