@@ -35,12 +35,14 @@ def own_group(*ignored):
         signal.signal(each, signal.SIG_IGN)
 
 
-def own_terminal(far):
-    """What a window does for a command that it is closed with."""
+def own_terminal(far, *ignored):
+    """What a window does for a command that it is closed with; the signals as they are by default but for some."""
     def before():
         os.setsid()
         fcntl.ioctl(far, termios.TIOCSCTTY, 0)
         signals_by_default()
+        for each in ignored:
+            signal.signal(each, signal.SIG_IGN)
 
     return before
 

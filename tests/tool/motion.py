@@ -336,6 +336,14 @@ def by_its_terminal(motor, program, check):
     check(motor.stands(), "terminal: the motor stands when it is closed", motor.shown())
 
 
+def by_its_terminal_behind_nohup(motor, program, check):
+    near, far = os.openpty()
+    process = turning(motor, program, check, "nohup", preexec_fn=own_terminal(far, signal.SIGHUP))
+    os.close(far)
+    os.close(near)
+    ends_with(process, motor, check, "nohup", 1, "or its terminal was closed: the order to run is gone; the motor stands")
+
+
 def by_signals(motor, program, check):
     """INT and TERM are how it is meant to end; of any other a shell is told."""
     for name, status in (("INT", 0), ("TERM", 0), ("HUP", 129), ("USR1", 138), ("XCPU", 152)):
@@ -355,7 +363,7 @@ def with_nothing_open(motor, program, check):
 
 WAYS = (by_its_time, by_speed, by_fault, by_lost_line, by_deaf_line, by_another_master, by_a_word_of_another_master, by_local, by_two_interrupts,
         by_a_held_interrupt, by_signals, by_suspension, by_stop, by_sleep, by_abort, by_a_full_disk, by_its_reader, behind_a_full_pipe,
-        by_its_terminal, with_nothing_open)
+        by_its_terminal, by_its_terminal_behind_nohup, with_nothing_open)
 TIMES = {by_lost_line: 60, by_deaf_line: 300, by_stop: 60, by_sleep: 60}
 RAMPS = {by_two_interrupts: 100, by_a_held_interrupt: 100}
 

@@ -21,7 +21,7 @@ public:
     /// To be called in each pass, before anything is sent; true where it finds a reason. Once there is one, it stays.
     bool look()
     {
-        bool const has_paused = pause_.is_too_long() or noted.resumed != 0;
+        bool const has_paused = pause_.is_too_long();
         if (why_) {
             return false;
         }
@@ -31,6 +31,8 @@ public:
             why_ = "to be suspended";
         } else if (has_paused) {
             why_ = "this program did not run for a while: the order to run is gone";
+        } else if (noted.resumed != 0) { // how long it was suspended does not matter; no signal but this tells
+            why_ = "this program was suspended, or its terminal was closed: the order to run is gone";
         } else if (int const failure = standard_output.failure(); failure != 0) {
             why_ = std::string{"standard output: "} + std::strerror(failure);
         }
