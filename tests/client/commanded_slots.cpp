@@ -13,6 +13,7 @@ using namespace rtuwire::test;
 namespace {
 
 constexpr client_options once{.response_timeout = milliseconds(100), .late_response = {}, .retries = 0};
+constexpr bus_options half{.silent_share = 50, .silent_after = 1};
 
 /// Not settled while it has nothing to ask, as a cycle is.
 struct cycle : hand_commander {
@@ -21,7 +22,7 @@ struct cycle : hand_commander {
 };
 
 struct bus_desk {
-    bus<2> link{office_line, once, {.silent_share = 50, .silent_after = 1}};
+    bus<2> link{office_line, once, half};
     instant now{0};
 
     bus_desk()
