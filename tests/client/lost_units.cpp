@@ -442,6 +442,89 @@ TEST_CASE("rule 40: reads keep no motor running whose order another one replaced
     }
 }
 
+TEST_CASE("rule 40: those who command keep no motor running by their reads that nobody's order or stop holds")
+{
+    constexpr unsigned most = 51; // each counts as five of 255
+    left_alone of;
+    hand_commander other{3};
+    unsigned reads = 0;
+    auto const reads_on = [&](auto prepare) {
+        for (unsigned pass = 0; pass < 200 and not of.it.is_lost(3); ++pass) {
+            prepare();
+            of.it.pass(20'000);
+            reads += of.it.does(other, effect::none) == errc::none ? 1U : 0U;
+        }
+    };
+    SECTION("not one that orders nothing, behind a release")
+    {
+        hand_commander stop{3};
+        stop.note_stop();
+        of.it.see(stop);
+        of.it.link.release(unit_id{3});
+        reads_on([] {});
+    }
+    SECTION("not one that never ends, and whose order to run sends no word")
+    {
+        other.note_order_to_run();
+        other.goes_on = true;
+        reads_on([] {});
+    }
+    SECTION("not one that is ordered to run again and again, and sends no word")
+    {
+        reads_on([&] { other.note_order_to_run(); });
+    }
+    CHECK(reads == most);
+    CHECK(of.it.is_lost(3));
+}
+
+TEST_CASE("rule 40: an order has enough reads before its first word, also beside a poll of its unit")
+{
+    left_alone of;
+    hand_commander other{3};
+    other.note_order_to_run();
+    other.goes_on = true;
+    for (unsigned look = 0; look < 40; ++look) {
+        of.it.pass(20'000);
+        REQUIRE(of.it.does(other, effect::none) == errc::none);
+        REQUIRE(of.asks());
+    }
+    CHECK(of.it.does(other, effect::enabling) == errc::none);
+    other.goes_on = false;
+    for (unsigned look = 0; look < 100; ++look) { // its order holds it
+        of.it.pass(20'000);
+        REQUIRE(of.it.does(other, effect::none) == errc::none);
+    }
+    CHECK_FALSE(of.it.is_lost(3));
+}
+
+TEST_CASE("rule 40: who sends words that stop it may look between them")
+{
+    left_alone of;
+    of.it.link.motor_orders().note_all_freed();
+    hand_commander other{3};
+    for (unsigned look = 0; look < 200; ++look) {
+        of.it.pass(20'000);
+        REQUIRE(of.it.does(other, look % 40 == 0 ? effect::stopping : effect::none) == errc::none);
+    }
+    CHECK_FALSE(of.it.is_lost(3));
+}
+
+TEST_CASE("rule 40: what a motor that was left has had of looks does not count behind a new order")
+{
+    left_alone of;
+    hand_commander other{3};
+    for (unsigned turn = 0; turn < 10; ++turn) {
+        other.note_order_to_run();
+        other.goes_on = true;
+        for (unsigned look = 0; look < 20; ++look) {
+            of.it.pass(20'000);
+            REQUIRE(of.it.does(other, effect::none) == errc::none);
+        }
+        REQUIRE(of.it.does(other, effect::enabling) == errc::none);
+    }
+    CHECK_FALSE(of.it.is_lost(3));
+}
+
 TEST_CASE("rule 40: a stop that comes by again behind a release, or behind an absence, keeps its unit from being lost")
 {
     for (bool const is_for_all : {false, true}) {

@@ -18,7 +18,7 @@
 // units is broadcast, an ordered unit that no stop of its own follows: nobody would see whether it heard. So is an ordered
 // unit that nobody's order or stop holds any more, because its stop was given up or released, because one broadcast of
 // `broadcast_freewheel` was all that it was told, because the order that replaced its own ended before it sent a word, or
-// because its order is over and the motor may run all the same: the reads of others alone would keep it running. Then, for
+// because its order is over and the motor may run all the same: reads alone would keep it running. Then, for
 // 2 s at most, only stop requests go to that unit. After that it gets no request of any conversation, until the drive's own
 // time-out and 1 s more have passed since the last of them: it has stopped by itself if it can. A stop that begins meanwhile
 // has 2 s for its requests, from the first one on. A response to one of them ends the loss; the order stays cancelled.
@@ -49,8 +49,11 @@ inline constexpr std::uint16_t longest_absence = 8;
 inline constexpr std::uint8_t most_passes_missed = 4;
 
 /// An ordered unit that nobody's order or stop holds is lost behind so many answers to others than commanders: before, a
-/// commander's look may still show that it has no power.
+/// commander's look may still show that it has no power, or that its order replaces the one before.
 inline constexpr std::uint8_t most_answers = 3;
+/// And behind so many answers in all, of which one to a commander counts as five: 51 of these are more than any order needs
+/// before its first word.
+inline constexpr std::uint32_t most_looks = 255, look_of_a_commander = 5;
 
 /// Of a unit whose type is not the declared one: the longest time-out of any drive, and 1 s more.
 inline constexpr duration silence_of_another_family = milliseconds(31'000);
@@ -116,7 +119,7 @@ public:
     }
 
     /// A commander goes on behind its visit. Until its own order enables the unit, a motor that runs by the one before is held by
-    /// that.
+    /// that, for so many answers in all.
     constexpr void note_under_way(commander const& who, std::uint8_t unit) noexcept
     {
         unit_order* const own = places_.find(unit);
@@ -299,7 +302,7 @@ public:
             own->on_line = was_repeated ? now : asked_;
             own->misses = 0;
             own->is_lost = false;
-            if (own->answers_left != 0 and not is_by_commander_ and --own->answers_left == 0) {
+            if (own->answers_left != 0 and was_last_answer(*own)) {
                 lose(*own, now);
             }
             return;
@@ -562,6 +565,7 @@ private:
                 own->words_end = asked_ + stop_words_after_loss;
             }
             own->silence = own->silence == duration{} ? drive_timeout + milliseconds(1'000) : own->silence;
+            own->looks_left = most_looks; // it follows its word
         }
     }
 
@@ -739,7 +743,16 @@ private:
     static constexpr void leave(unit_order& own, instant now) noexcept
     {
         bool const may_run = own.is_ordered and not own.is_lost and now - own.on_line <= own.silence;
+        own.looks_left = own.answers_left == 0 ? most_looks : own.looks_left; // else it was left before
         own.answers_left = may_run ? most_answers : std::uint8_t{0};
+    }
+
+    /// An answer of a unit that nobody holds: whether it was the last one.
+    constexpr bool was_last_answer(unit_order& own) const noexcept
+    {
+        std::uint32_t const cost = is_by_commander_ ? look_of_a_commander : 1;
+        own.looks_left -= own.looks_left < cost ? own.looks_left : cost;
+        return own.looks_left == 0 or (not is_by_commander_ and --own.answers_left == 0);
     }
 
     static constexpr std::uint16_t step_of(instant at) noexcept
