@@ -64,7 +64,7 @@ constexpr bool tells_of_a_reset()
 }
 PROOF("an exchange that resets a fault is called so", tells_of_a_reset)
 
-/// A cycle whose drive does not have SLL, the first register of a check without limits.
+/// A cycle whose drive does not have SLL, the first register of a check without limits but for what a hertz is in rpm.
 constexpr bool is_without_sll(cycle& it, bool has_slots = true)
 {
     bool ok = it.asks();
@@ -77,6 +77,10 @@ constexpr bool is_without_sll(cycle& it, bool has_slots = true)
         ok = ok and it.asks() and it.reads(first_slot_address, 4);
         it.miss(errc::illegal_data_address);
     }
+    ok = ok and it.asks() and it.reads(9'602);
+    it.hear({500});
+    ok = ok and it.asks() and it.reads(9'604);
+    it.hear({1'440});
     ok = ok and it.asks() and it.reads(7'010);
     it.miss(errc::illegal_data_address);
     return ok;

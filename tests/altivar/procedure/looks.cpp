@@ -93,7 +93,7 @@ constexpr bool ends_in_time()
 }
 PROOF("who names no limit has one, from the first pass on: looks and links", ends_in_time)
 
-constexpr supervision_procedure check{later, test::unlimited};
+constexpr supervision_procedure check{later, test::unlimited, false};
 constexpr errc missing = errc::illegal_data_address;
 
 // Words that nobody has described are no safeguards.
@@ -111,7 +111,8 @@ STATIC_CHECK(ends(told(check, begins, written), outcome_kind::aborted));
 
 constexpr bool accepts_all_that_is_missing()
 {
-    supervision_procedure it{later, {.risks = {.accept_unknown_registers = true}, .beyond = beyond_limits::limit}};
+    supervision_procedure it{
+        later, {.risks = {.accept_unknown_registers = true}, .beyond = beyond_limits::limit}, false};
     action last = it.step(begins);
     unsigned requests = 0;
     while (what_of(last) == action_kind::read and address_of(last) != later.eta) {
@@ -133,8 +134,8 @@ PROOF("a drive that has none of the registers is ready only where that was accep
 
 constexpr bool takes_no_status_for_granted()
 {
-    supervision_procedure it{atv12::device::layout,
-                             {.risks = {.accept_unknown_registers = true}, .beyond = beyond_limits::limit}};
+    supervision_procedure it{
+        atv12::device::layout, {.risks = {.accept_unknown_registers = true}, .beyond = beyond_limits::limit}, false};
     action const last = after(it, begins, read(1), read(100), read(1), read(164), read(0));
     return reads(last, 3201) and what_of(it.step(fails(missing))) == action_kind::end and
            it.reason().kind == outcome_kind::refused and it.reason().error == missing;
@@ -143,7 +144,7 @@ PROOF("a status that is not there is no risk that could be accepted", takes_no_s
 
 constexpr bool is_ready_without_a_wiring_register()
 {
-    supervision_procedure it{old, test::unlimited};
+    supervision_procedure it{old, test::unlimited, false};
     action last = after(it, begins, read(0), read(0)); // CMI, ATR
     bool ok = reads(last, 6);
     last = it.step(fails(missing)); // TCC: as in two-wire control

@@ -32,7 +32,7 @@ enum class outcome_kind : std::uint8_t {
     unconfirmed,           ///< a stop: its word was confirmed, or the motor slows down; no standstill was read
     in_fault,              ///< the drive is in fault; `fault` is its LFT
     local_control,         ///< the drive is commanded locally, at its keypad or terminals
-    reference_limited,     ///< done, but the reference is outside LSP..HSP
+    reference_limited,     ///< done, but the reference is outside LSP..HSP: `limit` is kept
     refused_while_running, ///< only a stopped drive accepts this
     misconfigured,         ///< the drive's scanner holds other words than are needed
     halted,                ///< the halt bit is set: only a start takes it away
@@ -63,7 +63,7 @@ struct [[nodiscard]] reason {
     cia402::state state{cia402::state::unknown}; ///< the last one read
     std::uint16_t fault{0};                      ///< LFT, where it was read; 0 otherwise
     bool is_other_stop{false};                   ///< another stop than the one ordered: see stop.hpp
-    std::uint16_t limit{0};                      ///< HSP or LSP that refused a reference, as it was read: 0.1 Hz
+    std::uint16_t limit{0};                      ///< HSP or LSP that refused or limits a reference: 0.1 Hz
 
     friend constexpr bool operator==(reason const&, reason const&) noexcept = default;
 };

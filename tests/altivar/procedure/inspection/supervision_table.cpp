@@ -209,10 +209,10 @@ constexpr supervision_procedure with_risk(drive_layout const& of, bool supervisi
     if (risk != nullptr) {
         options.risks.*risk = true;
     }
-    return supervision_procedure{of, options};
+    return supervision_procedure{of, options, false};
 }
 
-constexpr supervision_procedure check{layout, unlimited}, old_check{old, unlimited};
+constexpr supervision_procedure check{layout, unlimited, false}, old_check{old, unlimited, false};
 
 } // namespace
 
@@ -280,8 +280,10 @@ TEST_CASE("a check knows what the control words mean from CHCF and DOTD")
     CHECK(of(missing, word(1)) == word_meaning::unknown);
 
     way const without_dotd{begun, word(1), word(120), word(1), word(164), word(0), remote};
-    CHECK(meaning(supervision_procedure{atv12::device::layout, unlimited}, without_dotd) == word_meaning::cia402);
-    CHECK(meaning(supervision_procedure{atv310::device::layout, unlimited}, without_dotd) == word_meaning::cia402);
+    CHECK(meaning(supervision_procedure{atv12::device::layout, unlimited, false}, without_dotd) ==
+          word_meaning::cia402);
+    CHECK(meaning(supervision_procedure{atv310::device::layout, unlimited, false}, without_dotd) ==
+          word_meaning::cia402);
     CHECK(meaning(old_check, {begun, word(0), word(0), word(0), word(0), remote}) == word_meaning::cia402);
 }
 

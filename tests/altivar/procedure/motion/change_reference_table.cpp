@@ -24,6 +24,7 @@ constexpr std::uint16_t reached = 0x0637, reached_back = 0x8637, limited = 0x0A3
 
 constexpr cell eta = reads(layout.eta), lft = reads(layout.lft), rfr = reads(layout.rfr), cmd = reads(layout.cmd);
 constexpr cell x = never, again = reads(speed), other = ends(kind::overwritten);
+constexpr cell highest = reads(3104), lowest = reads(3105);
 constexpr cell done = ends(kind::succeeded), silent = ends(kind::silent), refused = ends(kind::refused);
 constexpr cell aborted = ends(kind::aborted), too_late = ends(kind::state_timeout), fault = ends(kind::in_fault);
 constexpr cell local = ends(kind::local_control), key = ends(kind::stop_key), fell = ends(kind::fell_back);
@@ -59,8 +60,14 @@ constexpr way reached_once{begun,      word(enabled_word), word(0x000F), confirm
 constexpr way limited_once{begun, word(enabled_word), word(0x000F), confirmed, pause_over, word(limited), pause_over};
 constexpr way last_of_reached{begun,     word(enabled_word), word(0x000F),  confirmed, pause_over, word(reached),
                               word(300), pause_over,         word(reached), word(300), word(1'500)};
-constexpr way last_of_limited{begun,         word(enabled_word), word(0x000F),  confirmed,  pause_over,
-                              word(limited), pause_over,         word(limited), word(1'500)};
+constexpr way last_of_limited{begun,      word(enabled_word), word(0x000F), confirmed, pause_over, word(limited),
+                              pause_over, word(limited),      word(500),    word(0),   word(1'500)};
+constexpr way limited_twice{begun,      word(enabled_word), word(0x000F), confirmed,
+                            pause_over, word(limited),      pause_over,   word(limited)};
+constexpr way with_highest{begun,         word(enabled_word), word(0x000F),  confirmed, pause_over,
+                           word(limited), pause_over,         word(limited), word(500)};
+constexpr way with_lowest{begun,         word(enabled_word), word(0x000F),  confirmed, pause_over,
+                          word(limited), pause_over,         word(limited), word(500), word(0)};
 constexpr way limited_before{begun,         word(enabled_word), word(0x000F),       confirmed, pause_over,
                              word(limited), pause_over,         word(enabled_word), pause_over};
 
@@ -84,7 +91,7 @@ constexpr std::array<stage_row<20>, 7> forward_looks{{
       silent, refused, too_late}},
     {"a look after it was limited once", limited_once,
      {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
-      key, pauses, local, lft, rfr, pauses, again, again,
+      key, pauses, local, lft, rfr, pauses, highest, highest,
       silent, refused, too_late}},
     {"the last look, of one that was reached", last_of_reached,
      {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
@@ -116,7 +123,7 @@ constexpr std::array<stage_row<20>, 4> zero_looks{{
       silent, refused, too_late}},
     {"a look after it was limited once", limited_once,
      {fell, fell, fell, fell, pauses, fell, lft, lft, fell,
-      key, pauses, local, lft, pauses, pauses, again, again,
+      key, pauses, local, lft, pauses, pauses, highest, highest,
       silent, refused, too_late}},
     {"a look after it was reached, and then not",
      {begun, word(enabled_word), word(0x000F), confirmed, pause_over, word(reached), pause_over, word(enabled_word), pause_over},
@@ -137,7 +144,7 @@ constexpr std::array<answer, 8> others{{
     {"limit over", late},
 }};
 constexpr cell write = writes(speed, 1'500), write_turned = writes(speed, 0xFA24); // -1500
-constexpr std::array<stage_row<8>, 8> other_rows{{
+constexpr std::array<stage_row<8>, 10> other_rows{{
     {"the control word", {begun, word(enabled_word)}, {write, write, write_turned, x, x, silent, refused, aborted}},
     {"the write", {begun, word(enabled_word), word(0x000F)}, {x, x, x, pauses, x, silent, refused, aborted}},
     {"a wait after the write",
@@ -154,6 +161,8 @@ constexpr std::array<stage_row<8>, 8> other_rows{{
      {begun, word(enabled_word), word(0x000F), confirmed, pause_over, word(reached), word(300), pause_over,
       word(reached), word(300)},
      {other, other, other, x, x, silent, refused, too_late}},
+    {"HSP of one that is limited", limited_twice, {lowest, lowest, lowest, x, x, silent, again, too_late}},
+    {"LSP of the same", with_highest, {again, again, again, x, x, silent, again, too_late}},
     {"the fault of a drive that was not written to",
      {begun, word(fault_word)},
      {fault, fault, fault, x, x, silent, refused, fault}},
@@ -244,9 +253,7 @@ TEST_CASE("a change of the reference does in each stage, at each answer, what it
     way const reached_twice{begun,        word(enabled_word), word(0x000F), confirmed,    pause_over,
                             word(0x0637), word(300),          pause_over,   word(0x0637), word(300)};
     CHECK(does(led(forward, reached_twice), word(1'500), eta));
-    way const limited_twice{begun,      word(enabled_word), word(0x000F), confirmed,
-                            pause_over, word(0x0A37),       pause_over,   word(0x0A37)};
-    CHECK(does(led(forward, limited_twice), word(1'500), eta));
+    CHECK(does(led(forward, with_lowest), word(1'500), eta));
 }
 
 TEST_CASE("a change of the reference that may be refused reads no limit where it slows down")
@@ -276,12 +283,12 @@ TEST_CASE("a change to a small speed in reverse reads what a hertz is, and write
     constexpr reference_procedure small{layout, {speed, 0xFFED, true}, beyond_limits::limit}; // -19
     constexpr reference_procedure more{layout, {speed, 0xFFEC, true}, beyond_limits::limit};  // -20
     constexpr cell as_of_one_pair = writes(speed, 0xFFFA), as_of_two = writes(speed, 0xFFFD);
-    way const lowest{begun, word(back), word(by_sign), word(100)};
+    way const asks{begun, word(back), word(by_sign), word(100)};
     CHECK(does(led(zero_rpm, {begun, word(back), word(by_sign)}), word(100), frs));
     CHECK(does(led(zero_rpm, {begun, word(back), word(by_sign)}), word(0), write_0));
     CHECK(does(led(zero_rpm, {begun, word(back), word(by_sign)}), failed(errc::illegal_data_address), frs));
-    CHECK(does(led(zero_rpm, lowest), word(500), nsp));
-    CHECK(does(led(zero_rpm, lowest), failed(errc::illegal_data_address), as_of_one_pair));
+    CHECK(does(led(zero_rpm, asks), word(500), nsp));
+    CHECK(does(led(zero_rpm, asks), failed(errc::illegal_data_address), as_of_one_pair));
     CHECK(does(led(zero_rpm, {begun, word(back), word(by_sign), word(100), word(500)}), word(1'440), as_of_two));
     CHECK(does(led(zero_rpm, {begun, word(back), word(by_sign), word(100), word(500)}), word(0), as_of_one_pair));
     CHECK(does(led(zero_rpm, {begun, word(back), word(by_bit)}), word(100), writes(speed, 1)));

@@ -129,7 +129,7 @@ constexpr std::array<stage_row<8>, 10> other_rows{{
 // clang-format on
 
 constexpr atv28::direct_start_procedure checked_before{{speed, 1'500}, supervision_procedure{layout, commissioned()}};
-constexpr atv28::direct_start_procedure unchecked{{speed, 1'500}, supervision_procedure{layout, unlimited}};
+constexpr atv28::direct_start_procedure unchecked{{speed, 1'500}, supervision_procedure{layout, unlimited, false}};
 
 } // namespace
 

@@ -53,10 +53,11 @@ constexpr start_procedure unchecked{
 constexpr cell x = never;
 constexpr cell local = ends(kind::local_control), silent = ends(kind::silent), refused = ends(kind::refused);
 constexpr cell overwritten = ends(kind::overwritten);
+constexpr cell lowest = reads(3105);
 constexpr cell timeout = ends(kind::state_timeout), aborted = ends(kind::aborted), fault = ends(kind::in_fault);
 
 // clang-format off
-constexpr std::array<stage_row<13>, 17> rows{{
+constexpr std::array<stage_row<13>, 19> rows{{
     // stage, and the way there
     //   disabled, ready, switched on, enabled, quick stop, fault, local, STOP key,
     //   no state or another word, confirmed, no response, refused, limit over
@@ -93,6 +94,12 @@ constexpr std::array<stage_row<13>, 17> rows{{
     {"checking in operation", {begun, word(on), confirmed, word(on), confirmed, word(1'500), word(7), confirmed, word(2), word(enabled), word(1'500)},
      {x, x, x, x, x, x, x, x,
       ramp(kind::overwritten), x, eta, ramp(kind::refused), ramp(kind::state_timeout)}},
+    {"reading HSP of one that limits its reference", {begun, word(on), confirmed, word(on), confirmed, word(1'500), word(7), confirmed, word(2), word(0x0A37)},
+     {lowest, lowest, lowest, lowest, lowest, lowest, lowest, lowest,
+      lowest, x, eta, read_reference, ramp(kind::state_timeout)}},
+    {"reading LSP of the same", {begun, word(on), confirmed, word(on), confirmed, word(1'500), word(7), confirmed, word(2), word(0x0A37), word(500)},
+     {read_reference, read_reference, read_reference, read_reference, read_reference, read_reference, read_reference, read_reference,
+      read_reference, x, eta, read_reference, ramp(kind::state_timeout)}},
     {"reading the direction", {begun, word(enabled)},
      {x, x, x, x, x, x, x, x,
       overwritten, x, silent, refused, timeout}},

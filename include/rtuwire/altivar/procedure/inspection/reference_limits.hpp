@@ -16,7 +16,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// What becomes of a reference above HSP, or below LSP of a motor at rest.
 enum class beyond_limits : std::uint8_t {
     refuse, ///< no word is sent: `above_hsp`, `below_lsp`, or `unknown_register` where the drive does not tell its limits
-    limit, ///< it is sent without a look at them: the motor turns at HSP or LSP, `reference_limited`
+    limit, ///< it is sent without a look at these: the motor turns at HSP or LSP, `reference_limited`
 };
 
 /// The limits of one drive.
@@ -48,6 +48,27 @@ struct reference_limits {
         return found == outcome_kind::above_hsp   ? highest
                : found == outcome_kind::below_lsp ? lowest
                                                   : std::uint16_t{0};
+    }
+
+    /// Those that refuse no reference. What a hertz is stays.
+    [[nodiscard]] constexpr reference_limits without_frequencies() const noexcept
+    {
+        return {0, unread, per_hertz, pairs};
+    }
+
+    /// Whether what a drive was told for a reference is another speed, and nobody knows by how many of its steps.
+    [[nodiscard]] constexpr bool is_guessed(reference_write told, reference_write asked) const noexcept
+    {
+        return told.is_speed and per_hertz == 0 and told.size() > asked.size();
+    }
+
+    /// The limit that a drive keeps to which says that it limits a reference: the nearer one. 0 where what was read does not tell.
+    [[nodiscard]] constexpr std::uint16_t kept_for(reference_write told) const noexcept
+    {
+        std::uint32_t const scale = told.is_speed ? per_hertz : 1U, step = told.is_speed ? 10U * pairs : 1U;
+        bool const is_told = highest != unread and scale != 0;
+        bool const is_above = 2U * told.size() * step > (std::uint32_t{highest} + lowest) * scale;
+        return not is_told ? std::uint16_t{0} : is_above ? highest : lowest;
     }
 
     /// The fewest rpm that are 0.1 Hz; where what a hertz is was not read, as of a motor with one pair of poles.

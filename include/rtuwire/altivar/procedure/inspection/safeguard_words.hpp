@@ -60,12 +60,12 @@ enum class safeguard : std::uint8_t {
 /// | inputs           | a run input, not in three-wire control | run_input_closed               |
 /// | ETA              | in local control                       | local_control                  |
 ///
-/// TCC and the inputs count only where the terminals command after power-up, the limits where they refuse a reference, FRS,
-/// NSP and SDS for one in rpm.
+/// TCC and the inputs count only where the terminals command after power-up, the limits where they refuse a reference; FRS,
+/// NSP and SDS for one in rpm, whose sign rests on them, too.
 class safeguard_words {
 public:
     constexpr safeguard_words(std::uint16_t run_inputs, bool has_limits, bool is_by_speed) noexcept
-        : run_inputs_{run_inputs}, has_limits_{has_limits}, is_by_speed_{has_limits and is_by_speed}
+        : run_inputs_{run_inputs}, has_limits_{has_limits}, is_by_speed_{is_by_speed}
     {}
 
     /// The register to read; 0 where the drive has none.

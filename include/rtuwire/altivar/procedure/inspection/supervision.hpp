@@ -50,7 +50,7 @@ public:
                                     beyond_limits beyond = beyond_limits::refuse) noexcept
         : procedure{layout}, report_{found}, words_{0, false, false}, is_known_{true}
     {
-        report_.limits = beyond == beyond_limits::refuse ? found.limits : reference_limits{};
+        report_.limits = beyond == beyond_limits::refuse ? found.limits : found.limits.without_frequencies();
     }
 
     [[nodiscard]] constexpr supervision_procedure anew() const noexcept

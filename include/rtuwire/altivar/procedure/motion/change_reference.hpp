@@ -44,6 +44,7 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 /// |               | refused, or NSP is 0                | end:                |                                     |
 /// |               |                                     | unknown_register    |                                     |
 /// |               | the same, of a small one in rpm     | write the reference |                                     |
+/// |               | the same, for its name: LSP, too    |                     | read the reference                  |
 /// | a wait        | over                                |                     | read ETA                            |
 /// | anything      | no response                         | end: silent         | end: silent                         |
 /// |               | refused                             | end: refused        | end: refused                        |
@@ -52,7 +53,8 @@ namespace rtuwire::inline RTUWIRE_BUILD::altivar {
 ///
 /// "Reached" waits the first time; the second time in a row it reads the reference, and ends as `overwritten` where
 /// that is not the one written, else reads ETA once more: as `succeeded` where that shows "reached" again (without
-/// RFR), while another one begins anew. "Limited" does so as `reference_limited`. A reference of 0 has no direction:
+/// RFR), while another one begins anew. "Limited" does so as `reference_limited`, and asks once, before the reference, for HSP,
+/// in rpm FRS and NSP, and LSP: which of the two limits it. A reference of 0 has no direction:
 /// it keeps that of the motor, where LSP may be above 0 by 0.1 Hz with the sign for it. Before a word below zero and
 /// above -20 rpm is written, FRS and NSP are read: it is at least 0.1 Hz.
 /// Internal.
@@ -106,12 +108,20 @@ private:
         case asked::status: return judge(word);
         case asked::fault: return end_in_fault(word);
         case asked::control: return write(word);
-        case asked::lowest: told_ = word == 0 ? reference_ : told_; return read_scale();
+        case asked::lowest:
+            if (is_written_) {
+                limits_.lowest = word;
+                return confirm(true);
+            }
+            told_ = word == 0 ? reference_ : told_;
+            return read_scale();
         case asked::standing: return told_.is_within(word) ? read_scale() : read_limits();
         case asked::highest: limits_.highest = word; return go_on_to_speed();
         case asked::rated_frequency: rated_ = word; return ask(asked::rated_speed, speed_address());
         case asked::rated_speed:
-            return limits_.note_scale(rated_, word) ? hold_against_limits() : go_without_scale(errc::none);
+            return limits_.note_scale(rated_, word) ? hold_against_limits()
+                   : is_written_                    ? confirm(true)
+                                                    : go_without_scale(errc::none);
         case asked::written:
             holds_reference_ = word == told_.word;
             return holds_reference_ ? ask(asked::status, layout().eta) : end(outcome_kind::overwritten);
@@ -157,7 +167,23 @@ private:
         bool const is_again = shown == shown_ and shown != outcome_kind::pending;
         bool const is_last = std::exchange(holds_reference_, false);
         shown_ = shown;
-        return not is_again ? to_pause(status_period) : is_last ? end(shown) : ask(asked::written, told_.address);
+        if (not is_again) {
+            return to_pause(status_period);
+        }
+        if (not is_last) {
+            bool const is_unnamed = shown == outcome_kind::reference_limited and not has_limits_;
+            return is_unnamed and layout().hsp != 0 ? read_limits() : confirm(has_limits_);
+        }
+        bool const is_guessed = limits_.is_guessed(told_, reference_);
+        note_limit(shown == outcome_kind::reference_limited ? limits_.kept_for(told_) : std::uint16_t{0});
+        return end(is_guessed ? outcome_kind::reference_limited : shown);
+    }
+
+    /// Whether it still holds the reference that is reached, or limited. `has_limits`: both were asked for.
+    constexpr action confirm(bool has_limits) noexcept
+    {
+        has_limits_ = has_limits;
+        return ask(asked::written, told_.address);
     }
 
     /// One write of the reference with its sign: the direction bit stays as it is.
@@ -176,6 +202,11 @@ private:
 
     constexpr action go_without(errc error) noexcept
     {
+        bool const is_by_name = asked_ >= asked::lowest and asked_ <= asked::rated_speed;
+        if (is_written_ and is_by_name) {
+            limits_.highest = reference_limits::unread; // it ends without
+            return confirm(true);
+        }
         switch (asked_) {
         case asked::lowest: return read_scale();
         case asked::standing: return read_limits();
@@ -216,6 +247,9 @@ private:
     }
     constexpr action hold_against_limits() noexcept
     {
+        if (is_written_) {
+            return ask(asked::lowest, layout().lsp);
+        }
         outcome_kind const found = limits_.judge(told_, false);
         return found == outcome_kind::succeeded ? tell() : end_beyond(found, limits_.highest);
     }
@@ -234,13 +268,14 @@ private:
     beyond_limits beyond_;
     asked asked_{asked::status};
     bool is_written_{false};
+    bool has_limits_{false};      ///< it was asked for what limits the reference
     bool holds_reference_{false}; ///< the one written: the word read last
 };
 
 /// Changes the reference of a drive in operation; a negative one is in reverse, and 0 keeps the direction in which the
 /// motor turns. Done where two status reads after the write show that it is reached and that the motor turns in that
 /// direction, the drive then still holds it (else `overwritten`), and a third status shows it once more;
-/// `reference_limited` where they show that the drive limits it; `above_hsp` where it was not written, because it is
+/// `reference_limited` where they show that the drive limits it (`reason().limit` is the limit that it keeps to, where it tells); `above_hsp` where it was not written, because it is
 /// above HSP and not slower than the one before (`beyond_limits::limit` writes it all the same); `halted` where the
 /// halt bit is set, `state_timeout` where the drive does not reach it in time. A long ramp needs a long limit. A drive
 /// that leaves operation ends it as `stop_key` or `fell_back`; one not in operation at the first read as `aborted`, or

@@ -37,6 +37,8 @@ enum class start_stage : std::uint8_t {
     checking,          ///< the control word is read back, and with it a reference that is its neighbour
     examining_profile, ///< CHCF: the command to run was sent, which runs in the I/O profile whatever was forgotten
     enabled,           ///< the command to run was sent
+    reading_highest,   ///< of a drive that limits the reference
+    reading_lowest,
     reading_fault,
     aborting,
 };
@@ -118,6 +120,8 @@ private:
 /// | examining_profile | 1, 2: read ETA            |            | read ETA    | undo: refused | undo: state_timeout |
 /// |                   | else undo:                |            |             |               |                     |
 /// |                   | not_drive_profile         |            |             |               |                     |
+/// | reading_highest   | read LSP                  |            | read ETA    | read both     | undo: state_timeout |
+/// | reading_lowest    | read both                 |            | read ETA    | read both     | undo: state_timeout |
 /// | reading_fault     | undo: in_fault            |            | read ETA    | undo: refused | undo: in_fault, 0   |
 ///
 /// | status               | meeting             | enabling                 | enabled                              |
@@ -127,6 +131,7 @@ private:
 /// | 4 switched on        | write 0007          | write 0007, reference    | wait                                 |
 /// | 5 operation enabled  | read CMD            | read CMD                 | read both; then                      |
 /// |                      |                     |                          | end: succeeded, or reference_limited |
+/// |                      |                     |                          | limited, by what was not read: HSP   |
 /// | 1, 6, or no state    | wait                | undo: fell_back          | undo: fell_back                      |
 /// | 7, 8 fault           | read LFT            | read LFT                 | read LFT                             |
 /// | in local control     | end: local_control  | undo: local_control      | undo: local_control                  |
@@ -221,6 +226,8 @@ private:
         case stage::reading_reference: return check_reference(word);
         case stage::checking: return check(word, has_neighbour() ? second : told_.word);
         case stage::examining_profile: return confirm_profile(word);
+        case stage::reading_highest: kept_.highest = word; return read_limit(stage::reading_lowest, layout().lsp);
+        case stage::reading_lowest: kept_.lowest = word; return read_back();
         case stage::meeting:
         case stage::examining:
         case stage::enabling:
@@ -316,6 +323,9 @@ private:
         if (control != control_ or standing != told_.word) {
             return abort(outcome_kind::overwritten);
         }
+        if (shown_ == outcome_kind::reference_limited) {
+            note_limit(shows_limit_ ? kept_.kept_for(told_) : std::uint16_t{0});
+        }
         if (shown_ != outcome_kind::pending) {
             return end(shown_);
         }
@@ -341,8 +351,18 @@ private:
             stage_ = stage::reading_direction;
             return once(to_read(layout().cmd));
         }
-        shown_ = (status & reference_limited_bit) != 0 ? outcome_kind::reference_limited : outcome_kind::succeeded;
-        return read_back();
+        shows_limit_ = (status & reference_limited_bit) != 0;
+        bool const is_other = shows_limit_ or limits().is_guessed(told_, reference_);
+        shown_ = is_other ? outcome_kind::reference_limited : outcome_kind::succeeded;
+        kept_ = limits();
+        bool const is_known = kept_.highest != reference_limits::unread or layout().hsp == 0;
+        return shows_limit_ and not is_known ? read_limit(stage::reading_highest, layout().hsp) : read_back();
+    }
+
+    [[gnu::noinline]] constexpr action read_limit(stage next, std::uint16_t address) noexcept
+    {
+        stage_ = next;
+        return once(to_read(address));
     }
 
     /// Writes a new reference to a drive that runs, in one write; its direction bit stays. Where its control word is none
@@ -392,6 +412,10 @@ private:
     /// not sent again: a drive that does not follow it is read until the limit.
     constexpr action go_on(errc error) noexcept
     {
+        if (is_exception(error) and (stage_ == stage::reading_highest or stage_ == stage::reading_lowest)) {
+            kept_ = {}; // it goes on without
+            return read_back();
+        }
         if (not is_exception(error)) {
             note_redirection();
         }
@@ -432,11 +456,13 @@ private:
     reference_write reference_;
     reference_write told_{reference_};          ///< as this drive has to be told it
     std::uint16_t control_{0};                  ///< the control word that it has to hold
+    reference_limits kept_{};                   ///< of a drive that limits the reference
     outcome_kind shown_{outcome_kind::pending}; ///< by its status, once it runs as ordered
     cia402::state last_{cia402::state::unknown};
     stage stage_{stage::meeting};
     sent_commands sent_{};
     bool has_tried_{false}; ///< the command to run was due
+    bool shows_limit_{false};
     bool is_contradictory_;
 };
 
@@ -452,7 +478,7 @@ private:
 /// A drive that would not stop by itself, or that another source commands, is refused before anything is written, with
 /// the outcomes of `check_supervision`; `supervision()` names the register. A reference above HSP, or below LSP of a motor at
 /// rest, is refused as soon as these are read, as `above_hsp` or `below_lsp`, unless the options say `beyond_limits::limit`: the
-/// motor then turns at the limit, `reference_limited`. The check takes about eleven reads (thirteen for a speed); the
+/// motor then turns at the limit, `reference_limited`, and `reason().limit` is that. The check takes about eleven reads (thirteen for a speed); the
 /// report of an earlier check may be given instead. Where that was none of this client, a stop coasts: see `stop`.
 class start : public procedure_runner<start_procedure> {
 public:
